@@ -1,0 +1,225 @@
+//! Which steps can be active together.
+//!
+//! The relation is computed pair by pair, as for the concurrency relation of Petri nets (Kovalyov 1992): two steps are
+//! related if they start together, or if one is entered by a transition whose sources can all be active while the
+//! other is. That is a superset of what can really happen, found without exploring situations: what is not related
+//! never is active together, so two such steps can share one byte.
+
+use std::collections::VecDeque;
+
+use super::{Logic, Relation};
+use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition};
+
+/// Steps that can be active together.
+#[derive(Debug)]
+pub struct Concurrency {
+    relation: Relation,
+    /// Steps that can be active at all, as far as the structure tells.
+    reachable: Vec<bool>,
+    /// Steps that a transition may activate while they are active.
+    unsafe_steps: Vec<bool>,
+}
+
+impl Concurrency {
+    /// Computes the relation.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mut search = Search::new(model);
+        search.seed();
+        search.run();
+        Self { relation: search.relation, reachable: search.reachable, unsafe_steps: search.unsafe_steps }
+    }
+
+    /// Whether two different steps can be active together.
+    #[must_use]
+    pub fn together(&self, a: StepId, b: StepId) -> bool {
+        self.relation.contains(a.index(), b.index())
+    }
+
+    /// Whether some situation contains the step, as far as the structure tells.
+    #[must_use]
+    pub fn reachable(&self, step: StepId) -> bool {
+        self.reachable[step.index()]
+    }
+
+    /// Whether a transition may activate the step while it is active (and not left at the same time).
+    #[must_use]
+    pub fn activated_while_active(&self, step: StepId) -> bool {
+        self.unsafe_steps[step.index()]
+    }
+}
+
+struct Search<'m> {
+    model: &'m Model,
+    relation: Relation,
+    reachable: Vec<bool>,
+    unsafe_steps: Vec<bool>,
+    /// Transitions to look at (again), by index; `queued` keeps each in the list once.
+    work: VecDeque<usize>,
+    queued: Vec<bool>,
+    /// Per step the transitions that leave it.
+    leaving: Vec<Vec<usize>>,
+    /// Source transitions.
+    sourceless: Vec<usize>,
+}
+
+impl<'m> Search<'m> {
+    fn new(model: &'m Model) -> Self {
+        let steps = model.steps.len();
+        let mut leaving = vec![Vec::new(); steps];
+        for (id, transition) in model.transitions.iter() {
+            transition.sources.iter().for_each(|s| leaving[s.index()].push(id.index()));
+        }
+        Self {
+            model,
+            relation: Relation::new(steps),
+            reachable: vec![false; steps],
+            unsafe_steps: vec![false; steps],
+            work: VecDeque::new(),
+            queued: vec![false; model.transitions.len()],
+            leaving,
+            sourceless: model
+                .transitions
+                .iter()
+                .filter(|(_, t)| t.sources.is_empty())
+                .map(|(id, _)| id.index())
+                .collect(),
+        }
+    }
+
+    /// Situations that do not come from a transition inside the partial grafcet: initial, linked and forced steps.
+    /// Different partial grafcets evolve independently, so all their steps can be active together.
+    fn seed(&mut self) {
+        for (id, _) in self.model.partials.iter() {
+            for group in self.starts(id) {
+                self.enter_together(&group);
+            }
+        }
+        self.seed_across_partials();
+        if self.model.is_grafcet() {
+            self.seed_overlapping_branches();
+        }
+        self.queue_sources();
+    }
+
+    /// Groups of steps of a partial grafcet that become active together.
+    fn starts(&self, partial: PartialId) -> Vec<Vec<StepId>> {
+        let steps = &self.model.partials[partial].steps;
+        let pick = |wanted: &dyn Fn(StepId) -> bool| steps.iter().copied().filter(|s| wanted(*s)).collect::<Vec<_>>();
+        let mut groups = vec![pick(&|s| self.model.steps[s].initial), pick(&|s| self.model.steps[s].linked)];
+        for force in self.model.forces.values().filter(|f| f.target == partial) {
+            if let ForceOrder::Steps(forced) = &force.order {
+                groups.push(forced.clone());
+            }
+        }
+        groups
+    }
+
+    fn seed_across_partials(&mut self) {
+        if self.model.partials.len() == 1 {
+            return;
+        }
+        let ids: Vec<_> = self.model.steps.ids().collect();
+        for (i, a) in ids.iter().enumerate() {
+            for b in &ids[i + 1..] {
+                if self.model.steps[*a].partial != self.model.steps[*b].partial {
+                    self.relation.insert(a.index(), b.index());
+                }
+            }
+        }
+    }
+
+    /// IEC 60848 rule 4: branches that are not exclusive clear together.
+    fn seed_overlapping_branches(&mut self) {
+        let logic = Logic::new(self.model);
+        let transitions: Vec<&Transition> = self.model.transitions.values().collect();
+        for leaving in self.leaving.clone() {
+            for (i, a) in leaving.iter().enumerate() {
+                for b in &leaving[i + 1..] {
+                    let (a, b) = (transitions[*a], transitions[*b]);
+                    if !logic.exclusive(&a.condition.tree, &b.condition.tree) {
+                        self.enter_together_with(&a.targets, &b.targets);
+                    }
+                }
+            }
+        }
+    }
+
+    fn enter_together(&mut self, steps: &[StepId]) {
+        for (i, a) in steps.iter().enumerate() {
+            self.reach(*a);
+            for b in &steps[i + 1..] {
+                self.relate(a.index(), b.index());
+            }
+        }
+    }
+
+    fn enter_together_with(&mut self, left: &[StepId], right: &[StepId]) {
+        for a in left {
+            for b in right.iter().filter(|b| *b != a) {
+                self.relate(a.index(), b.index());
+            }
+        }
+    }
+
+    fn run(&mut self) {
+        while let Some(index) = self.work.pop_front() {
+            self.queued[index] = false;
+            self.fire(index);
+        }
+    }
+
+    /// What clearing a transition can lead to.
+    fn fire(&mut self, index: usize) {
+        let transition = &self.model.transitions.values().as_slice()[index];
+        let sources: Vec<usize> = transition.sources.iter().map(|s| s.index()).collect();
+        let enabled = sources.iter().all(|s| self.reachable[*s])
+            && sources.iter().enumerate().all(|(i, a)| sources[i + 1..].iter().all(|b| self.relation.contains(*a, *b)));
+        if !enabled {
+            return;
+        }
+        self.enter_together(&transition.targets);
+        for target in transition.targets.iter().map(|t| t.index()) {
+            for bystander in self.relation.common_beyond(&sources, target) {
+                if bystander == target {
+                    self.unsafe_steps[target] = true;
+                } else if self.reachable[bystander] {
+                    self.relate(target, bystander);
+                }
+            }
+        }
+    }
+
+    fn reach(&mut self, step: StepId) {
+        if !std::mem::replace(&mut self.reachable[step.index()], true) {
+            self.queue_leaving(step.index());
+            // A source transition can clear at any time, so its targets meet every reachable step.
+            self.queue_sources();
+        }
+    }
+
+    fn relate(&mut self, a: usize, b: usize) {
+        if self.relation.insert(a, b) {
+            self.queue_leaving(a);
+            self.queue_leaving(b);
+        }
+    }
+
+    fn queue_leaving(&mut self, step: usize) {
+        for i in 0..self.leaving[step].len() {
+            self.queue(self.leaving[step][i]);
+        }
+    }
+
+    fn queue_sources(&mut self) {
+        for i in 0..self.sourceless.len() {
+            self.queue(self.sourceless[i]);
+        }
+    }
+
+    fn queue(&mut self, index: usize) {
+        if !std::mem::replace(&mut self.queued[index], true) {
+            self.work.push_back(index);
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Facts about the model. Pure: no spans, no errors, no tokens.
+
+mod concurrency;
+mod logic;
+mod relation;
+mod stability;
+
+pub use concurrency::Concurrency;
+pub use logic::Logic;
+pub use relation::Relation;
+pub use stability::Stability;

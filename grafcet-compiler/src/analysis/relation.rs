@@ -1,0 +1,64 @@
+//! A symmetric relation between things counted from 0.
+
+/// Pairs of indices, one bit each.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Relation {
+    size: usize,
+    words: usize,
+    rows: Vec<u64>,
+}
+
+impl Relation {
+    /// The empty relation on `size` things.
+    #[must_use]
+    pub fn new(size: usize) -> Self {
+        let words = size.div_ceil(64);
+        Self { size, words, rows: vec![0; size * words] }
+    }
+
+    /// Relates `a` and `b`; tells whether that is new.
+    pub fn insert(&mut self, a: usize, b: usize) -> bool {
+        if self.contains(a, b) {
+            return false;
+        }
+        self.rows[a * self.words + b / 64] |= 1 << (b % 64);
+        self.rows[b * self.words + a / 64] |= 1 << (a % 64);
+        true
+    }
+
+    /// Whether `a` and `b` are related.
+    #[must_use]
+    pub fn contains(&self, a: usize, b: usize) -> bool {
+        self.rows[a * self.words + b / 64] & (1 << (b % 64)) != 0
+    }
+
+    /// Everything related to `a`, ascending.
+    pub fn of(&self, a: usize) -> impl Iterator<Item = usize> + '_ {
+        self.row(a).iter().enumerate().flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit))
+    }
+
+    /// Everything related to all of `items` (everything there is, if there are none) and not yet to `to`, ascending.
+    #[must_use]
+    pub fn common_beyond(&self, items: &[usize], to: usize) -> Vec<usize> {
+        let mut words = vec![u64::MAX; self.words];
+        for item in items {
+            words.iter_mut().zip(self.row(*item)).for_each(|(word, other)| *word &= other);
+        }
+        words.iter_mut().zip(self.row(to)).for_each(|(word, known)| *word &= !known);
+        let found = words.iter().enumerate().flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit));
+        found.take_while(|item| *item < self.size).collect()
+    }
+
+    fn row(&self, a: usize) -> &[u64] {
+        &self.rows[a * self.words..(a + 1) * self.words]
+    }
+}
+
+/// The positions of the set bits, ascending.
+fn bits(mut word: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let bit = word.trailing_zeros();
+        word &= word.wrapping_sub(1);
+        (bit < 64).then_some(bit as usize)
+    })
+}

@@ -1,0 +1,96 @@
+//! The rules of drawing: initial steps, doubled transitions, steps on their own.
+
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId};
+
+pub(super) fn check(model: &Model, sink: &mut Sink) {
+    initial_steps(model, sink);
+    duplicate_transitions(model, sink);
+    isolated_steps(model, sink);
+}
+
+/// Every chart starts somewhere; a sequential function chart in exactly one step (IEC 61131-3).
+fn initial_steps(model: &Model, sink: &mut Sink) {
+    for (id, partial) in model.partials.iter() {
+        let initial: Vec<StepId> = partial.steps.iter().copied().filter(|step| model.steps[*step].initial).collect();
+        if initial.is_empty() {
+            if !model.incomplete && !is_started_elsewhere(model, id) {
+                no_initial_step(model, id, sink);
+            }
+        } else if model.dialect == Dialect::Sfc && initial.len() > 1 {
+            let note = |step: &StepId| {
+                let name = &model.steps[*step].name;
+                let message = format!(
+                    "`{name}` is one of {} initial steps, an `sfc` has exactly one; \
+                     start parallel branches with `-[true]-> (…)` behind it",
+                    initial.len()
+                );
+                (Mark::from(name), message)
+            };
+            sink.rule(&rules::SEVERAL_INITIAL_STEPS, &[&model.levels], initial.iter().map(note).collect());
+        }
+    }
+}
+
+fn no_initial_step(model: &Model, id: PartialId, sink: &mut Sink) {
+    let partial = &model.partials[id];
+    let (place, what) = match &partial.name {
+        Some(name) => (name, format!("partial grafcet `{name}`")),
+        None => (&model.name, format!("chart `{}`", model.name)),
+    };
+    let mend = match partial.steps.first() {
+        Some(step) => format!("write `initial step {}`", model.steps[*step].name),
+        None => "write `initial step Start;`".to_owned(),
+    };
+    let message = format!("{what} has no initial step, so nothing in it ever becomes active; {mend}");
+    sink.rule(&rules::NO_INITIAL_STEP, &[], vec![(place.into(), message)]);
+}
+
+/// An enclosing step, a forcing order or a source transition starts the partial grafcet; one that only holds others
+/// needs no start.
+fn is_started_elsewhere(model: &Model, id: PartialId) -> bool {
+    let partial = &model.partials[id];
+    let holds_others = partial.name.is_none() && partial.steps.is_empty() && model.partials.len() > 1;
+    let forced = model
+        .forces
+        .values()
+        .any(|f| f.target == id && matches!(&f.order, ForceOrder::Steps(steps) if !steps.is_empty()));
+    let source = partial.transitions.iter().any(|t| model.transitions[*t].sources.is_empty());
+    holds_others || partial.enclosed_by.is_some() || forced || source && model.dialect == Dialect::Grafcet
+}
+
+/// The same arc with the same condition, drawn twice.
+fn duplicate_transitions(model: &Model, sink: &mut Sink) {
+    let mut seen = std::collections::BTreeMap::new();
+    for (id, transition) in model.transitions.iter() {
+        let (mut sources, mut targets) = (transition.sources.clone(), transition.targets.clone());
+        sources.sort_unstable();
+        targets.sort_unstable();
+        let key = (sources, targets, &transition.condition.tree);
+        let Some(first) = seen.insert(key, id) else { continue };
+        let notes = vec![
+            (model.transitions[first].mark, "this transition is drawn again further down; draw it once".to_owned()),
+            (
+                transition.mark,
+                "this transition is drawn a second time, with the same steps and condition; draw it once".to_owned(),
+            ),
+        ];
+        sink.rule(&rules::DUPLICATE_TRANSITION, &[], notes);
+    }
+}
+
+/// A step no transition touches, although its partial grafcet has transitions.
+fn isolated_steps(model: &Model, sink: &mut Sink) {
+    let named_by_force =
+        |id: StepId| model.forces.values().any(|f| matches!(&f.order, ForceOrder::Steps(steps) if steps.contains(&id)));
+    for (id, step) in model.steps.iter() {
+        let evolves = model.partials[step.partial].steps.iter().any(|other| model.steps[*other].drawn);
+        if step.drawn || !evolves || step.linked || named_by_force(id) {
+            continue;
+        }
+        let name = &step.name;
+        let message =
+            format!("no transition touches step `{name}`; draw one to it, `… -[x]-> {name}`, or delete the step");
+        sink.rule(&rules::ISOLATED_STEP, &[], vec![(name.into(), message)]);
+    }
+}

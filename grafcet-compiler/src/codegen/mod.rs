@@ -1,0 +1,38 @@
+//! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
+
+mod actions;
+mod bind;
+mod chart_impl;
+mod cycle;
+mod evolution;
+mod names;
+mod state;
+mod stub;
+mod types;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use self::names::Names;
+use crate::model::Model;
+use crate::plan::Plan;
+pub(crate) use stub::stub;
+
+/// Everything the artefacts are written from.
+struct Cx<'m> {
+    model: &'m Model,
+    plan: &'m Plan,
+    names: Names,
+    /// The facade's hidden module, by absolute path.
+    p: TokenStream,
+}
+
+/// The items of a chart.
+pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
+    let cx = Cx { model, plan, names: Names::of(model), p: quote!(#root::__private) };
+    let types = types::all(&cx);
+    let state = state::all(&cx);
+    let chart = chart_impl::inherent(&cx);
+    let uniform = chart_impl::uniform(&cx);
+    quote!(#types #state #chart #uniform)
+}

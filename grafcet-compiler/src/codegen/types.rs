@@ -1,0 +1,168 @@
+//! The public types beside the chart: inputs, outputs, names of steps and transitions.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Attribute, Type};
+
+use super::Cx;
+use crate::model::{Expr, Model, OutputId, Ty};
+
+pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
+    let (inputs, outputs) = (inputs(cx), outputs(cx));
+    let (steps, transitions) = (step_names(cx), transition_names(cx));
+    quote!(#inputs #outputs #steps #transitions)
+}
+
+fn inputs(cx: &Cx<'_>) -> TokenStream {
+    let Cx { model, p, .. } = cx;
+    let fields = model.inputs.values().map(|input| {
+        let (name, ty) = (&input.name, rust_type(&input.ty, p));
+        let docs = docs(&input.attrs, &format!("Input `{name}`."));
+        quote!(#docs pub #name: #ty,)
+    });
+    let derives = derives(model.inputs.values().map(|input| &input.ty), p);
+    let (vis, name) = (&model.vis, &cx.names.inputs);
+    let doc = format!("The process inputs of [`{}`], sampled once per cycle.", model.name);
+    let allow = many_bools(model.inputs.len());
+    quote! {
+        #[doc = #doc]
+        #[derive(#derives, #p::core::default::Default)]
+        #allow
+        #vis struct #name { #(#fields)* }
+    }
+}
+
+fn outputs(cx: &Cx<'_>) -> TokenStream {
+    let Cx { model, p, .. } = cx;
+    let fields = model.outputs.values().map(|output| {
+        let (name, ty) = (&output.name, rust_type(&output.ty, p));
+        let docs = docs(&output.attrs, &format!("Output `{name}`."));
+        quote!(#docs pub #name: #ty,)
+    });
+    let derives = derives(model.outputs.values().map(|output| &output.ty), p);
+    let initial = model.outputs.iter().map(|(id, output)| {
+        let (name, value) = (&output.name, initial_output(model, id, p));
+        quote!(#name: #value,)
+    });
+    let (vis, name) = (&model.vis, &cx.names.outputs);
+    let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
+    let allow = many_bools(model.outputs.len());
+    quote! {
+        #[doc = #doc]
+        #[derive(#derives)]
+        #allow
+        #vis struct #name { #(#fields)* }
+
+        impl #p::core::default::Default for #name {
+            fn default() -> Self {
+                Self { #(#initial)* }
+            }
+        }
+    }
+}
+
+/// The inputs and outputs of a plant are single signals; two-variant enums would not make them clearer.
+fn many_bools(fields: usize) -> Option<TokenStream> {
+    (fields > 3).then(|| quote!(#[allow(clippy::struct_excessive_bools)]))
+}
+
+fn step_names(cx: &Cx<'_>) -> TokenStream {
+    let variants = cx.model.steps.values().map(|step| {
+        let name = &step.name;
+        let docs = docs(&step.attrs, &format!("Step `{name}`."));
+        quote!(#docs #name,)
+    });
+    let doc = format!("The names of the steps of [`{}`].", cx.model.name);
+    name_enum(cx, &cx.names.step, &doc, variants.collect())
+}
+
+fn transition_names(cx: &Cx<'_>) -> TokenStream {
+    let variants = cx.model.transitions.iter().map(|(id, transition)| {
+        let name = cx.names.transition_variant(id);
+        let text = transition_text(cx.model, transition);
+        quote!(#[doc = #text] #name,)
+    });
+    let doc = format!("The names of the transitions of [`{}`].", cx.model.name);
+    name_enum(cx, &cx.names.transition, &doc, variants.collect())
+}
+
+fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: TokenStream) -> TokenStream {
+    let (vis, p) = (&cx.model.vis, &cx.p);
+    quote! {
+        #[doc = #doc]
+        #[derive(
+            #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
+            #p::core::cmp::PartialOrd, #p::core::cmp::Ord, #p::core::hash::Hash, #p::core::fmt::Debug,
+        )]
+        // The names are the chart's.
+        #[allow(non_camel_case_types, clippy::enum_variant_names)]
+        #vis enum #name { #variants }
+    }
+}
+
+/// `` `Off -[on && !over_temp]-> On` ``
+pub(super) fn transition_text(model: &Model, transition: &crate::model::Transition) -> String {
+    let list = |steps: &[crate::model::StepId]| {
+        let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+        if let [one] = &names[..] { one.clone() } else { format!("({})", names.join(", ")) }
+    };
+    let (from, to) = (list(&transition.sources), list(&transition.targets));
+    format!("`{from} -[{}]-> {to}`", transition.condition.text)
+}
+
+/// The derives of a struct with fields of these types. Of a user's own type only what a chart needs is asked for.
+pub(super) fn derives<'t>(types: impl Iterator<Item = &'t Ty>, p: &TokenStream) -> TokenStream {
+    let types: Vec<_> = types.collect();
+    let mut derives = quote!(#p::core::clone::Clone, #p::core::marker::Copy);
+    if types.iter().all(|ty| is_known(ty)) {
+        derives.extend(quote!(, #p::core::fmt::Debug, #p::core::cmp::PartialEq));
+        if !types.iter().any(|ty| is_float(ty)) {
+            derives.extend(quote!(, #p::core::cmp::Eq));
+        }
+    }
+    derives
+}
+
+fn is_known(ty: &Ty) -> bool {
+    !matches!(ty, Ty::Other(_)) || is_float(ty)
+}
+
+fn is_float(ty: &Ty) -> bool {
+    let Ty::Other(Type::Path(path)) = ty else { return false };
+    path.path.is_ident("f32") || path.path.is_ident("f64")
+}
+
+/// The declared type in Rust.
+pub(super) fn rust_type(ty: &Ty, p: &TokenStream) -> TokenStream {
+    match ty {
+        Ty::Bool(rust) | Ty::Int { rust, .. } | Ty::Other(rust) => rust.to_token_stream(),
+        Ty::Time(_) => quote!(#p::Ticks),
+    }
+}
+
+/// The user's doc comments and lint attributes; where there is no doc, a line that says what it is.
+pub(super) fn docs(attrs: &[Attribute], default: &str) -> TokenStream {
+    let documented = attrs.iter().any(|attr| attr.path().is_ident("doc"));
+    let default = (!documented).then(|| quote!(#[doc = #default]));
+    quote!(#default #(#attrs)*)
+}
+
+/// The value of an output before anything has acted on it.
+pub(super) fn initial_output(model: &Model, output: OutputId, p: &TokenStream) -> TokenStream {
+    let output = &model.outputs[output];
+    initial_value(output.init.as_ref(), &output.ty, p)
+}
+
+/// What stands behind `=`, or the default of the type; constant but for a user's own type without a value.
+pub(super) fn initial_value(init: Option<&Expr>, ty: &Ty, p: &TokenStream) -> TokenStream {
+    if let Some(init) = init {
+        return super::bind::constant(init, p);
+    }
+    match ty {
+        Ty::Bool(_) => quote!(false),
+        Ty::Int { .. } => quote!(0),
+        Ty::Time(_) => quote!(#p::Ticks::ZERO),
+        Ty::Other(_) if is_float(ty) => quote!(0.0),
+        Ty::Other(_) => quote!(#p::core::default::Default::default()),
+    }
+}

@@ -1,0 +1,94 @@
+//! Where mistakes go: the sink, the table of rules, and how both look to the user.
+
+mod emit;
+mod mark;
+pub mod rules;
+
+use proc_macro2::TokenStream;
+
+pub use mark::Mark;
+pub use rules::{Rule, Severity};
+
+use crate::ast::LevelAttr;
+
+/// One mistake: a message for each participant, the culprit first.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    pub rule: Option<&'static Rule>,
+    pub severity: Severity,
+    pub notes: Vec<(Mark, String)>,
+}
+
+/// Collects the mistakes of one chart.
+///
+/// A sink that is dropped without [`Sink::finish`] loses errors, so tests panic on it.
+#[derive(Default)]
+pub struct Sink {
+    diagnostics: Vec<Diagnostic>,
+    read: bool,
+}
+
+impl Sink {
+    /// An empty sink.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A mistake of notation: it carries no rule name and nothing can allow it.
+    pub fn notation(&mut self, mark: impl Into<Mark>, message: impl Into<String>) {
+        self.diagnostics.push(Diagnostic {
+            rule: None,
+            severity: Severity::Deny,
+            notes: vec![(mark.into(), message.into())],
+        });
+    }
+
+    /// Takes over an error of `syn`, all its messages.
+    pub fn syn(&mut self, error: &syn::Error) {
+        for part in error {
+            self.notation(part.span(), part.to_string());
+        }
+    }
+
+    /// A chart breaks `rule`; `scopes` are the lint attributes that can change its level, the innermost first.
+    pub fn rule(&mut self, rule: &'static Rule, scopes: &[&[LevelAttr]], notes: Vec<(Mark, String)>) {
+        let severity = rule.severity_in(scopes);
+        if severity != Severity::Allow {
+            self.diagnostics.push(Diagnostic { rule: Some(rule), severity, notes });
+        }
+    }
+
+    /// Whether anything collected so far stops the compilation.
+    #[must_use]
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Deny)
+    }
+
+    /// What was collected, in source order.
+    #[must_use]
+    pub fn finish(mut self) -> Vec<Diagnostic> {
+        self.read = true;
+        let mut all = std::mem::take(&mut self.diagnostics);
+        // A stable sort: where a toolchain gives no positions, the order of the passes stays.
+        all.sort_by_key(|d| d.notes.first().map(|(mark, _)| mark.position()));
+        // A block is read twice, as tokens and as statements: each mistake in it counts once.
+        all.dedup_by_key(|d| d.notes.first().map(|(mark, message)| (mark.position(), message.clone())));
+        all
+    }
+}
+
+impl Drop for Sink {
+    fn drop(&mut self) {
+        debug_assert!(
+            self.read || self.diagnostics.is_empty() || std::thread::panicking(),
+            "diagnostics were collected and never shown"
+        );
+    }
+}
+
+/// The tokens that make rustc show the diagnostics at their marks.
+#[must_use]
+pub fn tokens(diagnostics: &[Diagnostic]) -> TokenStream {
+    emit::tokens(diagnostics)
+}

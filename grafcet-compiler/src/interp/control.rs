@@ -1,0 +1,219 @@
+//! `sfc`: the `ACTION_CONTROL` of IEC 61131-3, one for each target (A31).
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::time::Stopwatch;
+use super::value::Error;
+use super::view::{Situation, View};
+use crate::model::{ActionId, AssociationId, Effect, Model, Place, Qualifier};
+
+/// A31: what associations are combined for.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Target {
+    /// An output or a variable that is controlled, or an output that is assigned (A35), by its name.
+    Place(Place),
+    /// A declared action by its name, whatever its arguments.
+    Action(ActionId),
+    /// Every block and every stored assignment is a target of its own.
+    Own(AssociationId),
+}
+
+/// The target of an association.
+///
+/// Reading chosen: an output assigned behind another qualifier than N is written, not assigned in the sense of A35,
+/// and so a target of its own like an assignment to a variable.
+pub(super) fn target_of(model: &Model, id: AssociationId) -> Target {
+    let association = &model.associations[id];
+    match &association.effect {
+        Effect::Control(place) => Target::Place(*place),
+        Effect::Assign(place @ Place::Output(_), _) if association.qualifier == Qualifier::N => Target::Place(*place),
+        Effect::Call(action, _) => Target::Action(*action),
+        Effect::Assign(..) | Effect::Block(_) => Target::Own(id),
+    }
+}
+
+/// How one evolution changed the situation.
+#[derive(Clone, Default, Debug)]
+pub(super) struct Change {
+    /// The steps left, those re-entered at once included (A4s).
+    pub(super) left: Situation,
+    /// The steps entered, those re-entered included; a step that was active and not left is not entered anew.
+    pub(super) entered: Situation,
+    /// The situation after it.
+    pub(super) after: Situation,
+}
+
+impl Change {
+    fn reentered(&self, association: AssociationId, model: &Model) -> bool {
+        let step = model.associations[association].step;
+        self.left.contains(&step) && self.entered.contains(&step)
+    }
+}
+
+/// The inputs of all action controls in one cycle: the associations whose step flag or event is true.
+///
+/// P, P1 and P0 are events; the others are flags. The condition of `N q if c` belongs to the flag. All are read before the
+/// first action runs (rule 5); P0's condition sees the time a re-entered step had reached, as P0 itself does (A34).
+pub(super) fn inputs(change: &Change, leaving: &View<'_>, view: &View<'_>) -> Result<BTreeSet<AssociationId>, Error> {
+    let mut on = BTreeSet::new();
+    for (id, association) in view.model.associations.iter() {
+        let (steps, view) = match association.qualifier {
+            Qualifier::P | Qualifier::P1 => (&change.entered, view),
+            Qualifier::P0 => (&change.left, leaving),
+            _ => (&change.after, view),
+        };
+        let condition = || association.condition.as_ref().map_or(Ok(true), |c| view.holds(&c.tree));
+        if steps.contains(&association.step) && condition()? {
+            on.insert(id);
+        }
+    }
+    Ok(on)
+}
+
+/// The flip-flops and timers of one target.
+#[derive(Clone, Debug)]
+pub(super) struct ActionControl {
+    /// In source order.
+    pub(super) associations: Vec<AssociationId>,
+    /// The reset-dominant flip-flops that are set: S, SD, DS, SL.
+    flip_flops: BTreeSet<Qualifier>,
+    /// The inputs of TON and the time they have been true: L, D, SD, DS, SL.
+    timers: BTreeMap<Qualifier, Stopwatch>,
+    /// The association of each timer that was active last: its time counts.
+    time_of: BTreeMap<Qualifier, AssociationId>,
+    /// Q of the cycle before.
+    was: bool,
+    /// The associations with N, L and D that held Q up in the cycle before.
+    holding: BTreeSet<AssociationId>,
+    /// A31: the association driving Q that was active last, the last in the source of several.
+    pub(super) active_last: Option<AssociationId>,
+}
+
+/// What an action control says in one cycle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Verdict {
+    pub(super) q: bool,
+    /// Q of the cycle before.
+    pub(super) before: bool,
+    /// Q fell because a step with N, L or D was left.
+    pub(super) by_leaving: bool,
+    /// The association driving Q that is active now, the last in the source of several; the stored ones are not.
+    pub(super) active: Option<AssociationId>,
+    /// The association whose P1 event occurred, the last in the source.
+    pub(super) p1: Option<AssociationId>,
+    /// The same of P0.
+    pub(super) p0: Option<AssociationId>,
+}
+
+impl ActionControl {
+    /// With the set flip-flop at the initial value of a boolean that only S and R control.
+    pub(super) fn new(associations: Vec<AssociationId>, set: bool) -> Self {
+        Self {
+            associations,
+            flip_flops: set.then_some(Qualifier::S).into_iter().collect(),
+            timers: BTreeMap::new(),
+            time_of: BTreeMap::new(),
+            was: false,
+            holding: BTreeSet::new(),
+            active_last: None,
+        }
+    }
+
+    /// One scan.
+    pub(super) fn scan(
+        &mut self,
+        on: &BTreeSet<AssociationId>,
+        change: &Change,
+        elapsed: u32,
+        view: &View<'_>,
+    ) -> Result<Verdict, Error> {
+        let model = view.model;
+        let here: Vec<_> = self.associations.iter().copied().filter(|id| on.contains(id)).collect();
+        let last = |q: Qualifier| here.iter().copied().rfind(|id| model.associations[*id].qualifier == q);
+        let drives = |id: &AssociationId| {
+            !matches!(model.associations[*id].qualifier, Qualifier::R | Qualifier::P1 | Qualifier::P0)
+        };
+        let active = here.iter().copied().rfind(drives);
+        self.active_last = active.or(self.active_last);
+
+        let before = std::mem::take(&mut self.holding);
+        let q = self.q(&here, change, elapsed, view)?;
+        let left = |id: &AssociationId| !change.after.contains(&model.associations[*id].step);
+        let verdict = Verdict {
+            q,
+            before: self.was,
+            by_leaving: self.was && !q && before.iter().any(left),
+            active,
+            p1: last(Qualifier::P1),
+            p0: last(Qualifier::P0),
+        };
+        self.was = q;
+        Ok(verdict)
+    }
+
+    /// The standard's function block; `here` are its inputs that are true.
+    fn q(&mut self, here: &[AssociationId], change: &Change, elapsed: u32, view: &View<'_>) -> Result<bool, Error> {
+        use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
+        let model = view.model;
+        let with = |q: Qualifier| here.iter().copied().filter(move |id| model.associations[*id].qualifier == q);
+        let input = |q: Qualifier| with(q).next().is_some();
+        // A step re-entered by A4s starts L, D and DS again.
+        let again = |q: Qualifier| with(q).any(|id| change.reentered(id, model));
+        for q in [L, D, Sd, Ds, Sl] {
+            if let Some(id) = with(q).next_back() {
+                self.time_of.insert(q, id);
+            }
+        }
+
+        let reset = input(R);
+        let stored = self.rs(S, input(S), reset);
+        let limit = self.ton(L, input(L), elapsed, again(L), view)?;
+        let delayed = self.ton(D, input(D), elapsed, again(D), view)?;
+        let pulse = input(P);
+        let stored_then = self.rs(Sd, input(Sd), reset);
+        let stored_then_delayed = self.ton(Sd, stored_then, elapsed, false, view)?;
+        let delayed_then = self.ton(Ds, input(Ds), elapsed, again(Ds), view)?;
+        let delayed_then_stored = self.rs(Ds, delayed_then, reset);
+        let stored_and = self.rs(Sl, input(Sl), reset);
+        let stored_limit = self.ton(Sl, stored_and, elapsed, false, view)?;
+
+        let held = |q: Qualifier| match q {
+            N => true,
+            L => !limit,
+            D => delayed,
+            _ => false,
+        };
+        let q = !reset
+            && (input(N)
+                || stored
+                || (input(L) && !limit)
+                || delayed
+                || pulse
+                || stored_then_delayed
+                || delayed_then_stored
+                || (stored_and && !stored_limit));
+        self.holding = here.iter().copied().filter(|id| q && held(model.associations[*id].qualifier)).collect();
+        Ok(q)
+    }
+
+    /// The reset-dominant flip-flop of a qualifier.
+    fn rs(&mut self, q: Qualifier, set: bool, reset: bool) -> bool {
+        let value = !reset && (set || self.flip_flops.contains(&q));
+        if value {
+            self.flip_flops.insert(q);
+        } else {
+            self.flip_flops.remove(&q);
+        }
+        value
+    }
+
+    /// TON of one qualifier; "it takes the time of the one active last", read anew in every cycle (rule 5).
+    fn ton(&mut self, q: Qualifier, signal: bool, elapsed: u32, again: bool, view: &View<'_>) -> Result<bool, Error> {
+        let timer = self.timers.entry(q).or_default();
+        timer.step(signal, elapsed, again);
+        match self.time_of.get(&q).and_then(|id| view.model.associations[*id].time) {
+            Some(time) => Ok(timer.reached(view.ticks(time)?)),
+            None => Ok(false),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The cycle of `grafcet`, IEC 60848: the search for stability.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::continuous::{self, asserts};
+use super::hierarchy::{self, Evolution};
+use super::state::State;
+use super::stored::{self, Outcome};
+use super::value::{Error, Value};
+use super::view::{Edges, Situation, Times, View};
+use super::{Call, Phase, arguments};
+use crate::model::{ActionId, AssociationId, Effect, Id, Model, Place, TransitionId};
+
+/// What `grafcet` remembers beside the state: whether the continuous calls were active on the last stable situation.
+#[derive(Clone, Default, Debug)]
+pub(super) struct Grafcet {
+    calls: BTreeMap<ActionId, Continuous>,
+}
+
+#[derive(Clone, Copy, Default, Debug)]
+struct Continuous {
+    active: bool,
+    /// A31: the association active last.
+    last: Option<AssociationId>,
+}
+
+/// How a search ended.
+pub(super) struct Search {
+    pub(super) calls: Vec<Call>,
+    pub(super) stable: bool,
+    /// The evolutions that changed something; the activation of the initial situation is before the search and not counted.
+    pub(super) evolutions: u32,
+}
+
+impl Grafcet {
+    /// One cycle, `elapsed` ticks after the one before.
+    pub(super) fn cycle(
+        &mut self,
+        model: &Model,
+        state: &mut State,
+        (inputs, params): (&[Value], &[Value]),
+        elapsed: u32,
+        max_evolutions: u32,
+    ) -> Result<Search, Error> {
+        let delays = state.sample_delays(model, inputs, params, elapsed)?;
+        let mut search = Search { calls: Vec::new(), stable: false, evolutions: 0 };
+        if state.first {
+            let outcome = activate(&state.view(model, inputs, params, &delays))?;
+            search.calls.extend(outcome.calls);
+            state.commit(outcome.writes);
+        }
+        // A24: one search over the whole chart.
+        loop {
+            let (before, now) = {
+                let view = state.view(model, inputs, params, &delays);
+                (state.edges.clone(), view.sample_edges()?)
+            };
+            let view = View { edges: Edges { before: &before, now: Some(&now) }, ..state.view(model, inputs, params, &delays) };
+            let (evolution, outcome) = evolve(&view)?;
+            search.stable = is_stable(&evolution, &outcome, &view);
+            if search.stable || search.evolutions == max_evolutions {
+                let (calls, outputs) = (self.continuous_calls(&view)?, continuous_outputs(&view, &state.initial_outputs)?);
+                search.calls.extend(calls);
+                state.commit(outputs);
+                // An evolution that the bound stopped has not taken place: its edges are still to be seen.
+                if search.stable {
+                    state.edges = now;
+                }
+                return Ok(search);
+            }
+            search.evolutions += 1;
+            search.calls.extend(outcome.calls);
+            state.commit(outcome.writes);
+            state.times.enter(model, &evolution.after);
+            state.situation = evolution.after;
+            state.edges = now;
+        }
+    }
+
+    /// A33: `N heat(80)` is called once per cycle, on the stable situation, after all others.
+    fn continuous_calls(&mut self, view: &View<'_>) -> Result<Vec<Call>, Error> {
+        let mut calls = Vec::new();
+        for (action, associations) in targets(view.model) {
+            let mut active = None;
+            for id in associations {
+                if asserts(&view.model.associations[id], view)? {
+                    active = Some(id);
+                }
+            }
+            let memory = self.calls.entry(action).or_default();
+            let phase = match (memory.active, active.is_some()) {
+                (false, false) => continue,
+                (false, true) => Phase::First,
+                (true, true) => Phase::Repeated,
+                (true, false) => Phase::Final,
+            };
+            *memory = Continuous { active: active.is_some(), last: active.or(memory.last) };
+            let association = memory.last.map(|id| &view.model.associations[id].effect);
+            if let Some(Effect::Call(_, args)) = association {
+                calls.push(Call { action, phase, args: arguments(action, args, view)? });
+            }
+        }
+        Ok(calls)
+    }
+}
+
+/// The actions called continuously, where they first stand in the source so, each with its associations in source order.
+fn targets(model: &Model) -> Vec<(ActionId, Vec<AssociationId>)> {
+    let mut targets: Vec<(ActionId, Vec<AssociationId>)> = Vec::new();
+    for (id, association) in model.associations.iter().filter(|(_, a)| continuous::is_continuous(a)) {
+        let Effect::Call(action, _) = &association.effect else { continue };
+        match targets.iter_mut().find(|(target, _)| target == action) {
+            Some((_, associations)) => associations.push(id),
+            None => targets.push((*action, vec![id])),
+        }
+    }
+    targets
+}
+
+/// A37: the activation of the initial situation is an evolution of its own. Before it no step is active; its stored actions
+/// are done when the first conditions are evaluated.
+fn activate(view: &View<'_>) -> Result<Outcome, Error> {
+    let (nothing, no_times) = (Situation::new(), Times::default());
+    let before = View { situation: &nothing, times: &no_times, ..*view };
+    stored::actions(&before, view.situation, &BTreeSet::new())
+}
+
+/// One evolution: what clears on the snapshot, and what the stored actions do.
+fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
+    let mut fireable = BTreeSet::<TransitionId>::new();
+    for (id, transition) in view.model.transitions.iter() {
+        if hierarchy::is_enabled(id, view.situation, view.model) && view.holds(&transition.condition.tree)? {
+            fireable.insert(id);
+        }
+    }
+    let evolution = hierarchy::evolve(view.situation, &fireable, view.model)?;
+    let outcome = stored::actions(view, &evolution.after, &evolution.cleared)?;
+    Ok((evolution, outcome))
+}
+
+/// A25: stable is a fixed point: the situation stays, no stored action changes a value and no call is due.
+fn is_stable(evolution: &Evolution, outcome: &Outcome, view: &View<'_>) -> bool {
+    let old = |place: &Place| match place {
+        Place::Output(id) => view.outputs[id.index()],
+        Place::Var(id) => view.vars[id.index()],
+    };
+    evolution.after == *view.situation
+        && outcome.writes.iter().all(|(place, value)| old(place) == *value)
+        && outcome.calls.is_empty()
+}
+
+/// A9: the continuous outputs, once, on the stable situation (or the one at which the bound stopped the search).
+fn continuous_outputs(view: &View<'_>, initial: &[Value]) -> Result<BTreeMap<Place, Value>, Error> {
+    let mut outputs = BTreeMap::new();
+    for id in view.model.outputs.ids() {
+        if let Some(value) = continuous::output(id, initial[id.index()], view)? {
+            outputs.insert(Place::Output(id), value);
+        }
+    }
+    Ok(outputs)
+}
+
+impl State {
+    /// A6: all values of one evolution together.
+    fn commit(&mut self, writes: BTreeMap<Place, Value>) {
+        for (place, value) in writes {
+            match place {
+                Place::Output(id) => self.outputs[id.index()] = value,
+                Place::Var(id) => self.vars[id.index()] = value,
+            }
+        }
+    }
+}

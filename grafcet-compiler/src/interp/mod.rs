@@ -1,0 +1,197 @@
+//! An interpreter of the model: a second opinion on what a chart does.
+//!
+//! It is written from the page of decisions (A1-A37) alone and shares nothing with `plan` and `codegen`; clarity counts, speed does
+//! not. Situations are sets of steps, conditions are evaluated over the expression tree, and each function implements a
+//! paragraph of that page.
+//!
+//! - [`Interpreter`]: the chart as a machine
+//! - `state`, `view`: what it remembers, and the snapshot that an expression sees
+//! - `sfc`, `control`: IEC 61131-3, one evolution and `ACTION_CONTROL`
+//! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848
+//! - `time`, `value`: delays and timers, values and their arithmetic
+
+mod check;
+mod continuous;
+mod control;
+mod grafcet;
+mod hierarchy;
+mod sfc;
+mod state;
+mod stored;
+mod time;
+mod value;
+mod view;
+
+use std::collections::BTreeSet;
+
+use self::grafcet::Grafcet;
+use self::sfc::Sfc;
+use self::state::State;
+pub use self::value::{Error, Value};
+use self::view::View;
+pub use self::view::Situation;
+use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, Ty};
+
+/// Which call of a code action this is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Phase {
+    /// The action has become active, or runs once.
+    First,
+    /// It is still active.
+    Repeated,
+    /// The final scan: it is no longer active.
+    Final,
+}
+
+/// A call of a declared action.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Call {
+    pub action: ActionId,
+    pub phase: Phase,
+    /// In the order of the action's parameters.
+    pub args: Vec<Value>,
+}
+
+/// What one cycle showed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Cycle {
+    /// In the order of declaration.
+    pub outputs: Vec<Value>,
+    /// The active steps at the end of the cycle.
+    pub active: BTreeSet<StepId>,
+    /// In the order in which they were made.
+    pub calls: Vec<Call>,
+    /// `grafcet`: the search ended in a stable situation (A30). Always true in `sfc`.
+    pub stable: bool,
+    /// `grafcet`: the evolutions of the search that changed something; the activation of the initial situation is not
+    /// counted. `sfc`: one where a transition was cleared.
+    pub evolutions: u32,
+}
+
+/// A chart that is being executed.
+#[derive(Clone)]
+pub struct Interpreter<'m> {
+    model: &'m Model,
+    params: Vec<Value>,
+    state: State,
+    machine: Machine,
+    max_evolutions: u32,
+}
+
+#[derive(Clone)]
+enum Machine {
+    Sfc(Sfc),
+    Grafcet(Grafcet),
+}
+
+impl<'m> Interpreter<'m> {
+    /// The chart in its initial situation (A1), with the parameters of the source.
+    ///
+    /// # Errors
+    /// If a declared type or an initial value is not understood, if something depends on itself (A14, A22), or if a
+    /// qualifier has a target that it cannot have in the dialect (A32).
+    pub fn new(model: &'m Model) -> Result<Self, Error> {
+        check::types(model)?;
+        check::targets(model)?;
+        check::combinational_circles(model)?;
+        let state = State::initial(model)?;
+        // A30: twice the number of steps plus two.
+        let default = u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2);
+        Ok(Self {
+            model,
+            params: state::constants(model.params.values().map(|p| (&p.ty, &p.init)), model)?,
+            machine: Machine::new(model, &state),
+            state,
+            max_evolutions: model.max_evolutions.unwrap_or(default),
+        })
+    }
+
+    /// Exchanges the recipe: one value per `param`, in the order of declaration, from the next cycle on.
+    ///
+    /// # Errors
+    /// If there are not as many values as parameters, or one does not fit its declared type.
+    pub fn set_params(&mut self, params: &[Value]) -> Result<(), Error> {
+        accept_all(params, self.model.params.values().map(|p| &p.ty))?;
+        self.params = params.to_vec();
+        Ok(())
+    }
+
+    /// The classic *Init*: the next cycle starts like a first one. Stored outputs and variables have their initial values
+    /// at once, no deactivation action runs, the parameters stay.
+    ///
+    /// # Errors
+    /// Those of [`Interpreter::new`] about initial values.
+    pub fn init(&mut self) -> Result<(), Error> {
+        self.state = State::initial(self.model)?;
+        self.machine = Machine::new(self.model, &self.state);
+        Ok(())
+    }
+
+    /// One cycle with one value per `input`, in the order of declaration. `now` is a wrapping count in the unit of the
+    /// chart's clock.
+    ///
+    /// # Errors
+    /// If the inputs do not fit their declarations, or an expression is not understood or would panic in Rust; the
+    /// interpreter is then somewhere inside the cycle and of no further use.
+    pub fn cycle(&mut self, inputs: &[Value], now: u32) -> Result<Cycle, Error> {
+        accept_all(inputs, self.model.inputs.values().map(|i| &i.ty))?;
+        let elapsed = self.state.advance(now);
+        let given = (inputs, &self.params[..]);
+        let (calls, stable, evolutions) = match &mut self.machine {
+            Machine::Sfc(sfc) => {
+                let scan = sfc.cycle(self.model, &mut self.state, given, elapsed)?;
+                (scan.calls, true, u32::from(scan.evolved))
+            }
+            Machine::Grafcet(grafcet) => {
+                let search = grafcet.cycle(self.model, &mut self.state, given, elapsed, self.max_evolutions)?;
+                (search.calls, search.stable, search.evolutions)
+            }
+        };
+        self.state.first = false;
+        let (outputs, active) = (self.state.outputs.clone(), self.state.situation.clone());
+        Ok(Cycle { outputs, active, calls, stable, evolutions })
+    }
+
+    /// The active steps; before the first cycle and after `init` the initial ones (A1).
+    #[must_use]
+    pub fn situation(&self) -> &Situation {
+        &self.state.situation
+    }
+
+    /// The outputs of the last cycle; before the first one and after `init` the initial values.
+    #[must_use]
+    pub fn outputs(&self) -> &[Value] {
+        &self.state.outputs
+    }
+}
+
+impl Machine {
+    fn new(model: &Model, state: &State) -> Self {
+        match model.dialect {
+            Dialect::Sfc => Self::Sfc(Sfc::new(model, state)),
+            Dialect::Grafcet => Self::Grafcet(Grafcet::default()),
+        }
+    }
+}
+
+/// One value for each declared type, and each fits.
+fn accept_all<'t>(values: &[Value], types: impl ExactSizeIterator<Item = &'t Ty>) -> Result<(), Error> {
+    if values.len() != types.len() {
+        return Err(Error::Count { expected: types.len(), found: values.len() });
+    }
+    values.iter().zip(types).try_for_each(|(value, ty)| value::accept(*value, ty).map(drop))
+}
+
+/// The arguments of a call, evaluated at the call (A31).
+fn arguments(action: ActionId, args: &[Expr], view: &View<'_>) -> Result<Vec<Value>, Error> {
+    let params = &view.model.actions[action].params;
+    if args.len() != params.len() {
+        return Err(Error::Count { expected: params.len(), found: args.len() });
+    }
+    args.iter().zip(params).map(|(arg, (_, ty))| view.eval(&arg.tree)?.into_value(ty)).collect()
+}
+
+/// The statements of a block that is understood.
+fn statements(code: &Code) -> Result<&[Statement], Error> {
+    code.statements.as_deref().ok_or_else(|| Error::NotUnderstood(code.text.clone()))
+}

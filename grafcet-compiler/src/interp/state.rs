@@ -1,0 +1,135 @@
+//! What a chart remembers between two cycles, in both dialects.
+
+use std::collections::BTreeMap;
+
+use super::hierarchy;
+use super::time::{self, Delayed};
+use super::value::{Error, Value, default};
+use super::view::{Edges, Situation, Times, View};
+use crate::model::{DelayId, EdgeId, Expr, Model, Ty};
+
+/// The memory of a running chart.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    /// The next cycle is a first one.
+    pub(super) first: bool,
+    /// The time of the last cycle.
+    now: u32,
+    pub(super) situation: Situation,
+    pub(super) times: Times,
+    pub(super) vars: Vec<Value>,
+    /// What the last cycle returned; in `grafcet`, stored outputs change during the search.
+    pub(super) outputs: Vec<Value>,
+    pub(super) initial_outputs: Vec<Value>,
+    /// The values of the edges' expressions in the snapshot before.
+    pub(super) edges: BTreeMap<EdgeId, bool>,
+    delays: BTreeMap<DelayId, Delayed>,
+}
+
+impl State {
+    /// A1: the initial situation with the initial values, before the first cycle.
+    pub(super) fn initial(model: &Model) -> Result<Self, Error> {
+        let outputs = constants(model.outputs.values().map(|o| (&o.ty, &o.init)), model)?;
+        let situation = hierarchy::initial_situation(model)?;
+        let mut times = Times::default();
+        times.enter(model, &situation);
+        Ok(Self {
+            first: true,
+            now: 0,
+            situation,
+            times,
+            vars: constants(model.vars.values().map(|v| (&v.ty, &v.init)), model)?,
+            initial_outputs: outputs.clone(),
+            outputs,
+            edges: BTreeMap::new(),
+            delays: BTreeMap::new(),
+        })
+    }
+
+    /// The time since the previous cycle, a wrapping difference; the first cycle has none. Step times add it up and
+    /// saturate.
+    pub(super) fn advance(&mut self, now: u32) -> u32 {
+        let elapsed = if self.first { 0 } else { now.wrapping_sub(self.now) };
+        self.now = now;
+        let times = self.times.steps.values_mut().chain(self.times.macros.values_mut());
+        times.for_each(|time| *time = time.saturating_add(elapsed));
+        elapsed
+    }
+
+    /// The snapshot of the present state. Edges are evaluated against the memory; in a first cycle there are none (A26).
+    pub(super) fn view<'a>(
+        &'a self,
+        model: &'a Model,
+        inputs: &'a [Value],
+        params: &'a [Value],
+        delays: &'a BTreeMap<DelayId, bool>,
+    ) -> View<'a> {
+        View {
+            model,
+            inputs,
+            params,
+            vars: &self.vars,
+            outputs: &self.outputs,
+            situation: &self.situation,
+            times: &self.times,
+            edges: Edges { before: &self.edges, now: None },
+            delays,
+            own: None,
+        }
+    }
+
+    /// A36: `t1/e/t2` on the situation the cycle starts from.
+    pub(super) fn sample_delays(
+        &mut self,
+        model: &Model,
+        inputs: &[Value],
+        params: &[Value],
+        elapsed: u32,
+    ) -> Result<BTreeMap<DelayId, bool>, Error> {
+        let mut delays = std::mem::take(&mut self.delays);
+        let nothing = BTreeMap::new();
+        let outputs = time::sample_delays(&mut delays, elapsed, &self.view(model, inputs, params, &nothing));
+        self.delays = delays;
+        outputs
+    }
+}
+
+impl Times {
+    /// A new situation: what has become active starts at zero, what is no longer active loses its time (A23). A20: `M.T`
+    /// counts since `M.X` rose.
+    pub(super) fn enter(&mut self, model: &Model, situation: &Situation) {
+        self.steps = situation.iter().map(|step| (*step, self.time_of_step(*step))).collect();
+        let active = model.macros.iter().filter(|(_, m)| m.steps.iter().any(|step| situation.contains(step)));
+        self.macros = active.map(|(id, _)| (id, self.macros.get(&id).copied().unwrap_or(0))).collect();
+    }
+
+    fn time_of_step(&self, step: crate::model::StepId) -> u32 {
+        self.steps.get(&step).copied().unwrap_or(0)
+    }
+}
+
+/// The values behind `=`, or those of `Default`.
+pub(super) fn constants<'m>(
+    names: impl Iterator<Item = (&'m Ty, &'m Option<Expr>)>,
+    model: &Model,
+) -> Result<Vec<Value>, Error> {
+    let (nothing, situation, times) = (BTreeMap::new(), Situation::new(), Times::default());
+    let (no_edges, no_delays) = (BTreeMap::new(), &nothing);
+    let view = View {
+        model,
+        inputs: &[],
+        params: &[],
+        vars: &[],
+        outputs: &[],
+        situation: &situation,
+        times: &times,
+        edges: Edges { before: &no_edges, now: None },
+        delays: no_delays,
+        own: None,
+    };
+    let value = |(ty, init): (&Ty, &Option<Expr>)| match init {
+        None => default(ty),
+        Some(init) => view.eval(&init.tree)?.into_value(ty),
+    };
+    names.map(value).collect()
+}

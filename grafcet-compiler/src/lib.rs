@@ -1,0 +1,44 @@
+//! The compiler of `grafcet!` as an ordinary library.
+//!
+//! Tokens become an [`ast`], names are resolved into a [`model`], [`analysis`] finds facts about it, [`check`]
+//! turns them into [`diagnostic`]s, [`plan`] decides what the machine code looks like and `codegen` writes it.
+
+pub mod analysis;
+pub mod ast;
+pub mod check;
+mod codegen;
+pub mod diagnostic;
+pub mod interp;
+pub mod model;
+pub mod parse;
+pub mod plan;
+
+use proc_macro2::TokenStream;
+
+use diagnostic::Sink;
+use plan::Plan;
+
+/// Compiles the tokens of one macro call.
+///
+/// `root` is the path of the facade crate in the generated code, e.g. `::grafcet`. The result is always valid Rust:
+/// where the chart has mistakes, it holds their messages and the chart's types with empty bodies.
+#[must_use]
+pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
+    let mut sink = Sink::new();
+    let Some(chart) = parse::chart(chart, &mut sink) else {
+        return diagnostic::tokens(&sink.finish());
+    };
+    let model = model::resolve(&chart, &mut sink);
+    check::drawing(&model, &mut sink);
+    if !sink.has_errors() && !chart.incomplete {
+        check::not_yet(&chart, &model, &mut sink);
+    }
+    let failed = sink.has_errors() || chart.incomplete || model.incomplete;
+    let mut tokens = diagnostic::tokens(&sink.finish());
+    tokens.extend(if failed {
+        codegen::stub(&model, root)
+    } else {
+        codegen::generate(&model, &Plan::of(&model), root)
+    });
+    tokens
+}

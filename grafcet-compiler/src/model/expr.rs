@@ -1,0 +1,157 @@
+//! Expressions of the user, resolved: once as tokens for the generated code, once as a tree for whoever reasons about them.
+
+use super::ids::{DelayId, EdgeId, InputId, MacroId, OutputId, ParamId, StepId, VarId};
+
+/// An expression with its names resolved.
+#[derive(Clone)]
+pub struct Expr {
+    /// What it means.
+    pub tree: Tree,
+    /// The user's tokens, the forms that are not Rust (`Off.X`, `5s/Heat`, `rising(a)`, `5s`) replaced by
+    /// placeholders, which `reads` lists.
+    pub tokens: syn::Expr,
+    /// Everything the tokens mention, each once, in order of appearance.
+    pub reads: Vec<Read>,
+    /// As the user wrote it, on one line.
+    pub text: String,
+}
+
+/// A Rust block of the user behind a qualifier, an event or `=>`.
+#[derive(Clone)]
+pub struct Code {
+    /// The user's tokens with placeholders, as in [`Expr::tokens`].
+    pub tokens: syn::Block,
+    /// The statements the interpreter understands; `None` where there are others.
+    pub statements: Option<Vec<Statement>>,
+    /// Everything mentioned.
+    pub reads: Vec<Read>,
+    /// Variables and outputs it may assign to: a subset of what it mentions.
+    pub writes: Vec<Place>,
+    /// As the user wrote it, on one line.
+    pub text: String,
+}
+
+/// A statement of a [`Code`] that is understood.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// `count = e;` (`count += e;` is `count = count + e`).
+    Assign(Place, Tree),
+    /// `if c { … } else { … }`
+    If(Tree, Vec<Statement>, Vec<Statement>),
+}
+
+/// Something an expression reads, and so needs bound to its placeholder or name.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Read {
+    /// A declared name, under that name.
+    Name(Name),
+    /// `Step.X`
+    Active(StepId),
+    /// `Step.T`
+    Since(StepId),
+    /// `M.X` of a macro-step.
+    MacroActive(MacroId),
+    /// `M.T`
+    MacroSince(MacroId),
+    /// `rising(e)`
+    Rising(EdgeId),
+    /// `falling(e)`
+    Falling(EdgeId),
+    /// `t1/e/t2`
+    Delay(DelayId),
+    /// A literal time in ticks, e.g. `5s`.
+    Ticks(u32),
+    /// `5s/Step`, as [`Tree::Elapsed`].
+    Elapsed(TimeRef, StepId),
+    /// `5s/M`, as [`Tree::MacroElapsed`].
+    MacroElapsed(TimeRef, MacroId),
+}
+
+/// A declared name that holds a value.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Name {
+    Input(InputId),
+    Output(OutputId),
+    Var(VarId),
+    Param(ParamId),
+}
+
+/// A declared name that can be written.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Place {
+    Output(OutputId),
+    Var(VarId),
+}
+
+impl From<Place> for Name {
+    fn from(place: Place) -> Self {
+        match place {
+            Place::Output(id) => Self::Output(id),
+            Place::Var(id) => Self::Var(id),
+        }
+    }
+}
+
+/// The meaning of an expression.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Tree {
+    /// `true`
+    Bool(bool),
+    /// `80`
+    Int(i128),
+    /// A leaf: a name, a step variable, a time, an edge, a delay; never `Elapsed`, which has a node of its own.
+    Read(Read),
+    /// `t/Step`: active for at least `t` (`Step.X && Step.T >= t`).
+    Elapsed(TimeRef, StepId),
+    /// `t/M` for a macro-step.
+    MacroElapsed(TimeRef, MacroId),
+    /// `!a`, `-a`
+    Unary(Unary, Box<Tree>),
+    /// `a && b`, `a < b`, `a + b`
+    Binary(Binary, Box<Tree>, Box<Tree>),
+    /// Rust that is not looked into: equal only to its own text.
+    Opaque {
+        text: String,
+        /// What it mentions.
+        reads: Vec<Read>,
+    },
+}
+
+/// An operator with one operand.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Unary {
+    Not,
+    Neg,
+}
+
+/// An operator with two operands.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Binary {
+    /// `&&` (lazy) and `&` on booleans are told apart by their operands' types only: both are here as written.
+    And,
+    Or,
+    BitAnd,
+    BitOr,
+    BitXor,
+    Eq,
+    Ne,
+    Lt,
+    Le,
+    Gt,
+    Ge,
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Rem,
+    Shl,
+    Shr,
+}
+
+/// A time: a literal in ticks, or a declared name of type `time`.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum TimeRef {
+    Ticks(u32),
+    Param(ParamId),
+    Var(VarId),
+}

@@ -1,0 +1,228 @@
+//! The resolved chart: arenas in the order of declaration, names replaced by ids, macro-steps expanded.
+//!
+//! A model is only built from a chart whose names are all known; it may still break rules.
+
+#![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
+
+mod expr;
+mod ids;
+pub mod placeholder;
+mod queries;
+mod resolve;
+
+use syn::{Attribute, Ident, Visibility};
+
+pub use crate::ast::{Dialect, LevelAttr, Qualifier};
+use crate::diagnostic::Mark;
+pub use expr::{Binary, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
+pub use ids::{
+    ActionId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, MacroId, OutputId, ParamId, PartialId,
+    StepId, TransitionId, VarId,
+};
+pub use resolve::resolve;
+
+/// A whole chart.
+pub struct Model {
+    pub dialect: Dialect,
+    pub name: Ident,
+    pub vis: Visibility,
+    /// Doc comments and lint attributes for the generated struct.
+    pub attrs: Vec<Attribute>,
+    /// Lint attributes of the chart as a whole.
+    pub levels: Vec<LevelAttr>,
+    /// The unit of the time argument of `cycle`, in nanoseconds.
+    pub clock_nanos: u64,
+    /// Something of the source could not be resolved, and an error says so.
+    pub incomplete: bool,
+    /// `max_evolutions 20;`
+    pub max_evolutions: Option<u32>,
+    pub inputs: Arena<InputId, Input>,
+    pub outputs: Arena<OutputId, Output>,
+    pub vars: Arena<VarId, Var>,
+    pub params: Arena<ParamId, Param>,
+    pub actions: Arena<ActionId, Action>,
+    pub partials: Arena<PartialId, Partial>,
+    pub steps: Arena<StepId, Step>,
+    pub macros: Arena<MacroId, MacroStep>,
+    pub transitions: Arena<TransitionId, Transition>,
+    pub associations: Arena<AssociationId, Association>,
+    pub forces: Arena<ForceId, Force>,
+    pub edges: Arena<EdgeId, Edge>,
+    pub delays: Arena<DelayId, Delay>,
+}
+
+/// A declared type.
+#[derive(Clone)]
+pub enum Ty {
+    Bool(syn::Type),
+    /// A primitive integer: `i16` is `{ signed: true, bits: 16 }`; `isize`/`usize` count as 32 bits.
+    Int {
+        signed: bool,
+        bits: u32,
+        rust: syn::Type,
+    },
+    /// The keyword `time`: `Ticks`.
+    Time(proc_macro2::Span),
+    /// Any other Rust type.
+    Other(syn::Type),
+}
+
+/// `input on: bool;`
+pub struct Input {
+    pub name: Ident,
+    pub attrs: Vec<Attribute>,
+    pub levels: Vec<LevelAttr>,
+    pub ty: Ty,
+}
+
+/// `output speed: u16 = 0;`
+pub struct Output {
+    pub name: Ident,
+    pub attrs: Vec<Attribute>,
+    pub levels: Vec<LevelAttr>,
+    pub ty: Ty,
+    /// A constant expression; none is `Default`.
+    pub init: Option<Expr>,
+}
+
+/// `var count: u16 = 0;`
+pub struct Var {
+    pub name: Ident,
+    pub levels: Vec<LevelAttr>,
+    pub ty: Ty,
+    pub init: Option<Expr>,
+}
+
+/// `param soak: time = 5s;`
+pub struct Param {
+    pub name: Ident,
+    pub attrs: Vec<Attribute>,
+    pub levels: Vec<LevelAttr>,
+    pub ty: Ty,
+    pub init: Option<Expr>,
+}
+
+/// `action heat(setpoint: i16);`
+pub struct Action {
+    pub name: Ident,
+    pub attrs: Vec<Attribute>,
+    pub levels: Vec<LevelAttr>,
+    pub params: Vec<(Ident, Ty)>,
+}
+
+/// A partial grafcet: a set of steps that evolves by itself.
+pub struct Partial {
+    /// `None` for what stands directly in the chart.
+    pub name: Option<Ident>,
+    /// The enclosing step, for an enclosure.
+    pub enclosed_by: Option<StepId>,
+    pub levels: Vec<LevelAttr>,
+    /// Its steps in the order of declaration, those of macro-steps' expansions included, those of enclosures inside not.
+    pub steps: Vec<StepId>,
+    pub transitions: Vec<TransitionId>,
+}
+
+/// A step.
+pub struct Step {
+    pub name: Ident,
+    pub attrs: Vec<Attribute>,
+    pub levels: Vec<LevelAttr>,
+    pub partial: PartialId,
+    pub initial: bool,
+    pub is_final: bool,
+    /// Carries the activation link of its enclosure.
+    pub linked: bool,
+    /// The macro-step whose expansion it belongs to (the innermost).
+    pub macro_step: Option<MacroId>,
+    /// The enclosures of this step, if it is an enclosing step.
+    pub encloses: Vec<PartialId>,
+    /// A chain of the source touches it, also one that could not be resolved.
+    pub drawn: bool,
+    /// In source order.
+    pub associations: Vec<AssociationId>,
+    pub forces: Vec<ForceId>,
+}
+
+/// A macro-step. Its expansion's steps and transitions stand in the partial grafcet around it; transitions to it
+/// lead to `entry`, those from it start at `exit`.
+pub struct MacroStep {
+    pub name: Ident,
+    pub entry: StepId,
+    pub exit: StepId,
+    /// All steps of the expansion, those of macro-steps inside included.
+    pub steps: Vec<StepId>,
+}
+
+/// A transition.
+pub struct Transition {
+    /// `go` of `-[go: x]->`
+    pub name: Option<Ident>,
+    pub levels: Vec<LevelAttr>,
+    pub partial: PartialId,
+    /// Each step once, in source order; empty for a source transition.
+    pub sources: Vec<StepId>,
+    /// Each step once; empty for a sink transition.
+    pub targets: Vec<StepId>,
+    pub condition: Expr,
+    /// `grafcet`: what is done when it clears, in source order.
+    pub clearing: Vec<Effect>,
+    /// From `-[` to `]->`.
+    pub mark: Mark,
+}
+
+/// A step's association with an action.
+pub struct Association {
+    pub step: StepId,
+    pub qualifier: Qualifier,
+    /// The time of L, D, SD, DS, SL.
+    pub time: Option<TimeRef>,
+    /// The event of `on`.
+    pub event: Option<Expr>,
+    /// Behind `if`.
+    pub condition: Option<Expr>,
+    pub effect: Effect,
+    pub mark: Mark,
+}
+
+/// What an action does.
+pub enum Effect {
+    /// A boolean output or variable that is controlled: `N relay`, `S lamp`.
+    Control(Place),
+    /// `speed = e`. Behind N on an output: a continuous assignation; elsewhere a stored one.
+    Assign(Place, Expr),
+    /// `heat(80)`
+    Call(ActionId, Vec<Expr>),
+    /// `{ count += 1; }`
+    Block(Code),
+}
+
+/// A forcing order of a step.
+pub struct Force {
+    pub step: StepId,
+    pub target: PartialId,
+    pub order: ForceOrder,
+    pub mark: Mark,
+}
+
+/// To which situation a partial grafcet is forced.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum ForceOrder {
+    /// `{S1, S2}`; empty for `{}`.
+    Steps(Vec<StepId>),
+    /// `{*}`
+    Hold,
+    /// `{INIT}`
+    Init,
+}
+
+/// An expression whose value of the evolution before is remembered for `rising` and `falling`.
+pub struct Edge {
+    pub of: Expr,
+}
+
+/// `t1/e/t2`: true once `of` has been true for `on`, false once it has been false for `off`.
+pub struct Delay {
+    pub on: TimeRef,
+    pub of: Expr,
+    pub off: TimeRef,
+}

@@ -1,0 +1,74 @@
+//! Questions that several passes ask of a model.
+
+use super::{Effect, Model, Name, Place, Read, Ty};
+
+impl Model {
+    /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
+    pub fn expressions(&self) -> impl Iterator<Item = &[Read]> {
+        let transitions = self
+            .transitions
+            .values()
+            .flat_map(|t| std::iter::once(&t.condition.reads[..]).chain(t.clearing.iter().flat_map(Effect::reads)));
+        let associations = self.associations.values().flat_map(|a| {
+            let conditions = a.condition.iter().chain(&a.event).map(|e| &e.reads[..]);
+            conditions.chain(a.effect.reads())
+        });
+        let edges = self.edges.values().map(|edge| &edge.of.reads[..]);
+        let delays = self.delays.values().map(|delay| &delay.of.reads[..]);
+        transitions.chain(associations).chain(edges).chain(delays)
+    }
+
+    /// Whether `cycle` has to know the time.
+    #[must_use]
+    pub fn uses_time(&self) -> bool {
+        let timed = |read: &Read| {
+            matches!(
+                read,
+                Read::Since(_) | Read::MacroSince(_) | Read::Elapsed(..) | Read::MacroElapsed(..) | Read::Delay(_)
+            )
+        };
+        self.associations.values().any(|a| a.time.is_some()) || self.expressions().any(|reads| reads.iter().any(timed))
+    }
+
+    /// The name of a place as the user wrote it.
+    #[must_use]
+    pub fn place_name(&self, place: Place) -> &syn::Ident {
+        match place {
+            Place::Output(id) => &self.outputs[id].name,
+            Place::Var(id) => &self.vars[id].name,
+        }
+    }
+
+    /// The declared name of a value.
+    #[must_use]
+    pub fn value_name(&self, name: Name) -> &syn::Ident {
+        match name {
+            Name::Input(id) => &self.inputs[id].name,
+            Name::Output(id) => &self.outputs[id].name,
+            Name::Var(id) => &self.vars[id].name,
+            Name::Param(id) => &self.params[id].name,
+        }
+    }
+
+    /// The type of a place.
+    #[must_use]
+    pub fn place_ty(&self, place: Place) -> &Ty {
+        match place {
+            Place::Output(id) => &self.outputs[id].ty,
+            Place::Var(id) => &self.vars[id].ty,
+        }
+    }
+}
+
+impl Effect {
+    /// What the expressions of an effect read, one list an expression.
+    pub fn reads(&self) -> impl Iterator<Item = &[Read]> {
+        let (one, many): (Option<&[Read]>, &[super::Expr]) = match self {
+            Effect::Control(_) => (None, &[]),
+            Effect::Assign(_, value) => (Some(&value.reads), &[]),
+            Effect::Call(_, args) => (None, args),
+            Effect::Block(code) => (Some(&code.reads), &[]),
+        };
+        one.into_iter().chain(many.iter().map(|arg| &arg.reads[..]))
+    }
+}

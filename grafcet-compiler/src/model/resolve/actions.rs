@@ -1,0 +1,99 @@
+//! Associations of steps with actions, and what stands behind their qualifiers.
+
+use proc_macro2::Ident;
+
+use super::scope::Meaning;
+use super::{Resolver, code, expr};
+use crate::ast::{self, Target};
+use crate::diagnostic::{Mark, rules};
+use crate::model::{Association, Effect, Name, Place, Qualifier, StepId};
+
+impl Resolver<'_> {
+    /// One line of a step's body.
+    pub(super) fn association(&mut self, step: StepId, association: &ast::Association) {
+        let time = association.time.as_ref().map(|time| self.time_arg(time));
+        let event = association.event.as_ref().map(|event| expr::resolve(event, self));
+        let condition = association.condition.as_ref().map(|condition| expr::resolve(condition, self));
+        let Some(effect) = self.effect(&association.target) else { return self.lose() };
+        let qualifier = association.qualifier.map_or(Qualifier::N, |(qualifier, _)| qualifier);
+        let id = self.model.associations.push(Association {
+            step,
+            qualifier,
+            time,
+            event,
+            condition,
+            effect,
+            mark: association.mark,
+        });
+        self.model.steps[step].associations.push(id);
+    }
+
+    /// What an action does; a target that cannot be one is reported.
+    pub(super) fn effect(&mut self, target: &Target) -> Option<Effect> {
+        match target {
+            Target::Name(name) => self.place(name, "output", "bool").map(Effect::Control),
+            Target::Assign { name, value } => {
+                let value = expr::resolve(value, self);
+                self.place(name, "var", "u16 = 0").map(|place| Effect::Assign(place, value))
+            }
+            Target::Call { name, args } => self.call(name, args),
+            Target::Block(block) => Some(Effect::Block(code::resolve(block, self))),
+        }
+    }
+
+    /// The output or variable `name`.
+    fn place(&mut self, name: &Ident, wanted: &str, ty: &str) -> Option<Place> {
+        let message = match self.scope.get(name) {
+            Some(Meaning::Value(Name::Output(id))) => return Some(Place::Output(id)),
+            Some(Meaning::Value(Name::Var(id))) => return Some(Place::Var(id)),
+            Some(Meaning::Value(Name::Input(_))) => {
+                format!("`{name}` is an input, which the plant writes; an action writes an `output` or a `var`")
+            }
+            Some(Meaning::Value(Name::Param(_))) => {
+                format!("`{name}` is a param, which the recipe sets; an action writes an `output` or a `var`")
+            }
+            Some(Meaning::Action(id)) => {
+                let params = self.model.actions[id].params.iter().map(|(p, _)| p.to_string()).collect::<Vec<_>>();
+                format!("`{name}` is an action, which is called: `{name}({})`", params.join(", "))
+            }
+            Some(Meaning::Step(_) | Meaning::Macro(_)) => {
+                format!("`{name}` is a step; an action writes an `output` or a `var`")
+            }
+            None => {
+                self.scope.unknown_name(name, &format!("{wanted} {name}: {ty};"), self.sink);
+                return None;
+            }
+        };
+        self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
+        None
+    }
+
+    fn call(&mut self, name: &Ident, args: &[syn::Expr]) -> Option<Effect> {
+        let args: Vec<_> = args.iter().map(|arg| (Mark::of(arg), expr::resolve(arg, self))).collect();
+        let action = match self.scope.get(name) {
+            Some(Meaning::Action(action)) => action,
+            Some(_) => {
+                let message =
+                    format!("`{name}` is not an action and cannot be called; declare `action` under another name");
+                self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
+                return None;
+            }
+            None => {
+                self.scope.unknown_name(name, &format!("action {name}();"), self.sink);
+                return None;
+            }
+        };
+        let wanted = self.model.actions[action].params.len();
+        if args.len() != wanted {
+            let message = format!(
+                "action `{name}` takes {wanted} argument{}, {} given",
+                if wanted == 1 { "" } else { "s" },
+                if args.len() == 1 { "1 is".to_owned() } else { format!("{} are", args.len()) },
+            );
+            let mark = args.iter().fold(Mark::from(name), |mark, (arg, _)| mark.to(*arg));
+            self.sink.notation(mark, message);
+            return None;
+        }
+        Some(Effect::Call(action, args.into_iter().map(|(_, arg)| arg).collect()))
+    }
+}

@@ -1,0 +1,174 @@
+//! Chains of steps and transitions.
+
+use super::scope::Meaning;
+use super::{Resolver, expr};
+use crate::ast::{self, Arrow, Node};
+use crate::diagnostic::{Mark, rules};
+use crate::model::{Dialect, PartialId, StepId, Transition};
+
+/// At which end of an arrow a node stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    Source,
+    Target,
+}
+
+impl Resolver<'_> {
+    /// All transitions of a chain, in source order.
+    pub(super) fn chain(&mut self, chain: &ast::Chain, partial: PartialId) {
+        let mut before = &chain.first;
+        self.repeated(before);
+        for (arrow, after) in &chain.rest {
+            self.repeated(after);
+            match arrow {
+                Arrow::Bare(mark) => self.bare_arrow(*mark, before, after, partial),
+                Arrow::Transition(transition) => self.transition(chain, before, transition, after, partial),
+            }
+            before = after;
+        }
+    }
+
+    fn transition(
+        &mut self,
+        chain: &ast::Chain,
+        before: &Node,
+        transition: &ast::Transition,
+        after: &Node,
+        partial: PartialId,
+    ) {
+        let sources = self.node(before, End::Source, partial);
+        let targets = self.node(after, End::Target, partial);
+        let condition = expr::resolve(&transition.condition, self);
+        if let Some(name) = &transition.name {
+            self.scope.declare_transition(name, self.sink);
+        }
+        let clearing = self.clearing(transition);
+        if let Node::Missing(mark) = after {
+            let message = "between two transitions there is always a step; \
+                           put an empty step between them, or write one condition with `&&`";
+            self.sink.rule(&rules::TRANSITIONS_WITHOUT_STEP, &[], vec![(*mark, message.to_owned())]);
+        }
+        let (Some(sources), Some(targets)) = (sources, targets) else { return self.lose() };
+        self.loose_end(before, End::Source);
+        self.loose_end(after, End::Target);
+        let id = self.model.transitions.push(Transition {
+            name: transition.name.clone(),
+            levels: chain.attrs.levels.clone(),
+            partial,
+            sources,
+            targets,
+            condition,
+            clearing,
+            mark: transition.mark,
+        });
+        self.model.partials[partial].transitions.push(id);
+    }
+
+    /// `A -> B`
+    fn bare_arrow(&mut self, mark: Mark, before: &Node, after: &Node, partial: PartialId) {
+        self.node(before, End::Source, partial);
+        self.node(after, End::Target, partial);
+        let message = format!(
+            "between two steps there is always a transition; write `{} -[true]-> {}`, or the condition it waits for",
+            name_of(before),
+            name_of(after),
+        );
+        self.sink.rule(&rules::STEPS_WITHOUT_TRANSITION, &[], vec![(mark, message)]);
+        self.lose();
+    }
+
+    /// The steps of a node: of a macro-step its entry or its exit.
+    fn node(&mut self, node: &Node, end: End, partial: PartialId) -> Option<Vec<StepId>> {
+        let names: &[syn::Ident] = match node {
+            Node::Step(name) => std::slice::from_ref(name),
+            Node::Group(names, _) => names,
+            Node::Missing(_) => return None,
+        };
+        let mut steps = Vec::new();
+        let mut complete = true;
+        for name in names {
+            let step = match self.scope.step(name, self.sink) {
+                Some(Meaning::Step(step)) => step,
+                Some(Meaning::Macro(id)) if self.broken_macros.contains(&id) => {
+                    complete = false;
+                    continue;
+                }
+                Some(Meaning::Macro(id)) => {
+                    let macro_step = &self.model.macros[id];
+                    if end == End::Source { macro_step.exit } else { macro_step.entry }
+                }
+                _ => {
+                    complete = false;
+                    continue;
+                }
+            };
+            self.model.steps[step].drawn = true;
+            if self.model.steps[step].partial != partial {
+                let message = format!(
+                    "`{name}` belongs to {}; a transition connects steps of one partial grafcet",
+                    self.partial_name(self.model.steps[step].partial)
+                );
+                self.sink.notation(name, message);
+                complete = false;
+            }
+            if !steps.contains(&step) {
+                steps.push(step);
+            }
+        }
+        complete.then_some(steps)
+    }
+
+    /// `(B, B)`: a step twice in one list.
+    fn repeated(&mut self, node: &Node) {
+        let Node::Group(names, _) = node else { return };
+        for (i, name) in names.iter().enumerate() {
+            if names[..i].contains(name) {
+                let message = format!("`{name}` stands twice in this list; name each step once");
+                self.sink.rule(&rules::REPEATED_STEP, &[], vec![(name.into(), message)]);
+            }
+        }
+    }
+
+    /// `()` in an `sfc`.
+    fn loose_end(&mut self, node: &Node, end: End) {
+        let Node::Group(names, mark) = node else { return };
+        if !names.is_empty() || self.model.dialect == Dialect::Grafcet {
+            return;
+        }
+        let (rule, message) = match end {
+            End::Source => (
+                &rules::SOURCE_TRANSITION,
+                "a transition of an `sfc` has a step in front of it; name it, or write a `grafcet`, which has source transitions",
+            ),
+            End::Target => (
+                &rules::SINK_TRANSITION,
+                "a transition of an `sfc` has a step behind it; name it, or write a `grafcet`, which has sink transitions",
+            ),
+        };
+        self.sink.rule(rule, &[], vec![(*mark, message.to_owned())]);
+    }
+
+    fn clearing(&mut self, transition: &ast::Transition) -> Vec<crate::model::Effect> {
+        let mut effects = Vec::new();
+        for clearing in &transition.clearing {
+            if self.model.dialect == Dialect::Sfc {
+                let message = "an `sfc` ties actions to steps, not to transitions (IEC 61131-3); \
+                               write the action behind `P1` in the step that follows";
+                self.sink.rule(&rules::CLEARING_ACTION, &[], vec![(clearing.mark, message.to_owned())]);
+            }
+            effects.extend(self.effect(&clearing.target));
+        }
+        effects
+    }
+}
+
+/// A node as the user wrote it.
+fn name_of(node: &Node) -> String {
+    match node {
+        Node::Step(name) => name.to_string(),
+        Node::Group(names, _) => {
+            format!("({})", names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
+        }
+        Node::Missing(_) => "…".to_owned(),
+    }
+}

@@ -1,0 +1,443 @@
+//! Expressions: names found, the forms that are not Rust replaced by placeholders, the meaning as a tree.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote_spanned};
+use syn::visit_mut::{self, VisitMut};
+use syn::{BinOp, ExprBinary, Lit, Member, UnOp};
+
+use super::Resolver;
+use super::scope::Meaning;
+use crate::diagnostic::Mark;
+use crate::model::{Binary, Delay, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
+
+/// Resolves one expression of the user.
+pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
+    let mut lower = Lower::new(resolver);
+    locals_of_expr(&mut expr.clone(), &mut lower.locals);
+    let mut tokens = expr.clone();
+    let tree = lower.lower(&mut tokens);
+    let reads = lower.reads;
+    Expr { tree, tokens, reads, text: super::text::of(expr) }
+}
+
+/// Rewrites expressions in place and takes note of what they read.
+pub(super) struct Lower<'r, 's> {
+    resolver: &'r mut Resolver<'s>,
+    pub(super) reads: Vec<Read>,
+    /// Names bound inside the expression, by `let`, a closure or a pattern.
+    pub(super) locals: BTreeSet<String>,
+}
+
+impl<'r, 's> Lower<'r, 's> {
+    pub(super) fn new(resolver: &'r mut Resolver<'s>) -> Self {
+        Self { resolver, reads: Vec::new(), locals: BTreeSet::new() }
+    }
+
+    /// Rewrites `expr` and returns its meaning.
+    pub(super) fn lower(&mut self, expr: &mut syn::Expr) -> Tree {
+        match expr {
+            syn::Expr::Paren(paren) => self.lower(&mut paren.expr),
+            syn::Expr::Group(group) => self.lower(&mut group.expr),
+            syn::Expr::Unary(unary) => {
+                let operator = match unary.op {
+                    UnOp::Not(_) => Unary::Not,
+                    UnOp::Neg(_) => Unary::Neg,
+                    _ => return self.opaque(expr),
+                };
+                let operand = self.lower(&mut unary.expr);
+                match (operator, operand) {
+                    (Unary::Neg, Tree::Int(value)) => Tree::Int(-value),
+                    (operator, operand) => Tree::Unary(operator, Box::new(operand)),
+                }
+            }
+            syn::Expr::Binary(binary) => {
+                if let Some(parts) = self.delay_parts(binary) {
+                    return self.delay(parts, expr);
+                }
+                let Some(operator) = operator(&binary.op) else { return self.opaque(expr) };
+                let left = self.lower(&mut binary.left);
+                let right = self.lower(&mut binary.right);
+                Tree::Binary(operator, Box::new(left), Box::new(right))
+            }
+            syn::Expr::Lit(lit) => match literal(&lit.lit) {
+                Some(tree) => tree,
+                None => self.time_literal(expr),
+            },
+            syn::Expr::Path(_) => self.path(expr),
+            syn::Expr::Field(_) => self.field(expr),
+            syn::Expr::Call(_) => self.call(expr),
+            _ => self.opaque(expr),
+        }
+    }
+
+    /// The output or variable on the left of an assignment.
+    pub(super) fn place(&self, expr: &syn::Expr) -> Option<Place> {
+        match self.resolver.scope.get(&single_name(expr)?)? {
+            Meaning::Value(Name::Output(id)) => Some(Place::Output(id)),
+            Meaning::Value(Name::Var(id)) => Some(Place::Var(id)),
+            _ => None,
+        }
+    }
+
+    /// Rust that is not looked into: only its names are resolved.
+    fn opaque(&mut self, expr: &mut syn::Expr) -> Tree {
+        let text = super::text::of(&*expr);
+        let outside = std::mem::take(&mut self.reads);
+        visit_mut::visit_expr_mut(self, expr);
+        let reads = std::mem::replace(&mut self.reads, outside);
+        for read in &reads {
+            self.note(*read);
+        }
+        Tree::Opaque { text, reads }
+    }
+
+    fn note(&mut self, read: Read) {
+        if !self.reads.contains(&read) {
+            self.reads.push(read);
+        }
+    }
+
+    /// Puts the placeholder of `read` in the place of `expr`.
+    fn replace(&mut self, expr: &mut syn::Expr, read: Read) -> Tree {
+        self.note(read);
+        let mark = Mark::of(&*expr);
+        if let Some(name) = placeholder::ident(read, mark.start) {
+            *expr = syn::Expr::Verbatim(name.into_token_stream());
+        }
+        match read {
+            Read::Elapsed(time, step) => Tree::Elapsed(time, step),
+            Read::MacroElapsed(time, id) => Tree::MacroElapsed(time, id),
+            read => Tree::Read(read),
+        }
+    }
+
+    fn path(&mut self, expr: &mut syn::Expr) -> Tree {
+        let Some(name) = single_name(expr) else { return self.opaque(expr) };
+        if name == "true" || name == "false" {
+            return Tree::Bool(name == "true");
+        }
+        match self.resolver.scope.get(&name) {
+            Some(Meaning::Value(value)) => {
+                self.note(Read::Name(value));
+                Tree::Read(Read::Name(value))
+            }
+            Some(Meaning::Step(_) | Meaning::Macro(_)) if !self.locals.contains(&name.to_string()) => {
+                let message =
+                    format!("`{name}` is a step; write `{name}.X` for its activity or `{name}.T` for its time");
+                self.resolver.sink.notation(&name, message);
+                Tree::Bool(true)
+            }
+            Some(Meaning::Action(_)) => {
+                let message = format!("`{name}` is an action; it can stand behind a qualifier, not in an expression");
+                self.resolver.sink.notation(&name, message);
+                Tree::Bool(true)
+            }
+            _ if self.locals.contains(&name.to_string()) || !looks_like_a_variable(&name) => {
+                Tree::Opaque { text: name.to_string(), reads: Vec::new() }
+            }
+            _ => {
+                self.resolver.scope.unknown_name(&name, &format!("input {name}: bool;"), self.resolver.sink);
+                Tree::Bool(true)
+            }
+        }
+    }
+
+    /// `Off.X`, `Off.T`, `Production::Feed.X`; any other field is Rust.
+    fn field(&mut self, expr: &mut syn::Expr) -> Tree {
+        let syn::Expr::Field(field) = &*expr else { return self.opaque(expr) };
+        let member = match &field.member {
+            Member::Named(name) if name == "X" || name == "T" => name.clone(),
+            _ => return self.opaque(expr),
+        };
+        let Some(step) = step_path(&field.base) else { return self.opaque(expr) };
+        let Some(meaning) = self.step(&step) else {
+            return if member == "X" { Tree::Bool(true) } else { Tree::Int(0) };
+        };
+        let read = match (meaning, member == "X") {
+            (Meaning::Step(id), true) => Read::Active(id),
+            (Meaning::Step(id), false) => Read::Since(id),
+            (Meaning::Macro(id), true) => Read::MacroActive(id),
+            (Meaning::Macro(id), false) => Read::MacroSince(id),
+            _ => return self.opaque(expr),
+        };
+        self.replace(expr, read)
+    }
+
+    /// The step a path names; `None` is reported. A declared value with a field `X` is Rust.
+    fn step(&mut self, path: &[Ident]) -> Option<Meaning> {
+        let name = path.last()?;
+        if let [partial, _] = path {
+            let partial = self.resolver.scope.partial(partial, self.resolver.sink)?;
+            let found = self.resolver.scope.step(name, self.resolver.sink)?;
+            if let Meaning::Step(step) = found {
+                self.resolver.expect_in_partial(name, step, partial);
+            }
+            return Some(found);
+        }
+        match self.resolver.scope.get(name) {
+            Some(value @ Meaning::Value(_)) => Some(value),
+            _ => self.resolver.scope.step(name, self.resolver.sink),
+        }
+    }
+
+    /// `rising(e)`, `falling(e)`; any other call is Rust.
+    fn call(&mut self, expr: &mut syn::Expr) -> Tree {
+        let syn::Expr::Call(call) = &mut *expr else { return self.opaque(expr) };
+        let Some(function) = single_name(&call.func) else { return self.opaque(expr) };
+        if function != "rising" && function != "falling" {
+            let text = super::text::of(&*call);
+            let outside = std::mem::take(&mut self.reads);
+            // The name of a function is Rust's, its arguments are ours.
+            call.args.iter_mut().for_each(|argument| drop(self.lower(argument)));
+            let reads = std::mem::replace(&mut self.reads, outside);
+            reads.iter().for_each(|read| self.note(*read));
+            return Tree::Opaque { text, reads };
+        }
+        let [argument] = &*call.args.iter().collect::<Vec<_>>() else {
+            let message = format!("`{function}` takes one boolean expression: `{function}(a)`");
+            self.resolver.sink.notation(Mark::of(&*call), message);
+            return Tree::Bool(true);
+        };
+        let of = resolve(argument, self.resolver);
+        let edge = self.resolver.edge(Edge { of });
+        let read = if function == "rising" { Read::Rising(edge) } else { Read::Falling(edge) };
+        self.replace(expr, read)
+    }
+
+    /// `5s` alone; a literal of Rust stays.
+    fn time_literal(&mut self, expr: &mut syn::Expr) -> Tree {
+        let syn::Expr::Lit(lit) = &*expr else { return self.opaque(expr) };
+        match self.resolver.literal_time(&lit.lit) {
+            Some(ticks) => self.replace(expr, Read::Ticks(ticks)),
+            None => Tree::Opaque { text: super::text::of(&*expr), reads: Vec::new() },
+        }
+    }
+
+    /// The parts of `t1/e/t2`, if this division is a delay.
+    fn delay_parts(&mut self, division: &ExprBinary) -> Option<DelayParts> {
+        if !matches!(division.op, BinOp::Div(_)) {
+            return None;
+        }
+        if let syn::Expr::Binary(inner) = &*division.left {
+            if matches!(inner.op, BinOp::Div(_)) {
+                if let Some(on) = self.resolver.time_of(&inner.left) {
+                    return Some(self.three_part_delay(on, inner, &division.right));
+                }
+            }
+        }
+        if let syn::Expr::Unary(unary) = &*division.left {
+            if self.resolver.time_of(&unary.expr).is_some() {
+                let (operator, whole) = (super::text::of(unary.op), super::text::of(division));
+                let delay = whole.strip_prefix(&operator).unwrap_or(&whole).trim().to_owned();
+                let message =
+                    format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary));
+                self.resolver.sink.notation(Mark::of(division), message);
+                return self.resolver.time_of(&unary.expr).map(|on| DelayParts {
+                    on,
+                    of: (*division.right).clone(),
+                    off: TimeRef::Ticks(0),
+                });
+            }
+        }
+        let on = self.resolver.time_of(&division.left)?;
+        Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
+    }
+
+    fn three_part_delay(&mut self, on: TimeRef, inner: &ExprBinary, last: &syn::Expr) -> DelayParts {
+        let off = self.resolver.time_of(last).unwrap_or_else(|| {
+            let message = "behind the second `/` of a delay stands a time: `3s/e/2s`".to_owned();
+            self.resolver.sink.notation(Mark::of(last), message);
+            TimeRef::Ticks(0)
+        });
+        DelayParts { on, of: (*inner.right).clone(), off }
+    }
+
+    /// `t1/e/t2`; `t/Step` needs only the step's time.
+    fn delay(&mut self, parts: DelayParts, expr: &mut syn::Expr) -> Tree {
+        let DelayParts { on, of, off } = parts;
+        let step = single_name(&of)
+            .filter(|name| matches!(self.resolver.scope.get(name), Some(Meaning::Step(_) | Meaning::Macro(_)) | None))
+            .filter(|name| !looks_like_a_variable(name) || self.resolver.scope.get(name).is_some());
+        let Some(step) = step else {
+            let of = resolve(&of, self.resolver);
+            let delay = self.resolver.delay(Delay { on, of, off });
+            return self.replace(expr, Read::Delay(delay));
+        };
+        let read = match self.step(&[step]) {
+            Some(Meaning::Step(id)) if off == TimeRef::Ticks(0) => Read::Elapsed(on, id),
+            Some(Meaning::Macro(id)) if off == TimeRef::Ticks(0) => Read::MacroElapsed(on, id),
+            Some(Meaning::Step(id)) => self.delay_of_activity(on, Read::Active(id), &of, off),
+            Some(Meaning::Macro(id)) => self.delay_of_activity(on, Read::MacroActive(id), &of, off),
+            _ => return Tree::Bool(true),
+        };
+        self.replace(expr, read)
+    }
+
+    /// `5s/Step/2s`
+    fn delay_of_activity(&mut self, on: TimeRef, active: Read, step: &syn::Expr, off: TimeRef) -> Read {
+        let mark = Mark::of(step);
+        let tokens = placeholder::ident(active, mark.start).into_token_stream();
+        let of = Expr {
+            tree: Tree::Read(active),
+            tokens: syn::Expr::Verbatim(tokens),
+            reads: vec![active],
+            text: format!("{}.X", super::text::of(step)),
+        };
+        Read::Delay(self.resolver.delay(Delay { on, of, off }))
+    }
+
+    /// Inside a macro call there are only tokens: declared names are noted, step variables replaced.
+    fn macro_tokens(&mut self, tokens: TokenStream) -> TokenStream {
+        let mut out = Vec::new();
+        for tree in tokens {
+            match tree {
+                TokenTree::Group(group) => {
+                    let mut inner = Group::new(group.delimiter(), self.macro_tokens(group.stream()));
+                    inner.set_span(group.span());
+                    out.push(TokenTree::Group(inner));
+                }
+                TokenTree::Ident(name) => {
+                    self.macro_ident(&name, &mut out);
+                }
+                other => out.push(other),
+            }
+        }
+        out.into_iter().collect()
+    }
+
+    /// Appends `name`, or the placeholder of `Step.X` when `name` is its `X`.
+    fn macro_ident(&mut self, name: &Ident, out: &mut Vec<TokenTree>) {
+        if name == "X" || name == "T" {
+            if let [.., TokenTree::Ident(step), TokenTree::Punct(dot)] = &out[..] {
+                if dot.as_char() == '.' {
+                    let mut field = syn::parse_quote_spanned!(step.span()=> #step.#name);
+                    if !matches!(self.resolver.scope.get(step), Some(Meaning::Value(_))) {
+                        self.lower(&mut field);
+                        out.truncate(out.len() - 2);
+                        let group = Group::new(Delimiter::None, quote_spanned!(name.span()=> #field));
+                        out.push(TokenTree::Group(group));
+                        return;
+                    }
+                }
+            }
+        }
+        let is_field = matches!(out.last(), Some(TokenTree::Punct(p)) if p.as_char() == '.');
+        if let (false, Some(Meaning::Value(value))) = (is_field, self.resolver.scope.get(name)) {
+            self.note(Read::Name(value));
+        }
+        out.push(TokenTree::Ident(name.clone()));
+    }
+}
+
+impl VisitMut for Lower<'_, '_> {
+    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+        self.lower(expr);
+    }
+
+    fn visit_macro_mut(&mut self, call: &mut syn::Macro) {
+        call.tokens = self.macro_tokens(std::mem::take(&mut call.tokens));
+    }
+
+    fn visit_field_value_mut(&mut self, field: &mut syn::FieldValue) {
+        // `Point { x }` would lose its name when `x` is replaced.
+        if field.colon_token.is_none() {
+            field.colon_token = Some(syn::token::Colon::default());
+        }
+        self.visit_expr_mut(&mut field.expr);
+    }
+}
+
+struct DelayParts {
+    on: TimeRef,
+    of: syn::Expr,
+    off: TimeRef,
+}
+
+/// The names bound by patterns inside the expression.
+fn locals_of_expr(expr: &mut syn::Expr, locals: &mut BTreeSet<String>) {
+    Locals(locals).visit_expr_mut(expr);
+}
+
+/// The names bound by patterns inside the block.
+pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut BTreeSet<String>) {
+    Locals(locals).visit_block_mut(block);
+}
+
+struct Locals<'a>(&'a mut BTreeSet<String>);
+
+impl VisitMut for Locals<'_> {
+    fn visit_pat_ident_mut(&mut self, pattern: &mut syn::PatIdent) {
+        self.0.insert(pattern.ident.to_string());
+        visit_mut::visit_pat_ident_mut(self, pattern);
+    }
+}
+
+/// `relay` of the expression `relay`.
+pub(super) fn single_name(expr: &syn::Expr) -> Option<Ident> {
+    match expr {
+        syn::Expr::Path(path) if path.qself.is_none() && path.attrs.is_empty() => path.path.get_ident().cloned(),
+        syn::Expr::Group(group) => single_name(&group.expr),
+        _ => None,
+    }
+}
+
+/// `Feed` or `Production::Feed` in front of `.X`.
+fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
+    let syn::Expr::Path(path) = expr else { return None };
+    let segments = &path.path.segments;
+    let plain = path.qself.is_none() && segments.iter().all(|s| s.arguments.is_none());
+    (plain && segments.len() <= 2).then(|| segments.iter().map(|s| s.ident.clone()).collect())
+}
+
+/// Constants, types and variants of the surrounding Rust begin with an upper-case letter.
+fn looks_like_a_variable(name: &Ident) -> bool {
+    !name.to_string().trim_start_matches("r#").trim_start_matches('_').starts_with(char::is_uppercase)
+}
+
+fn literal(lit: &Lit) -> Option<Tree> {
+    match lit {
+        Lit::Bool(value) => Some(Tree::Bool(value.value)),
+        Lit::Int(value) => {
+            let suffix = value.suffix();
+            let rust =
+                suffix.is_empty() || suffix.starts_with(['i', 'u']) && !suffix.starts_with("us") || suffix == "usize";
+            rust.then(|| value.base10_parse().ok().map(Tree::Int)).flatten()
+        }
+        _ => None,
+    }
+}
+
+fn operator(op: &BinOp) -> Option<Binary> {
+    Some(match op {
+        BinOp::And(_) => Binary::And,
+        BinOp::Or(_) => Binary::Or,
+        BinOp::BitAnd(_) => Binary::BitAnd,
+        BinOp::BitOr(_) => Binary::BitOr,
+        BinOp::BitXor(_) => Binary::BitXor,
+        BinOp::Eq(_) => Binary::Eq,
+        BinOp::Ne(_) => Binary::Ne,
+        BinOp::Lt(_) => Binary::Lt,
+        BinOp::Le(_) => Binary::Le,
+        BinOp::Gt(_) => Binary::Gt,
+        BinOp::Ge(_) => Binary::Ge,
+        BinOp::Add(_) => Binary::Add,
+        BinOp::Sub(_) => Binary::Sub,
+        BinOp::Mul(_) => Binary::Mul,
+        BinOp::Div(_) => Binary::Div,
+        BinOp::Rem(_) => Binary::Rem,
+        BinOp::Shl(_) => Binary::Shl,
+        BinOp::Shr(_) => Binary::Shr,
+        _ => return None,
+    })
+}
+
+/// Whether a declared value counts time.
+pub(super) fn time_name(value: Name, resolver: &Resolver<'_>) -> Option<TimeRef> {
+    match value {
+        Name::Param(id) => matches!(resolver.model.params[id].ty, Ty::Time(_)).then_some(TimeRef::Param(id)),
+        Name::Var(id) => matches!(resolver.model.vars[id].ty, Ty::Time(_)).then_some(TimeRef::Var(id)),
+        Name::Input(_) | Name::Output(_) => None,
+    }
+}

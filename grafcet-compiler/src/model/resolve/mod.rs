@@ -1,0 +1,219 @@
+//! From the spanned syntax to the model: first all names are declared, then everything that mentions them is resolved.
+//!
+//! What cannot be resolved is reported and left out, so that the rest of the chart can still be checked.
+
+mod actions;
+mod chains;
+mod code;
+mod declare;
+mod expr;
+mod scope;
+mod text;
+mod time;
+
+use proc_macro2::Ident;
+
+use self::scope::Scope;
+use super::{
+    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Model, PartialId, Step, StepId,
+};
+use crate::ast;
+use crate::diagnostic::{Sink, rules};
+
+/// Resolves a chart. Mistakes go to the sink; the model holds all that could be understood.
+pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
+    let mut resolver = Resolver {
+        model: empty(chart),
+        scope: Scope::default(),
+        sink,
+        steps: Vec::new(),
+        partials: Vec::new(),
+        broken_macros: Vec::new(),
+    };
+    resolver.read_settings(&chart.body);
+    resolver.declare_chart(&chart.body);
+    let mut cursor = Cursor::default();
+    resolver.body(&chart.body, PartialId::new(0), &mut cursor);
+    resolver.model
+}
+
+/// What is under construction while a chart is resolved.
+pub(super) struct Resolver<'s> {
+    model: Model,
+    scope: Scope,
+    sink: &'s mut Sink,
+    /// The ids given while declaring, in source order; resolving meets the items in the same order.
+    steps: Vec<StepId>,
+    partials: Vec<PartialId>,
+    /// Macro-steps without exactly one entry and one exit step: no transition can be drawn to them.
+    broken_macros: Vec<MacroId>,
+}
+
+/// How far resolving has come in the ids given while declaring.
+#[derive(Default)]
+struct Cursor {
+    step: usize,
+    partial: usize,
+}
+
+fn empty(chart: &ast::Chart) -> Model {
+    let mut levels = chart.attrs.levels.clone();
+    levels.extend(chart.body.levels.iter().cloned());
+    Model {
+        dialect: chart.dialect,
+        name: chart.name.clone(),
+        vis: chart.vis.clone(),
+        attrs: chart.attrs.passed_on.clone(),
+        levels,
+        clock_nanos: time::MILLISECOND,
+        incomplete: false,
+        max_evolutions: None,
+        inputs: Arena::default(),
+        outputs: Arena::default(),
+        vars: Arena::default(),
+        params: Arena::default(),
+        actions: Arena::default(),
+        partials: Arena::default(),
+        steps: Arena::default(),
+        macros: Arena::default(),
+        transitions: Arena::default(),
+        associations: Arena::default(),
+        forces: Arena::default(),
+        edges: Arena::default(),
+        delays: Arena::default(),
+    }
+}
+
+impl Resolver<'_> {
+    /// The second pass over a body, in source order.
+    fn body(&mut self, body: &ast::Body, partial: PartialId, cursor: &mut Cursor) {
+        for item in &body.items {
+            match item {
+                ast::Item::Decl(decl) => self.initial_value(decl),
+                ast::Item::Action(_) | ast::Item::Setting(_) | ast::Item::Property(_) => {}
+                ast::Item::Step(step) => self.step(step, partial, cursor),
+                ast::Item::Chain(chain) => self.chain(chain, partial),
+                ast::Item::Partial(inner) => self.partial(inner, cursor),
+            }
+        }
+    }
+
+    fn partial(&mut self, partial: &ast::Partial, cursor: &mut Cursor) {
+        let id = self.partials[cursor.partial];
+        cursor.partial += 1;
+        self.body(&partial.body, id, cursor);
+    }
+
+    fn step(&mut self, step: &ast::Step, partial: PartialId, cursor: &mut Cursor) {
+        if let ast::StepKind::Macro(_, body) = &step.kind {
+            return self.body(body, partial, cursor);
+        }
+        let id = self.steps[cursor.step];
+        cursor.step += 1;
+        match &step.kind {
+            ast::StepKind::Plain(body) => self.step_body(id, body),
+            ast::StepKind::Enclosing(_, body, partials) => {
+                self.step_body(id, body);
+                partials.iter().for_each(|inner| self.partial(inner, cursor));
+            }
+            ast::StepKind::Macro(..) => {}
+        }
+    }
+
+    fn step_body(&mut self, step: StepId, body: &ast::StepBody) {
+        for association in &body.associations {
+            self.association(step, association);
+        }
+        for force in &body.forces {
+            self.force(step, force);
+        }
+    }
+
+    fn force(&mut self, step: StepId, force: &ast::Force) {
+        let Some(target) = self.scope.partial(&force.partial, self.sink) else { return self.lose() };
+        let order = match &force.order {
+            ast::ForceOrder::Steps(names) => ForceOrder::Steps(self.forced_steps(names, target)),
+            ast::ForceOrder::Hold => ForceOrder::Hold,
+            ast::ForceOrder::Empty => ForceOrder::Steps(Vec::new()),
+            ast::ForceOrder::Init => ForceOrder::Init,
+        };
+        let id = self.model.forces.push(super::Force { step, target, order, mark: force.mark });
+        self.model.steps[step].forces.push(id);
+    }
+
+    /// The steps of a forced situation; only real steps of the forced partial grafcet can be listed.
+    fn forced_steps(&mut self, names: &[Ident], target: PartialId) -> Vec<StepId> {
+        let mut steps = Vec::new();
+        for name in names {
+            match self.scope.step(name, self.sink) {
+                Some(scope::Meaning::Step(step)) => {
+                    self.expect_in_partial(name, step, target);
+                    if steps.contains(&step) {
+                        let message = format!("`{name}` stands twice in this situation; name it once");
+                        self.sink.rule(&rules::REPEATED_STEP, &[], vec![(name.into(), message)]);
+                    } else {
+                        steps.push(step);
+                    }
+                }
+                Some(_) => {
+                    let message = format!("`{name}` is a macro-step; name the step of its expansion that is meant");
+                    self.sink.notation(name, message);
+                    self.lose();
+                }
+                None => self.lose(),
+            }
+        }
+        steps
+    }
+
+    /// Reports a step that is named as part of a partial grafcet it does not belong to.
+    fn expect_in_partial(&mut self, name: &Ident, step: StepId, partial: PartialId) {
+        let home = self.model.steps[step].partial;
+        if home == partial {
+            return;
+        }
+        let wanted = self.partial_name(partial);
+        let message = format!("step `{name}` belongs to {}, not to {wanted}", self.partial_name(home));
+        self.sink.rule(&rules::FORCED_STEP_OUTSIDE, &[], vec![(name.into(), message)]);
+    }
+
+    fn partial_name(&self, partial: PartialId) -> String {
+        match &self.model.partials[partial].name {
+            Some(name) => format!("`{name}`"),
+            None => "the chart itself".to_owned(),
+        }
+    }
+
+    /// Something could not be resolved and is missing from the model.
+    fn lose(&mut self) {
+        self.model.incomplete = true;
+    }
+
+    /// The memory of an edge; equal expressions share one.
+    fn edge(&mut self, edge: Edge) -> EdgeId {
+        let same = self.model.edges.iter().find(|(_, e)| e.of.tree == edge.of.tree).map(|(id, _)| id);
+        same.unwrap_or_else(|| self.model.edges.push(edge))
+    }
+
+    /// A delay; equal ones share their timer.
+    fn delay(&mut self, delay: Delay) -> DelayId {
+        let same = |d: &Delay| (d.on, d.off) == (delay.on, delay.off) && d.of.tree == delay.of.tree;
+        let found = self.model.delays.iter().find(|(_, d)| same(d)).map(|(id, _)| id);
+        found.unwrap_or_else(|| self.model.delays.push(delay))
+    }
+}
+
+/// The lint attributes of a step or transition and of the chart around it, the innermost first.
+impl Model {
+    /// The scopes in which levels for a step are looked up.
+    #[must_use]
+    pub fn levels_of<'m>(&'m self, step: &'m Step) -> Vec<&'m [LevelAttr]> {
+        vec![&step.levels, &self.partials[step.partial].levels, &self.levels]
+    }
+
+    /// Whether the chart evolves by IEC 60848.
+    #[must_use]
+    pub fn is_grafcet(&self) -> bool {
+        self.dialect == Dialect::Grafcet
+    }
+}

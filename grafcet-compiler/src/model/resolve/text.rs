@@ -1,0 +1,60 @@
+//! The user's tokens as one line of text, spaced as a person would write them.
+
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
+use quote::ToTokens;
+
+/// `on && !over_temp`
+pub(in crate::model) fn of(tokens: impl ToTokens) -> String {
+    let mut text = String::new();
+    write(tokens.into_token_stream(), &mut text, true);
+    text
+}
+
+fn write(tokens: TokenStream, text: &mut String, mut tight: bool) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => {
+                let (open, close) = match group.delimiter() {
+                    Delimiter::Parenthesis => ("(", ")"),
+                    Delimiter::Brace => ("{ ", " }"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::None => ("", ""),
+                };
+                // A call or an index: `f(x)`, `m!(x)`, `a[0]`.
+                let called = group.delimiter() != Delimiter::Brace
+                    && text.ends_with(|c: char| c.is_alphanumeric() || matches!(c, '_' | '!' | ')' | ']'));
+                if !tight && !called {
+                    text.push(' ');
+                }
+                text.push_str(open);
+                write(group.stream(), text, true);
+                text.push_str(close);
+                tight = false;
+            }
+            TokenTree::Punct(punct) => {
+                let c = punct.as_char();
+                let sticks = matches!(c, '.' | ',' | ';' | '?' | ':');
+                if !tight && !sticks {
+                    text.push(' ');
+                }
+                text.push(c);
+                tight = punct.spacing() == Spacing::Joint || matches!(c, '.' | '!' | ':' | '\'' | '#' | '/');
+                // `5s/Heat` reads better without blanks, any other operator with them.
+                if c == '/' {
+                    let trimmed = text.trim_end_matches(" /").len();
+                    if trimmed < text.len() {
+                        text.truncate(trimmed);
+                        text.push('/');
+                    }
+                }
+            }
+            other => {
+                if !tight {
+                    text.push(' ');
+                }
+                text.push_str(&other.to_string());
+                tight = false;
+            }
+        }
+    }
+}

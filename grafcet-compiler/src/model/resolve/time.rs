@@ -1,0 +1,87 @@
+//! Times: literals counted in the chart's clock unit, names of type `time`.
+
+use syn::Lit;
+
+use super::Resolver;
+use super::expr::{single_name, time_name};
+use super::scope::Meaning;
+use crate::ast;
+use crate::diagnostic::{Mark, rules};
+use crate::model::TimeRef;
+use crate::parse::time_literal;
+
+/// The default unit of the time argument of `cycle`.
+pub(super) const MILLISECOND: u64 = 1_000_000;
+
+impl Resolver<'_> {
+    /// The ticks of a literal with a unit of time; anything else is `None`. One that cannot be counted is reported.
+    pub(super) fn literal_time(&mut self, lit: &Lit) -> Option<u32> {
+        let time = match time_literal(lit)? {
+            Ok(time) => time,
+            Err(error) => {
+                self.sink.rule(&rules::BAD_TIME, &[], vec![(lit.span().into(), error.to_string())]);
+                return Some(0);
+            }
+        };
+        Some(self.ticks(&time))
+    }
+
+    /// A duration in ticks; one that the clock cannot count is reported.
+    pub(super) fn ticks(&mut self, time: &ast::Time) -> u32 {
+        let clock = self.model.clock_nanos.max(1);
+        let unit = unit(clock);
+        let message = match u32::try_from(time.nanos / clock) {
+            _ if time.nanos % clock != 0 => {
+                format!(
+                    "this time is finer than the chart's clock of {unit}; round it, or state a finer unit: `clock 1us;`"
+                )
+            }
+            Ok(ticks) => return ticks,
+            Err(_) => format!("this time is more than 2^32 - 1 ticks of {unit}; state a coarser unit: `clock 1s;`"),
+        };
+        self.sink.rule(&rules::BAD_TIME, &[], vec![(time.span.into(), message)]);
+        0
+    }
+
+    /// The time an expression is: a literal with a unit or a name of type `time`.
+    pub(super) fn time_of(&mut self, expr: &syn::Expr) -> Option<TimeRef> {
+        match expr {
+            syn::Expr::Lit(lit) => self.literal_time(&lit.lit).map(TimeRef::Ticks),
+            syn::Expr::Paren(paren) => self.time_of(&paren.expr),
+            other => match self.scope.get(&single_name(other)?)? {
+                Meaning::Value(value) => time_name(value, self),
+                _ => None,
+            },
+        }
+    }
+
+    /// The time behind a qualifier.
+    pub(super) fn time_arg(&mut self, time: &ast::TimeArg) -> TimeRef {
+        match time {
+            ast::TimeArg::Literal(time) => TimeRef::Ticks(self.ticks(time)),
+            ast::TimeArg::Name(name) => {
+                let found = match self.scope.get(name) {
+                    Some(Meaning::Value(value)) => time_name(value, self),
+                    Some(_) => None,
+                    None => {
+                        self.scope.unknown_name(name, &format!("param {name}: time = 5s;"), self.sink);
+                        return TimeRef::Ticks(0);
+                    }
+                };
+                found.unwrap_or_else(|| {
+                    let message =
+                        format!("`{name}` is not a time; declare it `param {name}: time = 5s;` or write a literal");
+                    self.sink.rule(&rules::BAD_TIME, &[], vec![(Mark::from(name), message)]);
+                    TimeRef::Ticks(0)
+                })
+            }
+        }
+    }
+}
+
+/// A clock unit as the user would write it.
+fn unit(nanos: u64) -> String {
+    let units = [("s", 1_000_000_000), ("ms", MILLISECOND), ("us", 1_000), ("ns", 1)];
+    let (name, size) = units.into_iter().find(|(_, size)| nanos % size == 0).unwrap_or(("ns", 1));
+    format!("{}{name}", nanos / size)
+}

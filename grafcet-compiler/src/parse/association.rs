@@ -1,0 +1,222 @@
+//! `L 5s heat(80) if ready;`
+
+use proc_macro2::{Delimiter, Ident, Span};
+
+use super::recover::{self, Place};
+use super::{Error, Input, Result, chain, condition, target, time, words};
+use crate::ast::{Association, Qualifier, Target, TimeArg};
+use crate::diagnostic::{Mark, Sink};
+
+const QUALIFIERS: &[(&str, Qualifier)] = &[
+    ("N", Qualifier::N),
+    ("S", Qualifier::S),
+    ("R", Qualifier::R),
+    ("L", Qualifier::L),
+    ("D", Qualifier::D),
+    ("P", Qualifier::P),
+    ("P1", Qualifier::P1),
+    ("P0", Qualifier::P0),
+    ("SD", Qualifier::Sd),
+    ("DS", Qualifier::Ds),
+    ("SL", Qualifier::Sl),
+];
+
+const ALL: &str = "the qualifiers are N, S, R, L, D, P, P1, P0, SD, DS and SL";
+
+fn qualifier(word: &Ident) -> Option<Qualifier> {
+    QUALIFIERS.iter().find(|(name, _)| word == name).map(|(_, qualifier)| *qualifier)
+}
+
+pub(super) fn is_qualifier(word: &Ident) -> bool {
+    qualifier(word).is_some()
+}
+
+/// Whether a line certainly begins here, also where no line breaks are known.
+pub(super) fn begins(input: &Input) -> bool {
+    let Some(word) = input.ident() else { return false };
+    let behind = input.next();
+    (is_qualifier(&word) || word == "force")
+        && (behind.ident().is_some_and(|next| next != "if") || behind.literal().is_some())
+}
+
+/// Whether a line can begin here, at the beginning of a line of text.
+pub(super) fn could_begin(input: &Input) -> bool {
+    let goes_on = |word: &Ident| ["if", "else", "as", "in", "match"].iter().any(|other| word == other);
+    let Some(word) = input.ident().filter(|word| !goes_on(word)) else { return false };
+    let behind = input.next();
+    is_qualifier(&word)
+        || behind.at(";")
+        || behind.at_assign()
+        || behind.at_word("if")
+        || word == "on"
+        || word == "force"
+}
+
+/// One line of a step's body that is no forcing order.
+pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Association> {
+    let start = *input;
+    misplaced(input)?;
+    let (qualifier, event) = match on(input)? {
+        Some((span, event)) => (Some((Qualifier::On, span)), Some(event)),
+        None => (take_qualifier(input)?, None),
+    };
+    let time = time(input, qualifier, sink)?;
+    let target = behind_qualifier(input, &start, qualifier)?;
+    let condition = match input.eat_word("if") {
+        Some(_) => Some(condition::parse(input, "the condition of the action")?),
+        None => None,
+    };
+    let mark = input.since(&start);
+    let block = matches!(target, Target::Block(_)) && condition.is_none();
+    if !block || input.at(";") {
+        recover::semicolon(input, Place::Step, sink);
+    }
+    Ok(Association { mark, qualifier, time, event, target, condition })
+}
+
+/// What stands elsewhere or is written in another way.
+fn misplaced(input: &Input) -> Result<()> {
+    if input.at_group(Delimiter::Brace) {
+        return Err(input.error("a block has a qualifier: `P1 { … }` runs once, `N { … }` in every cycle"));
+    }
+    let Some(word) = input.ident() else {
+        if chain::begins(input) {
+            return Err(input.error("transitions stand behind the steps, not in them"));
+        }
+        return Err(input.error(format!("expected what the step does, such as `N q;`, found {}", input.found())));
+    };
+    let behind = input.next();
+    if word == "if" {
+        return Err(input.error("the condition stands behind the action: `q if condition;`"));
+    }
+    if words::item_begins(input) {
+        return Err(input.error(
+            if matches!(words::meant(&word), Some("input" | "output" | "var" | "param" | "action")) {
+                "declarations stand in front of the steps, not in them"
+            } else {
+                "steps, transitions and properties stand beside this step, not in it"
+            },
+        ));
+    }
+    if behind.at("->") || behind.at("-") && behind.next().at_group(Delimiter::Bracket) {
+        return Err(input.error("transitions stand behind the steps, not in them"));
+    }
+    Ok(())
+}
+
+/// `on rising(a)`, unless `on` is the name of an output.
+fn on(input: &mut Input) -> Result<Option<(Span, syn::Expr)>> {
+    let behind = input.next();
+    let called = behind.at_group(Delimiter::Parenthesis) && ends(&behind.next());
+    if !input.at_word("on") || ends(&behind) || behind.at_assign() || called {
+        return Ok(None);
+    }
+    input.bump();
+    let span = input.last();
+    let what = "an event, such as `rising(a)`";
+    if input.at_group(Delimiter::Brace) {
+        return Err(input.error(format!("expected {what}, found `{{`")));
+    }
+    let event = condition::before_block(input, what)?;
+    Ok(Some((span, event)))
+}
+
+/// Whether a target is complete in front of `input`.
+fn ends(input: &Input) -> bool {
+    input.is_empty() || input.at(";") || input.at_word("if")
+}
+
+fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
+    let Some(word) = input.ident() else { return Ok(None) };
+    let behind = input.next();
+    let Some(qualifier) = qualifier(&word) else {
+        return unknown(input, &word).map(|()| None);
+    };
+    if behind.at_assign() || behind.at_group(Delimiter::Parenthesis) && ends(&behind.next()) {
+        return Ok(None);
+    }
+    input.bump();
+    let sign = |sign| behind.behind(sign).filter(|_| word == "P" && !behind.at("+=") && !behind.at("-="));
+    let qualifier = if let Some(rest) = sign("+") {
+        *input = rest;
+        Qualifier::P1
+    } else if let Some(rest) = sign("-") {
+        *input = rest;
+        Qualifier::P0
+    } else {
+        qualifier
+    };
+    if ends(input) {
+        let example = if takes_time(qualifier) { format!("{word} 5s q") } else { format!("{word} q") };
+        return Err(Error::new(&word, format!("the qualifier `{word}` acts on something: `{example};`")));
+    }
+    Ok(Some((qualifier, word.span())))
+}
+
+/// Refuses `X q`, `s q` and `X 5s q`, where something stands like a qualifier and is none.
+fn unknown(input: &Input, word: &Ident) -> Result<()> {
+    let behind = input.next();
+    let braces = behind.at_group(Delimiter::Brace);
+    let stands_like_one = behind.ident().is_some_and(|next| next != "if") || behind.literal().is_some() || braces;
+    if !stands_like_one || behind.on_new_line() || begins(&behind) {
+        return Ok(());
+    }
+    let upper = word.to_string().to_uppercase();
+    Err(input.error(if QUALIFIERS.iter().any(|(name, _)| *name == upper) {
+        format!("qualifiers are capital letters: write `{upper}`")
+    } else if words::meant(word) == Some("step") {
+        "a step cannot stand in a step; a `macro step` or an `enclosing step` holds others".to_owned()
+    } else {
+        format!("`{word}` is no qualifier; {ALL}")
+    }))
+}
+
+fn takes_time(qualifier: Qualifier) -> bool {
+    matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl)
+}
+
+/// The time of a qualifier that has one.
+fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink) -> Result<Option<TimeArg>> {
+    let Some((qualifier, span)) = qualifier else { return Ok(None) };
+    let word = QUALIFIERS.iter().find(|(_, known)| *known == qualifier).map_or("on", |(name, _)| name);
+    if let Some(literal) = input.literal() {
+        if takes_time(qualifier) {
+            return Ok(time::parse(input, &literal, sink).map(TimeArg::Literal));
+        }
+        sink.notation(input.span(), format!("`{word}` takes no time; those that do are L, D, SD, DS and SL"));
+        input.bump();
+        return Ok(None);
+    }
+    if !takes_time(qualifier) {
+        return Ok(None);
+    }
+    // `L soak q`: a name is the time where a target follows it.
+    let behind = input.next();
+    let target_follows = behind.ident().is_some_and(|word| word != "if") || behind.at_group(Delimiter::Brace);
+    if input.ident().is_some() && target_follows && !behind.on_new_line() {
+        return Ok(input.eat_ident().map(TimeArg::Name));
+    }
+    if input.at_group(Delimiter::Parenthesis) {
+        return Err(input.error(format!(
+            "the time of `{word}` is a literal such as `5s` or the name of a `param` or `var` of type `time`"
+        )));
+    }
+    sink.notation(span, format!("`{word}` needs a time in front of its target: `{word} 5s q;`"));
+    Ok(None)
+}
+
+fn behind_qualifier(input: &mut Input, start: &Input, qualifier: Option<(Qualifier, Span)>) -> Result<Target> {
+    if ends(input) {
+        let mark = Mark { start: start.span(), end: input.last() };
+        return Err(Error::new(mark, "this acts on nothing; name an output, a variable or an action behind it"));
+    }
+    if let (Some((_, span)), Some(word)) = (qualifier, input.ident()) {
+        let behind = input.next();
+        let another = behind.ident().is_some_and(|next| next != "if") && !behind.on_new_line() && !begins(&behind);
+        if another && is_qualifier(&word) {
+            let mark = Mark { start: span, end: word.span() };
+            return Err(Error::new(mark, "an association has one qualifier; write a line for each"));
+        }
+    }
+    target::parse(input)
+}

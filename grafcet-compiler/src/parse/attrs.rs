@@ -1,0 +1,220 @@
+//! Attributes and doc comments: what is passed on, what sets the level of a rule, and what is refused.
+
+use proc_macro2::{Delimiter, TokenStream};
+use quote::ToTokens;
+use syn::punctuated::Punctuated;
+use syn::{AttrStyle, Attribute, Meta, MetaList, Token};
+
+use super::{Error, Input, Result};
+use crate::ast::{Attrs, LevelAttr};
+use crate::diagnostic::{Mark, Severity, Sink};
+
+/// The attributes in front of an item.
+#[derive(Default)]
+pub(super) struct Outer {
+    pub(super) attrs: Attrs,
+    /// Where each of them stands and whether it is more than documentation.
+    marks: Vec<Mark>,
+}
+
+impl Outer {
+    /// Reports the attributes in front of something that no attribute changes anything about.
+    pub(super) fn refuse(self, what: &str, sink: &mut Sink) {
+        for mark in self.marks {
+            sink.notation(
+                mark,
+                format!("{what} has nothing that an attribute or a doc comment could reach; remove it, or write `//`"),
+            );
+        }
+    }
+
+    /// Reports attributes for the generated item where there is none.
+    pub(super) fn levels_only(self, what: &str, sink: &mut Sink) -> Attrs {
+        for attr in self.attrs.passed_on.iter().filter(|attr| !attr.path().is_ident("doc")) {
+            let message = format!(
+                "nothing is generated for {what} that this could reach; possible here is `#[allow(grafcet::…)]`"
+            );
+            sink.notation(Mark::of(attr), message);
+        }
+        self.attrs
+    }
+}
+
+/// The attributes that stand in front of what comes next.
+pub(super) fn outer(input: &mut Input, sink: &mut Sink) -> Outer {
+    let mut outer = Outer::default();
+    while input.at("#") {
+        let start = *input;
+        if input.next().at("!") {
+            inner_out_of_place(input, sink);
+        } else if let Err(error) = one(input, &mut outer) {
+            error.report(sink);
+            // The brackets of an attribute that could not be read.
+            if input.is_at(&start) {
+                input.bump();
+                input.enter(Delimiter::Bracket);
+            }
+        }
+    }
+    outer
+}
+
+fn inner_out_of_place(input: &mut Input, sink: &mut Sink) {
+    let start = *input;
+    input.bump();
+    input.bump();
+    input.enter(Delimiter::Bracket);
+    sink.notation(
+        input.since(&start),
+        "an inner attribute stands at the beginning of the braces it is about; in front of an item write `#[…]`",
+    );
+}
+
+fn one(input: &mut Input, outer: &mut Outer) -> Result<()> {
+    let start = *input;
+    let attr = read(input)?;
+    let mark = input.since(&start);
+    sort(attr, mark, &mut outer.attrs)?;
+    outer.marks.push(mark);
+    Ok(())
+}
+
+/// Cuts out `#[…]` or `#![…]` and lets `syn` read it.
+fn read(input: &mut Input) -> Result<Attribute> {
+    let inner = input.next().at("!");
+    let mut brackets = input.next();
+    if inner {
+        brackets.bump();
+    }
+    if !brackets.at_group(Delimiter::Bracket) {
+        return Err(brackets.error(format!("expected the brackets of an attribute, found {}", brackets.found())));
+    }
+    input.rust_tokens(2 + usize::from(inner), |input| {
+        let content;
+        Ok(Attribute {
+            pound_token: input.parse()?,
+            style: if inner { AttrStyle::Inner(input.parse()?) } else { AttrStyle::Outer },
+            bracket_token: syn::bracketed!(content in input),
+            meta: content.parse()?,
+        })
+    })
+}
+
+/// Puts an attribute where it goes, or says why it goes nowhere.
+fn sort(attr: Attribute, mark: Mark, attrs: &mut Attrs) -> Result<()> {
+    let path = attr.path();
+    if path.is_ident("doc") {
+        attrs.passed_on.push(attr);
+        return Ok(());
+    }
+    if path.is_ident("cfg") || path.is_ident("cfg_attr") {
+        let message = "conditional compilation belongs on the whole macro call: `#[cfg(…)] grafcet! { … }`";
+        return Err(Error::new(mark, message));
+    }
+    let Some(set) = level_of(path) else {
+        let message =
+            "possible here are doc comments and the lint attributes `allow`, `expect`, `warn`, `deny` and `forbid`";
+        return Err(Error::new(mark, message));
+    };
+    let Meta::List(list) = &attr.meta else {
+        return Err(Error::new(mark, "a lint attribute lists its lints: `#[allow(grafcet::unreachable_step)]`"));
+    };
+    let lints = list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated)?;
+    let mut others = Vec::new();
+    for lint in &lints {
+        match lint {
+            Meta::Path(path) if tool(path) == Some("grafcet") => attrs.levels.push(level(path, set)?),
+            Meta::Path(path) if tool(path).is_none() => {
+                return Err(Error::new(
+                    Mark::of(path),
+                    "possible are lints of rustc, `clippy::…`, `rustdoc::…` and `grafcet::…`",
+                ));
+            }
+            other => others.push(other.clone()),
+        }
+    }
+    // A list of nothing but rules was for us alone; its `reason` too.
+    if others.iter().any(|meta| matches!(meta, Meta::Path(_))) || lints.is_empty() {
+        attrs.passed_on.push(rest(&attr, list, &others));
+    }
+    Ok(())
+}
+
+/// What a lint attribute does to its lints.
+#[derive(Clone, Copy)]
+enum Level {
+    Is(Severity),
+    Expected,
+}
+
+/// The level a lint attribute sets.
+fn level_of(path: &syn::Path) -> Option<Level> {
+    match path.get_ident()?.to_string().as_str() {
+        "allow" => Some(Level::Is(Severity::Allow)),
+        "warn" => Some(Level::Is(Severity::Warn)),
+        "deny" | "forbid" => Some(Level::Is(Severity::Deny)),
+        "expect" => Some(Level::Expected),
+        _ => None,
+    }
+}
+
+/// Whose lint it is; `None` for somebody's who has no business here.
+fn tool(path: &syn::Path) -> Option<&'static str> {
+    let first = path.segments.first()?;
+    match path.segments.len() {
+        1 => Some("rustc"),
+        _ => ["grafcet", "clippy", "rustdoc"].into_iter().find(|tool| first.ident == tool),
+    }
+}
+
+fn level(path: &syn::Path, level: Level) -> Result<LevelAttr> {
+    let Level::Is(severity) = level else {
+        let message = "`expect` is for lints of rustc; a rule takes `allow`, `warn` or `deny`";
+        return Err(Error::new(Mark::of(path), message));
+    };
+    match path.segments.iter().nth(1) {
+        Some(rule) if path.segments.len() == 2 && rule.arguments.is_none() => {
+            Ok(LevelAttr { severity, rule: rule.ident.clone() })
+        }
+        _ => Err(Error::new(Mark::of(path), "a rule is named `grafcet::…`, such as `grafcet::unreachable_step`")),
+    }
+}
+
+/// The attribute with only `others` in its list.
+fn rest(attr: &Attribute, list: &MetaList, others: &[Meta]) -> Attribute {
+    let mut tokens = TokenStream::new();
+    for meta in others {
+        meta.to_tokens(&mut tokens);
+        <Token![,]>::default().to_tokens(&mut tokens);
+    }
+    let mut attr = attr.clone();
+    attr.meta = Meta::List(MetaList { path: list.path.clone(), delimiter: list.delimiter.clone(), tokens });
+    attr
+}
+
+/// The inner attributes at the beginning of a body.
+pub(super) fn inner(input: &mut Input, sink: &mut Sink) -> Vec<LevelAttr> {
+    let mut attrs = Attrs::default();
+    while input.at("#") && input.next().at("!") {
+        let start = *input;
+        let read = read(input);
+        if read.is_err() && input.is_at(&start) {
+            input.bump();
+            input.bump();
+            input.enter(Delimiter::Bracket);
+        }
+        let mark = input.since(&start);
+        let result = read.and_then(|attr| sort(attr, mark, &mut attrs));
+        if let Err(error) = result {
+            error.report(sink);
+        } else if !attrs.passed_on.is_empty() {
+            attrs.passed_on.clear();
+            sink.notation(
+                mark,
+                "inside a chart only the levels of rules can be set: `#![allow(grafcet::…)]`; \
+                what the generated types shall carry stands in front of the header",
+            );
+        }
+    }
+    attrs.levels
+}

@@ -1,0 +1,89 @@
+//! The items between the braces of a chart, a partial grafcet or a macro-step.
+
+use proc_macro2::{Delimiter, Ident};
+
+use super::recover::{self, Place};
+use super::{Input, Result, attrs, chain, decl, partial, property, setting, step, words};
+use crate::ast::{Body, DeclKind, Item};
+use crate::diagnostic::Sink;
+
+/// All of a body. What cannot be parsed is reported and left out.
+pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
+    let mut body = Body { levels: attrs::inner(&mut input, sink), ..Body::default() };
+    while !input.is_empty() {
+        let start = input;
+        if let Err(error) = item(&mut input, &mut body.items, sink) {
+            error.report(sink);
+            body.broken.extend(recover::names(start));
+            recover::skip(&mut input, &start, Place::Body);
+        }
+    }
+    body
+}
+
+fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()> {
+    let outer = attrs::outer(input, sink);
+    if chain::begins(input) {
+        let attrs = outer.attrs;
+        items.extend(chain::parse(input, &attrs, sink)?.into_iter().map(Item::Chain));
+        recover::semicolon(input, Place::Body, sink);
+        return Ok(());
+    }
+    let Some(word) = input.ident() else {
+        if input.is_empty() {
+            return Err(input.error("expected an item behind its attributes"));
+        }
+        return Err(
+            input.error(format!("expected a declaration, a step or a chain of transitions, found {}", input.found()))
+        );
+    };
+    let meant = keyword(&word, input, sink)?;
+    items.push(match meant {
+        "input" => Item::Decl(decl::parse(input, DeclKind::Input, outer.attrs, sink)?),
+        "output" => Item::Decl(decl::parse(input, DeclKind::Output, outer.attrs, sink)?),
+        "var" => Item::Decl(decl::parse(input, DeclKind::Var, outer.attrs, sink)?),
+        "param" => Item::Decl(decl::parse(input, DeclKind::Param, outer.attrs, sink)?),
+        "action" => Item::Action(decl::action(input, outer.attrs, sink)?),
+        "never" | "always" | "home" => {
+            Item::Property(property::parse(input, meant, outer.levels_only("a property", sink), sink)?)
+        }
+        "clock" | "max_evolutions" | "budget" | "assume" => {
+            outer.refuse("a setting", sink);
+            Item::Setting(setting::parse(input, meant, sink)?)
+        }
+        "partial" => Item::Partial(partial::parse(input, outer.attrs, sink)?),
+        _ => Item::Step(step::parse(input, outer.attrs, sink)?),
+    });
+    Ok(())
+}
+
+/// The word of the notation an item begins with. One that is only meant is reported, and taken for it.
+fn keyword(word: &Ident, input: &Input, sink: &mut Sink) -> Result<&'static str> {
+    if let Some(item) = words::ITEMS.iter().find(|item| word == *item) {
+        return Ok(item);
+    }
+    let behind = input.next();
+    if word == "transition" || word == "transitions" {
+        return Err(input.error("a transition is drawn between its steps: `A -[condition]-> B;`"));
+    }
+    if word == "fn" || word == "method" {
+        return Err(
+            input.error("code is declared `action heat(setpoint: i16);` and written as a method of the chart's trait")
+        );
+    }
+    if behind.ident().is_some() || behind.literal().is_some() && !super::association::is_qualifier(word) {
+        if let Some(meant) = words::meant(word) {
+            words::report(word, meant, sink);
+            return Ok(meant);
+        }
+    }
+    Err(input.error(if behind.at(":") {
+        format!("say what `{word}` is: `input {word}: bool;`, `output {word}: bool;` or `var {word}: bool = false;`")
+    } else if behind.at_assign() || super::association::is_qualifier(word) || word == "force" {
+        "what a step does stands in its braces: `step A { N q; }`".to_owned()
+    } else if behind.at_group(Delimiter::Brace) {
+        format!("say what `{word}` is: `step {word} {{ … }}` or `partial {word} {{ … }}`")
+    } else {
+        format!("expected a declaration, a step or a chain of transitions, found `{word}`")
+    }))
+}

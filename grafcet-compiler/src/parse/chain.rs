@@ -1,0 +1,209 @@
+//! `A -[x]-> B -[y]-> (C, D);`
+
+use proc_macro2::Delimiter;
+
+use super::{Error, Input, Result, transition, words};
+use crate::ast::{Arrow, Attrs, Chain, Node};
+use crate::diagnostic::{Mark, Sink};
+
+/// Whether a chain of transitions begins here.
+pub(super) fn begins(input: &Input) -> bool {
+    if input.at_group(Delimiter::Parenthesis) {
+        return true;
+    }
+    let behind = input.next();
+    match input.ident() {
+        Some(word) if words::ITEMS.iter().any(|item| word == item) => at_arrow(&behind),
+        Some(_) => at_arrow(&behind) || [",", ";", ".", "::"].iter().any(|sign| behind.at(sign)),
+        None => at_arrow(input),
+    }
+}
+
+/// Whether an arrow, or something that was meant as one, is next.
+fn at_arrow(input: &Input) -> bool {
+    input.at("->") || input.at("<-") || input.at("--") || input.at_group(Delimiter::Bracket) || {
+        // `never -x > 3` is a property, `-x->` an arrow.
+        let behind = input.next();
+        input.at("-") && (behind.at_group(Delimiter::Bracket) || behind.at("-") || head_follows(behind))
+    }
+}
+
+/// Whether an arrow's head follows before the end of the item.
+fn head_follows(mut input: Input) -> bool {
+    for _ in 0..32 {
+        if input.at("->") {
+            return true;
+        }
+        if input.at(";") || input.bump().is_none() {
+            return false;
+        }
+    }
+    false
+}
+
+/// The chain at `input`, in several parts where a link could not be parsed: what is left is as good as before.
+pub(super) fn parse(input: &mut Input, attrs: &Attrs, sink: &mut Sink) -> Result<Vec<Chain>> {
+    let start = *input;
+    let chain = |first| Chain { attrs: attrs.clone(), first, rest: Vec::new() };
+    if input.ident().is_none() && !input.at_group(Delimiter::Parenthesis) {
+        return Err(input.error("in front of this the step is missing; a source transition is written `() -[x]-> A;`"));
+    }
+    let mut parts = Vec::new();
+    let mut current = chain(node(input)?);
+    while at_arrow(input) {
+        let arrow = arrow(input, sink)?;
+        let next =
+            if at_arrow(input) { Node::Missing(Mark { start: input.last(), end: input.span() }) } else { node(input)? };
+        match arrow {
+            Some(arrow) => current.rest.push((arrow, next)),
+            None => parts.push(std::mem::replace(&mut current, chain(next))),
+        }
+    }
+    if parts.is_empty() && current.rest.is_empty() {
+        return Err(alone(input, &start));
+    }
+    parts.push(current);
+    parts.retain(|part| !part.rest.is_empty());
+    Ok(parts)
+}
+
+fn alone(input: &Input, start: &Input) -> Error {
+    let mark = input.since(start);
+    if input.at(";") || input.is_empty() {
+        return Error::new(
+            mark,
+            "a step alone says nothing here; draw a transition, `A -[condition]-> B;`, or declare it, `step A;`",
+        );
+    }
+    input.error(format!("expected an arrow `-[condition]->`, found {}", input.found()))
+}
+
+/// A step, or several in parentheses.
+fn node(input: &mut Input) -> Result<Node> {
+    let start = *input;
+    let node = if let Some(mut inside) = input.enter(Delimiter::Parenthesis) {
+        let steps = inside.names("a step")?;
+        Node::Group(steps, input.since(&start))
+    } else if let Some(step) = input.ident().filter(|_| !input.next().ident().is_some_and(|_| input.at_word("step"))) {
+        input.bump();
+        Node::Step(step)
+    } else {
+        return Err(no_node(input));
+    };
+    if input.at(",") {
+        return Err(Error::new(input.since(&start), "parallel steps stand in parentheses: `(A, B)`"));
+    }
+    if input.at("::") {
+        return Err(input.error("a transition stays inside its partial grafcet; name a step of this one"));
+    }
+    if input.at(".") {
+        return Err(input.error("a chain names the steps themselves, without `.X`"));
+    }
+    Ok(node)
+}
+
+fn no_node(input: &Input) -> Error {
+    if input.at_word("step") {
+        return input.error("a chain names its steps; declare the step on a line of its own");
+    }
+    if input.is_empty() || input.at(";") {
+        let message = "behind this arrow the step it leads to is missing; a sink transition is written `-[x]-> ();`";
+        return Error::new(input.last(), message);
+    }
+    input.error(format!("expected a step or steps in parentheses, found {}", input.found()))
+}
+
+/// One arrow. A transition that could not be parsed is reported here, and is `None`.
+fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
+    let start = *input;
+    let mut headed = false;
+    if let Some(mark) = input.eat("->") {
+        if !input.at_group(Delimiter::Bracket) {
+            return Ok(Some(Arrow::Bare(mark)));
+        }
+        sink.notation(mark, "the head of an arrow stands behind its condition: `-[x]->`");
+        headed = true;
+    } else if input.eat("<-").is_some() {
+        return Err(Error::new(start.span(), "arrows point forward: write `B -[x]-> A` in place of `A <-[x]- B`"));
+    } else if input.eat("-").is_some() {
+        doubled(input, &start, sink);
+    } else {
+        sink.notation(input.span(), "in front of this `-` is missing: a transition is drawn `-[x]->`");
+    }
+    let Some(inside) = input.enter(Delimiter::Bracket) else {
+        return without_brackets(input, &start, sink);
+    };
+    if !headed || input.at("-") {
+        head(input, &start, sink)?;
+    }
+    match transition::parse(inside, input.since(&start)) {
+        Ok(transition) => Ok(Some(Arrow::Transition(transition))),
+        Err(error) => {
+            error.report(sink);
+            Ok(None)
+        }
+    }
+}
+
+/// `--[x]`
+fn doubled(input: &mut Input, start: &Input, sink: &mut Sink) {
+    let first = *input;
+    while input.at("-") && !input.at("->") {
+        input.bump();
+    }
+    if !input.is_at(&first) && input.at_group(Delimiter::Bracket) {
+        sink.notation(input.since(start), "an arrow has single dashes: `-[x]->`");
+    }
+}
+
+/// What should be `->` behind the brackets.
+fn head(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<()> {
+    let brackets = input.last();
+    if input.eat("->").is_some() {
+        return Ok(());
+    }
+    // `-[x]-[y]->`: the dash belongs to the next arrow. `-[x]- -[y]->` has one to spare.
+    if input.at("-") && input.next().at_group(Delimiter::Bracket) {
+        return Ok(());
+    }
+    let before = *input;
+    while input.at("-") && !input.at("->") && !input.next().at_group(Delimiter::Bracket) {
+        input.bump();
+    }
+    if input.at("-") && !input.at("->") {
+        return Ok(());
+    }
+    let message = if input.eat("->").is_some() {
+        "an arrow has single dashes: `-[x]->`"
+    } else if input.eat(">").is_some() || input.eat("=>").is_some() {
+        "the head of an arrow is `->`: `-[x]->`"
+    } else if input.is_at(&before) && !(input.ident().is_some() || input.at_group(Delimiter::Parenthesis)) {
+        return Err(Error::new(
+            Mark::from(start.span()).to(brackets),
+            "this arrow has no head and leads nowhere: write `-[x]-> B`",
+        ));
+    } else {
+        sink.notation(Mark::from(start.span()).to(input.last()), "the head of this arrow is missing: write `-[x]->`");
+        return Ok(());
+    };
+    sink.notation(input.since(&before), message);
+    Ok(())
+}
+
+/// `-x->`, `-(x)->`, `-->`
+fn without_brackets(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<Option<Arrow>> {
+    let ahead = *input;
+    if !head_follows(ahead) {
+        return Err(Error::new(input.since(start), "a transition is drawn `-[condition]->`"));
+    }
+    while input.eat("->").is_none() {
+        input.bump();
+    }
+    let message = if ahead.at("->") {
+        "between two steps a transition has its condition in brackets: `-[x]->`, or `-[true]->` for always"
+    } else {
+        "the condition of a transition stands in brackets: `-[x]->`"
+    };
+    sink.notation(input.since(start), message);
+    Ok(None)
+}

@@ -1,0 +1,108 @@
+//! `output speed: u16 = 0;` and `action heat(setpoint: i16);`
+
+use proc_macro2::{Delimiter, Ident};
+use syn::parse::ParseBuffer;
+use syn::{Expr, Type};
+
+use super::recover::{self, Place};
+use super::{Error, Input, Result};
+use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
+use crate::diagnostic::Sink;
+
+/// An input, output, variable or parameter; the keyword is next.
+pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut Sink) -> Result<Decl> {
+    let keyword = input.eat_ident();
+    let names = names(input)?;
+    colon(input, &names, keyword.as_ref())?;
+    let ty = ty(input)?;
+    let start = *input;
+    let mut init = match input.at_assign().then(|| input.eat("=")) {
+        Some(_) => Some(value(input)?),
+        None => None,
+    };
+    if kind == DeclKind::Input && init.take().is_some() {
+        sink.notation(input.since(&start), "an input has no initial value: each cycle reads it anew; remove this");
+    }
+    recover::semicolon(input, Place::Body, sink);
+    Ok(Decl { attrs, kind, names, ty, init })
+}
+
+fn names(input: &mut Input) -> Result<Vec<Ident>> {
+    let mut names = vec![input.name("a name")?];
+    while input.eat(",").is_some() {
+        names.push(input.name("a name behind `,`")?);
+    }
+    Ok(names)
+}
+
+fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<()> {
+    if input.at(":=") || input.eat(":").is_none() {
+        let names = names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let keyword = keyword.map_or_else(|| "var".to_owned(), ToString::to_string);
+        let message = format!("expected `:` and a type, as in `{keyword} {names}: bool;`, found {}", input.found());
+        return Err(input.error(message));
+    }
+    Ok(())
+}
+
+/// A type; the word `time` alone is ours.
+fn ty(input: &mut Input) -> Result<Ty> {
+    let behind = input.next();
+    if input.at_word("time") && !behind.at("::") && !behind.at("<") && !behind.at("!") {
+        input.bump();
+        return Ok(Ty::Time(input.last()));
+    }
+    if input.is_empty() || [";", "=", ",", ":"].iter().any(|sign| input.at(sign)) && !input.at("::") {
+        return Err(input.error(format!("expected a type, such as `bool`, found {}", input.found())));
+    }
+    input.rust(ParseBuffer::parse::<Type>).map(Ty::Rust)
+}
+
+/// The expression behind `=`.
+fn value(input: &mut Input) -> Result<Expr> {
+    if input.is_empty() || input.at(";") {
+        return Err(input.error(format!("expected a value behind `=`, found {}", input.found())));
+    }
+    input.rust(ParseBuffer::parse::<Expr>)
+}
+
+/// A code action; the keyword is next.
+pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<ActionDecl> {
+    input.bump();
+    let name = input.name("the name of the action")?;
+    let Some(mut inside) = input.enter(Delimiter::Parenthesis) else {
+        return Err(input.error(format!(
+            "an action lists its arguments in parentheses: `action {name}();`, found {}",
+            input.found()
+        )));
+    };
+    let mut params = Vec::new();
+    while !inside.is_empty() {
+        params.push(param(&mut inside)?);
+        if inside.eat(",").is_none() && !inside.is_empty() {
+            return Err(inside.error(format!("expected `,`, found {}", inside.found())));
+        }
+    }
+    refuse_result(input)?;
+    recover::semicolon(input, Place::Body, sink);
+    Ok(ActionDecl { attrs, name, params })
+}
+
+fn param(input: &mut Input) -> Result<(Ident, Ty)> {
+    let name = input.name("an argument, as in `setpoint: i16`")?;
+    if input.at("::") || input.eat(":").is_none() {
+        return Err(input.error(format!("expected `:` and the type of `{name}`, found {}", input.found())));
+    }
+    Ok((name, ty(input)?))
+}
+
+fn refuse_result(input: &Input) -> Result<()> {
+    let here: Error = if input.at("->") {
+        input.error("an action has no result; what it computes goes through an input of the next cycle")
+    } else if input.at_group(Delimiter::Brace) {
+        input.error("an action is only declared here; its code is a method of the chart's trait")
+    } else {
+        return Ok(());
+    };
+    Err(here)
+}

@@ -1,0 +1,79 @@
+//! `pub sfc Motor { … }`
+
+use proc_macro2::{Delimiter, Ident, TokenTree};
+use syn::Visibility;
+use syn::parse::ParseBuffer;
+
+use super::{Input, Result, attrs, body};
+use crate::ast::{Chart, Dialect};
+use crate::diagnostic::Sink;
+
+/// The one chart of a call.
+pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
+    let attrs = attrs::outer(&mut input, sink).attrs;
+    let (vis, dialect, name, inside) = match header(&mut input, sink) {
+        Ok(header) => header,
+        Err(error) => {
+            error.report(sink);
+            return None;
+        }
+    };
+    let body = body::parse(inside, sink);
+    if !input.is_empty() {
+        let second = ["pub", "sfc", "grafcet", "#"].iter().any(|word| input.at_word(word) || input.at(word));
+        let message = if second {
+            "a macro call holds one chart; write a second `grafcet! { … }` for this one".to_owned()
+        } else {
+            format!("the chart ends with its `}}`; {} does not belong to it", input.found())
+        };
+        input.error(message).report(sink);
+    }
+    let incomplete = sink.has_errors();
+    Some(Chart { attrs, vis, dialect, name, body, incomplete })
+}
+
+fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, Dialect, Ident, Input<'a>)> {
+    let vis = visibility(input)?;
+    let dialect = dialect(input, sink)?;
+    let name = input.name("the name of the chart, as in `sfc Motor { … }`")?;
+    if input.at("<") {
+        return Err(
+            input.error("a chart has no generic parameters; its inputs, outputs and variables have concrete types")
+        );
+    }
+    let Some(inside) = input.enter(Delimiter::Brace) else {
+        return Err(input.error(format!("expected `{{` behind the name of the chart, found {}", input.found())));
+    };
+    Ok((vis, dialect, name, inside))
+}
+
+fn visibility(input: &mut Input) -> Result<Visibility> {
+    // A macro that makes charts passes `$vis` in a group without delimiters.
+    if matches!(input.tree(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::None) {
+        return input.rust_tokens(1, ParseBuffer::parse);
+    }
+    if input.at_word("pub") {
+        let restricted = usize::from(input.next().at_group(Delimiter::Parenthesis));
+        return input.rust_tokens(1 + restricted, ParseBuffer::parse);
+    }
+    Ok(Visibility::Inherited)
+}
+
+fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
+    let expected =
+        "a chart begins with its dialect, `sfc` (IEC 61131-3) or `grafcet` (IEC 60848), as in `pub sfc Motor { … }`";
+    let start = *input;
+    let Some(word) = input.eat_ident() else {
+        return Err(input.error(format!("{expected}; found {}", input.found())));
+    };
+    let written = word.to_string();
+    let (dialect, ours) = match written.to_lowercase().as_str() {
+        "sfc" => (Dialect::Sfc, "sfc"),
+        "grafcet" | "graphcet" | "grafset" => (Dialect::Grafcet, "grafcet"),
+        _ => return Err(start.error(format!("{expected}; found `{written}`"))),
+    };
+    if written != ours {
+        sink.notation(&word, format!("the dialect is written `{ours}`"));
+    }
+    Ok(dialect)
+}

@@ -1,0 +1,56 @@
+//! Tokens to syntax: one file a production of the language.
+//!
+//! The structure of a chart is read with a [`Cursor`](syn::buffer::Cursor) that can look ahead as far as it likes;
+//! the Rust inside it (types, expressions, blocks) is cut out and handed to `syn` piece by piece, so that a mistake in one
+//! piece is the mistake of that piece alone. Every body goes on behind a broken item.
+
+mod association;
+mod attrs;
+mod body;
+mod chain;
+mod condition;
+mod decl;
+mod error;
+mod force;
+mod guard;
+mod header;
+mod input;
+mod partial;
+mod property;
+mod recover;
+mod setting;
+mod step;
+mod target;
+mod time;
+mod transition;
+mod words;
+
+use proc_macro2::{Span, TokenStream};
+use syn::buffer::TokenBuffer;
+
+use self::error::{Error, Result};
+use self::input::Input;
+use crate::ast::Chart;
+use crate::diagnostic::Sink;
+
+pub use time::time_literal;
+
+/// Parses the tokens of one macro call.
+///
+/// All mistakes go to `sink`. `None` is for a call whose header could not be read; otherwise broken items are absent,
+/// their names stand in [`Body::broken`](crate::ast::Body::broken), and the chart is marked as incomplete.
+pub fn chart(tokens: TokenStream, sink: &mut Sink) -> Option<Chart> {
+    if tokens.is_empty() {
+        sink.notation(
+            Span::call_site(),
+            "this call holds no chart; write for example `grafcet! { pub sfc Motor { initial step Off; } }`",
+        );
+        return None;
+    }
+    if let Err(error) = guard::check(&tokens) {
+        error.report(sink);
+        return None;
+    }
+    let buffer = TokenBuffer::new2(tokens);
+    header::chart(Input::new(&buffer), sink)
+}

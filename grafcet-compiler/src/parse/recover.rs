@@ -1,0 +1,109 @@
+//! Behind a broken item: where the next one begins, and which names are missing now.
+
+use proc_macro2::{Delimiter, Ident};
+
+use super::{Error, Input, association, chain, words};
+use crate::diagnostic::Sink;
+
+/// In which kind of body to find the next item.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    Body,
+    Step,
+}
+
+impl Place {
+    /// Whether an item begins at `input`, as far as can be told in the middle of another one.
+    fn item_begins(self, input: &Input) -> bool {
+        let line = input.on_new_line();
+        if line && input.at("#") {
+            return true;
+        }
+        match self {
+            Self::Body => words::item_begins(input) || line && chain::begins(input),
+            Self::Step => association::begins(input) || line && association::could_begin(input),
+        }
+    }
+}
+
+/// Steps over the rest of a broken item: behind its `;` or its braces, or before what must be the next one.
+pub(super) fn skip(input: &mut Input, start: &Input, place: Place) {
+    if input.is_at(start) {
+        input.bump();
+    }
+    while !input.is_empty() && !place.item_begins(input) {
+        let brace = input.at_group(Delimiter::Brace);
+        if input.eat(";").is_some() {
+            return;
+        }
+        input.bump();
+        // Braces end an item, unless they are in the middle of an expression.
+        if brace && !input.at(";") && (input.on_new_line() || input.ident().is_some()) {
+            return;
+        }
+    }
+}
+
+/// The `;` at the end of an item. Where it is missing, or something stands before it, that is reported, and the item
+/// stays: what it says is understood.
+pub(super) fn semicolon(input: &mut Input, place: Place, sink: &mut Sink) {
+    if input.eat(";").is_some() {
+        return;
+    }
+    let chain = || place == Place::Body && input.ident().is_some() && chain::begins(input);
+    if input.is_empty() || input.on_new_line() || place.item_begins(input) || chain() {
+        sink.notation(input.last(), "`;` is missing behind this");
+        return;
+    }
+    unexpected(input).report(sink);
+    let start = *input;
+    skip(input, &start, place);
+}
+
+/// Something stands where `;` should.
+fn unexpected(input: &Input) -> Error {
+    let found = input.found();
+    if input.at(":=") {
+        return input.error("an assignment is written `=`, not `:=`");
+    }
+    if input.at("#") {
+        return input.error("a time is written with its unit alone: `5s`, not `T#5s`");
+    }
+    input.error(format!("expected `;`, found {found}"))
+}
+
+/// The names that the item at `start`, which is broken, would have declared.
+pub(super) fn names(mut start: Input) -> Vec<Ident> {
+    while start.eat("#").is_some() {
+        start.enter(Delimiter::Bracket);
+    }
+    let Some(first) = start.eat_ident() else { return Vec::new() };
+    if association::is_qualifier(&first) || first == "force" {
+        return Vec::new();
+    }
+    if start.at(":") {
+        return vec![first];
+    }
+    let mut word = words::meant(&first).unwrap_or_default();
+    // `initial step Off`: the name stands behind the last of the words.
+    while let ("initial" | "final" | "linked" | "entry" | "exit" | "macro" | "enclosing", Some(next)) =
+        (word, start.ident())
+    {
+        word = words::meant(&next).unwrap_or("step");
+        if words::meant(&next).is_some() {
+            start.bump();
+        }
+    }
+    // An unknown word in front of a name stood for one of these.
+    if !matches!(word, "" | "input" | "output" | "var" | "param" | "action" | "step" | "partial") {
+        return Vec::new();
+    }
+    let mut names = Vec::new();
+    while let Some(name) = start.eat_ident() {
+        names.push(name);
+        if start.eat(",").is_none() {
+            break;
+        }
+    }
+    names
+}

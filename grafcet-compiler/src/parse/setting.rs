@@ -1,0 +1,52 @@
+//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;`
+
+use proc_macro2::Span;
+use syn::LitInt;
+
+use super::recover::{self, Place};
+use super::{Error, Input, Result, condition, time};
+use crate::ast::{Setting, Time};
+use crate::diagnostic::Sink;
+
+/// A statement about the chart as a whole; its keyword, which is `word`, is next.
+pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Setting> {
+    input.bump();
+    let keyword = input.last();
+    let setting = match word {
+        "clock" => Setting::Clock { keyword, unit: unit(input, sink)? },
+        "max_evolutions" => Setting::MaxEvolutions { keyword, count: count(input, word)? },
+        "budget" => Setting::Budget { keyword, count: count(input, word)? },
+        _ => assume(input, keyword)?,
+    };
+    recover::semicolon(input, Place::Body, sink);
+    Ok(setting)
+}
+
+fn unit(input: &mut Input, sink: &mut Sink) -> Result<Time> {
+    let Some(literal) = input.literal() else {
+        return Err(input.error(format!("the clock's unit is a time such as `1ms`, found {}", input.found())));
+    };
+    time::parse(input, &literal, sink).ok_or_else(Error::reported)
+}
+
+fn count(input: &mut Input, word: &str) -> Result<LitInt> {
+    let Some(literal) = input.literal() else {
+        return Err(input.error(format!("expected a number, as in `{word} 20;`, found {}", input.found())));
+    };
+    let syn::Lit::Int(count) = syn::Lit::new(literal) else {
+        return Err(input.error(format!("expected a whole number, as in `{word} 20;`, found {}", input.found())));
+    };
+    if !count.suffix().is_empty() || count.base10_digits().starts_with('-') {
+        return Err(input.error(format!("expected a plain number, as in `{word} 20;`, found `{count}`")));
+    }
+    input.bump();
+    Ok(count)
+}
+
+fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {
+    if input.eat_word("never").is_none() {
+        let message = "what the plant excludes is written `assume never b1 && b3;`";
+        return Err(Error::new(input.span(), message));
+    }
+    Ok(Setting::AssumeNever { keyword, condition: condition::parse(input, "what never happens")? })
+}

@@ -1,0 +1,154 @@
+//! `initial step Off { N red; }`, macro-steps and enclosing steps.
+
+use proc_macro2::{Delimiter, Ident, Span};
+
+use super::recover::{self, Place};
+use super::{Error, Input, Result, association, attrs, body, force, partial, words};
+use crate::ast::{Attrs, Partial, Step, StepBody, StepKind};
+use crate::diagnostic::Sink;
+
+/// The words in front of `step`, each where it stands.
+#[derive(Default)]
+struct Words {
+    initial: Option<Span>,
+    is_final: Option<Span>,
+    linked: Option<Span>,
+    entry: Option<Span>,
+    exit: Option<Span>,
+    macro_step: Option<Span>,
+    enclosing: Option<Span>,
+}
+
+impl Words {
+    fn slot(&mut self, word: &str) -> Option<&mut Option<Span>> {
+        Some(match word {
+            "initial" => &mut self.initial,
+            "final" => &mut self.is_final,
+            "linked" => &mut self.linked,
+            "entry" => &mut self.entry,
+            "exit" => &mut self.exit,
+            "macro" => &mut self.macro_step,
+            "enclosing" => &mut self.enclosing,
+            _ => return None,
+        })
+    }
+}
+
+/// A step of any kind; the first of its words is next.
+pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<Step> {
+    let words = words(input, sink);
+    let name = input.name("the name of the step")?;
+    let kind = match (words.macro_step, words.enclosing) {
+        (Some(span), None) => StepKind::Macro(span, body::parse(braces(input, &name, "macro-step")?, sink)),
+        (None, Some(span)) => {
+            let (body, partials) = step_body(braces(input, &name, "enclosing step")?, true, sink);
+            StepKind::Enclosing(span, body, partials)
+        }
+        (Some(_), Some(span)) => {
+            return Err(Error::new(span, "a step is a macro-step or an enclosing step, not both"));
+        }
+        (None, None) => StepKind::Plain(plain(input, &name, sink)?),
+    };
+    let Words { initial, is_final, linked, entry, exit, .. } = words;
+    Ok(Step { attrs, initial, is_final, linked, entry, exit, name, kind })
+}
+
+/// Everything up to the name.
+fn words(input: &mut Input, sink: &mut Sink) -> Words {
+    let mut words = Words::default();
+    while let Some(word) = input.ident() {
+        let behind = input.next();
+        let last = behind.ident().is_none();
+        let meant = match word.to_string() {
+            exact if last && exact != "step" => break,
+            exact if exact == "step" || words.slot(&exact).is_some() => exact,
+            _ => match words::meant(&word) {
+                Some(meant) if meant == "step" || words.slot(meant).is_some() => {
+                    // The first word was reported where the item was recognised.
+                    if !words.is_empty() {
+                        words::report(&word, meant, sink);
+                    }
+                    meant.to_owned()
+                }
+                _ => break,
+            },
+        };
+        input.bump();
+        let Some(slot) = words.slot(&meant) else { return words };
+        if slot.replace(word.span()).is_some() {
+            sink.notation(&word, format!("`{word}` stands here twice; remove one"));
+        }
+    }
+    sink.notation(input.last(), "behind this `step` is missing, as in `initial step Off;`");
+    words
+}
+
+impl Words {
+    fn is_empty(&self) -> bool {
+        let Self { initial, is_final, linked, entry, exit, macro_step, enclosing } = self;
+        [initial, is_final, linked, entry, exit, macro_step, enclosing].iter().all(|slot| slot.is_none())
+    }
+}
+
+fn braces<'a>(input: &mut Input<'a>, name: &Ident, what: &str) -> Result<Input<'a>> {
+    let Some(inside) = input.enter(Delimiter::Brace) else {
+        return Err(input.error(format!("expected the braces of the {what} `{name}`, found {}", input.found())));
+    };
+    input.eat(";");
+    Ok(inside)
+}
+
+fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
+    if input.at_group(Delimiter::Brace) {
+        return Ok(step_body(braces(input, name, "step")?, false, sink).0);
+    }
+    if input.eat(";").is_some() {
+        return Ok(StepBody::default());
+    }
+    if input.is_empty() || input.on_new_line() || words::item_begins(input) {
+        sink.notation(input.last(), "`;` is missing behind this; a step ends with `;` or has a body in braces");
+        return Ok(StepBody::default());
+    }
+    Err(input.error(format!("expected `{{` or `;` behind the name of the step, found {}", input.found())))
+}
+
+/// The lines of a step, and the partial grafcets where it encloses some.
+fn step_body(mut input: Input, encloses: bool, sink: &mut Sink) -> (StepBody, Vec<Partial>) {
+    let mut body = StepBody::default();
+    let mut partials = Vec::new();
+    while !input.is_empty() {
+        let start = input;
+        if let Err(error) = line(&mut input, &mut body, encloses.then_some(&mut partials), sink) {
+            error.report(sink);
+            recover::skip(&mut input, &start, Place::Step);
+        }
+    }
+    (body, partials)
+}
+
+fn line(input: &mut Input, body: &mut StepBody, partials: Option<&mut Vec<Partial>>, sink: &mut Sink) -> Result<()> {
+    let outer = attrs::outer(input, sink);
+    if input.is_empty() {
+        outer.refuse("the end of a step", sink);
+        return Ok(());
+    }
+    let behind = input.next();
+    let named = behind.ident().is_some_and(|word| word != "if");
+    if input.at_word("partial") && named {
+        let partial = partial::parse(input, outer.attrs, sink)?;
+        match partials {
+            Some(partials) => partials.push(partial),
+            None => sink.notation(&partial.name, "only an `enclosing step` holds partial grafcets"),
+        }
+        return Ok(());
+    }
+    outer.refuse("a line of a step", sink);
+    if input.eat(";").is_some() {
+        sink.notation(input.last(), "this `;` ends nothing; remove it");
+    } else if input.at_word("force") && named {
+        body.forces.push(force::parse(input)?);
+    } else {
+        body.associations.push(association::parse(input, sink)?);
+    }
+    Ok(())
+}

@@ -1,0 +1,68 @@
+//! What can stand behind a qualifier: `relay`, `count = count + 1`, `heat(80)`, `{ count += 1; }`.
+
+use proc_macro2::{Delimiter, Ident};
+use syn::parse::{ParseBuffer, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Block, Expr, Token};
+
+use super::{Input, Result};
+use crate::ast::Target;
+
+/// The target of an association or of an action on clearing.
+pub(super) fn parse(input: &mut Input) -> Result<Target> {
+    if input.at_group(Delimiter::Brace) {
+        return input.rust_tokens(1, ParseBuffer::parse::<Block>).map(Target::Block);
+    }
+    let name = input.name("a name, an assignment, a call or a block")?;
+    if input.at_group(Delimiter::Parenthesis) {
+        let args = args(input)?;
+        return Ok(Target::Call { name, args });
+    }
+    if input.at_assign() {
+        input.eat("=");
+        let value = value(input, &name)?;
+        return Ok(Target::Assign { name, value });
+    }
+    refuse(input, &name)?;
+    Ok(Target::Name(name))
+}
+
+fn args(input: &mut Input) -> Result<Vec<Expr>> {
+    let args = |input: ParseStream| {
+        let content;
+        syn::parenthesized!(content in input);
+        Punctuated::<Expr, Token![,]>::parse_terminated(&content)
+    };
+    Ok(input.rust_tokens(1, args)?.into_iter().collect())
+}
+
+fn value(input: &mut Input, name: &Ident) -> Result<Expr> {
+    if input.is_empty() || input.at(";") {
+        return Err(input.error(format!("expected the value of `{name}`, found {}", input.found())));
+    }
+    input.rust(ParseBuffer::parse::<Expr>)
+}
+
+/// What other notations write behind the name.
+fn refuse(input: &Input, name: &Ident) -> Result<()> {
+    if input.at(":=") {
+        return Err(input.error(format!("an assignment is written `{name} = …`, without `:`")));
+    }
+    if input.at("==") {
+        return Err(input.error(format!("`==` compares; an assignment is written `{name} = …`")));
+    }
+    for operator in ["+=", "-=", "*=", "/=", "%=", "^=", "&=", "|=", "<<=", ">>="] {
+        if input.at(operator) {
+            let plain = operator.trim_end_matches('=');
+            let message = format!("write `{name} = {name} {plain} …`, or a block: `P1 {{ {name} {operator} …; }}`");
+            return Err(input.error(message));
+        }
+    }
+    if input.at(".") || input.at_group(Delimiter::Bracket) {
+        let message = format!(
+            "an association acts on a whole output or variable; for a part of `{name}` write a block: `P1 {{ {name}… }}`"
+        );
+        return Err(input.error(message));
+    }
+    Ok(())
+}

@@ -1,0 +1,87 @@
+//! Durations: `5s`, `500ms`, `1.5s`, `1h30m`, `250us`.
+
+use proc_macro2::Literal;
+use syn::Lit;
+
+use super::Input;
+use crate::ast::Time;
+use crate::diagnostic::{Mark, Sink, rules};
+
+/// The units, the longest first, in nanoseconds.
+const UNITS: &[(&str, u64)] =
+    &[("h", 3_600_000_000_000), ("m", 60_000_000_000), ("s", 1_000_000_000), ("ms", 1_000_000), ("us", 1_000)];
+
+/// The suffixes that make a number an ordinary one.
+const RUST: &[&str] = &[
+    "u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize", "f16", "f32", "f64", "f128",
+];
+
+/// The time that `lit` is: `None` for an ordinary number or a text, an error (as a sentence) for a unit that is none.
+#[must_use]
+pub fn time_literal(lit: &Lit) -> Option<Result<Time, String>> {
+    let (token, suffix) = match lit {
+        Lit::Int(int) => (int.token(), int.suffix()),
+        Lit::Float(float) => (float.token(), float.suffix()),
+        _ => return None,
+    };
+    if suffix.is_empty() || RUST.contains(&suffix) {
+        return None;
+    }
+    Some(nanos(&token.to_string()).map(|nanos| Time { span: lit.span(), nanos }))
+}
+
+/// The time at `input`, where nothing else than a time can stand; `None` is a number that was reported.
+pub(super) fn parse(input: &mut Input, literal: &Literal, sink: &mut Sink) -> Option<Time> {
+    let mark = Mark::from(input.span());
+    input.bump();
+    let message = match time_literal(&Lit::new(literal.clone())) {
+        Some(Ok(time)) => return Some(time),
+        Some(Err(message)) => message,
+        None => format!("`{literal}` has no unit of time; the units are h, m, s, ms and us, as in `5s`"),
+    };
+    sink.rule(&rules::BAD_TIME, &[], vec![(mark, message)]);
+    None
+}
+
+/// The nanoseconds of `1h30m`.
+fn nanos(text: &str) -> Result<u64, String> {
+    let mut rest = text;
+    let mut sum = 0_u64;
+    let mut below = u64::MAX;
+    while !rest.is_empty() {
+        let (number, behind) = split(rest, |c: char| c.is_ascii_digit() || c == '.' || c == '_');
+        let (name, behind) = split(behind, |c: char| !c.is_ascii_digit());
+        rest = behind;
+        let Some(&(_, unit)) = UNITS.iter().find(|(unit, _)| *unit == name) else {
+            let fault = if name.is_empty() { "its end has no unit".to_owned() } else { format!("`{name}` is no unit") };
+            return Err(format!("`{text}` is no time: {fault}; the units are h, m, s, ms and us"));
+        };
+        if unit >= below {
+            return Err(format!("`{text}` is no time: write the larger unit first, and each unit once, as in `1h30m`"));
+        }
+        below = unit;
+        let part = scaled(number, unit).ok_or_else(|| format!("`{text}` is too long or too fine for a time"))?;
+        sum = sum.checked_add(part).ok_or_else(|| format!("`{text}` is too long for a time"))?;
+    }
+    Ok(sum)
+}
+
+fn split(text: &str, of_first: impl Fn(char) -> bool) -> (&str, &str) {
+    text.split_at(text.find(|c| !of_first(c)).unwrap_or(text.len()))
+}
+
+/// `1.5` times a unit, exactly; `None` where that is no whole number of nanoseconds.
+fn scaled(number: &str, unit: u64) -> Option<u64> {
+    let number = number.replace('_', "");
+    let (whole, fraction) = number.split_once('.').unwrap_or((&number, ""));
+    let mut nanos = whole.parse::<u64>().ok()?.checked_mul(unit)?;
+    let mut place = unit;
+    for digit in fraction.trim_end_matches('0').chars() {
+        if place % 10 != 0 {
+            return None;
+        }
+        place /= 10;
+        nanos = nanos.checked_add(place * u64::from(digit.to_digit(10)?))?;
+    }
+    Some(nanos)
+}

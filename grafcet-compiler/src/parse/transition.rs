@@ -1,0 +1,63 @@
+//! What is between the brackets of a transition: `go: x && y => n = 0`.
+
+use proc_macro2::Ident;
+
+use super::{Error, Input, Result, condition, target};
+use crate::ast::{Clearing, Transition};
+use crate::diagnostic::Mark;
+
+/// The inside of the brackets; `mark` covers the whole arrow once its end is known.
+pub(super) fn parse(mut inside: Input, mark: Mark) -> Result<Transition> {
+    if inside.is_empty() {
+        return Err(Error::new(mark, "a transition has a condition; for one that is always true write `-[true]->`"));
+    }
+    let name = name(&mut inside);
+    if inside.at_word("else") {
+        return Err(inside.error("there is no `else`; write the condition of this branch"));
+    }
+    let condition = condition::parse(&mut inside, "a condition, such as `true`")?;
+    let mut clearing = Vec::new();
+    if inside.eat("=>").is_some() {
+        clearing = self::clearing(&mut inside)?;
+    }
+    if !inside.is_empty() {
+        return Err(leftover(&inside));
+    }
+    Ok(Transition { mark, name, condition, clearing })
+}
+
+/// `go:`, but not the beginning of a path.
+fn name(inside: &mut Input) -> Option<Ident> {
+    let name = inside.ident()?;
+    let behind = inside.next();
+    if !behind.at(":") || behind.at("::") || behind.at(":=") {
+        return None;
+    }
+    inside.bump();
+    inside.bump();
+    Some(name)
+}
+
+fn clearing(inside: &mut Input) -> Result<Vec<Clearing>> {
+    let mut actions = Vec::new();
+    loop {
+        let start = *inside;
+        let target = target::parse(inside)?;
+        actions.push(Clearing { mark: inside.since(&start), target });
+        if inside.eat(",").is_none() {
+            return Ok(actions);
+        }
+    }
+}
+
+fn leftover(inside: &Input) -> Error {
+    inside.error(if inside.at(",") {
+        "conditions are combined with `&&` or `||`, not `,`".to_owned()
+    } else if inside.at(":=") {
+        "`:=` assigns; a condition compares with `==`".to_owned()
+    } else if inside.at(";") {
+        "a condition ends with its bracket, without `;`".to_owned()
+    } else {
+        format!("expected `]` behind the condition, found {}", inside.found())
+    })
+}

@@ -1,0 +1,13 @@
+//! The runtime of [`grafcet`](https://docs.rs/grafcet) on the controller: `no_std`, no heap, no `unsafe`.
+//!
+//! Use it through the crate `grafcet`, which re-exports everything a program names.
+#![no_std]
+
+mod chart;
+mod phase;
+mod ticks;
+
+pub use chart::Chart;
+pub use heapless;
+pub use phase::Phase;
+pub use ticks::Ticks;

@@ -1,0 +1,129 @@
+//! Reads the files of this folder; the format is described in README.md. Shared by every runner, so it knows neither the
+//! interpreter nor the generated code.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+/// One file: a chart and its timeline.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The text of the chart, as it would stand inside `grafcet! { … }`.
+    pub chart: String,
+    /// The timeline.
+    pub lines: Vec<Line>,
+}
+
+/// One line of a timeline.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Its number in the file, from 1.
+    pub number: usize,
+    /// What it says.
+    pub kind: Kind,
+}
+
+/// What a line asks for.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// One cycle at the time `now`; inputs that are not named are false or zero.
+    Cycle { inputs: BTreeMap<String, i128>, now: u32, expected: Expected },
+    /// What the chart shows without a cycle, calls excepted.
+    Shows(Expected),
+    /// The classic *Init*.
+    Init,
+    /// Parameters that change; the others keep their values.
+    Params(BTreeMap<String, i128>),
+}
+
+/// What a cycle has to show. Values are numbers; `true` is 1, times are in ticks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expected {
+    /// The names of the active steps.
+    pub steps: BTreeSet<String>,
+    /// Whether the search of a `grafcet` ended in a stable situation.
+    pub stable: bool,
+    /// The outputs that are not false or zero.
+    pub outputs: BTreeMap<String, i128>,
+    /// The calls in their order, as `first heat(80)`.
+    pub calls: Vec<String>,
+}
+
+impl fmt::Display for Expected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for step in &self.steps {
+            write!(f, "{step} ")?;
+        }
+        f.write_str(if self.stable { "| " } else { "!unstable | " })?;
+        for (name, value) in &self.outputs {
+            write!(f, "{name}={value} ")?;
+        }
+        write!(f, "| {}", self.calls.join("; "))
+    }
+}
+
+/// Reads a file.
+///
+/// # Errors
+/// The number of the line that is not understood, and why.
+pub fn read(text: &str) -> Result<Case, String> {
+    let (chart, timeline) = text.split_once("\n---\n").ok_or("no line `---` between chart and timeline")?;
+    let above = chart.lines().count() + 1;
+    let mut lines = Vec::new();
+    let mut now = 0;
+    for (index, line) in timeline.lines().enumerate() {
+        let number = above + index + 1;
+        let line = line.split('#').next().unwrap_or_default().trim();
+        if !line.is_empty() {
+            let kind = kind(line, &mut now).map_err(|error| format!("line {number}: {error}"))?;
+            lines.push(Line { number, kind });
+        }
+    }
+    if lines.is_empty() {
+        return Err("the timeline is empty".to_owned());
+    }
+    Ok(Case { chart: chart.to_owned(), lines })
+}
+
+fn kind(line: &str, now: &mut u32) -> Result<Kind, String> {
+    let columns: Vec<&str> = line.split('|').map(str::trim).collect();
+    if let [directive] = columns[..] {
+        let mut words = directive.split_whitespace();
+        return match words.next() {
+            Some("init") => Ok(Kind::Init),
+            Some("params") => Ok(Kind::Params(values(words)?)),
+            _ => Err(format!("`{directive}` is neither a cycle nor `init` nor `params`")),
+        };
+    }
+    let (steps, outputs, calls) = match columns[1..] {
+        [steps, outputs] => (steps, outputs, ""),
+        [steps, outputs, calls] => (steps, outputs, calls),
+        _ => return Err("a cycle is `inputs | steps | outputs` or `inputs | steps | outputs | calls`".to_owned()),
+    };
+    let expected = Expected {
+        steps: steps.split_whitespace().filter(|s| *s != "-" && *s != "!unstable").map(str::to_owned).collect(),
+        stable: !steps.split_whitespace().any(|word| word == "!unstable"),
+        outputs: values(outputs.split_whitespace())?,
+        calls: calls.split(';').map(str::trim).filter(|c| !c.is_empty()).map(str::to_owned).collect(),
+    };
+    if columns[0] == "shows" {
+        return Ok(Kind::Shows(expected));
+    }
+    let (times, inputs): (Vec<&str>, Vec<&str>) = columns[0].split_whitespace().partition(|word| word.starts_with('@'));
+    if let Some(time) = times.first() {
+        *now = time[1..].parse().map_err(|error| format!("`{time}`: {error}"))?;
+    }
+    Ok(Kind::Cycle { inputs: values(inputs.into_iter())?, now: *now, expected })
+}
+
+/// `on level=5`; `-` stands for nothing. What is zero is as good as not named.
+fn values<'t>(words: impl Iterator<Item = &'t str>) -> Result<BTreeMap<String, i128>, String> {
+    let mut values = BTreeMap::new();
+    for word in words.filter(|word| *word != "-") {
+        let (name, value) = word.split_once('=').unwrap_or((word, "1"));
+        let value = value.parse::<i128>().map_err(|error| format!("`{word}`: {error}"))?;
+        if values.insert(name.to_owned(), value).is_some() {
+            return Err(format!("`{name}` stands twice"));
+        }
+    }
+    Ok(values)
+}

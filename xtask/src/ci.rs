@@ -1,0 +1,97 @@
+//! What CI runs, and what a change is checked with before it is proposed: `cargo xtask ci`.
+
+use std::fs;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use crate::command::{Result, run as run_command};
+use crate::project::{cargo, root};
+use crate::{firmware, msrv};
+
+const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
+
+/// A named step of CI.
+type Step = (&'static str, fn() -> Result);
+
+/// No step is ever skipped: one that lacks a tool fails and says which.
+const STEPS: [Step; 7] = [
+    ("lock files", lock_files),
+    ("rustfmt", rustfmt),
+    ("test", test),
+    ("clippy", clippy),
+    ("doc", doc),
+    ("msrv", msrv::run),
+    ("firmware", firmware::run),
+];
+
+/// Runs all steps, whatever fails, and sums up.
+///
+/// # Errors
+/// The names of the steps that failed.
+pub(crate) fn run() -> Result {
+    let outcomes = STEPS.map(|(name, step)| {
+        println!("\n==> {name}");
+        let start = Instant::now();
+        let result = step();
+        if let Err(message) = &result {
+            eprintln!("error: {message}");
+        }
+        (name, start.elapsed(), result.is_ok())
+    });
+    sum_up(&outcomes)
+}
+
+fn sum_up(outcomes: &[(&str, Duration, bool)]) -> Result {
+    println!("\n==> summary");
+    for (name, time, passed) in outcomes {
+        let verdict = if *passed { "passed" } else { "FAILED" };
+        println!("{verdict} {:7.1} s  {name}", time.as_secs_f64());
+    }
+    let failed: Vec<&str> = outcomes
+        .iter()
+        .filter(|(.., passed)| !passed)
+        .map(|(name, ..)| *name)
+        .collect();
+    match failed[..] {
+        [] => Ok(()),
+        _ => Err(format!(
+            "{} of {} steps failed: {}",
+            failed.len(),
+            outcomes.len(),
+            failed.join(", ")
+        )),
+    }
+}
+
+/// Both lock files belong to the manifests: what is tested is what a fresh clone builds.
+fn lock_files() -> Result {
+    let metadata = ["metadata", "--quiet", "--locked", "--format-version", "1"];
+    run_command(cargo(&metadata).stdout(Stdio::null()))?;
+    run_command(cargo(&metadata).args(FIRMWARE).stdout(Stdio::null()))
+}
+
+fn rustfmt() -> Result {
+    run_command(&mut cargo(&["fmt", "--all", "--check"]))?;
+    run_command(cargo(&["fmt", "--check"]).args(FIRMWARE))
+}
+
+/// The command that the README tells the newcomer.
+fn test() -> Result {
+    let readme = fs::read_to_string(root().join("README.md"))
+        .map_err(|error| format!("README.md: {error}"))?;
+    if !readme.contains("cargo test --workspace") {
+        return Err("README.md does not name the test command `cargo test --workspace`".to_owned());
+    }
+    run_command(&mut cargo(&["test", "--workspace"]))
+}
+
+fn clippy() -> Result {
+    const DENIED: [&str; 3] = ["--", "-D", "warnings"];
+    run_command(cargo(&["clippy", "--workspace", "--all-targets"]).args(DENIED))?;
+    // The board's part needs its target; the charts and the script do not.
+    run_command(cargo(&["clippy", "--lib"]).args(FIRMWARE).args(DENIED))
+}
+
+fn doc() -> Result {
+    run_command(cargo(&["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))
+}

@@ -1,0 +1,159 @@
+//! The example charts on bare metal: built for every target, run on an emulated board, compared with the host.
+
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+
+use crate::command::{Result, capture, capture_within, find, run as run_command};
+use crate::project;
+use crate::toolchain::BareMetal;
+
+/// The target of the emulated board.
+const BOARD: &str = "thumbv7m-none-eabi";
+
+/// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
+const BUILT: [(&str, &str); 3] = [
+    ("thumbv6m-none-eabi", "--bins"),
+    ("thumbv7em-none-eabihf", "--bins"),
+    ("riscv32imc-unknown-none-elf", "--lib"),
+];
+
+/// The examples in the order in which the firmware plays their scripts.
+const EXAMPLES: [&str; 2] = ["motor", "line24v"];
+
+/// An emulated board ends within a fraction of a second; one that has not by then hangs.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// More differences than these show nothing new.
+const SHOWN: usize = 20;
+
+/// Builds for all targets, runs the image in QEMU and compares.
+///
+/// # Errors
+/// A toolchain or QEMU is missing, a build fails, the image fails or hangs, or it answers other than the host.
+pub(crate) fn run() -> Result {
+    build(BOARD, "--bins")?;
+    let host = host_lines()?;
+    compare(&host, &board_lines()?)?;
+    println!(
+        "firmware: {} lines on the board equal those of the host",
+        host.lines().count()
+    );
+    BUILT
+        .iter()
+        .try_for_each(|(target, what)| build(target, what))
+}
+
+fn build(target: &str, what: &str) -> Result {
+    let toolchain = BareMetal::find(target)?;
+    println!("firmware: {target}, {}", toolchain.describe());
+    let mut command = toolchain.cargo("build", target);
+    command.args([
+        "--quiet",
+        "--release",
+        "--manifest-path",
+        "examples/firmware/Cargo.toml",
+        what,
+        "--target-dir",
+    ]);
+    run_command(command.arg(project::target("firmware")))
+}
+
+/// What the examples print on the host, below the headings that the firmware prints.
+fn host_lines() -> Result<String> {
+    EXAMPLES
+        .iter()
+        .map(|example| {
+            let script = format!("examples/charts/{example}.script");
+            let arguments = [
+                "run",
+                "--quiet",
+                "--example",
+                example,
+                "--",
+                "--script",
+                &script,
+            ];
+            let printed = capture(&mut project::cargo(&arguments))?;
+            match printed.as_str() {
+                "" => Err(format!(
+                    "the example {example} printed nothing for {script}: nothing to compare"
+                )),
+                _ => Ok(format!("# {example}\n{printed}")),
+            }
+        })
+        .collect()
+}
+
+fn board_lines() -> Result<String> {
+    let qemu = find("qemu-system-arm")
+        .ok_or("qemu-system-arm is not in the PATH; on Debian `apt-get install qemu-system-arm`")?;
+    let image = project::target("firmware")
+        .join(BOARD)
+        .join("release/lm3s6965evb");
+    capture_within(&mut emulator(&qemu, &image), LIMIT)
+}
+
+fn emulator(qemu: &Path, image: &Path) -> Command {
+    let mut command = Command::new(qemu);
+    command.args(["-cpu", "cortex-m3", "-machine", "lm3s6965evb", "-nographic"]);
+    command
+        .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
+        .arg(image);
+    command
+}
+
+fn compare(host: &str, board: &str) -> Result {
+    let (mut host, mut board) = (host.lines(), board.lines());
+    let mut differences = Vec::new();
+    for number in 1.. {
+        match (host.next(), board.next()) {
+            (None, None) => break,
+            (host, board) if host == board => {}
+            (host, board) => {
+                let [host, board] = [host, board].map(|line| line.unwrap_or("(nothing)"));
+                differences.push(format!(
+                    "\n  line {number}\n    host:  {host}\n    board: {board}"
+                ));
+            }
+        }
+    }
+    let count = differences.len();
+    differences.truncate(SHOWN);
+    match count {
+        0 => Ok(()),
+        _ => Err(format!(
+            "the board answers other than the host in {count} lines:{}",
+            differences.concat()
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::compare;
+
+    #[test]
+    fn equal_lines_compare_equal() {
+        assert_eq!(
+            compare("# motor\n0 Off | - | red\n", "# motor\n0 Off | - | red\n"),
+            Ok(())
+        );
+    }
+
+    #[test]
+    fn another_line_and_a_missing_one_are_shown() {
+        let error = compare(
+            "# motor\n0 Off | - | red\n1 Off | - | red\n",
+            "# motor\n0 Off | - | -\n",
+        );
+        let expected = "the board answers other than the host in 2 lines:\n  line 2\n    host:  0 Off | - | red\n    \
+                        board: 0 Off | - | -\n  line 3\n    host:  1 Off | - | red\n    board: (nothing)";
+        assert_eq!(error, Err(expected.to_owned()));
+    }
+
+    #[test]
+    fn a_surplus_line_of_the_board_is_a_difference() {
+        assert!(compare("# motor\n", "# motor\n0 Off | - | red\n").is_err());
+    }
+}

@@ -1,0 +1,44 @@
+//! Tasks of the project: `cargo xtask <task>`.
+
+mod ci;
+mod command;
+mod debian;
+mod firmware;
+mod msrv;
+mod project;
+mod toolchain;
+
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+Usage: cargo xtask <task>
+
+  ci        every check that CI runs, with a summary
+  firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
+  msrv      check the crates that ship with the oldest supported Rust
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let result = match arguments[..] {
+        ["ci"] => ci::run(),
+        ["firmware"] => firmware::run(),
+        ["msrv"] => msrv::run(),
+        [] | ["help" | "-h" | "--help"] => {
+            print!("{USAGE}");
+            Ok(())
+        }
+        _ => Err(format!(
+            "there is no task `{}`\n\n{USAGE}",
+            arguments.join(" ")
+        )),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Which compiler can build for a bare-metal target on this machine.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::command::{Result, capture, find, find_all};
+use crate::project;
+
+/// A way to build for one bare-metal target.
+pub(crate) enum BareMetal {
+    /// The toolchain in use has `core` for the target, from `rustup target add`.
+    Installed,
+    /// A toolchain that comes with its own source builds `core` as part of the project.
+    FromSource {
+        cargo: PathBuf,
+        rustc: PathBuf,
+        /// The linker `rust-lld`, which a distribution's compiler does not bring along.
+        linker: PathBuf,
+    },
+}
+
+impl BareMetal {
+    /// Finds the way for `target`: an installed one, else the first compiler in the PATH that has its own source.
+    ///
+    /// # Errors
+    /// There is none; the message says what to install.
+    pub(crate) fn find(target: &str) -> Result<Self> {
+        let rustc = Path::new("rustc");
+        if has_core(&print(
+            rustc,
+            &["--print", "target-libdir", "--target", target],
+        )?) {
+            return Ok(Self::Installed);
+        }
+        for rustc in find_all("rustc") {
+            let cargo = rustc.with_file_name("cargo");
+            let source =
+                print(&rustc, &["--print", "sysroot"])?.join("lib/rustlib/src/rust/library/core");
+            if cargo.is_file() && source.is_dir() {
+                return Ok(Self::FromSource {
+                    cargo,
+                    rustc,
+                    linker: linker()?,
+                });
+            }
+        }
+        Err(format!(
+            "no compiler here can build for {target}; install the target with `rustup target add {target}`, or a compiler \
+             with its source: `rustup component add rust-src`, on Debian `apt-get install rustc-web cargo-web rust-web-src`"
+        ))
+    }
+
+    /// How to name it to the user.
+    pub(crate) fn describe(&self) -> String {
+        match self {
+            Self::Installed => "the installed target".to_owned(),
+            Self::FromSource { rustc, .. } => {
+                format!("core from the source of {}", rustc.display())
+            }
+        }
+    }
+
+    /// `cargo <subcommand> --target <target>` at the root of the workspace.
+    pub(crate) fn cargo(&self, subcommand: &str, target: &str) -> Command {
+        match self {
+            Self::Installed => project::cargo(&[subcommand, "--target", target]),
+            Self::FromSource {
+                cargo,
+                rustc,
+                linker,
+            } => {
+                let mut command = Command::new(cargo);
+                command.current_dir(project::root()).args([
+                    subcommand,
+                    "--target",
+                    target,
+                    "-Zbuild-std=core",
+                ]);
+                // `-Zbuild-std` is not stable, and neither compiler nor cargo is a nightly one.
+                command.env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
+                project::forget_cargo(&mut command);
+                command.env(
+                    format!(
+                        "CARGO_TARGET_{}_LINKER",
+                        target.to_uppercase().replace('-', "_")
+                    ),
+                    linker,
+                );
+                command
+            }
+        }
+    }
+}
+
+fn has_core(libraries: &Path) -> bool {
+    let Ok(files) = libraries.read_dir() else {
+        return false;
+    };
+    files
+        .flatten()
+        .any(|file| file.file_name().to_string_lossy().starts_with("libcore-"))
+}
+
+/// The `rust-lld` of the toolchain in use, else one in the PATH.
+fn linker() -> Result<PathBuf> {
+    let rustlib = print(Path::new("rustc"), &["--print", "sysroot"])?.join("lib/rustlib");
+    let hosts = rustlib.read_dir().into_iter().flatten().flatten();
+    let mut bundled = hosts
+        .map(|host| host.path().join("bin/rust-lld"))
+        .filter(|linker| linker.is_file());
+    bundled.next().or_else(|| find("rust-lld")).or_else(|| find("ld.lld")).ok_or_else(|| {
+        "no linker for bare-metal targets: neither does the toolchain in use bring rust-lld along, nor is rust-lld or \
+         ld.lld in the PATH; install Rust through rustup, or on Debian `apt-get install lld`"
+            .to_owned()
+    })
+}
+
+/// The path that `rustc --print …` answers with.
+fn print(rustc: &Path, arguments: &[&str]) -> Result<PathBuf> {
+    let answer = capture(project::forget_cargo(Command::new(rustc).args(arguments)))?;
+    Ok(PathBuf::from(answer.trim_end()))
+}
