@@ -1,9 +1,106 @@
-//! Step chains written inline in Rust: GRAFCET (IEC 60848) and SFC (IEC 61131-3).
+//! Step chains written inline in Rust: GRAFCET (IEC 60848) and SFC (IEC 61131-3) charts, checked at compile time,
+//! zero-allocation at run time.
+//!
+//! [`grafcet!`] turns a chart in the source into a type that holds its state and a function that runs one cycle. The
+//! generated code is `no_std` and has no heap, no `unsafe` and no panic; a chart that breaks a rule of drawing does not
+//! compile, and the error stands at the tokens of the chart.
+//!
+//! ```
+//! use grafcet::grafcet;
+//!
+//! grafcet! {
+//!     /// A motor that can be switched on and off, guarded against over-temperature.
+//!     pub sfc Motor {
+//!         input on, off, over_temp: bool;
+//!         output relay, green, red: bool;
+//!
+//!         initial step Off { N red; }
+//!         step On { N relay; N green; }
+//!
+//!         Off -[on && !over_temp]-> On -[off || over_temp]-> Off;
+//!     }
+//! }
+//!
+//! let mut motor = Motor::new();
+//! let q = motor.cycle(&MotorInputs::default());
+//! assert!(q.red && !q.relay);
+//! let q = motor.cycle(&MotorInputs { on: true, ..Default::default() });
+//! assert!(q.relay && q.green && !q.red);
+//! assert_eq!(motor.situation(), MotorStep::On);
+//! assert_eq!(size_of::<Motor>(), 1);
+//! ```
+//!
+//! # Dialects
+//!
+//! The first keyword of a chart says by whose rules it evolves. An `sfc` makes one evolution per cycle, the first branch
+//! in the source has priority, and actions carry the qualifiers of IEC 61131-3. A `grafcet` clears everything that is
+//! fireable until the situation is stable, and knows the continuous and stored actions of IEC 60848.
+//!
+//! # In a program
+//!
+//! A controller calls `cycle` in its loop or timer interrupt: read the inputs, run the chart, write the outputs. `new` is
+//! a `const fn`, so a chart may be a `static` behind whatever lock the target offers. `init` is the classic *Init*: back
+//! to the initial situation, stored outputs reset.
+//!
+//! Code for any chart is generic over the trait [`Chart`]:
+//!
+//! ```
+//! use grafcet::{Chart, Ticks, grafcet};
+//!
+//! /// Runs a chart on recorded inputs and counts the cycles in which `step` was active.
+//! fn cycles_in<C>(mut chart: C, step: C::Step, inputs: &[C::Inputs]) -> usize
+//! where
+//!     C: for<'a> Chart<Actions<'a> = ()>,
+//! {
+//!     let mut active = |inputs| {
+//!         chart.scan(inputs, Ticks::ZERO, &mut ());
+//!         chart.is_active(step)
+//!     };
+//!     inputs.iter().filter(|inputs| active(inputs)).count()
+//! }
+//!
+//! grafcet! {
+//!     grafcet Light {
+//!         input button: bool;
+//!         output lamp: bool;
+//!         initial step Dark;
+//!         step Lit { lamp; }
+//!         Dark -[button]-> Lit -[!button]-> Dark;
+//!     }
+//! }
+//!
+//! let recorded = [false, true, true, false].map(|button| LightInputs { button });
+//! assert_eq!(cycles_in(Light::new(), LightStep::Lit, &recorded), 2);
+//! ```
+//!
+//! The pages *language*, *semantics* and *names* in the folder `docs` of the repository describe the notation, what one
+//! cycle does exactly, and what steps and signals may be called.
 #![no_std]
 
 pub use grafcet_core::{Chart, Phase, Ticks, heapless};
 
 /// Turns a chart into a state enum and a cycle function.
+///
+/// For a chart `Motor` it generates, with the chart's visibility,
+///
+/// - `Motor`, the state, with `new`, `cycle`, `init`, `is_active`, `active_steps`, `situation`, and `is_stable` where the
+///   chart is a `grafcet`; it implements [`Chart`];
+/// - `MotorInputs` and `MotorOutputs`, plain structs with a field for each declared input and output;
+/// - `MotorStep` and `MotorTransition`, the names of its steps and transitions.
+///
+/// What is wrong with the chart is a compile error, all of it at once; where a rule is broken, the message ends with the
+/// rule's name. The types are generated all the same, so that the rest of the program gets no errors that follow from it.
+///
+/// ```compile_fail
+/// grafcet::grafcet! {
+///     sfc Motor {
+///         input on, off: bool;
+///         initial step Off;
+///         step On;
+///         Off -> On -[off]-> Off;      // error: between two steps there is always a transition
+///     }
+/// }
+/// ```
 #[macro_export]
 macro_rules! grafcet {
     ($($chart:tt)*) => { $crate::__private::chart! { [$crate] $($chart)* } };
@@ -13,8 +110,22 @@ macro_rules! grafcet {
 #[doc(hidden)]
 pub mod __private {
     pub extern crate core;
+    pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u32};
 
-    pub use grafcet_core::{Chart, Phase, Ticks, heapless};
+    pub use grafcet_core::{Chart, Delay, OnDelay, Phase, Ticks, heapless, sooner, until};
     pub use grafcet_macros::chart;
+}
+
+/// The charts of the pages are tests.
+#[cfg(doctest)]
+mod pages {
+    #[doc = include_str!("../README.md")]
+    struct Readme;
+    #[doc = include_str!("../docs/language.md")]
+    struct Language;
+    #[doc = include_str!("../docs/semantics.md")]
+    struct Semantics;
+    #[doc = include_str!("../docs/names.md")]
+    struct Names;
 }

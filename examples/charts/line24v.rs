@@ -30,7 +30,5 @@ signals!(Line24VOutputs: q1, q2, q3);
 /// As [`script::play`].
 pub fn play<'s>(script: &'s str, out: &mut dyn Write) -> Result<(), PlayError<'s>> {
     let mut line = Line24V::new();
-    script::play(script, out, |inputs| {
-        (line.cycle(inputs), line.active_steps())
-    })
+    script::play(script, out, |inputs| (line.cycle(inputs), line.active_steps()))
 }

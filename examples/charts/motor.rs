@@ -28,7 +28,5 @@ signals!(MotorOutputs: relay, green, red);
 /// As [`script::play`].
 pub fn play<'s>(script: &'s str, out: &mut dyn Write) -> Result<(), PlayError<'s>> {
     let mut motor = Motor::new();
-    script::play(script, out, |inputs| {
-        (motor.cycle(inputs), motor.active_steps())
-    })
+    script::play(script, out, |inputs| (motor.cycle(inputs), motor.active_steps()))
 }

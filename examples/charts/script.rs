@@ -63,10 +63,7 @@ impl Display for PlayError<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::UnknownInput { line, name, known } => {
-                write!(
-                    f,
-                    "line {line}: there is no input `{name}`; the inputs are "
-                )?;
+                write!(f, "line {line}: there is no input `{name}`; the inputs are ")?;
                 list(f, ", ", *known, |out, name| out.write_str(name))
             }
             Self::Write(error) => write!(f, "cannot write the lines of the cycles: {error}"),
@@ -108,30 +105,19 @@ pub fn play<'s, I: Signals, O: Signals, S: IntoIterator<Item: Debug>>(
 
 /// The inputs of every cycle of a script.
 fn inputs<I: Signals>(script: &str) -> impl Iterator<Item = Result<I, PlayError<'_>>> {
-    script
-        .lines()
-        .enumerate()
-        .filter(|(_, text)| !text.starts_with('#'))
-        .map(|(index, text)| {
-            let mut inputs = I::default();
-            for name in text.split_whitespace().filter(|&name| name != "-") {
-                if !inputs.raise(name) {
-                    return Err(PlayError::UnknownInput {
-                        line: index + 1,
-                        name,
-                        known: I::NAMES,
-                    });
-                }
+    script.lines().enumerate().filter(|(_, text)| !text.starts_with('#')).map(|(index, text)| {
+        let mut inputs = I::default();
+        for name in text.split_whitespace().filter(|&name| name != "-") {
+            if !inputs.raise(name) {
+                return Err(PlayError::UnknownInput { line: index + 1, name, known: I::NAMES });
             }
-            Ok(inputs)
-        })
+        }
+        Ok(inputs)
+    })
 }
 
 fn raised<T: Signals>(out: &mut dyn Write, signals: &T) -> fmt::Result {
-    let names = T::NAMES
-        .iter()
-        .zip(signals.values())
-        .filter_map(|(name, value)| value.then_some(name));
+    let names = T::NAMES.iter().zip(signals.values()).filter_map(|(name, value)| value.then_some(name));
     list(out, " ", names, |out, name| out.write_str(name))
 }
 

@@ -56,6 +56,10 @@ pub struct Body {
     pub items: Vec<Item>,
     /// Names that items which could not be parsed would have declared, as far as they can be guessed.
     pub broken: Vec<Ident>,
+    /// Every name in items that could not be parsed: a step among them is not on its own.
+    pub lost: Vec<Ident>,
+    /// One of these items may have been a step.
+    pub lost_step: bool,
 }
 
 /// One item of a body.
@@ -246,7 +250,7 @@ pub struct Partial {
     pub body: Body,
 }
 
-/// `A -[x]-> B -[y]-> (C, D);`
+/// `A -[x]-> B -[y]-> (C, D);` Without arrows where those beside `first` could not be parsed.
 pub struct Chain {
     pub attrs: Attrs,
     pub first: Node,
@@ -261,6 +265,8 @@ pub enum Node {
     Group(Vec<Ident>, Mark),
     /// Nothing stands between two arrows: `A -[x]-[y]-> B`.
     Missing(Mark),
+    /// Nothing stands at the end of an arrow: `A -[x]->;`. The mark is the arrow.
+    Forgotten(Mark),
 }
 
 /// What stands between two nodes.

@@ -31,7 +31,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     if !sink.has_errors() && !chart.incomplete {
-        check::not_yet(&chart, &model, &mut sink);
+        check::not_yet(&chart, &mut sink);
     }
     let failed = sink.has_errors() || chart.incomplete || model.incomplete;
     let mut tokens = diagnostic::tokens(&sink.finish());

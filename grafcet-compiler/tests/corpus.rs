@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use grafcet_compiler::check;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_compiler::model::{self, Model, Ty};
@@ -54,7 +55,8 @@ fn run(text: &str) -> Result<(), String> {
     let case = reader::read(text)?;
     let model = resolve(&case.chart)?;
     let mut machine = Interpreter::new(&model).map_err(|error| error.to_string())?;
-    let mut params: BTreeMap<String, i128> = BTreeMap::new();
+    let names = model.params.values().map(|p| p.name.to_string());
+    let mut params: BTreeMap<String, i128> = names.zip(machine.params().iter().copied().map(number)).collect();
     for Line { number, kind } in &case.lines {
         let found = match kind {
             Kind::Init => machine.init().map(|()| None),
@@ -88,6 +90,9 @@ fn resolve(chart: &str) -> Result<Model, String> {
     let tokens = chart.parse().map_err(|error| format!("tokens: {error}"))?;
     let mut sink = Sink::new();
     let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
+    if let Some(model) = &model {
+        check::drawing(model, &mut sink);
+    }
     let messages: Vec<String> = sink.finish().iter().flat_map(|d| &d.notes).map(|(_, text)| text.clone()).collect();
     if !messages.is_empty() {
         return Err(messages.join("\n  "));

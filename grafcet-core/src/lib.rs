@@ -6,8 +6,10 @@
 mod chart;
 mod phase;
 mod ticks;
+mod time;
 
 pub use chart::Chart;
 pub use heapless;
 pub use phase::Phase;
 pub use ticks::Ticks;
+pub use time::{Delay, OnDelay, sooner, until};

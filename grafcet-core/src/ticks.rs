@@ -33,6 +33,12 @@ impl Ticks {
         Self(self.0.wrapping_sub(earlier.0))
     }
 
+    /// The reading of a free-running counter after a time has passed.
+    #[must_use]
+    pub const fn after(self, time: Self) -> Self {
+        Self(self.0.wrapping_add(time.0))
+    }
+
     /// A duration in units of `unit_nanos` nanoseconds, rounded up, so that a wait is never too short; a longer one
     /// than can be counted becomes [`Ticks::MAX`].
     #[must_use]

@@ -6,25 +6,25 @@ use std::fmt;
 
 /// One file: a chart and its timeline.
 #[derive(Clone, Debug)]
-pub struct Case {
+pub(crate) struct Case {
     /// The text of the chart, as it would stand inside `grafcet! { … }`.
-    pub chart: String,
+    pub(crate) chart: String,
     /// The timeline.
-    pub lines: Vec<Line>,
+    pub(crate) lines: Vec<Line>,
 }
 
 /// One line of a timeline.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub(crate) struct Line {
     /// Its number in the file, from 1.
-    pub number: usize,
+    pub(crate) number: usize,
     /// What it says.
-    pub kind: Kind,
+    pub(crate) kind: Kind,
 }
 
 /// What a line asks for.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// One cycle at the time `now`; inputs that are not named are false or zero.
     Cycle { inputs: BTreeMap<String, i128>, now: u32, expected: Expected },
     /// What the chart shows without a cycle, calls excepted.
@@ -37,15 +37,15 @@ pub enum Kind {
 
 /// What a cycle has to show. Values are numbers; `true` is 1, times are in ticks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Expected {
+pub(crate) struct Expected {
     /// The names of the active steps.
-    pub steps: BTreeSet<String>,
+    pub(crate) steps: BTreeSet<String>,
     /// Whether the search of a `grafcet` ended in a stable situation.
-    pub stable: bool,
+    pub(crate) stable: bool,
     /// The outputs that are not false or zero.
-    pub outputs: BTreeMap<String, i128>,
+    pub(crate) outputs: BTreeMap<String, i128>,
     /// The calls in their order, as `first heat(80)`.
-    pub calls: Vec<String>,
+    pub(crate) calls: Vec<String>,
 }
 
 impl fmt::Display for Expected {
@@ -65,7 +65,7 @@ impl fmt::Display for Expected {
 ///
 /// # Errors
 /// The number of the line that is not understood, and why.
-pub fn read(text: &str) -> Result<Case, String> {
+pub(crate) fn read(text: &str) -> Result<Case, String> {
     let (chart, timeline) = text.split_once("\n---\n").ok_or("no line `---` between chart and timeline")?;
     let above = chart.lines().count() + 1;
     let mut lines = Vec::new();

@@ -47,19 +47,10 @@ fn sum_up(outcomes: &[(&str, Duration, bool)]) -> Result {
         let verdict = if *passed { "passed" } else { "FAILED" };
         println!("{verdict} {:7.1} s  {name}", time.as_secs_f64());
     }
-    let failed: Vec<&str> = outcomes
-        .iter()
-        .filter(|(.., passed)| !passed)
-        .map(|(name, ..)| *name)
-        .collect();
+    let failed: Vec<&str> = outcomes.iter().filter(|(.., passed)| !passed).map(|(name, ..)| *name).collect();
     match failed[..] {
         [] => Ok(()),
-        _ => Err(format!(
-            "{} of {} steps failed: {}",
-            failed.len(),
-            outcomes.len(),
-            failed.join(", ")
-        )),
+        _ => Err(format!("{} of {} steps failed: {}", failed.len(), outcomes.len(), failed.join(", "))),
     }
 }
 
@@ -77,8 +68,7 @@ fn rustfmt() -> Result {
 
 /// The command that the README tells the newcomer.
 fn test() -> Result {
-    let readme = fs::read_to_string(root().join("README.md"))
-        .map_err(|error| format!("README.md: {error}"))?;
+    let readme = fs::read_to_string(root().join("README.md")).map_err(|error| format!("README.md: {error}"))?;
     if !readme.contains("cargo test --workspace") {
         return Err("README.md does not name the test command `cargo test --workspace`".to_owned());
     }

@@ -15,9 +15,7 @@ pub(crate) type Result<T = ()> = std::result::Result<T, String>;
 /// # Errors
 /// It cannot be started or does not end with success.
 pub(crate) fn run(command: &mut Command) -> Result {
-    let status = command
-        .status()
-        .map_err(|error| cannot_start(command, &error))?;
+    let status = command.status().map_err(|error| cannot_start(command, &error))?;
     check(command, status)
 }
 
@@ -27,9 +25,7 @@ pub(crate) fn run(command: &mut Command) -> Result {
 /// As [`run`], and where the output is not UTF-8.
 pub(crate) fn capture(command: &mut Command) -> Result<String> {
     command.stderr(Stdio::inherit());
-    let output = command
-        .output()
-        .map_err(|error| cannot_start(command, &error))?;
+    let output = command.output().map_err(|error| cannot_start(command, &error))?;
     check(command, output.status)?;
     text(command, output.stdout)
 }
@@ -40,13 +36,8 @@ pub(crate) fn capture(command: &mut Command) -> Result<String> {
 /// # Errors
 /// As [`capture`], and where the program has not ended within `limit`; it is then killed.
 pub(crate) fn capture_within(command: &mut Command, limit: Duration) -> Result<String> {
-    command
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut child = command
-        .spawn()
-        .map_err(|error| cannot_start(command, &error))?;
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().map_err(|error| cannot_start(command, &error))?;
     // Read beside the waiting: a program whose pipe is full waits for its reader.
     let stdout = read(child.stdout.take());
     let stderr = read(child.stderr.take());
@@ -59,10 +50,7 @@ pub(crate) fn capture_within(command: &mut Command, limit: Duration) -> Result<S
         Err(error) => format!("cannot be waited for: {error}"),
     };
     let stderr = String::from_utf8_lossy(&collect(stderr)).into_owned();
-    Err(format!(
-        "{} {problem}; it printed:\n{stdout}{stderr}",
-        show(command)
-    ))
+    Err(format!("{} {problem}; it printed:\n{stdout}{stderr}", show(command)))
 }
 
 /// The first program of this name in the PATH.
@@ -74,10 +62,7 @@ pub(crate) fn find(name: &str) -> Option<PathBuf> {
 pub(crate) fn find_all(name: &str) -> impl Iterator<Item = PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let folders: Vec<PathBuf> = std::env::split_paths(&path).collect();
-    folders
-        .into_iter()
-        .map(move |folder| folder.join(name))
-        .filter(|program| program.is_file())
+    folders.into_iter().map(move |folder| folder.join(name)).filter(|program| program.is_file())
 }
 
 fn wait(child: &mut Child, limit: Duration) -> std::io::Result<Option<ExitStatus>> {
@@ -107,16 +92,11 @@ fn collect(reader: JoinHandle<Vec<u8>>) -> Vec<u8> {
 }
 
 fn text(command: &Command, bytes: Vec<u8>) -> Result<String> {
-    String::from_utf8(bytes)
-        .map_err(|error| format!("the output of {} is not UTF-8: {error}", show(command)))
+    String::from_utf8(bytes).map_err(|error| format!("the output of {} is not UTF-8: {error}", show(command)))
 }
 
 fn check(command: &Command, status: ExitStatus) -> Result {
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{} ended with {status}", show(command)))
-    }
+    if status.success() { Ok(()) } else { Err(format!("{} ended with {status}", show(command))) }
 }
 
 fn cannot_start(command: &Command, error: &std::io::Error) -> String {

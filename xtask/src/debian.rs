@@ -21,20 +21,14 @@ pub(crate) fn cargo(version: &str) -> Result<Command> {
     let libraries = libraries(&folder)?;
     for program in ["rustc", "cargo"] {
         let mut command = Command::new(programs.join(program));
-        let answer = capture(command.arg("--version").env("LD_LIBRARY_PATH", &libraries)).map_err(
-            |error| {
-                format!(
-                    "{error}; the libraries it uses come with `apt-get install libllvm19 libpcre3`"
-                )
-            },
-        )?;
+        let answer = capture(command.arg("--version").env("LD_LIBRARY_PATH", &libraries)).map_err(|error| {
+            format!("{error}; the libraries it uses come with `apt-get install libllvm19 libpcre3`")
+        })?;
         println!("msrv: Debian's {}", answer.trim_end());
     }
     let mut command = Command::new(programs.join("cargo"));
     project::forget_cargo(&mut command);
-    command
-        .env("RUSTC", programs.join("rustc"))
-        .env("LD_LIBRARY_PATH", libraries);
+    command.env("RUSTC", programs.join("rustc")).env("LD_LIBRARY_PATH", libraries);
     Ok(command)
 }
 
@@ -52,17 +46,10 @@ fn unpack(version: &str, folder: &Path) -> Result {
     }
     fs::create_dir_all(&partial).map_err(|error| failed("create", error))?;
     let library = format!("libstd-rust-web-{version}");
-    let packages = ["rustc-web", &library, "libstd-rust-web-dev", "cargo-web"]
-        .map(|name| format!("{name}={full}"));
-    run(Command::new("apt-get")
-        .args(["--quiet", "download"])
-        .args(packages)
-        .current_dir(&partial))?;
+    let packages = ["rustc-web", &library, "libstd-rust-web-dev", "cargo-web"].map(|name| format!("{name}={full}"));
+    run(Command::new("apt-get").args(["--quiet", "download"]).args(packages).current_dir(&partial))?;
     for package in entries(&partial)? {
-        run(Command::new("dpkg-deb")
-            .arg("--extract")
-            .arg(package)
-            .arg(&partial))?;
+        run(Command::new("dpkg-deb").arg("--extract").arg(package).arg(&partial))?;
     }
     fs::rename(&partial, folder).map_err(|error| failed("rename", error))
 }
@@ -70,14 +57,8 @@ fn unpack(version: &str, folder: &Path) -> Result {
 /// The full version of the package that the lists offer, such as `1.85.0+dfsg3-1`.
 fn offered(version: &str) -> Result<String> {
     let list = capture(Command::new("apt-cache").args(["madison", "rustc-web"]))?;
-    let mut versions = list
-        .lines()
-        .filter_map(|line| line.split('|').nth(1))
-        .map(str::trim);
-    let fitting = versions.find(|full| {
-        full.strip_prefix(version)
-            .is_some_and(|rest| rest.starts_with('.'))
-    });
+    let mut versions = list.lines().filter_map(|line| line.split('|').nth(1)).map(str::trim);
+    let fitting = versions.find(|full| full.strip_prefix(version).is_some_and(|rest| rest.starts_with('.')));
     fitting.map(str::to_owned).ok_or_else(|| {
         format!("the package lists offer no rustc-web {version} (Debian 12 has it; `apt-get update` reads the lists)")
     })
@@ -87,12 +68,10 @@ fn offered(version: &str) -> Result<String> {
 fn libraries(folder: &Path) -> Result<OsString> {
     let mut folders = entries(&folder.join("usr/lib"))?;
     folders.retain(|path| path.to_string_lossy().contains("-linux-"));
-    std::env::join_paths(folders)
-        .map_err(|error| format!("cannot list the libraries in {}: {error}", folder.display()))
+    std::env::join_paths(folders).map_err(|error| format!("cannot list the libraries in {}: {error}", folder.display()))
 }
 
 fn entries(folder: &Path) -> Result<Vec<PathBuf>> {
-    let entries =
-        fs::read_dir(folder).and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect());
+    let entries = fs::read_dir(folder).and_then(|entries| entries.map(|entry| Ok(entry?.path())).collect());
     entries.map_err(|error| format!("cannot read {}: {error}", folder.display()))
 }

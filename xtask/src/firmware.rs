@@ -12,11 +12,8 @@ use crate::toolchain::BareMetal;
 const BOARD: &str = "thumbv7m-none-eabi";
 
 /// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
-const BUILT: [(&str, &str); 3] = [
-    ("thumbv6m-none-eabi", "--bins"),
-    ("thumbv7em-none-eabihf", "--bins"),
-    ("riscv32imc-unknown-none-elf", "--lib"),
-];
+const BUILT: [(&str, &str); 3] =
+    [("thumbv6m-none-eabi", "--bins"), ("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
 
 /// The examples in the order in which the firmware plays their scripts.
 const EXAMPLES: [&str; 2] = ["motor", "line24v"];
@@ -35,27 +32,15 @@ pub(crate) fn run() -> Result {
     build(BOARD, "--bins")?;
     let host = host_lines()?;
     compare(&host, &board_lines()?)?;
-    println!(
-        "firmware: {} lines on the board equal those of the host",
-        host.lines().count()
-    );
-    BUILT
-        .iter()
-        .try_for_each(|(target, what)| build(target, what))
+    println!("firmware: {} lines on the board equal those of the host", host.lines().count());
+    BUILT.iter().try_for_each(|(target, what)| build(target, what))
 }
 
 fn build(target: &str, what: &str) -> Result {
     let toolchain = BareMetal::find(target)?;
     println!("firmware: {target}, {}", toolchain.describe());
     let mut command = toolchain.cargo("build", target);
-    command.args([
-        "--quiet",
-        "--release",
-        "--manifest-path",
-        "examples/firmware/Cargo.toml",
-        what,
-        "--target-dir",
-    ]);
+    command.args(["--quiet", "--release", "--manifest-path", "examples/firmware/Cargo.toml", what, "--target-dir"]);
     run_command(command.arg(project::target("firmware")))
 }
 
@@ -65,20 +50,10 @@ fn host_lines() -> Result<String> {
         .iter()
         .map(|example| {
             let script = format!("examples/charts/{example}.script");
-            let arguments = [
-                "run",
-                "--quiet",
-                "--example",
-                example,
-                "--",
-                "--script",
-                &script,
-            ];
+            let arguments = ["run", "--quiet", "--example", example, "--", "--script", &script];
             let printed = capture(&mut project::cargo(&arguments))?;
             match printed.as_str() {
-                "" => Err(format!(
-                    "the example {example} printed nothing for {script}: nothing to compare"
-                )),
+                "" => Err(format!("the example {example} printed nothing for {script}: nothing to compare")),
                 _ => Ok(format!("# {example}\n{printed}")),
             }
         })
@@ -88,18 +63,14 @@ fn host_lines() -> Result<String> {
 fn board_lines() -> Result<String> {
     let qemu = find("qemu-system-arm")
         .ok_or("qemu-system-arm is not in the PATH; on Debian `apt-get install qemu-system-arm`")?;
-    let image = project::target("firmware")
-        .join(BOARD)
-        .join("release/lm3s6965evb");
+    let image = project::target("firmware").join(BOARD).join("release/lm3s6965evb");
     capture_within(&mut emulator(&qemu, &image), LIMIT)
 }
 
 fn emulator(qemu: &Path, image: &Path) -> Command {
     let mut command = Command::new(qemu);
     command.args(["-cpu", "cortex-m3", "-machine", "lm3s6965evb", "-nographic"]);
-    command
-        .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
-        .arg(image);
+    command.args(["-semihosting-config", "enable=on,target=native", "-kernel"]).arg(image);
     command
 }
 
@@ -112,9 +83,7 @@ fn compare(host: &str, board: &str) -> Result {
             (host, board) if host == board => {}
             (host, board) => {
                 let [host, board] = [host, board].map(|line| line.unwrap_or("(nothing)"));
-                differences.push(format!(
-                    "\n  line {number}\n    host:  {host}\n    board: {board}"
-                ));
+                differences.push(format!("\n  line {number}\n    host:  {host}\n    board: {board}"));
             }
         }
     }
@@ -122,10 +91,7 @@ fn compare(host: &str, board: &str) -> Result {
     differences.truncate(SHOWN);
     match count {
         0 => Ok(()),
-        _ => Err(format!(
-            "the board answers other than the host in {count} lines:{}",
-            differences.concat()
-        )),
+        _ => Err(format!("the board answers other than the host in {count} lines:{}", differences.concat())),
     }
 }
 
@@ -135,18 +101,12 @@ mod tests {
 
     #[test]
     fn equal_lines_compare_equal() {
-        assert_eq!(
-            compare("# motor\n0 Off | - | red\n", "# motor\n0 Off | - | red\n"),
-            Ok(())
-        );
+        assert_eq!(compare("# motor\n0 Off | - | red\n", "# motor\n0 Off | - | red\n"), Ok(()));
     }
 
     #[test]
     fn another_line_and_a_missing_one_are_shown() {
-        let error = compare(
-            "# motor\n0 Off | - | red\n1 Off | - | red\n",
-            "# motor\n0 Off | - | -\n",
-        );
+        let error = compare("# motor\n0 Off | - | red\n1 Off | - | red\n", "# motor\n0 Off | - | -\n");
         let expected = "the board answers other than the host in 2 lines:\n  line 2\n    host:  0 Off | - | red\n    \
                         board: 0 Off | - | -\n  line 3\n    host:  1 Off | - | red\n    board: (nothing)";
         assert_eq!(error, Err(expected.to_owned()));

@@ -29,10 +29,7 @@ fn main() -> ExitCode {
             print!("{USAGE}");
             Ok(())
         }
-        _ => Err(format!(
-            "there is no task `{}`\n\n{USAGE}",
-            arguments.join(" ")
-        )),
+        _ => Err(format!("there is no task `{}`\n\n{USAGE}", arguments.join(" "))),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -9,12 +9,7 @@ use crate::project;
 /// The `rust-version` of the workspace, as in `1.85`.
 const MSRV: &str = env!("CARGO_PKG_RUST_VERSION");
 
-const CRATES: [&str; 4] = [
-    "grafcet",
-    "grafcet-core",
-    "grafcet-macros",
-    "grafcet-compiler",
-];
+const CRATES: [&str; 4] = ["grafcet", "grafcet-core", "grafcet-macros", "grafcet-compiler"];
 
 /// Checks the libraries with rustup's toolchain of that version, else with Debian's.
 ///
@@ -29,17 +24,14 @@ pub(crate) fn run() -> Result {
             command
         }
         None => debian::cargo(MSRV).map_err(|reason| {
-            format!("no Rust {MSRV} here: `rustup toolchain install {MSRV}` installs it; Debian's cannot be used: {reason}")
+            format!(
+                "no Rust {MSRV} here: `rustup toolchain install {MSRV}` installs it; Debian's cannot be used: {reason}"
+            )
         })?,
     };
     command.args(["check", "--locked", "--lib"]);
     command.args(CRATES.iter().flat_map(|name| ["--package", name]));
-    run_command(
-        command
-            .arg("--target-dir")
-            .arg(project::target("msrv"))
-            .current_dir(project::root()),
-    )
+    run_command(command.arg("--target-dir").arg(project::target("msrv")).current_dir(project::root()))
 }
 
 /// The name of rustup's toolchain of that version, where there are both.
@@ -48,13 +40,10 @@ fn installed() -> Result<Option<String>> {
         return Ok(None);
     }
     let list = capture(Command::new("rustup").args(["toolchain", "list"]))?;
-    let names = list
-        .lines()
-        .filter_map(|line| line.split_whitespace().next());
+    let names = list.lines().filter_map(|line| line.split_whitespace().next());
     let mut fitting = names.filter(|name| {
         // `1.85-x86_64-…` and `1.85.1-x86_64-…`, but neither `1.8-…` nor `1.851-…`
-        name.strip_prefix(MSRV)
-            .is_some_and(|rest| rest.starts_with(['-', '.']))
+        name.strip_prefix(MSRV).is_some_and(|rest| rest.starts_with(['-', '.']))
     });
     Ok(fitting.next().map(str::to_owned))
 }

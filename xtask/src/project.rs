@@ -15,9 +15,7 @@ pub(crate) fn target(purpose: &str) -> PathBuf {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     // A relative path counts from where the user stands, the tasks run at the root.
     let target = target.and_then(|path| std::path::absolute(path).ok());
-    target
-        .unwrap_or_else(|| root().join("target"))
-        .join(purpose)
+    target.unwrap_or_else(|| root().join("target")).join(purpose)
 }
 
 /// The cargo that runs this task, at the root of the workspace.

@@ -26,22 +26,14 @@ impl BareMetal {
     /// There is none; the message says what to install.
     pub(crate) fn find(target: &str) -> Result<Self> {
         let rustc = Path::new("rustc");
-        if has_core(&print(
-            rustc,
-            &["--print", "target-libdir", "--target", target],
-        )?) {
+        if has_core(&print(rustc, &["--print", "target-libdir", "--target", target])?) {
             return Ok(Self::Installed);
         }
         for rustc in find_all("rustc") {
             let cargo = rustc.with_file_name("cargo");
-            let source =
-                print(&rustc, &["--print", "sysroot"])?.join("lib/rustlib/src/rust/library/core");
+            let source = print(&rustc, &["--print", "sysroot"])?.join("lib/rustlib/src/rust/library/core");
             if cargo.is_file() && source.is_dir() {
-                return Ok(Self::FromSource {
-                    cargo,
-                    rustc,
-                    linker: linker()?,
-                });
+                return Ok(Self::FromSource { cargo, rustc, linker: linker()? });
             }
         }
         Err(format!(
@@ -64,28 +56,13 @@ impl BareMetal {
     pub(crate) fn cargo(&self, subcommand: &str, target: &str) -> Command {
         match self {
             Self::Installed => project::cargo(&[subcommand, "--target", target]),
-            Self::FromSource {
-                cargo,
-                rustc,
-                linker,
-            } => {
+            Self::FromSource { cargo, rustc, linker } => {
                 let mut command = Command::new(cargo);
-                command.current_dir(project::root()).args([
-                    subcommand,
-                    "--target",
-                    target,
-                    "-Zbuild-std=core",
-                ]);
+                command.current_dir(project::root()).args([subcommand, "--target", target, "-Zbuild-std=core"]);
                 // `-Zbuild-std` is not stable, and neither compiler nor cargo is a nightly one.
                 command.env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
                 project::forget_cargo(&mut command);
-                command.env(
-                    format!(
-                        "CARGO_TARGET_{}_LINKER",
-                        target.to_uppercase().replace('-', "_")
-                    ),
-                    linker,
-                );
+                command.env(format!("CARGO_TARGET_{}_LINKER", target.to_uppercase().replace('-', "_")), linker);
                 command
             }
         }
@@ -96,18 +73,14 @@ fn has_core(libraries: &Path) -> bool {
     let Ok(files) = libraries.read_dir() else {
         return false;
     };
-    files
-        .flatten()
-        .any(|file| file.file_name().to_string_lossy().starts_with("libcore-"))
+    files.flatten().any(|file| file.file_name().to_string_lossy().starts_with("libcore-"))
 }
 
 /// The `rust-lld` of the toolchain in use, else one in the PATH.
 fn linker() -> Result<PathBuf> {
     let rustlib = print(Path::new("rustc"), &["--print", "sysroot"])?.join("lib/rustlib");
     let hosts = rustlib.read_dir().into_iter().flatten().flatten();
-    let mut bundled = hosts
-        .map(|host| host.path().join("bin/rust-lld"))
-        .filter(|linker| linker.is_file());
+    let mut bundled = hosts.map(|host| host.path().join("bin/rust-lld")).filter(|linker| linker.is_file());
     bundled.next().or_else(|| find("rust-lld")).or_else(|| find("ld.lld")).ok_or_else(|| {
         "no linker for bare-metal targets: neither does the toolchain in use bring rust-lld along, nor is rust-lld or \
          ld.lld in the PATH; install Rust through rustup, or on Debian `apt-get install lld`"

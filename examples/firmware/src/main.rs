@@ -30,11 +30,7 @@ fn panicked(info: &PanicInfo<'_>) -> ! {
 }
 
 fn finish(result: Result<(), ()>) -> ! {
-    debug::exit(if result.is_ok() {
-        debug::EXIT_SUCCESS
-    } else {
-        debug::EXIT_FAILURE
-    });
+    debug::exit(if result.is_ok() { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
     loop {
         cortex_m::asm::wfi();
     }

@@ -1,6 +1,8 @@
 //! Facts about the model. Pure: no spans, no errors, no tokens.
 
+pub mod combinational;
 mod concurrency;
+pub mod hierarchy;
 mod logic;
 mod relation;
 mod stability;

@@ -27,7 +27,9 @@ fn initial_steps(model: &Model, sink: &mut Sink) {
                 );
                 (Mark::from(name), message)
             };
-            sink.rule(&rules::SEVERAL_INITIAL_STEPS, &[&model.levels], initial.iter().map(note).collect());
+            let own = initial.iter().map(|step| &model.steps[*step].levels[..]);
+            let scopes: Vec<_> = own.chain([&model.levels[..]]).collect();
+            sink.rule(&rules::SEVERAL_INITIAL_STEPS, &scopes, initial.iter().map(note).collect());
         }
     }
 }
@@ -68,14 +70,33 @@ fn duplicate_transitions(model: &Model, sink: &mut Sink) {
         targets.sort_unstable();
         let key = (sources, targets, &transition.condition.tree);
         let Some(first) = seen.insert(key, id) else { continue };
+        let (from, to) = (names(model, &transition.sources), names(model, &transition.targets));
         let notes = vec![
-            (model.transitions[first].mark, "this transition is drawn again further down; draw it once".to_owned()),
+            (
+                model.transitions[first].mark,
+                format!(
+                    "this transition from {from} to {to} is drawn again further down, with the same condition; draw it once"
+                ),
+            ),
             (
                 transition.mark,
-                "this transition is drawn a second time, with the same steps and condition; draw it once".to_owned(),
+                format!(
+                    "this transition from {from} to {to} is drawn a second time, with the same condition; draw it once"
+                ),
             ),
         ];
         sink.rule(&rules::DUPLICATE_TRANSITION, &[], notes);
+    }
+}
+
+/// `` `A` ``, `` `(A, B)` ``
+fn names(model: &Model, steps: &[StepId]) -> String {
+    match steps {
+        [step] => format!("`{}`", model.steps[*step].name),
+        _ => {
+            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+            format!("`({})`", names.join(", "))
+        }
     }
 }
 

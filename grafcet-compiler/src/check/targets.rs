@@ -1,59 +1,103 @@
 //! `wrong_target`: a qualifier whose target it cannot have.
 
-use crate::diagnostic::{Sink, rules};
-use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier, Tree, Ty};
+use quote::ToTokens;
+
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Association, Effect, Model, Place, Qualifier, Tree, Ty};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     for association in model.associations.values() {
-        if let Some(message) = mistake(model, association) {
-            sink.rule(&rules::WRONG_TARGET, &[], vec![(association.mark, message)]);
+        if let Some((mark, message)) = mistake(model, association) {
+            sink.rule(&rules::WRONG_TARGET, &[], vec![(mark, message)]);
         }
     }
 }
 
-fn mistake(model: &Model, association: &Association) -> Option<String> {
-    let word = word(association.qualifier);
-    if model.dialect == Dialect::Grafcet {
-        let only_sfc = matches!(association.qualifier, Qualifier::P | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl);
-        if only_sfc {
-            return Some(format!(
-                "`{word}` is a qualifier of IEC 61131-3, a `grafcet` does not have it; \
-                 write a condition (`q if 5s/Step`) or a stored action (`S`, `R`, `P1`, `P0`)"
-            ));
-        }
-    } else if association.qualifier == Qualifier::On {
-        return Some(
-            "an action on an event is a form of IEC 60848, an `sfc` does not have it; \
-                     write a step that waits for the event"
-                .to_owned(),
-        );
+/// What is wrong, at the tokens that say it: the qualifier, its target, or from one to the other where only the pair is.
+fn mistake(model: &Model, association: &Association) -> Option<(Mark, String)> {
+    let target = association.target_mark;
+    let qualifier = association.qualifier_mark.unwrap_or(target);
+    let pair = qualifier.to(target);
+    if let Some(message) = other_dialect(model, association.qualifier) {
+        return Some((qualifier, message));
     }
     match &association.effect {
-        Effect::Control(place) => control(model, association, *place, word),
-        Effect::Assign(place, value) => assign(model, association, *place, &value.text, word),
-        Effect::Call(..) | Effect::Block(_) => body(model, association, word),
+        Effect::Control(place) if !may_be_bool(model.place_ty(*place)) => {
+            Some((pair, not_bool(model, association.qualifier, *place)))
+        }
+        Effect::Control(place) if starts_true(model, *place) && is_continuous(association.qualifier) => {
+            let name = model.place_name(*place);
+            let message = format!(
+                "`{name}` starts as `true`, so an action that makes it true while a step is active cannot be seen; \
+                 start it as `false`, or write `S {name}` and `R {name}`"
+            );
+            Some((target, message))
+        }
+        Effect::Control(place) => once(model, association.qualifier, *place).map(|message| (pair, message)),
+        Effect::Assign(place, value) => {
+            assign(model, association.qualifier, *place, &value.text).map(|message| (pair, message))
+        }
+        Effect::Call(..) => body(model, association.qualifier, "a call").map(|message| (pair, message)),
+        Effect::Block(_) => body(model, association.qualifier, "a block").map(|message| (qualifier, message)),
     }
 }
 
-/// A boolean that is controlled.
-fn control(model: &Model, association: &Association, place: Place, word: &str) -> Option<String> {
-    let name = model.place_name(place);
-    if !matches!(model.place_ty(place), Ty::Bool(_)) {
-        return Some(format!(
-            "`{name}` is not a `bool`, so it is not simply on or off; write what it shall be: `{name} = …`"
-        ));
-    }
-    match association.qualifier {
-        Qualifier::P1 | Qualifier::P0 | Qualifier::On => Some(format!(
-            "`{word}` runs once and does not keep `{name}` on; write `P {name}` for a pulse, `S {name}` to set it, \
-             or `{word} {name} = true`"
+/// Qualifiers that only the other standard has.
+fn other_dialect(model: &Model, qualifier: Qualifier) -> Option<String> {
+    let word = word(qualifier);
+    match qualifier {
+        Qualifier::P | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl if model.is_grafcet() => Some(format!(
+            "`{word}` is a qualifier of IEC 61131-3 and a `grafcet` does not have it; \
+             write a condition, such as `q if 5s/Step`, or a stored action: `S`, `R`, `P1`, `P0` or `on`"
         )),
-        Qualifier::N | Qualifier::L | Qualifier::D if starts_true(model, place) => Some(format!(
-            "`{name}` starts as `true`, so an action that is true while a step is active cannot be seen; \
-             start it as `false`, or write `S {name}` and `R {name}`"
-        )),
+        Qualifier::On if !model.is_grafcet() => Some(
+            "an action on an event is a form of IEC 60848 and an `sfc` does not have it; \
+             write a step that waits for the event, or `N q if rising(…)`"
+                .to_owned(),
+        ),
         _ => None,
     }
+}
+
+/// A name like `boool` is no known type: an alias of `bool`, or a slip of the pen that rustc reports.
+fn may_be_bool(ty: &Ty) -> bool {
+    match ty {
+        Ty::Bool(_) => true,
+        Ty::Other(ty) => {
+            let name = written(ty);
+            let known = ["f32", "f64", "char", "str"].contains(&name.as_str());
+            !known && name.chars().all(|c| c.is_alphanumeric() || c == '_') && name.starts_with(char::is_lowercase)
+        }
+        _ => false,
+    }
+}
+
+/// A value that is neither true nor false.
+fn not_bool(model: &Model, qualifier: Qualifier, place: Place) -> String {
+    let name = model.place_name(place);
+    let ty = match model.place_ty(place) {
+        Ty::Time(_) => "time".to_owned(),
+        Ty::Bool(ty) | Ty::Int { rust: ty, .. } | Ty::Other(ty) => written(ty),
+    };
+    let mend = match (qualifier, place) {
+        (Qualifier::N, Place::Output(_)) => format!("{name} = …"),
+        (Qualifier::On, _) => format!("on … {name} = …"),
+        (Qualifier::P0, _) => format!("P0 {name} = …"),
+        (Qualifier::N, Place::Var(_)) if !model.is_grafcet() => format!("N {name} = …"),
+        _ => format!("P1 {name} = …"),
+    };
+    format!("`{name}` is a `{ty}`, so it is not simply on or off; say what it becomes: `{mend}`")
+}
+
+/// A type as one writes it, without the blanks between its tokens.
+fn written(ty: &syn::Type) -> String {
+    let text = ty.to_token_stream().to_string();
+    [" < ", " >", " ;", " :: "].into_iter().fold(text, |text, wide| text.replace(wide, wide.trim()))
+}
+
+/// Whether an action with this qualifier shows while its step is active, and nothing of it stays.
+fn is_continuous(qualifier: Qualifier) -> bool {
+    matches!(qualifier, Qualifier::N | Qualifier::L | Qualifier::D | Qualifier::P)
 }
 
 fn starts_true(model: &Model, place: Place) -> bool {
@@ -64,10 +108,28 @@ fn starts_true(model: &Model, place: Place) -> bool {
     init.is_some_and(|init| init.tree == Tree::Bool(true))
 }
 
+/// A bare boolean behind a qualifier that runs something once.
+fn once(model: &Model, qualifier: Qualifier, place: Place) -> Option<String> {
+    if !matches!(qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On) {
+        return None;
+    }
+    let (name, word) = (model.place_name(place), word(qualifier));
+    let assignment = match qualifier {
+        Qualifier::On => format!("on … {name} = true"),
+        _ => format!("{word} {name} = true"),
+    };
+    let others = match (qualifier, model.is_grafcet()) {
+        (Qualifier::P1, false) => format!("`P {name}` for one pulse, `S {name}` to set it, or "),
+        (Qualifier::P1, true) => format!("`S {name}` to set it, or "),
+        _ => String::new(),
+    };
+    Some(format!("`{word}` runs once and does not say what `{name}` becomes; write {others}`{assignment}`"))
+}
+
 /// `speed = e` behind a qualifier.
-fn assign(model: &Model, association: &Association, place: Place, value: &str, word: &str) -> Option<String> {
-    let name = model.place_name(place);
-    match (association.qualifier, place) {
+fn assign(model: &Model, qualifier: Qualifier, place: Place, value: &str) -> Option<String> {
+    let (name, word) = (model.place_name(place), word(qualifier));
+    match (qualifier, place) {
         (Qualifier::N, Place::Var(_)) if model.is_grafcet() => Some(format!(
             "`{name}` is a variable, which a `grafcet` writes at an instant, not while a step is active; \
              write `P1 {name} = {value}`"
@@ -76,26 +138,25 @@ fn assign(model: &Model, association: &Association, place: Place, value: &str, w
         (Qualifier::S | Qualifier::R, _) if matches!(model.place_ty(place), Ty::Bool(_)) => {
             Some(format!("`{word}` already says what `{name}` becomes; write `{word} {name}`"))
         }
-        (Qualifier::R, _) => Some(format!("`R` ends an action, it does not assign; write `P1 {name} = {value}`")),
-        (_, Place::Output(_)) | (Qualifier::S | Qualifier::L | Qualifier::D, _) if model.is_grafcet() => {
-            Some(format!("`{word}` cannot assign a value; write `P1 {name} = {value}`"))
-        }
+        (Qualifier::R, _) => Some(format!("`R` ends an action and assigns nothing; write `P1 {name} = {value}`")),
+        _ if model.is_grafcet() => Some(format!("`{word}` cannot assign a value; write `P1 {name} = {value}`")),
         _ => None,
     }
 }
 
 /// A call or a block behind a qualifier.
-fn body(model: &Model, association: &Association, word: &str) -> Option<String> {
-    match (association.qualifier, &association.effect) {
-        (Qualifier::R, Effect::Block(_)) => Some(
+fn body(model: &Model, qualifier: Qualifier, what: &str) -> Option<String> {
+    let word = word(qualifier);
+    match qualifier {
+        Qualifier::R if what == "a block" => Some(
             "`R` ends an action that another step has set, and a block is an action of its own; \
-                  declare an `action` and name it in both steps"
+             declare an `action` and name it in both steps"
                 .to_owned(),
         ),
-        (Qualifier::S | Qualifier::R | Qualifier::L | Qualifier::D, _) if model.is_grafcet() => Some(format!(
-            "`{word}` acts on a boolean in a `grafcet`; write `P1` or `P0` in front of what shall run once"
+        Qualifier::S | Qualifier::R | Qualifier::L | Qualifier::D if model.is_grafcet() => Some(format!(
+            "`{word}` acts on a boolean in a `grafcet`, not on {what}; write `P1`, `P0` or `on` in front of what runs once"
         )),
-        (Qualifier::N, Effect::Block(_)) if model.is_grafcet() => {
+        Qualifier::N if what == "a block" && model.is_grafcet() => {
             Some("a block runs at an instant in a `grafcet`, not while a step is active; write `P1 { … }`".to_owned())
         }
         _ => None,

@@ -4,22 +4,33 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::{Cx, names};
-use crate::model::{Expr, Name, Read, StepId, placeholder};
+use crate::model::{Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, placeholder};
 use crate::plan::RegionId;
 
-/// At which moment of the cycle an expression is evaluated: which situation and which outputs it sees.
+/// At which moment of the cycle an expression is evaluated: which situation and which values it sees.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Moment {
-    /// A transition condition: the situation before the evolution.
+    /// What the cycle starts from, the initial situation in the first one (A1): edges and delays.
+    Sample,
+    /// A transition condition: everything from before the evolution.
     Condition,
-    /// An action of an `sfc`: the situation after the evolution, the outputs of the cycle before.
+    /// An action of an `sfc`: the situation after the evolution, outputs of the cycle before, variables as they are.
     Action,
+    /// The same on leaving a step, whose time is the one it had reached also on a self-loop (A34).
+    Leaving,
     /// A stored action of a `grafcet`: everything from before the evolution (A6).
     Stored,
     /// A stored action on the activation of the initial situation: before it, nothing was active (A37).
     Start,
     /// A continuous action of a `grafcet`: the stable situation (A9).
     Stable,
+}
+
+impl Moment {
+    /// Whether the situation before the evolution is meant.
+    fn is_before(self) -> bool {
+        matches!(self, Self::Sample | Self::Condition | Self::Stored)
+    }
 }
 
 impl Cx<'_> {
@@ -30,13 +41,31 @@ impl Cx<'_> {
         if let ([Read::Name(Name::Input(_))], Some(name)) = (&expr.reads[..], plain_name(tokens)) {
             return quote!(inputs.#name);
         }
-        let bindings = self.bindings(&expr.reads, moment);
+        let bindings = self.bindings(&expr.reads, &[], moment);
         if bindings.is_empty() { without_parens(tokens) } else { quote!({ #bindings #tokens }) }
     }
 
+    /// A block of the user: what it may write is a copy, which `commit` takes over.
+    pub(super) fn block(&self, code: &Code, moment: Moment, commit: impl Fn(Place) -> TokenStream) -> TokenStream {
+        let Code { tokens, reads, writes, .. } = code;
+        let bindings = self.bindings(reads, writes, moment);
+        let commits = writes.iter().map(|place| {
+            let (name, target) = (self.model.place_name(*place), commit(*place));
+            quote!(#target = #name;)
+        });
+        // The braces are the user's: they keep the block's own names apart from the ones written back.
+        quote!({ #bindings #[allow(unused_braces)] #tokens #(#commits)* })
+    }
+
     /// `let on = inputs.on;` for everything that is read.
-    fn bindings(&self, reads: &[Read], moment: Moment) -> TokenStream {
+    fn bindings(&self, reads: &[Read], writes: &[Place], moment: Moment) -> TokenStream {
         let one = |read: &Read| {
+            let written = writes.iter().find(|place| Read::Name(Name::from(**place)) == *read);
+            if let Some(place) = written {
+                let (name, value) = (self.model.place_name(*place), self.read(*read, moment));
+                // A block may mention a name in a way that does not write it.
+                return quote!(#[allow(unused_mut)] let mut #name = #value;);
+            }
             let value = self.read(*read, moment);
             let name = match read {
                 Read::Name(name) => self.model.value_name(*name).clone(),
@@ -54,30 +83,124 @@ impl Cx<'_> {
                 let name = &self.model.inputs[id].name;
                 quote!(inputs.#name)
             }
-            Read::Name(Name::Output(id)) => match moment {
-                Moment::Action | Moment::Stored => names::output_last(self.model, id).into_token_stream(),
-                Moment::Condition | Moment::Start | Moment::Stable => {
-                    let field = names::output_field(self.model, id);
-                    quote!(self.#field)
+            Read::Name(Name::Param(id)) => {
+                let name = &self.model.params[id].name;
+                quote!(self.params.#name)
+            }
+            Read::Name(Name::Var(id)) if self.plan.memory.combinational.contains(&id) => {
+                names::combinational(self.model, id).into_token_stream()
+            }
+            Read::Name(Name::Var(id)) => {
+                let field = names::var_field(self.model, id);
+                quote!(self.#field)
+            }
+            Read::Name(Name::Output(id)) if self.plan.drives[id.index()].read_by_actions && !self.model.is_grafcet() => {
+                match moment {
+                    Moment::Action | Moment::Leaving => names::output_last(self.model, id).into_token_stream(),
+                    _ => {
+                        let field = names::output_field(self.model, id);
+                        quote!(self.#field)
+                    }
                 }
-            },
+            }
+            Read::Name(Name::Output(id)) => {
+                let field = names::output_field(self.model, id);
+                quote!(self.#field)
+            }
             Read::Active(step) => self.is_active(step, moment),
+            Read::MacroActive(id) => self.macro_active(id, moment),
+            Read::Since(step) => self.since(step, moment),
+            Read::MacroSince(id) => {
+                let (active, since) = (self.macro_active(id, moment), names::macro_time(id));
+                quote!(if #active { self.#since } else { #p::Ticks::ZERO })
+            }
+            Read::Elapsed(time, step) => self.elapsed(time, step, moment),
+            Read::MacroElapsed(time, id) => {
+                let (active, since, time) = (self.macro_active(id, moment), names::macro_time(id), self.time(time));
+                quote!((#active && self.#since >= #time))
+            }
+            Read::Rising(_) | Read::Falling(_) if moment == Moment::Start => quote!(false),
+            Read::Rising(id) => names::edge_local(id, true).into_token_stream(),
+            Read::Falling(id) => names::edge_local(id, false).into_token_stream(),
+            Read::Delay(id) => {
+                let field = names::delay_field(id);
+                quote!(self.#field.output())
+            }
             Read::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
-            // The gate in front of codegen refuses what is not compiled yet.
-            _ => TokenStream::new(),
+        }
+    }
+
+    /// `t/Step`: active for at least `t`.
+    pub(super) fn elapsed(&self, time: TimeRef, step: StepId, moment: Moment) -> TokenStream {
+        let (active, since, time) = (self.is_active(step, moment), self.since(step, moment), self.time(time));
+        quote!((#active && #since >= #time))
+    }
+
+    /// A time in ticks.
+    pub(super) fn time(&self, time: TimeRef) -> TokenStream {
+        let p = &self.p;
+        match time {
+            TimeRef::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
+            TimeRef::Param(id) => {
+                let name = &self.model.params[id].name;
+                quote!(self.params.#name)
+            }
+            TimeRef::Var(id) => {
+                let field = names::var_field(self.model, id);
+                quote!(self.#field)
+            }
         }
     }
 
     /// Whether a step is active at a moment of the cycle.
     pub(super) fn is_active(&self, step: StepId, moment: Moment) -> TokenStream {
         let region = self.plan.regions.of_step(step);
-        let state = match moment {
-            Moment::Condition | Moment::Stored => names::before(region, self.plan),
-            Moment::Action | Moment::Stable => names::after(region, self.plan),
-            Moment::Start => return quote!(false),
-        };
         let variant = self.variant(step);
+        if moment == Moment::Start {
+            return quote!(false);
+        }
+        let state = self.state_at(region, moment);
+        let starts = self.plan.initial.contains(&step);
+        if moment == Moment::Sample && starts && self.has_start_variant(region) {
+            let start = self.start();
+            return quote!((#state == #variant || #state == #start));
+        }
         quote!((#state == #variant))
+    }
+
+    /// Whether any step of a macro-step's expansion is active (A20).
+    pub(super) fn macro_active(&self, id: MacroId, moment: Moment) -> TokenStream {
+        if moment == Moment::Start {
+            return quote!(false);
+        }
+        let steps = &self.model.macros[id].steps;
+        let active = steps.iter().map(|step| self.is_active(*step, moment));
+        if steps.is_empty() { quote!(false) } else { quote!((#(#active)||*)) }
+    }
+
+    /// The local with the state of a region at a moment.
+    fn state_at(&self, region: RegionId, moment: Moment) -> Ident {
+        if moment.is_before() { names::before(region, self.plan) } else { names::after(region, self.plan) }
+    }
+
+    /// The time of a step (A34): zero when it is not active, what it had reached where it has just been left.
+    fn since(&self, step: StepId, moment: Moment) -> TokenStream {
+        let p = &self.p;
+        let region = self.plan.regions.of_step(step);
+        let (variant, since) = (self.variant(step), names::step_time(region, self.plan));
+        let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+        let reached = names::step_time_before(region, self.plan);
+        match moment {
+            Moment::Start => quote!(#p::Ticks::ZERO),
+            Moment::Sample | Moment::Condition | Moment::Stored => {
+                quote!((if #before == #variant { self.#since } else { #p::Ticks::ZERO }))
+            }
+            Moment::Stable => quote!((if #after == #variant { self.#since } else { #p::Ticks::ZERO })),
+            Moment::Leaving => quote!((if #before == #variant { #reached } else { #p::Ticks::ZERO })),
+            Moment::Action => quote! {
+                (if #after == #variant { self.#since } else if #before == #variant { #reached } else { #p::Ticks::ZERO })
+            },
+        }
     }
 
     /// `__MotorState::Off`

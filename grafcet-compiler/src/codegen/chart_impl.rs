@@ -1,4 +1,4 @@
-//! The methods of a chart, and its implementation of the trait `Chart`.
+//! The methods of a chart, its situation, and its implementation of the trait `Chart`.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -6,29 +6,24 @@ use quote::quote;
 use super::state::step_name;
 use super::{Cx, names};
 use crate::model::StepId;
-use crate::plan::RegionId;
 
-/// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_stable`.
+/// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_stable`, `next_deadline`.
 pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
-    let (vis, chart, inputs, outputs, step) = (&model.vis, &names.chart, &names.inputs, &names.outputs, &names.step);
-    let body = cx.cycle_body();
-    let (capacity, pushes) = active_steps(cx);
+    let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
+    let (cycle, init) = (cycle(cx), init(cx));
+    let (capacity, active_steps) = active_steps(cx);
     let is_active = is_active(cx);
-    let (situation_type, situation) = situation(cx);
-    let stable = is_stable(cx);
+    let (situation_type, situation) = (situation_type(cx), situation(cx));
+    let (stable, deadline) = (is_stable(cx), cx.deadline());
+    let ticks = ticks(cx);
+    let situation_struct = situation_struct(cx);
     quote! {
-        impl #chart {
-            /// One cycle: evaluates the transition conditions on `inputs`, clears, and returns the outputs of the new
-            /// situation.
-            #vis fn cycle(&mut self, inputs: &#inputs) -> #outputs {
-                #body
-            }
+        #situation_struct
 
-            /// Back to the initial situation (the classic *Init*), stored outputs reset; the next cycle is a first one.
-            #vis fn init(&mut self) {
-                *self = Self::new();
-            }
+        impl #chart {
+            #cycle
+            #init
 
             /// Whether `step` is active.
             #[must_use]
@@ -39,7 +34,7 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
             /// The active steps, in the order of their declaration; the capacity is the most that can be active.
             #[must_use]
             #vis fn active_steps(&self) -> #p::heapless::Vec<#step, #capacity> {
-                #pushes
+                #active_steps
             }
 
             /// The situation: which steps are active.
@@ -49,8 +44,58 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
             }
 
             #stable
+            #deadline
+            #ticks
         }
     }
+}
+
+fn cycle(cx: &Cx<'_>) -> TokenStream {
+    let Cx { model, p, names, .. } = cx;
+    let (vis, inputs, outputs) = (&model.vis, &names.inputs, &names.outputs);
+    let body = cx.cycle_body();
+    let time = cx.plan.memory.time;
+    let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
+    let ticks = time.then(|| quote!(let now: #p::Ticks = #p::core::convert::Into::into(now);));
+    let actions = (!model.actions.is_empty()).then(|| {
+        let actions = &names.actions;
+        quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized))
+    });
+    quote! {
+        /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+        /// situation.
+        #vis fn cycle(&mut self, inputs: &#inputs #now #actions) -> #outputs {
+            #ticks
+            #body
+        }
+    }
+}
+
+fn init(cx: &Cx<'_>) -> TokenStream {
+    let vis = &cx.model.vis;
+    let new = if cx.model.params.is_empty() { quote!(Self::new()) } else { quote!(Self::with_params(self.params)) };
+    quote! {
+        /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
+        /// first one.
+        #vis fn init(&mut self) {
+            *self = #new;
+        }
+    }
+}
+
+/// `Motor::ticks(Duration)`
+fn ticks(cx: &Cx<'_>) -> Option<TokenStream> {
+    let (vis, p) = (&cx.model.vis, &cx.p);
+    let unit = Literal::u64_unsuffixed(cx.model.clock_nanos);
+    cx.plan.memory.time.then(|| {
+        quote! {
+            /// A duration in the chart's clock unit, rounded up.
+            #[must_use]
+            #vis const fn ticks(duration: #p::core::time::Duration) -> #p::Ticks {
+                #p::Ticks::from_duration(duration, #unit)
+            }
+        }
+    })
 }
 
 /// The uniform form for generic code.
@@ -61,7 +106,19 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
     let name = model.name.to_string();
     let steps = model.steps.ids().map(|id| step_name(cx, id));
     let transitions = model.transitions.ids().map(|id| cx.names.transition_variant(id));
-    let situation = situation(cx).0;
+    let situation = situation_type(cx);
+    let has_actions = !model.actions.is_empty();
+    let actions = if has_actions {
+        let actions = &names.actions;
+        quote!(dyn #actions + 'a)
+    } else {
+        quote!(())
+    };
+    let (now, now_name) = match cx.plan.memory.time {
+        true => (Some(quote!(, now)), quote!(now)),
+        false => (None, quote!(_now)),
+    };
+    let (pass, actions_name) = if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
     quote! {
         impl #p::Chart for #chart {
             type Inputs = #inputs;
@@ -69,14 +126,14 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
             type Step = #step;
             type Transition = #transition;
             type Situation = #situation;
-            type Actions<'a> = ();
+            type Actions<'a> = #actions;
 
             const NAME: &'static #p::str = #name;
             const STEPS: &'static [#step] = &[#(#steps),*];
             const TRANSITIONS: &'static [#transition] = &[#(#transition::#transitions),*];
 
-            fn scan(&mut self, inputs: &#inputs, _now: #p::Ticks, _actions: &mut ()) -> #outputs {
-                self.cycle(inputs)
+            fn scan(&mut self, inputs: &#inputs, #now_name: #p::Ticks, #actions_name: &mut Self::Actions<'_>) -> #outputs {
+                self.cycle(inputs #now #pass)
             }
 
             fn init(&mut self) {
@@ -96,22 +153,18 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
 
 /// The capacity of `active_steps` and the body that fills it.
 fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
-    let regions = cx.plan.regions.all();
-    let capacity = Literal::usize_unsuffixed(regions.len().max(1));
+    let capacity = Literal::usize_unsuffixed(cx.plan.regions.all().len().max(1));
     let p = &cx.p;
     let steps = names::local("steps");
     let pushes = if cx.plan.regions.is_single() {
         quote!(let _ = #steps.push(self.situation());)
     } else {
         // The order of declaration runs across the regions.
-        cx.model
-            .steps
-            .ids()
-            .map(|id| {
-                let (active, name) = (holds(cx, id), step_name(cx, id));
-                quote!(if #active { let _ = #steps.push(#name); })
-            })
-            .collect()
+        let push = |id| {
+            let (active, name) = (holds(cx, id), step_name(cx, id));
+            quote!(if #active { let _ = #steps.push(#name); })
+        };
+        cx.model.steps.ids().map(push).collect()
     };
     (capacity, quote!(let mut #steps = #p::heapless::Vec::new(); #pushes #steps))
 }
@@ -120,10 +173,9 @@ fn is_active(cx: &Cx<'_>) -> TokenStream {
     if cx.plan.regions.is_single() {
         return quote!(self.situation() == step);
     }
-    let step = &cx.names.step;
     let arms = cx.model.steps.ids().map(|id| {
-        let (name, active) = (&cx.model.steps[id].name, holds(cx, id));
-        quote!(#step::#name => #active,)
+        let (name, active) = (step_name(cx, id), holds(cx, id));
+        quote!(#name => #active,)
     });
     quote!(match step { #(#arms)* })
 }
@@ -132,28 +184,86 @@ fn is_active(cx: &Cx<'_>) -> TokenStream {
 fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let region = cx.plan.regions.of_step(step);
     let (field, variant) = (names::region_field(region, cx.plan), cx.variant(step));
-    let starting = (cx.has_start_variant(region) && cx.plan.regions.all()[region].initial == Some(step)).then(|| {
+    let starting = (cx.has_start_variant(region) && cx.plan.initial.contains(&step)).then(|| {
         let start = cx.start();
         quote!(|| self.#field == #start)
     });
     quote!((self.#field == #variant #starting))
 }
 
-/// The type of the situation and the expression that reads it.
-fn situation(cx: &Cx<'_>) -> (TokenStream, TokenStream) {
-    let step = &cx.names.step;
-    let region: RegionId = 0;
-    let field = names::region_field(region, cx.plan);
-    let arms = cx.plan.regions.all().iter().flat_map(|region| &region.steps).map(|id| {
+/// One step, where that is all a situation can be.
+fn situation_type(cx: &Cx<'_>) -> TokenStream {
+    let name = if cx.plan.regions.is_single() { &cx.names.step } else { &cx.names.situation };
+    quote!(#name)
+}
+
+fn situation(cx: &Cx<'_>) -> TokenStream {
+    let entered = |region| {
+        let field = names::region_field(region, cx.plan);
+        if cx.has_start_variant(region) {
+            let (start, initial) = (cx.start(), cx.initial(region));
+            quote!(match self.#field { #start => #initial, entered => entered })
+        } else {
+            quote!(self.#field)
+        }
+    };
+    if !cx.plan.regions.is_single() {
+        let name = &cx.names.situation;
+        let regions = (0..cx.plan.regions.all().len()).map(|region| {
+            let (field, state) = (names::region_field(region, cx.plan), entered(region));
+            quote!(#field: #state,)
+        });
+        return quote!(#name { #(#regions)* });
+    }
+    let field = names::region_field(0, cx.plan);
+    let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
         let (variant, name) = (cx.variant(*id), step_name(cx, *id));
-        let starting =
-            (cx.has_start_variant(region) && cx.plan.regions.all()[region].initial == Some(*id)).then(|| {
-                let start = cx.start();
-                quote!(| #start)
-            });
+        let starting = (cx.has_start_variant(0) && cx.plan.initial.contains(id)).then(|| {
+            let start = cx.start();
+            quote!(| #start)
+        });
         quote!(#variant #starting => #name,)
     });
-    (quote!(#step), quote!(match self.#field { #(#arms)* }))
+    quote!(match self.#field { #(#arms)* })
+}
+
+/// `MotorSituation`: the states of all regions.
+fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
+    if cx.plan.regions.is_single() {
+        return None;
+    }
+    let Cx { model, p, names, plan } = cx;
+    let (vis, name, step, chart) = (&model.vis, &names.situation, &names.step, &names.chart);
+    let fields = (0..plan.regions.all().len()).map(|region| {
+        let (field, ty) = (names::region_field(region, plan), cx.names.region(region, plan));
+        quote!(#field: #ty,)
+    });
+    let arms = model.steps.ids().map(|id| {
+        let region = plan.regions.of_step(id);
+        let (step, field, variant) = (step_name(cx, id), names::region_field(region, plan), cx.variant(id));
+        quote!(#step => self.#field == #variant,)
+    });
+    let doc = format!("A situation of [`{}`]: which steps are active.", model.name);
+    Some(quote! {
+        #[doc = #doc]
+        #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq)]
+        #vis struct #name { #(#fields)* }
+
+        impl #name {
+            /// Whether `step` is active in this situation.
+            #[must_use]
+            #vis fn is_active(&self, step: #step) -> #p::bool {
+                match step { #(#arms)* }
+            }
+        }
+
+        impl #p::core::fmt::Debug for #name {
+            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                let steps = <#chart as #p::Chart>::STEPS;
+                f.debug_set().entries(steps.iter().filter(|step| self.is_active(**step))).finish()
+            }
+        }
+    })
 }
 
 /// A30: whether the last search for stability came to an end.

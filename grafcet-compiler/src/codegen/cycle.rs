@@ -1,10 +1,11 @@
-//! The function `cycle` of each dialect.
+//! What the cycles of both dialects share: the situation before and after an evolution, and calls of actions.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::bind::Moment;
 use super::{Cx, names};
-use crate::model::Dialect;
+use crate::model::{ActionId, Dialect, Expr};
 
 impl Cx<'_> {
     /// The body of `cycle`.
@@ -15,58 +16,32 @@ impl Cx<'_> {
         }
     }
 
-    /// IEC 61131-3: exactly one evolution, then the actions.
-    fn sfc_cycle(&self) -> TokenStream {
-        let snapshot = self.snapshot();
-        let evolve = self.evolve();
-        let commit = self.commit();
-        let actions = self.sfc_actions();
-        let outputs = self.result();
-        quote!(#snapshot #evolve #commit #actions #outputs)
-    }
-
-    /// IEC 60848: evolutions until the situation is stable, then the continuous outputs.
-    fn grafcet_cycle(&self) -> TokenStream {
-        let snapshot = self.snapshot();
-        let evolve = self.evolve();
-        let commit = self.commit();
-        let stored = self.stored_actions();
-        let unchanged = self.unchanged();
-        let (declare, count) = self.bound();
-        let activation = self.activation();
-        let continuous = self.continuous_actions();
-        let outputs = self.result();
-        quote! {
-            #activation
-            #declare
-            loop {
-                #snapshot
-                #evolve
-                if #unchanged { break; }
-                #count
-                #commit
-                #stored
-            }
-            #continuous
-            #outputs
-        }
-    }
-
-    /// The situation before the evolution, and the one after it as far as nothing clears.
-    fn snapshot(&self) -> TokenStream {
+    /// The situation before the evolution.
+    pub(super) fn befores(&self) -> TokenStream {
         let regions = (0..self.plan.regions.all().len()).map(|region| {
-            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            let field = names::region_field(region, self.plan);
-            let again = self.plan.sees_reentry[region].then(|| {
-                let again = names::again(region, self.plan);
-                quote!(let mut #again = false;)
-            });
-            quote!(let #before = self.#field; let mut #after = #before; #again)
+            let (before, field) = (names::before(region, self.plan), names::region_field(region, self.plan));
+            quote!(let #before = self.#field;)
         });
         quote!(#(#regions)*)
     }
 
-    fn commit(&self) -> TokenStream {
+    /// The situation before the evolution, and the one after it as far as nothing clears.
+    pub(super) fn snapshot(&self) -> TokenStream {
+        let befores = self.befores();
+        let afters = (0..self.plan.regions.all().len()).map(|region| {
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            let declare = (!self.is_one_match()).then(|| quote!(let mut #after = #before;));
+            let again = self.plan.sees_reentry[region].then(|| {
+                let again = names::again(region, self.plan);
+                quote!(let mut #again = false;)
+            });
+            quote!(#declare #again)
+        });
+        quote!(#befores #(#afters)*)
+    }
+
+    /// The situation after the evolution becomes the chart's.
+    pub(super) fn commit(&self) -> TokenStream {
         let regions = (0..self.plan.regions.all().len()).map(|region| {
             let (field, after) = (names::region_field(region, self.plan), names::after(region, self.plan));
             quote!(self.#field = #after;)
@@ -74,48 +49,10 @@ impl Cx<'_> {
         quote!(#(#regions)*)
     }
 
-    /// A25: the situation is a fixed point.
-    fn unchanged(&self) -> TokenStream {
-        let same = (0..self.plan.regions.all().len()).map(|region| {
-            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            quote!(#after == #before)
-        });
-        quote!(#(#same)&&*)
-    }
-
-    /// A30: the end of a search that does not become stable.
-    fn bound(&self) -> (TokenStream, TokenStream) {
-        if !self.plan.may_be_unstable {
-            return (TokenStream::new(), TokenStream::new());
-        }
-        let limit = Literal::u32_unsuffixed(self.plan.max_evolutions);
-        let (left, p) = (names::local("evolutions_left"), &self.p);
-        let declare = quote! {
-            let mut #left: #p::u32 = #limit;
-            self.stable = true;
-        };
-        let count = quote! {
-            if #left == 0 {
-                self.stable = false;
-                break;
-            }
-            #left -= 1;
-        };
-        (declare, count)
-    }
-
-    /// A37: the activation of the initial situation is an evolution of its own.
-    fn activation(&self) -> TokenStream {
-        if !self.plan.has_start {
-            return TokenStream::new();
-        }
-        let (field, start, initial) = (names::region_field(0, self.plan), self.start(), self.initial(0));
-        let stored = self.initial_stored_actions();
-        quote! {
-            if self.#field == #start {
-                self.#field = #initial;
-                #stored
-            }
-        }
+    /// A call of a code action.
+    pub(super) fn call(&self, action: ActionId, phase: &TokenStream, args: &[Expr], moment: Moment) -> TokenStream {
+        let (name, p) = (&self.model.actions[action].name, &self.p);
+        let args = args.iter().map(|arg| self.value(arg, moment));
+        quote!(actions.#name(#p::Phase::#phase, #(#args),*);)
     }
 }

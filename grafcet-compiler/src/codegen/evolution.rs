@@ -5,14 +5,102 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::{Cx, names};
-use crate::model::{Id, StepId, Transition, TransitionId, Tree};
+use crate::model::{Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
 
 impl Cx<'_> {
     /// Statements that change the `after` of every region by the transitions that clear.
     pub(super) fn evolve(&self) -> TokenStream {
-        let regions = (0..self.plan.regions.all().len()).map(|region| self.evolve_region(region));
-        quote!(#(#regions)*)
+        let declare = self.plan.evolution.entered_last.iter().map(|step| {
+            let enter = names::enter_local(*step);
+            quote!(let mut #enter = false;)
+        });
+        let partials = self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial));
+        quote!(#(#declare)* #(#partials)*)
+    }
+
+    /// A partial grafcet, unless a forcing order or its enclosing step decides about it.
+    fn evolve_partial(&self, partial: PartialId) -> TokenStream {
+        if self.is_one_match() {
+            return self.one_match();
+        }
+        let contests = self.plan.evolution.contests.iter().map(|contest| self.contest(contest));
+        let regions: Vec<_> = self.plan.regions.of_partial(partial).collect();
+        let transitions = regions.iter().map(|region| self.evolve_region(*region));
+        let sources = self.source_transitions(partial);
+        let late = self.enter_late(partial);
+        let evolve = quote!(#(#contests)* #(#transitions)* #sources #late);
+        if self.model.is_grafcet() {
+            return self.under_masters(partial, &evolve);
+        }
+        // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
+        if regions.len() == 1 {
+            return evolve;
+        }
+        let (before, start) = (names::before(0, self.plan), self.start());
+        let enter = regions.iter().map(|region| {
+            let (after, initial) = (names::after(*region, self.plan), self.initial(*region));
+            let again = self.plan.sees_reentry[*region].then(|| {
+                let again = names::again(*region, self.plan);
+                quote!(#again = true;)
+            });
+            quote!(#after = #initial; #again)
+        });
+        quote!(if #before == #start { #(#enter)* } else { #evolve })
+    }
+
+    /// Whether the evolution is one `match` from a step to the next: one region, nothing above it, each transition from
+    /// one step to one.
+    pub(super) fn is_one_match(&self) -> bool {
+        self.plan.regions.is_single()
+            && self.model.partials.len() == 1
+            && self.plan.evolution.entered_last.is_empty()
+            && self.model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1)
+    }
+
+    /// `let after = match before { Off => if … { On } else { Off }, … };`
+    ///
+    /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
+    fn one_match(&self) -> TokenStream {
+        let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
+        let arms = self.plan.regions.all()[0].steps.iter().map(|step| {
+            let (variant, next) = (self.variant(*step), self.next_step(*step));
+            quote!(#variant => #next,)
+        });
+        let start = self.has_start_variant(0).then(|| {
+            let (start, initial) = (self.start(), self.initial(0));
+            quote!(#start => #initial,)
+        });
+        quote!(let #after = match #before { #(#arms)* #start };)
+    }
+
+    /// `{ if … { On } else { Off } }`
+    fn next_step(&self, step: StepId) -> TokenStream {
+        let mut chain = TokenStream::new();
+        for id in &self.plan.evolution.owned[step.index()] {
+            let transition = &self.model.transitions[*id];
+            let clear = self.clear_to(*id);
+            match self.enabled(transition) {
+                Some(condition) => chain.extend(quote!(if #condition { #clear } else)),
+                None if chain.is_empty() => return quote!({ #clear }),
+                // Always fireable: nothing behind it in the chain can clear.
+                None => return quote!({ #chain { #clear } }),
+            }
+        }
+        let variant = self.variant(step);
+        if chain.is_empty() { variant } else { quote!({ #chain { #variant } }) }
+    }
+
+    /// What clearing does beside the situation, and the step it leads to.
+    fn clear_to(&self, id: TransitionId) -> TokenStream {
+        let transition = &self.model.transitions[id];
+        let actions = self.clearing_actions(id);
+        let again = (self.plan.sees_reentry[0] && transition.sources == transition.targets).then(|| {
+            let again = names::again(0, self.plan);
+            quote!(#again = true;)
+        });
+        let target = transition.targets.iter().map(|step| self.variant(*step));
+        quote!(#actions #again #(#target)*)
     }
 
     /// The transitions out of the steps of one region.
@@ -20,60 +108,108 @@ impl Cx<'_> {
         let before = names::before(region, self.plan);
         let steps = &self.plan.regions.all()[region].steps;
         let arms: Vec<_> = steps.iter().filter_map(|step| self.leave_step(*step)).collect();
-        let start = self.has_start_variant(region).then(|| {
+        let alone = !self.model.is_grafcet() && self.plan.regions.all().len() == 1;
+        let start = (alone && self.has_start_variant(region)).then(|| {
             let (start, initial, after) = (self.start(), self.initial(region), names::after(region, self.plan));
             quote!(#start => #after = #initial,)
         });
-        if arms.is_empty() && start.is_none() {
+        let covered = arms.len() + usize::from(start.is_some());
+        if covered == 0 {
             return TokenStream::new();
         }
-        let covered = arms.len() + usize::from(start.is_some());
-        let all = steps.len()
-            + usize::from(self.plan.regions.all()[region].may_be_empty)
-            + usize::from(self.has_start_variant(region));
-        let rest = (covered < all).then(|| quote!(_ => {}));
+        let rest = (covered < self.states(region)).then(|| quote!(_ => {}));
         quote!(match #before { #(#arms)* #start #rest })
     }
 
-    /// `Off => if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude
-    /// each other.
+    /// The transitions that are looked at when a step is active.
     fn leave_step(&self, step: StepId) -> Option<TokenStream> {
-        let leaving: Vec<TransitionId> = self.plan.leaving[step.index()].clone();
+        let leaving = &self.plan.evolution.owned[step.index()];
         if leaving.is_empty() {
             return None;
         }
         let variant = self.variant(step);
+        let body = if self.plan.evolution.exclusive[step.index()] {
+            self.first_of(leaving)
+        } else {
+            // IEC 60848 rule 4: all that can clear do so together.
+            let all = leaving.iter().map(|id| self.if_enabled(*id, &self.clear(*id)));
+            quote!(#(#all)*)
+        };
+        Some(quote!(#variant => { #body }))
+    }
+
+    /// `if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude each
+    /// other.
+    fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
         let mut chain = TokenStream::new();
         for (i, id) in leaving.iter().enumerate() {
-            let transition = &self.model.transitions[*id];
-            let clear = self.clear(transition);
-            if transition.condition.tree == Tree::Bool(true) {
+            let clear = self.clear(*id);
+            let Some(condition) = self.enabled(&self.model.transitions[*id]) else {
                 // Always fireable: nothing behind it in the chain can clear.
                 chain.extend(if i == 0 { clear } else { quote!({ #clear }) });
-                return Some(quote!(#variant => { #chain }));
-            }
-            let condition = self.value(&transition.condition, Moment::Condition);
+                return chain;
+            };
             chain.extend(quote!(if #condition { #clear }));
             if i + 1 < leaving.len() {
                 chain.extend(quote!(else));
             }
         }
-        Some(quote!(#variant => { #chain }))
+        chain
     }
 
-    /// The effect of clearing a transition on the situation.
-    fn clear(&self, transition: &Transition) -> TokenStream {
-        let mut tokens = TokenStream::new();
+    /// The condition of a transition whose first source step is active, with the other sources; `None` is "always".
+    fn enabled(&self, transition: &Transition) -> Option<TokenStream> {
+        let others = transition.sources.iter().skip(1).map(|step| self.is_active(*step, Moment::Condition));
+        let condition = (transition.condition.tree != Tree::Bool(true))
+            .then(|| self.value(&transition.condition, Moment::Condition));
+        let terms: Vec<_> = others.chain(condition).collect();
+        (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
+    }
+
+    fn if_enabled(&self, id: TransitionId, then: &TokenStream) -> TokenStream {
+        match self.enabled(&self.model.transitions[id]) {
+            Some(condition) => quote!(if #condition { #then }),
+            None => quote!({ #then }),
+        }
+    }
+
+    /// A28: transitions that compete for the sources of an AND-convergence, by priority.
+    fn contest(&self, contest: &[TransitionId]) -> TokenStream {
+        let mut sources: Vec<StepId> = contest.iter().flat_map(|id| &self.model.transitions[*id].sources).copied().collect();
+        sources.sort_unstable();
+        sources.dedup();
+        let declare = sources.iter().map(|step| names::left_local(*step)).map(|left| quote!(let mut #left = false;));
+        let transitions = contest.iter().map(|id| {
+            let transition = &self.model.transitions[*id];
+            let active = transition.sources.iter().map(|step| self.is_active(*step, Moment::Condition));
+            let left: Vec<_> = transition.sources.iter().map(|step| names::left_local(*step)).collect();
+            let condition = self.value(&transition.condition, Moment::Condition);
+            let clear = self.clear(*id);
+            quote!(if #(#active &&)* #(!#left &&)* #condition { #(#left = true;)* #clear })
+        });
+        quote!(#(#declare)* #(#transitions)*)
+    }
+
+    /// Transitions without a source step are enabled always, in an enclosure while its step is active (A17).
+    fn source_transitions(&self, partial: PartialId) -> TokenStream {
+        let sources = self.model.partials[partial].transitions.iter();
+        let sources = sources.filter(|id| self.model.transitions[**id].sources.is_empty());
+        sources.map(|id| self.if_enabled(*id, &self.clear(*id))).collect()
+    }
+
+    /// The effect of clearing a transition: on the situation, and the actions on clearing.
+    fn clear(&self, id: TransitionId) -> TokenStream {
+        let transition = &self.model.transitions[id];
+        let mut tokens = self.clearing_actions(id);
         for source in &transition.sources {
-            let region = self.plan.regions.of_step(*source);
-            if !transition.targets.iter().any(|target| self.plan.regions.of_step(*target) == region) {
-                let (after, empty) = (names::after(region, self.plan), self.empty(region));
-                tokens.extend(quote!(#after = #empty;));
-            }
+            tokens.extend(self.leave(*source, transition));
         }
         for target in &transition.targets {
             let region = self.plan.regions.of_step(*target);
-            if transition.sources.contains(target) {
+            if self.plan.evolution.entered_last.contains(target) {
+                let enter = names::enter_local(*target);
+                tokens.extend(quote!(#enter = true;));
+            } else if transition.sources.contains(target) {
                 if self.plan.sees_reentry[region] {
                     let again = names::again(region, self.plan);
                     tokens.extend(quote!(#again = true;));
@@ -84,5 +220,40 @@ impl Cx<'_> {
             }
         }
         tokens
+    }
+
+    /// Takes a source step away, unless a target takes its place in the region anyway.
+    fn leave(&self, source: StepId, transition: &Transition) -> TokenStream {
+        let region = self.plan.regions.of_step(source);
+        let late = |step: &StepId| self.plan.evolution.entered_last.contains(step);
+        let replaced = transition.targets.iter().any(|t| self.plan.regions.of_step(*t) == region && !late(t));
+        let must_leave = transition.targets.contains(&source) && late(&source);
+        if replaced || !must_leave && transition.targets.contains(&source) {
+            return TokenStream::new();
+        }
+        let (after, empty, variant) = (names::after(region, self.plan), self.empty(region), self.variant(source));
+        if self.plan.evolution.exclusive[source.index()] {
+            quote!(#after = #empty;)
+        } else {
+            // Another transition out of the step may have cleared already.
+            quote!(if #after == #variant { #after = #empty; })
+        }
+    }
+
+    /// Steps that one transition takes away and another one gives back: activation wins (rule 5).
+    fn enter_late(&self, partial: PartialId) -> TokenStream {
+        let late = self.plan.evolution.entered_last.iter().filter(|step| self.model.steps[**step].partial == partial);
+        late.map(|step| {
+            let region = self.plan.regions.of_step(*step);
+            let (enter, variant) = (names::enter_local(*step), self.variant(*step));
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            let again = self.plan.sees_reentry[region].then(|| {
+                let again = names::again(region, self.plan);
+                // A step that was active and not left is not activated anew.
+                quote!(if #before == #variant && #after != #variant { #again = true; })
+            });
+            quote!(if #enter { #again #after = #variant; })
+        })
+        .collect()
     }
 }

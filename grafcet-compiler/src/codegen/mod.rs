@@ -1,13 +1,22 @@
 //! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
 
-mod actions;
 mod bind;
 mod chart_impl;
+mod control;
 mod cycle;
+mod deadline;
 mod evolution;
+mod grafcet;
+mod hierarchy;
 mod names;
+mod outputs;
+mod recipe;
+mod segments;
+mod sfc;
 mod state;
+mod stored;
 mod stub;
+mod time;
 mod types;
 
 use proc_macro2::TokenStream;
@@ -31,8 +40,9 @@ struct Cx<'m> {
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
     let cx = Cx { model, plan, names: Names::of(model), p: quote!(#root::__private) };
     let types = types::all(&cx);
+    let recipe = recipe::all(&cx);
     let state = state::all(&cx);
     let chart = chart_impl::inherent(&cx);
     let uniform = chart_impl::uniform(&cx);
-    quote!(#types #state #chart #uniform)
+    quote!(#types #recipe #state #chart #uniform)
 }

@@ -1,10 +1,12 @@
 //! Every name in the generated code.
 
-use proc_macro2::{Ident, Span};
-use quote::format_ident;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
 
-use crate::model::{Id, Model, OutputId, StepId, Transition, TransitionId, VarId};
-use crate::plan::{Plan, RegionId};
+use crate::model::{
+    ActionId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId, Transition, TransitionId, VarId,
+};
+use crate::plan::{Plan, RegionId, Target};
 
 /// The names of one chart's items.
 pub(super) struct Names {
@@ -20,6 +22,10 @@ pub(super) struct Names {
     pub(super) transition: Ident,
     /// `MotorSituation`, where the situation is more than one step.
     pub(super) situation: Ident,
+    /// `MotorParams`
+    pub(super) params: Ident,
+    /// `MotorActions`
+    pub(super) actions: Ident,
     /// The variant of a region's state for "none of its steps is active".
     pub(super) empty: Ident,
     /// The variant of the first region's state for "the first cycle is still to come".
@@ -38,6 +44,8 @@ impl Names {
             step: with("Step"),
             transition: with("Transition"),
             situation: with("Situation"),
+            params: with("Params"),
+            actions: with("Actions"),
             empty: fresh(model, "NONE"),
             start: local("INIT"),
             transitions: transitions(model),
@@ -97,9 +105,10 @@ pub(super) fn var_field(model: &Model, var: VarId) -> Ident {
     prefixed("var_", &model.vars[var].name)
 }
 
-/// The local that collects the value of an output in this cycle.
-pub(super) fn output_local(model: &Model, output: OutputId) -> Ident {
-    prefixed("new_", &model.outputs[output].name)
+/// The field of the outputs to be returned.
+pub(super) fn output_local(model: &Model, output: OutputId) -> TokenStream {
+    let name = &model.outputs[output].name;
+    quote!(outputs.#name)
 }
 
 /// The local with the value of an output before the actions of this cycle.
@@ -110,6 +119,119 @@ pub(super) fn output_last(model: &Model, output: OutputId) -> Ident {
 /// The local that says that an active step resets a target in this cycle.
 pub(super) fn output_reset(model: &Model, output: OutputId) -> Ident {
     prefixed("reset_", &model.outputs[output].name)
+}
+
+/// The field that counts the time of a region's active step.
+pub(super) fn step_time(region: RegionId, plan: &Plan) -> Ident {
+    numbered("since", "since", region, plan)
+}
+
+/// The time of the step that was active before the evolution.
+pub(super) fn step_time_before(region: RegionId, plan: &Plan) -> Ident {
+    numbered("since_before", "since_before", region, plan)
+}
+
+/// The field that counts the time of a macro-step.
+pub(super) fn macro_time(id: MacroId) -> Ident {
+    local(&format!("macro_since_{}", id.index()))
+}
+
+/// The field that remembers the expression of an edge.
+pub(super) fn edge_field(id: EdgeId) -> Ident {
+    local(&format!("edge_{}", id.index()))
+}
+
+/// The local that keeps what an edge compares with.
+pub(super) fn edge_kept(id: EdgeId) -> Ident {
+    local(&format!("edge_before_{}", id.index()))
+}
+
+/// The local that holds whether an edge is there, rising or falling.
+pub(super) fn edge_local(id: EdgeId, rising: bool) -> Ident {
+    local(&format!("{}_now_{}", if rising { "rising" } else { "falling" }, id.index()))
+}
+
+/// The field of a delay.
+pub(super) fn delay_field(id: DelayId) -> Ident {
+    local(&format!("delay_{}", id.index()))
+}
+
+/// The local that says that a step which is both left and kept shall be active.
+pub(super) fn enter_local(step: StepId) -> Ident {
+    local(&format!("enter_{}", step.index()))
+}
+
+/// The local that says that a step has been left by a transition of higher priority.
+pub(super) fn left_local(step: StepId) -> Ident {
+    local(&format!("left_{}", step.index()))
+}
+
+/// The local that collects the value of a stored place during an evolution.
+pub(super) fn collected(model: &Model, place: Place) -> Ident {
+    prefixed("next_", model.place_name(place))
+}
+
+/// The local with the value of a combinational variable.
+pub(super) fn combinational(model: &Model, var: VarId) -> Ident {
+    prefixed("is_", &model.vars[var].name)
+}
+
+/// The field of a place.
+pub(super) fn place_field(model: &Model, place: Place) -> Ident {
+    match place {
+        Place::Output(id) => output_field(model, id),
+        Place::Var(id) => var_field(model, id),
+    }
+}
+
+/// The field that says whether an action was called continuously in the cycle before.
+pub(super) fn called(model: &Model, action: ActionId) -> Ident {
+    prefixed("called_", &model.actions[action].name)
+}
+
+/// The field that remembers which association called an action last.
+pub(super) fn called_number(model: &Model, action: ActionId) -> Ident {
+    prefixed("association_", &model.actions[action].name)
+}
+
+/// The local that says that a call on an event or a clearing is due.
+pub(super) fn due(kind: &str, index: usize) -> Ident {
+    local(&format!("due_{kind}_{index}"))
+}
+
+/// Names that belong to a target of the action control: `set_heat`, `pulse_heat`.
+pub(super) fn target(prefix: &str, model: &Model, index: usize, target: &Target) -> Ident {
+    let first = target.associations.first().map(|id| &model.associations[*id].effect);
+    match first {
+        Some(Effect::Control(place)) => prefixed(&format!("{prefix}_"), model.place_name(*place)),
+        Some(Effect::Call(action, _)) => prefixed(&format!("{prefix}_"), &model.actions[*action].name),
+        Some(Effect::Assign(place, _)) => prefixed(&format!("{prefix}_{index}_"), model.place_name(*place)),
+        _ => local(&format!("{prefix}_{index}")),
+    }
+}
+
+/// The prefix of a target's flag for a qualifier.
+pub(super) fn flag(qualifier: Qualifier) -> &'static str {
+    match qualifier {
+        Qualifier::N => "flag_n",
+        Qualifier::S => "flag_s",
+        Qualifier::R => "flag_r",
+        Qualifier::L => "flag_l",
+        Qualifier::D => "flag_d",
+        Qualifier::P => "flag_p",
+        Qualifier::P1 => "flag_p1",
+        Qualifier::P0 => "flag_p0",
+        Qualifier::Sd => "flag_sd",
+        Qualifier::Ds => "flag_ds",
+        Qualifier::Sl => "flag_sl",
+        Qualifier::On => "flag_on",
+    }
+}
+
+/// The number of an association among those of its target, as it is remembered.
+pub(super) fn association_number(target: &Target, id: AssociationId) -> u8 {
+    let position = target.associations.iter().position(|other| *other == id).unwrap_or_default();
+    u8::try_from(position).unwrap_or(u8::MAX)
 }
 
 /// A step as a variant of a private enum.

@@ -1,10 +1,11 @@
-//! The chart's struct, the private enums of its regions, and the public situation.
+//! The chart's struct and the private enums of its regions.
 
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 
 use super::{Cx, names, types};
-use crate::plan::RegionId;
+use crate::model::{Place, Qualifier, Ty};
+use crate::plan::{RegionId, Target, What};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let regions: TokenStream = (0..cx.plan.regions.all().len()).map(|region| region_enum(cx, region)).collect();
@@ -32,6 +33,13 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     }
 }
 
+/// A field of the chart's struct.
+struct Field {
+    name: Ident,
+    ty: TokenStream,
+    initial: TokenStream,
+}
+
 impl Cx<'_> {
     /// The first region's state also says that the first cycle is still to come.
     pub(super) fn has_start_variant(&self, region: RegionId) -> bool {
@@ -52,54 +60,160 @@ impl Cx<'_> {
         }
     }
 
-    /// The state of a region in a new chart.
-    fn new_state(&self, region: RegionId) -> TokenStream {
-        if self.has_start_variant(region) { self.start() } else { self.initial(region) }
+    fn fields(&self) -> Vec<Field> {
+        let mut fields = self.region_fields();
+        fields.extend(self.place_fields());
+        fields.extend(self.time_fields());
+        fields.extend(self.control_fields());
+        fields.extend(self.call_fields());
+        if self.plan.may_be_unstable {
+            fields.push(self.flag("stable", true));
+        }
+        fields
     }
 
-    /// The remembered outputs with their types and initial values.
-    fn output_fields(&self) -> impl Iterator<Item = (proc_macro2::Ident, TokenStream, TokenStream)> {
-        let mut outputs: Vec<_> = self.plan.stored.iter().chain(&self.plan.last).copied().collect();
+    fn flag(&self, name: &str, initial: bool) -> Field {
+        let p = &self.p;
+        Field { name: names::local(name), ty: quote!(#p::bool), initial: quote!(#initial) }
+    }
+
+    fn region_fields(&self) -> Vec<Field> {
+        let one = |region| Field {
+            name: names::region_field(region, self.plan),
+            ty: { let name = self.names.region(region, self.plan); quote!(#name) },
+            initial: if self.has_start_variant(region) { self.start() } else { self.initial(region) },
+        };
+        (0..self.plan.regions.all().len()).map(one).collect()
+    }
+
+    /// Remembered outputs, variables and the values that edges compare with.
+    fn place_fields(&self) -> Vec<Field> {
+        let mut outputs: Vec<_> = self.plan.memory.stored.iter().chain(&self.plan.memory.last).copied().collect();
         outputs.sort_unstable();
-        outputs.into_iter().map(|id| {
-            let ty = types::rust_type(&self.model.outputs[id].ty, &self.p);
-            (names::output_field(self.model, id), ty, types::initial_output(self.model, id, &self.p))
-        })
+        let mut fields: Vec<_> = outputs
+            .into_iter()
+            .map(|id| Field {
+                name: names::output_field(self.model, id),
+                ty: types::rust_type(&self.model.outputs[id].ty, &self.p),
+                initial: types::initial_output(self.model, id, &self.p),
+            })
+            .collect();
+        fields.extend(self.plan.memory.vars.iter().map(|id| {
+            let var = &self.model.vars[*id];
+            Field {
+                name: names::var_field(self.model, *id),
+                ty: types::rust_type(&var.ty, &self.p),
+                initial: types::initial_value(var.init.as_ref(), &var.ty, &self.p),
+            }
+        }));
+        fields.extend(self.plan.memory.edges.iter().map(|(id, ..)| self.flag(&names::edge_field(*id).to_string(), false)));
+        fields
+    }
+
+    fn time_fields(&self) -> Vec<Field> {
+        if !self.plan.memory.time {
+            return Vec::new();
+        }
+        let p = &self.p;
+        let ticks = |name| Field { name, ty: quote!(#p::Ticks), initial: quote!(#p::Ticks::ZERO) };
+        let mut fields = vec![ticks(names::local("now")), self.flag("settled", false)];
+        fields.extend(self.timed_regions().map(|region| ticks(names::step_time(region, self.plan))));
+        fields.extend(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
+        fields.extend(self.model.delays.ids().map(|id| Field {
+            name: names::delay_field(id),
+            ty: quote!(#p::Delay),
+            initial: quote!(#p::Delay::new()),
+        }));
+        fields
+    }
+
+    /// The flip-flops, timers and memories of the action control, as far as a target needs them.
+    fn control_fields(&self) -> Vec<Field> {
+        let targets = self.plan.control.targets.iter().enumerate();
+        targets.flat_map(|(index, target)| self.target_fields(index, target)).collect()
+    }
+
+    fn target_fields(&self, index: usize, target: &Target) -> Vec<Field> {
+        let p = &self.p;
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let mut fields = Vec::new();
+        for qualifier in [Qualifier::S, Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl] {
+            if !target.has(self.model, qualifier) {
+                continue;
+            }
+            let flag = names::flag(qualifier);
+            if !matches!(qualifier, Qualifier::L | Qualifier::D) {
+                let initial = qualifier == Qualifier::S && self.starts_set(target);
+                fields.push(self.flag(&name(&format!("memory_{flag}")).to_string(), initial));
+            }
+            if qualifier != Qualifier::S {
+                let (ty, initial) = (quote!(#p::OnDelay), quote!(#p::OnDelay::new()));
+                fields.push(Field { name: name(&format!("timer_{flag}")), ty, initial });
+            }
+            if target.remembers_time(self.model, qualifier) {
+                let (ty, initial) = (quote!(#p::Ticks), quote!(#p::Ticks::ZERO));
+                fields.push(Field { name: name(&format!("time_{flag}")), ty, initial });
+            }
+        }
+        if target.remembers_q {
+            fields.push(self.flag(&name("kept_q").to_string(), false));
+        }
+        if target.remembers_association {
+            fields.push(Field { name: name("association"), ty: quote!(#p::u8), initial: quote!(0) });
+        }
+        fields
+    }
+
+    /// A boolean that only S and R control starts with its initial value.
+    fn starts_set(&self, target: &Target) -> bool {
+        let only = target.associations.iter().all(|id| {
+            matches!(self.model.associations[*id].qualifier, Qualifier::S | Qualifier::R)
+        });
+        let init = match target.what {
+            What::Boolean(Place::Output(id)) => self.model.outputs[id].init.as_ref(),
+            What::Boolean(Place::Var(id)) => self.model.vars[id].init.as_ref(),
+            What::Runs => None,
+        };
+        only && init.is_some_and(|init| init.tree == crate::model::Tree::Bool(true))
+    }
+
+    /// `grafcet`: what the phase and the arguments of a continuous call follow from.
+    fn call_fields(&self) -> Vec<Field> {
+        let mut fields = Vec::new();
+        if !self.model.is_grafcet() {
+            return fields;
+        }
+        for action in self.model.actions.ids().filter(|id| !self.continuous_calls_of(*id).is_empty()) {
+            fields.push(self.flag(&names::called(self.model, action).to_string(), false));
+            if self.remembers_call(action) {
+                let (name, p) = (names::called_number(self.model, action), &self.p);
+                fields.push(Field { name, ty: quote!(#p::u8), initial: quote!(0) });
+            }
+        }
+        fields
     }
 }
 
 fn chart_struct(cx: &Cx<'_>) -> TokenStream {
-    let Cx { model, plan, p, .. } = cx;
+    let Cx { model, p, .. } = cx;
     let (vis, name) = (&model.vis, &model.name);
     let docs = types::docs(&model.attrs, &format!("The chart `{name}`."));
-    let regions: Vec<_> = (0..plan.regions.all().len()).collect();
-    let region_fields = regions.iter().map(|region| names::region_field(*region, plan));
-    let region_types = regions.iter().map(|region| cx.names.region(*region, plan));
-    let new_fields = regions.iter().map(|region| names::region_field(*region, plan));
-    let new_states = regions.iter().map(|region| cx.new_state(*region));
-    let (stored, stored_types, stored_values): (Vec<_>, Vec<_>, Vec<_>) = unzip(cx.output_fields());
-    let (stable_field, stable_value) = match plan.may_be_unstable {
-        true => (Some(quote!(stable: #p::bool,)), Some(quote!(stable: true,))),
-        false => (None, None),
-    };
-    let derives = types::derives(plan.stored.iter().chain(&plan.last).map(|id| &model.outputs[*id].ty), p);
-    let doc_new = format!("A chart `{name}` in its initial situation; its activation belongs to the first cycle.");
+    let fields = cx.fields();
+    let declared = fields.iter().map(|Field { name, ty, .. }| quote!(#name: #ty,));
+    let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
+    let remembered = cx.plan.memory.stored.iter().chain(&cx.plan.memory.last).map(|id| &model.outputs[*id].ty);
+    let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
+    let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).collect();
+    let derives = types::derives(types.into_iter(), p);
+    let allow = types::many_bools(fields.len());
+    let (params_field, new) = constructors(cx, &quote!(#(#values)*));
     quote! {
         #docs
         #[derive(#derives)]
-        #vis struct #name {
-            #(#region_fields: #region_types,)*
-            #(#stored: #stored_types,)*
-            #stable_field
-        }
+        #allow
+        #vis struct #name { #(#declared)* #params_field }
 
-        impl #name {
-            #[doc = #doc_new]
-            #[must_use]
-            #vis const fn new() -> Self {
-                Self { #(#new_fields: #new_states,)* #(#stored: #stored_values,)* #stable_value }
-            }
-        }
+        impl #name { #new }
 
         impl #p::core::default::Default for #name {
             fn default() -> Self {
@@ -109,19 +223,52 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     }
 }
 
-fn unzip<A, B, C>(items: impl Iterator<Item = (A, B, C)>) -> (Vec<A>, Vec<B>, Vec<C>) {
-    let (mut a, mut b, mut c) = (Vec::new(), Vec::new(), Vec::new());
-    for (x, y, z) in items {
-        a.push(x);
-        b.push(y);
-        c.push(z);
+/// `new`, and with a recipe `with_params`, `params` and `set_params`.
+fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, TokenStream) {
+    let (vis, name) = (&cx.model.vis, &cx.model.name);
+    let doc = format!("A chart `{name}` in its initial situation; its activation belongs to the first cycle.");
+    if cx.model.params.is_empty() {
+        let new = quote! {
+            #[doc = #doc]
+            #[must_use]
+            #vis const fn new() -> Self {
+                Self { #values }
+            }
+        };
+        return (None, new);
     }
-    (a, b, c)
+    let params = &cx.names.params;
+    let with_doc = format!("A chart `{name}` in its initial situation, with this recipe.");
+    let new = quote! {
+        #[doc = #doc]
+        #[must_use]
+        #vis const fn new() -> Self {
+            Self::with_params(#params::new())
+        }
+
+        #[doc = #with_doc]
+        #[must_use]
+        #vis const fn with_params(params: #params) -> Self {
+            Self { #values params }
+        }
+
+        /// The recipe in use.
+        #[must_use]
+        #vis const fn params(&self) -> &#params {
+            &self.params
+        }
+
+        /// Exchanges the recipe; the next cycle uses the new one.
+        #vis fn set_params(&mut self, params: #params) {
+            self.params = params;
+        }
+    };
+    (Some(quote!(params: #params,)), new)
 }
 
-/// `MotorStep::Off`, for a step that may be spelled like a keyword of the future.
+/// `MotorStep::Off`
 pub(super) fn step_name(cx: &Cx<'_>, step: crate::model::StepId) -> TokenStream {
     let (names, step) = (&cx.names.step, &cx.model.steps[step].name);
-    let step = format_ident!("{step}");
     quote!(#names::#step)
 }
+

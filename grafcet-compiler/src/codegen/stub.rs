@@ -5,54 +5,99 @@ use quote::quote;
 
 use super::names::Names;
 use super::types;
-use crate::model::{Arena, Id, Model};
+use crate::model::{Model, Ty};
 use syn::Ident;
 
 /// The public items of a chart, with empty bodies.
 pub(crate) fn stub(model: &Model, root: &TokenStream) -> TokenStream {
     let p = quote!(#root::__private);
     let names = Names::of(model);
-    let Names { chart, inputs, outputs, step, transition, .. } = &names;
-    let vis = &model.vis;
-    let input_fields = fields(model.inputs.values().map(|input| (&input.name, &input.ty)), &p);
-    let output_fields = fields(model.outputs.values().map(|output| (&output.name, &output.ty)), &p);
-    let steps = first_of_each(model.steps.values().map(|step| &step.name));
-    let transitions = variants(&model.transitions, |id| names.transition_variant(id));
-    quote! {
-        #[derive(Clone, Copy)]
-        #[allow(missing_docs, dead_code)]
-        #vis struct #chart;
-        #[derive(Clone, Copy)]
-        #[allow(missing_docs, dead_code)]
-        #vis struct #inputs { #input_fields }
-        #[derive(Clone, Copy)]
-        #[allow(missing_docs, dead_code)]
-        #vis struct #outputs { #output_fields }
-        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-        #[allow(missing_docs, dead_code, non_camel_case_types)]
-        #vis enum #step { #(#steps,)* }
-        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-        #[allow(missing_docs, dead_code, non_camel_case_types)]
-        #vis enum #transition { #transitions }
+    let records = records(model, &names, &p);
+    let enums = enums(model, &names);
+    let methods = methods(model, &names, &p);
+    quote!(#records #enums #methods)
+}
 
-        impl #p::core::default::Default for #inputs { fn default() -> Self { loop {} } }
-        impl #p::core::default::Default for #outputs { fn default() -> Self { loop {} } }
-        impl #p::core::default::Default for #chart { fn default() -> Self { Self } }
+/// The chart, its inputs, outputs and recipe.
+fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
+    let Names { chart, inputs, outputs, params, .. } = names;
+    let record = |name: &Ident, fields: TokenStream| {
+        let vis = &model.vis;
+        quote! {
+            #[derive(Clone, Copy)]
+            #[allow(missing_docs, dead_code)]
+            #vis struct #name { #fields }
+            impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
+        }
+    };
+    let chart = record(chart, TokenStream::new());
+    let inputs = record(inputs, fields(model.inputs.values().map(|input| (&input.name, &input.ty)), p));
+    let outputs = record(outputs, fields(model.outputs.values().map(|output| (&output.name, &output.ty)), p));
+    let params = (!model.params.is_empty())
+        .then(|| record(params, fields(model.params.values().map(|param| (&param.name, &param.ty)), p)));
+    quote!(#chart #inputs #outputs #params)
+}
+
+/// The names of steps and transitions.
+fn enums(model: &Model, names: &Names) -> TokenStream {
+    let list = |name: &Ident, variants: Vec<&Ident>| {
+        let vis = &model.vis;
+        quote! {
+            #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+            #[allow(missing_docs, dead_code, non_camel_case_types)]
+            #vis enum #name { #(#variants,)* }
+        }
+    };
+    let steps = list(&names.step, first_of_each(model.steps.values().map(|step| &step.name)));
+    let transitions = model.transitions.ids().map(|id| names.transition_variant(id)).collect();
+    let transitions = list(&names.transition, transitions);
+    quote!(#steps #transitions)
+}
+
+/// The methods, with the arguments they would have; and the trait of the code actions, whose methods need not be there.
+fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
+    let Names { chart, inputs, outputs, step, params, actions, .. } = names;
+    let vis = &model.vis;
+    let now = model.uses_time().then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
+    let recipe = (!model.params.is_empty()).then(|| {
+        quote! {
+            #vis const fn with_params(params: #params) -> Self { Self {} }
+            #vis fn params(&self) -> &#params { loop {} }
+            #vis fn set_params(&mut self, params: #params) {}
+        }
+    });
+    let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
+    let methods = model.actions.values().map(|action| {
+        let name = &action.name;
+        let params = action.params.iter().map(|(name, ty)| {
+            let ty = types::rust_type(ty, p);
+            quote!(#name: #ty)
+        });
+        quote!(fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
+    });
+    let trait_item = (!model.actions.is_empty()).then(|| {
+        quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis trait #actions { #(#methods)* })
+    });
+    quote! {
+        #trait_item
 
         #[allow(missing_docs, dead_code, unused_variables, clippy::all)]
         impl #chart {
-            #vis const fn new() -> Self { Self }
-            #vis fn cycle(&mut self, inputs: &#inputs) -> #outputs { loop {} }
+            #vis const fn new() -> Self { Self {} }
+            #recipe
+            #vis fn cycle(&mut self, inputs: &#inputs #now #calls) -> #outputs { loop {} }
             #vis fn init(&mut self) {}
             #vis fn is_active(&self, step: #step) -> #p::bool { loop {} }
             #vis fn active_steps(&self) -> #p::heapless::Vec<#step, 1> { loop {} }
             #vis fn situation(&self) -> #step { loop {} }
             #vis fn is_stable(&self) -> #p::bool { loop {} }
+            #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
+            #vis fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { loop {} }
         }
     }
 }
 
-fn fields<'m>(declared: impl Iterator<Item = (&'m Ident, &'m crate::model::Ty)>, p: &TokenStream) -> TokenStream {
+fn fields<'m>(declared: impl Iterator<Item = (&'m Ident, &'m Ty)>, p: &TokenStream) -> TokenStream {
     let mut seen = std::collections::BTreeSet::new();
     declared
         .filter(|(name, _)| seen.insert(name.to_string()))
@@ -66,9 +111,4 @@ fn fields<'m>(declared: impl Iterator<Item = (&'m Ident, &'m crate::model::Ty)>,
 fn first_of_each<'m>(names: impl Iterator<Item = &'m Ident>) -> Vec<&'m Ident> {
     let mut seen = std::collections::BTreeSet::new();
     names.filter(|name| seen.insert(name.to_string())).collect()
-}
-
-fn variants<'m, I: Id, T>(arena: &Arena<I, T>, name: impl Fn(I) -> &'m Ident) -> TokenStream {
-    let names = arena.ids().map(name);
-    quote!(#(#names,)*)
 }

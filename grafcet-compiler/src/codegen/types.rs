@@ -62,7 +62,7 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
 }
 
 /// The inputs and outputs of a plant are single signals; two-variant enums would not make them clearer.
-fn many_bools(fields: usize) -> Option<TokenStream> {
+pub(super) fn many_bools(fields: usize) -> Option<TokenStream> {
     (fields > 3).then(|| quote!(#[allow(clippy::struct_excessive_bools)]))
 }
 

@@ -1,9 +1,9 @@
 //! Diagnostics as tokens: errors through `compile_error!`, warnings through a deprecated constant.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-use super::{Diagnostic, Mark, Severity};
+use super::{Diagnostic, Mark, Rule, Severity};
 
 /// The tokens that make rustc show the diagnostics at their marks.
 pub(super) fn tokens(diagnostics: &[Diagnostic]) -> TokenStream {
@@ -21,15 +21,7 @@ fn one(diagnostic: &Diagnostic) -> TokenStream {
             };
             match diagnostic.severity {
                 Severity::Deny => error(*mark, message),
-                // rustc warns of the use of a deprecated item at the tokens of the use: the only
-                // warning a macro can give on stable.
-                Severity::Warn => quote_spanned! {mark.start=>
-                    const _: () = {
-                        #[deprecated(note = #message)]
-                        const GRAFCET: () = ();
-                        GRAFCET
-                    };
-                },
+                Severity::Warn => warning(*mark, diagnostic.rule, &message),
                 Severity::Allow => TokenStream::new(),
             }
         })
@@ -41,4 +33,21 @@ fn error(mark: Mark, message: String) -> TokenStream {
     let (start, end) = (mark.start, mark.end);
     let (first, last) = (quote_spanned!(start=> -), quote_spanned!(end=> -));
     syn::Error::new_spanned(quote!(#first #last), message).to_compile_error()
+}
+
+/// rustc warns of the use of a deprecated item at the tokens of the use: the only warning a macro can give on stable.
+/// The use is a path of two names, so that it reaches from the first token to the last.
+fn warning(mark: Mark, rule: Option<&Rule>, message: &str) -> TokenStream {
+    let module = Ident::new("grafcet", mark.start);
+    let name = Ident::new(rule.map_or("notation", |rule| rule.name), mark.end);
+    quote! {
+        const _: () = {
+            mod #module {
+                #[deprecated(note = #message)]
+                #[allow(non_upper_case_globals)]
+                pub(super) const #name: () = ();
+            }
+            #module::#name
+        };
+    }
 }

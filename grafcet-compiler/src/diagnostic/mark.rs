@@ -6,7 +6,9 @@ use quote::ToTokens;
 /// The tokens an error points at, from the first to the last.
 #[derive(Clone, Copy, Debug)]
 pub struct Mark {
+    /// The first token.
     pub start: Span,
+    /// The last token.
     pub end: Span,
 }
 
@@ -41,6 +43,12 @@ impl Mark {
     pub(crate) fn position(&self) -> (usize, usize) {
         let start = self.start.start();
         (start.line, start.column)
+    }
+
+    /// Tells marks apart, also where the toolchain gives no positions. It says nothing about their order.
+    #[must_use]
+    pub(super) fn key(&self) -> String {
+        format!("{:?} {:?}", self.start, self.end)
     }
 }
 

@@ -4,6 +4,8 @@ mod emit;
 mod mark;
 pub mod rules;
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 
 pub use mark::Mark;
@@ -14,8 +16,11 @@ use crate::ast::LevelAttr;
 /// One mistake: a message for each participant, the culprit first.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
+    /// None is a mistake of notation.
     pub rule: Option<&'static Rule>,
+    /// The level in force where the mistake is.
     pub severity: Severity,
+    /// Each participant and what is said there.
     pub notes: Vec<(Mark, String)>,
 }
 
@@ -65,6 +70,11 @@ impl Sink {
         self.diagnostics.iter().any(|d| d.severity == Severity::Deny)
     }
 
+    /// How much was collected so far.
+    pub(crate) fn count(&self) -> usize {
+        self.diagnostics.len()
+    }
+
     /// What was collected, in source order.
     #[must_use]
     pub fn finish(mut self) -> Vec<Diagnostic> {
@@ -72,8 +82,13 @@ impl Sink {
         let mut all = std::mem::take(&mut self.diagnostics);
         // A stable sort: where a toolchain gives no positions, the order of the passes stays.
         all.sort_by_key(|d| d.notes.first().map(|(mark, _)| mark.position()));
-        // A block is read twice, as tokens and as statements: each mistake in it counts once.
-        all.dedup_by_key(|d| d.notes.first().map(|(mark, message)| (mark.position(), message.clone())));
+        // Nothing is said twice at one place: a block is read as tokens and as statements, and of three steps with one
+        // name the first takes part in two mistakes.
+        let mut said = BTreeSet::new();
+        for diagnostic in &mut all {
+            diagnostic.notes.retain(|(mark, message)| said.insert((mark.key(), message.clone())));
+        }
+        all.retain(|diagnostic| !diagnostic.notes.is_empty());
         all
     }
 }

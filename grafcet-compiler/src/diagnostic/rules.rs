@@ -75,3 +75,64 @@ rules! {
     FORCED_STEP_OUTSIDE = error("forced_step_outside");
     MACRO_ENTRY_EXIT = error("macro_entry_exit");
 }
+
+/// Rules that are planned and not checked yet. A chart may allow them, so that it stays as it is when they come.
+const LATER: &[&str] = &[
+    "unreachable_step",
+    "dead_transition",
+    "unsafe_step",
+    "stuck_join",
+    "deadlock",
+    "not_home",
+    "never_true",
+    "always_true",
+    "shadowed_branch",
+    "overlapping_branches",
+    "unstable",
+    "possible_instability",
+    "reads_continuous",
+    "combinational_circle",
+    "level_source_transition",
+    "edge_in_assignation",
+    "event_without_edge",
+    "mixed_modes",
+    "conflicting_values",
+    "write_race",
+    "set_without_reset",
+    "reset_without_set",
+    "timed_contention",
+    "unused_input",
+    "undriven_output",
+    "unused_variable",
+    "unused_action",
+    "unused_param",
+    "forcing_circle",
+    "two_masters",
+    "init_without_initial",
+    "forced_enclosure",
+    "enclosure_without_link",
+    "property_violated",
+    "property_undecided",
+];
+
+/// Why an attribute cannot set `rule` to `level`; `None` if it can.
+#[must_use]
+pub fn refuse_level(rule: &str, level: Severity) -> Option<String> {
+    if let Some(known) = ALL.iter().find(|known| known.name == rule) {
+        let lowered = !known.can_be_allowed && level < known.default;
+        return lowered
+            .then(|| format!("the rule `{rule}` cannot be switched off or lowered; mend the chart, and remove this"));
+    }
+    if LATER.contains(&rule) {
+        return (level != Severity::Allow)
+            .then(|| format!("the rule `{rule}` is not checked yet; it can only be allowed"));
+    }
+    let names = ALL.iter().map(|rule| rule.name).chain(LATER.iter().copied());
+    let nearest = names.map(|name| (strsim::osa_distance(rule, name), name)).min();
+    Some(match nearest {
+        Some((distance, name)) if distance <= name.len() / 3 => {
+            format!("no rule is called `{rule}`; did you mean `grafcet::{name}`?")
+        }
+        _ => format!("no rule is called `{rule}`; the page of rules lists them"),
+    })
+}

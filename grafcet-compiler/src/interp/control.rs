@@ -138,7 +138,11 @@ impl ActionControl {
 
         let before = std::mem::take(&mut self.holding);
         let q = self.q(&here, change, elapsed, view)?;
-        let left = |id: &AssociationId| !change.after.contains(&model.associations[*id].step);
+        // What D held up ends by leaving also where the step is re-entered: its delay starts again.
+        let left = |id: &AssociationId| match model.associations[*id].qualifier {
+            Qualifier::D => change.left.contains(&model.associations[*id].step),
+            _ => !change.after.contains(&model.associations[*id].step),
+        };
         let verdict = Verdict {
             q,
             before: self.was,

@@ -55,11 +55,15 @@ impl Grafcet {
                 let view = state.view(model, inputs, params, &delays);
                 (state.edges.clone(), view.sample_edges()?)
             };
-            let view = View { edges: Edges { before: &before, now: Some(&now) }, ..state.view(model, inputs, params, &delays) };
+            let view = View {
+                edges: Edges { before: &before, now: Some(&now) },
+                ..state.view(model, inputs, params, &delays)
+            };
             let (evolution, outcome) = evolve(&view)?;
             search.stable = is_stable(&evolution, &outcome, &view);
             if search.stable || search.evolutions == max_evolutions {
-                let (calls, outputs) = (self.continuous_calls(&view)?, continuous_outputs(&view, &state.initial_outputs)?);
+                let (calls, outputs) =
+                    (self.continuous_calls(&view)?, continuous_outputs(&view, &state.initial_outputs)?);
                 search.calls.extend(calls);
                 state.commit(outputs);
                 // An evolution that the bound stopped has not taken place: its edges are still to be seen.

@@ -15,12 +15,7 @@ pub(super) fn top_down(model: &Model) -> Result<Vec<PartialId>, Error> {
     Ok(order)
 }
 
-fn visit(
-    id: PartialId,
-    model: &Model,
-    order: &mut Vec<PartialId>,
-    path: &mut Vec<PartialId>,
-) -> Result<(), Error> {
+fn visit(id: PartialId, model: &Model, order: &mut Vec<PartialId>, path: &mut Vec<PartialId>) -> Result<(), Error> {
     if order.contains(&id) {
         return Ok(());
     }
@@ -134,10 +129,6 @@ fn forced_to(
         Some(ForceOrder::Hold) => return Some(here.clone()),
         None => {}
     }
-    // A13: the evolution in which an order ends is still frozen.
-    if order_for(id, before, model).is_some() {
-        return Some(here.clone());
-    }
     let enclosing = partial.enclosed_by?;
     match (before.contains(&enclosing), above.contains(&enclosing)) {
         // A19: the enclosing step that is left wins over what is inside.
@@ -153,8 +144,8 @@ fn order_for<'m>(target: PartialId, situation: &Situation, model: &'m Model) -> 
     model.forces.values().rev().find(gives).map(|force| &force.order)
 }
 
-/// A17: whether the transition is enabled: all its source steps are active and so is the enclosing step; a partial grafcet
-/// that is forced is frozen.
+/// A17: whether the transition is enabled: all its source steps are active and so is the enclosing step. What an active step
+/// forces is frozen, also in the evolution in which the order ends (A13).
 pub(super) fn is_enabled(id: TransitionId, situation: &Situation, model: &Model) -> bool {
     let transition = &model.transitions[id];
     let enclosing = model.partials[transition.partial].enclosed_by;

@@ -28,8 +28,8 @@ use self::grafcet::Grafcet;
 use self::sfc::Sfc;
 use self::state::State;
 pub use self::value::{Error, Value};
-use self::view::View;
 pub use self::view::Situation;
+use self::view::View;
 use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, Ty};
 
 /// Which call of a code action this is.
@@ -46,7 +46,9 @@ pub enum Phase {
 /// A call of a declared action.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Call {
+    /// Which action.
     pub action: ActionId,
+    /// What it is told.
     pub phase: Phase,
     /// In the order of the action's parameters.
     pub args: Vec<Value>,
@@ -114,6 +116,12 @@ impl<'m> Interpreter<'m> {
         accept_all(params, self.model.params.values().map(|p| &p.ty))?;
         self.params = params.to_vec();
         Ok(())
+    }
+
+    /// The parameters in force, in the order of declaration.
+    #[must_use]
+    pub fn params(&self) -> &[Value] {
+        &self.params
     }
 
     /// The classic *Init*: the next cycle starts like a first one. Stored outputs and variables have their initial values

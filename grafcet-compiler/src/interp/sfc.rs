@@ -37,7 +37,7 @@ impl Sfc {
         Self { controls: controls.collect() }
     }
 
-    /// One cycle, `elapsed` ticks after the one before. 
+    /// One cycle, `elapsed` ticks after the one before.
     pub(super) fn cycle(
         &mut self,
         model: &Model,
@@ -49,7 +49,6 @@ impl Sfc {
         // Everything is sampled once per cycle: the edges keep their values while the actions run.
         let edges = state.view(model, inputs, params, &delays).sample_edges()?;
         let before = std::mem::replace(&mut state.edges, edges.clone());
-        let before = if state.first { edges.clone() } else { before };
         let edges = Edges { before: &before, now: Some(&edges) };
 
         let change = if state.first {
@@ -171,13 +170,7 @@ enum What {
 }
 
 /// What a controlled or assigned place gets; a variable gets it among "the rest", where its target first stands.
-fn set(
-    place: Place,
-    control: &ActionControl,
-    verdict: Verdict,
-    on: &BTreeSet<AssociationId>,
-    model: &Model,
-) -> Run {
+fn set(place: Place, control: &ActionControl, verdict: Verdict, on: &BTreeSet<AssociationId>, model: &Model) -> Run {
     let assigns = |id: &AssociationId| matches!(model.associations[*id].effect, Effect::Assign(..));
     let assigned = control.associations.iter().any(assigns);
     // The last in the source where several are active, as in A31.

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::view::View;
 use super::value::Error;
+use super::view::View;
 use crate::model::{AssociationId, DelayId, Expr, Model, Name, Place, Read, TimeRef};
 
 /// How long a signal has had a value. The time between two cycles counts if the signal had it in both.

@@ -37,7 +37,12 @@ pub enum Error {
     /// A declared type that the interpreter has no values for, or operands that do not belong together.
     Type(String),
     /// Not as many values as declared names.
-    Count { expected: usize, found: usize },
+    Count {
+        /// How many there are names.
+        expected: usize,
+        /// How many values were given.
+        found: usize,
+    },
     /// Combinational variables, partial grafcets or enclosures that depend on themselves (A14, A22).
     Circle(String),
     /// A combination of qualifier and target that the dialect does not have (A32).

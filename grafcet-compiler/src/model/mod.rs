@@ -181,7 +181,12 @@ pub struct Association {
     /// Behind `if`.
     pub condition: Option<Expr>,
     pub effect: Effect,
+    /// The whole line without its `;`.
     pub mark: Mark,
+    /// The qualifier, where one is written.
+    pub qualifier_mark: Option<Mark>,
+    /// The name behind the qualifier, or the block.
+    pub target_mark: Mark,
 }
 
 /// What an action does.

@@ -1,6 +1,6 @@
 //! `L 5s heat(80) if ready;`
 
-use proc_macro2::{Delimiter, Ident, Span};
+use proc_macro2::{Delimiter, Span};
 
 use super::recover::{self, Place};
 use super::{Error, Input, Result, chain, condition, target, time, words};
@@ -23,28 +23,26 @@ const QUALIFIERS: &[(&str, Qualifier)] = &[
 
 const ALL: &str = "the qualifiers are N, S, R, L, D, P, P1, P0, SD, DS and SL";
 
-fn qualifier(word: &Ident) -> Option<Qualifier> {
-    QUALIFIERS.iter().find(|(name, _)| word == name).map(|(_, qualifier)| *qualifier)
+fn qualifier(word: &str) -> Option<Qualifier> {
+    QUALIFIERS.iter().find(|(name, _)| word == *name).map(|(_, qualifier)| *qualifier)
 }
 
-pub(super) fn is_qualifier(word: &Ident) -> bool {
+pub(super) fn is_qualifier(word: &str) -> bool {
     qualifier(word).is_some()
 }
 
 /// Whether a line certainly begins here, also where no line breaks are known.
 pub(super) fn begins(input: &Input) -> bool {
-    let Some(word) = input.ident() else { return false };
+    let Some(word) = input.word() else { return false };
     let behind = input.next();
-    (is_qualifier(&word) || word == "force")
-        && (behind.ident().is_some_and(|next| next != "if") || behind.literal().is_some())
+    (is_qualifier(word) || word == "force") && (behind.at_name() || behind.literal().is_some())
 }
 
 /// Whether a line can begin here, at the beginning of a line of text.
 pub(super) fn could_begin(input: &Input) -> bool {
-    let goes_on = |word: &Ident| ["if", "else", "as", "in", "match"].iter().any(|other| word == other);
-    let Some(word) = input.ident().filter(|word| !goes_on(word)) else { return false };
+    let Some(word) = input.word().filter(|word| !words::is_rust(word)) else { return false };
     let behind = input.next();
-    is_qualifier(&word)
+    is_qualifier(word)
         || behind.at(";")
         || behind.at_assign()
         || behind.at_word("if")
@@ -62,10 +60,8 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Association> {
     };
     let time = time(input, qualifier, sink)?;
     let target = behind_qualifier(input, &start, qualifier)?;
-    let condition = match input.eat_word("if") {
-        Some(_) => Some(condition::parse(input, "the condition of the action")?),
-        None => None,
-    };
+    let condition =
+        if input.eat_word("if") { Some(condition::parse(input, "the condition of the action")?) } else { None };
     let mark = input.since(&start);
     let block = matches!(target, Target::Block(_)) && condition.is_none();
     if !block || input.at(";") {
@@ -79,7 +75,7 @@ fn misplaced(input: &Input) -> Result<()> {
     if input.at_group(Delimiter::Brace) {
         return Err(input.error("a block has a qualifier: `P1 { … }` runs once, `N { … }` in every cycle"));
     }
-    let Some(word) = input.ident() else {
+    let Some(word) = input.word() else {
         if chain::begins(input) {
             return Err(input.error("transitions stand behind the steps, not in them"));
         }
@@ -91,7 +87,7 @@ fn misplaced(input: &Input) -> Result<()> {
     }
     if words::item_begins(input) {
         return Err(input.error(
-            if matches!(words::meant(&word), Some("input" | "output" | "var" | "param" | "action")) {
+            if matches!(words::meant(word), Some("input" | "output" | "var" | "param" | "action")) {
                 "declarations stand in front of the steps, not in them"
             } else {
                 "steps, transitions and properties stand beside this step, not in it"
@@ -127,14 +123,15 @@ fn ends(input: &Input) -> bool {
 }
 
 fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
-    let Some(word) = input.ident() else { return Ok(None) };
+    let Some(word) = input.word() else { return Ok(None) };
     let behind = input.next();
-    let Some(qualifier) = qualifier(&word) else {
-        return unknown(input, &word).map(|()| None);
+    let Some(qualifier) = qualifier(word) else {
+        return unknown(input, word).map(|()| None);
     };
     if behind.at_assign() || behind.at_group(Delimiter::Parenthesis) && ends(&behind.next()) {
         return Ok(None);
     }
+    let span = input.span();
     input.bump();
     let sign = |sign| behind.behind(sign).filter(|_| word == "P" && !behind.at("+=") && !behind.at("-="));
     let qualifier = if let Some(rest) = sign("+") {
@@ -148,20 +145,20 @@ fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
     };
     if ends(input) {
         let example = if takes_time(qualifier) { format!("{word} 5s q") } else { format!("{word} q") };
-        return Err(Error::new(&word, format!("the qualifier `{word}` acts on something: `{example};`")));
+        return Err(Error::new(span, format!("the qualifier `{word}` acts on something: `{example};`")));
     }
-    Ok(Some((qualifier, word.span())))
+    Ok(Some((qualifier, span)))
 }
 
 /// Refuses `X q`, `s q` and `X 5s q`, where something stands like a qualifier and is none.
-fn unknown(input: &Input, word: &Ident) -> Result<()> {
+fn unknown(input: &Input, word: &str) -> Result<()> {
     let behind = input.next();
     let braces = behind.at_group(Delimiter::Brace);
-    let stands_like_one = behind.ident().is_some_and(|next| next != "if") || behind.literal().is_some() || braces;
+    let stands_like_one = behind.at_name() || behind.literal().is_some() || braces;
     if !stands_like_one || behind.on_new_line() || begins(&behind) {
         return Ok(());
     }
-    let upper = word.to_string().to_uppercase();
+    let upper = word.to_uppercase();
     Err(input.error(if QUALIFIERS.iter().any(|(name, _)| *name == upper) {
         format!("qualifiers are capital letters: write `{upper}`")
     } else if words::meant(word) == Some("step") {
@@ -181,7 +178,7 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
     let word = QUALIFIERS.iter().find(|(_, known)| *known == qualifier).map_or("on", |(name, _)| name);
     if let Some(literal) = input.literal() {
         if takes_time(qualifier) {
-            return Ok(time::parse(input, &literal, sink).map(TimeArg::Literal));
+            return Ok(time::parse(input, literal, sink).map(TimeArg::Literal));
         }
         sink.notation(input.span(), format!("`{word}` takes no time; those that do are L, D, SD, DS and SL"));
         input.bump();
@@ -192,8 +189,8 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
     }
     // `L soak q`: a name is the time where a target follows it.
     let behind = input.next();
-    let target_follows = behind.ident().is_some_and(|word| word != "if") || behind.at_group(Delimiter::Brace);
-    if input.ident().is_some() && target_follows && !behind.on_new_line() {
+    let target_follows = behind.at_name() || behind.at_group(Delimiter::Brace);
+    if input.word().is_some() && target_follows && !behind.on_new_line() {
         return Ok(input.eat_ident().map(TimeArg::Name));
     }
     if input.at_group(Delimiter::Parenthesis) {
@@ -210,11 +207,11 @@ fn behind_qualifier(input: &mut Input, start: &Input, qualifier: Option<(Qualifi
         let mark = Mark { start: start.span(), end: input.last() };
         return Err(Error::new(mark, "this acts on nothing; name an output, a variable or an action behind it"));
     }
-    if let (Some((_, span)), Some(word)) = (qualifier, input.ident()) {
+    if let (Some((_, span)), Some(word)) = (qualifier, input.word()) {
         let behind = input.next();
-        let another = behind.ident().is_some_and(|next| next != "if") && !behind.on_new_line() && !begins(&behind);
-        if another && is_qualifier(&word) {
-            let mark = Mark { start: span, end: word.span() };
+        let another = behind.at_name() && !behind.on_new_line() && !begins(&behind);
+        if another && is_qualifier(word) {
+            let mark = Mark { start: span, end: input.span() };
             return Err(Error::new(mark, "an association has one qualifier; write a line for each"));
         }
     }

@@ -7,7 +7,7 @@ use syn::{AttrStyle, Attribute, Meta, MetaList, Token};
 
 use super::{Error, Input, Result};
 use crate::ast::{Attrs, LevelAttr};
-use crate::diagnostic::{Mark, Severity, Sink};
+use crate::diagnostic::{Mark, Severity, Sink, rules};
 
 /// The attributes in front of an item.
 #[derive(Default)]
@@ -26,6 +26,11 @@ impl Outer {
                 format!("{what} has nothing that an attribute or a doc comment could reach; remove it, or write `//`"),
             );
         }
+    }
+
+    /// The error where nothing follows the attributes; attributes that are mistakes themselves say enough.
+    pub(super) fn of_nothing(&self, input: &Input) -> Error {
+        if self.marks.is_empty() { Error::reported() } else { input.error("expected an item behind its attributes") }
     }
 
     /// Reports attributes for the generated item where there is none.
@@ -121,23 +126,26 @@ fn sort(attr: Attribute, mark: Mark, attrs: &mut Attrs) -> Result<()> {
     };
     let lints = list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated)?;
     let mut others = Vec::new();
+    let mut mistakes = Vec::new();
     for lint in &lints {
         match lint {
-            Meta::Path(path) if tool(path) == Some("grafcet") => attrs.levels.push(level(path, set)?),
+            Meta::Path(path) if tool(path) == Some("grafcet") => match level(path, set) {
+                Ok(level) => attrs.levels.push(level),
+                Err(mistake) => mistakes.push(mistake),
+            },
             Meta::Path(path) if tool(path).is_none() => {
-                return Err(Error::new(
-                    Mark::of(path),
-                    "possible are lints of rustc, `clippy::…`, `rustdoc::…` and `grafcet::…`",
-                ));
+                let message = "possible are lints of rustc, `clippy::…`, `rustdoc::…` and `grafcet::…`";
+                mistakes.push((Mark::of(path), message.to_owned()));
             }
             other => others.push(other.clone()),
         }
     }
-    // A list of nothing but rules was for us alone; its `reason` too.
-    if others.iter().any(|meta| matches!(meta, Meta::Path(_))) || lints.is_empty() {
+    if others.len() == lints.len() {
+        attrs.passed_on.push(attr);
+    } else if others.iter().any(|meta| matches!(meta, Meta::Path(_))) {
         attrs.passed_on.push(rest(&attr, list, &others));
     }
-    Ok(())
+    Error::several(mistakes).map_or(Ok(()), Err)
 }
 
 /// What a lint attribute does to its lints.
@@ -167,20 +175,23 @@ fn tool(path: &syn::Path) -> Option<&'static str> {
     }
 }
 
-fn level(path: &syn::Path, level: Level) -> Result<LevelAttr> {
+fn level(path: &syn::Path, level: Level) -> std::result::Result<LevelAttr, (Mark, String)> {
     let Level::Is(severity) = level else {
         let message = "`expect` is for lints of rustc; a rule takes `allow`, `warn` or `deny`";
-        return Err(Error::new(Mark::of(path), message));
+        return Err((Mark::of(path), message.to_owned()));
     };
     match path.segments.iter().nth(1) {
         Some(rule) if path.segments.len() == 2 && rule.arguments.is_none() => {
-            Ok(LevelAttr { severity, rule: rule.ident.clone() })
+            match rules::refuse_level(&rule.ident.to_string(), severity) {
+                Some(message) => Err(((&rule.ident).into(), message)),
+                None => Ok(LevelAttr { severity, rule: rule.ident.clone() }),
+            }
         }
-        _ => Err(Error::new(Mark::of(path), "a rule is named `grafcet::…`, such as `grafcet::unreachable_step`")),
+        _ => Err((Mark::of(path), "a rule is named `grafcet::…`, such as `grafcet::unreachable_step`".to_owned())),
     }
 }
 
-/// The attribute with only `others` in its list.
+/// The attribute without the rules: with only `others` in its list.
 fn rest(attr: &Attribute, list: &MetaList, others: &[Meta]) -> Attribute {
     let mut tokens = TokenStream::new();
     for meta in others {

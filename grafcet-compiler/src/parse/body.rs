@@ -1,6 +1,6 @@
 //! The items between the braces of a chart, a partial grafcet or a macro-step.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::Delimiter;
 
 use super::recover::{self, Place};
 use super::{Input, Result, attrs, chain, decl, partial, property, setting, step, words};
@@ -15,7 +15,9 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
         if let Err(error) = item(&mut input, &mut body.items, sink) {
             error.report(sink);
             body.broken.extend(recover::names(start));
+            body.lost_step |= recover::may_be_step(start);
             recover::skip(&mut input, &start, Place::Body);
+            body.lost.extend(start.names_until(&input));
         }
     }
     body
@@ -29,15 +31,15 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         recover::semicolon(input, Place::Body, sink);
         return Ok(());
     }
-    let Some(word) = input.ident() else {
+    let Some(word) = input.word() else {
         if input.is_empty() {
-            return Err(input.error("expected an item behind its attributes"));
+            return Err(outer.of_nothing(input));
         }
         return Err(
             input.error(format!("expected a declaration, a step or a chain of transitions, found {}", input.found()))
         );
     };
-    let meant = keyword(&word, input, sink)?;
+    let meant = keyword(word, input, sink)?;
     items.push(match meant {
         "input" => Item::Decl(decl::parse(input, DeclKind::Input, outer.attrs, sink)?),
         "output" => Item::Decl(decl::parse(input, DeclKind::Output, outer.attrs, sink)?),
@@ -58,8 +60,8 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
 }
 
 /// The word of the notation an item begins with. One that is only meant is reported, and taken for it.
-fn keyword(word: &Ident, input: &Input, sink: &mut Sink) -> Result<&'static str> {
-    if let Some(item) = words::ITEMS.iter().find(|item| word == *item) {
+fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
+    if let Some(item) = words::ITEMS.iter().find(|item| word == **item) {
         return Ok(item);
     }
     let behind = input.next();
@@ -71,9 +73,9 @@ fn keyword(word: &Ident, input: &Input, sink: &mut Sink) -> Result<&'static str>
             input.error("code is declared `action heat(setpoint: i16);` and written as a method of the chart's trait")
         );
     }
-    if behind.ident().is_some() || behind.literal().is_some() && !super::association::is_qualifier(word) {
+    if behind.word().is_some() || behind.literal().is_some() && !super::association::is_qualifier(word) {
         if let Some(meant) = words::meant(word) {
-            words::report(word, meant, sink);
+            words::report(input, meant, sink);
             return Ok(meant);
         }
     }
@@ -81,6 +83,8 @@ fn keyword(word: &Ident, input: &Input, sink: &mut Sink) -> Result<&'static str>
         format!("say what `{word}` is: `input {word}: bool;`, `output {word}: bool;` or `var {word}: bool = false;`")
     } else if behind.at_assign() || super::association::is_qualifier(word) || word == "force" {
         "what a step does stands in its braces: `step A { N q; }`".to_owned()
+    } else if behind.at("-") || behind.at("=>") {
+        "a transition is drawn between its steps: `A -[condition]-> B;`".to_owned()
     } else if behind.at_group(Delimiter::Brace) {
         format!("say what `{word}` is: `step {word} {{ … }}` or `partial {word} {{ … }}`")
     } else {

@@ -12,8 +12,8 @@ pub(super) fn begins(input: &Input) -> bool {
         return true;
     }
     let behind = input.next();
-    match input.ident() {
-        Some(word) if words::ITEMS.iter().any(|item| word == item) => at_arrow(&behind),
+    match input.word() {
+        Some(word) if words::ITEMS.contains(&word) => at_arrow(&behind),
         Some(_) => at_arrow(&behind) || [",", ";", ".", "::"].iter().any(|sign| behind.at(sign)),
         None => at_arrow(input),
     }
@@ -34,7 +34,7 @@ fn head_follows(mut input: Input) -> bool {
         if input.at("->") {
             return true;
         }
-        if input.at(";") || input.bump().is_none() {
+        if input.at(";") || !input.bump() {
             return false;
         }
     }
@@ -45,15 +45,19 @@ fn head_follows(mut input: Input) -> bool {
 pub(super) fn parse(input: &mut Input, attrs: &Attrs, sink: &mut Sink) -> Result<Vec<Chain>> {
     let start = *input;
     let chain = |first| Chain { attrs: attrs.clone(), first, rest: Vec::new() };
-    if input.ident().is_none() && !input.at_group(Delimiter::Parenthesis) {
-        return Err(input.error("in front of this the step is missing; a source transition is written `() -[x]-> A;`"));
-    }
     let mut parts = Vec::new();
-    let mut current = chain(node(input)?);
+    let mut current =
+        chain(if at_arrow(input) { Node::Forgotten(input.next().next().since(input)) } else { node(input, sink)? });
     while at_arrow(input) {
+        let start = *input;
         let arrow = arrow(input, sink)?;
-        let next =
-            if at_arrow(input) { Node::Missing(Mark { start: input.last(), end: input.span() }) } else { node(input)? };
+        let next = if at_arrow(input) {
+            Node::Missing(Mark { start: input.last(), end: input.span() })
+        } else if input.is_empty() || input.at(";") || input.on_new_line() && words::item_begins(input) {
+            Node::Forgotten(input.since(&start))
+        } else {
+            node(input, sink)?
+        };
         match arrow {
             Some(arrow) => current.rest.push((arrow, next)),
             None => parts.push(std::mem::replace(&mut current, chain(next))),
@@ -63,7 +67,6 @@ pub(super) fn parse(input: &mut Input, attrs: &Attrs, sink: &mut Sink) -> Result
         return Err(alone(input, &start));
     }
     parts.push(current);
-    parts.retain(|part| !part.rest.is_empty());
     Ok(parts)
 }
 
@@ -79,16 +82,19 @@ fn alone(input: &Input, start: &Input) -> Error {
 }
 
 /// A step, or several in parentheses.
-fn node(input: &mut Input) -> Result<Node> {
+fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
     let start = *input;
     let node = if let Some(mut inside) = input.enter(Delimiter::Parenthesis) {
         let steps = inside.names("a step")?;
         Node::Group(steps, input.since(&start))
-    } else if let Some(step) = input.ident().filter(|_| !input.next().ident().is_some_and(|_| input.at_word("step"))) {
-        input.bump();
-        Node::Step(step)
     } else {
-        return Err(no_node(input));
+        if input.at_word("step") && input.next().word().is_some() {
+            let message =
+                "a chain names its steps, and declares none; remove `step`, and declare the step on a line of its own";
+            sink.notation(input.span(), message);
+            input.bump();
+        }
+        Node::Step(input.name("a step or steps in parentheses")?)
     };
     if input.at(",") {
         return Err(Error::new(input.since(&start), "parallel steps stand in parentheses: `(A, B)`"));
@@ -102,30 +108,20 @@ fn node(input: &mut Input) -> Result<Node> {
     Ok(node)
 }
 
-fn no_node(input: &Input) -> Error {
-    if input.at_word("step") {
-        return input.error("a chain names its steps; declare the step on a line of its own");
-    }
-    if input.is_empty() || input.at(";") {
-        let message = "behind this arrow the step it leads to is missing; a sink transition is written `-[x]-> ();`";
-        return Error::new(input.last(), message);
-    }
-    input.error(format!("expected a step or steps in parentheses, found {}", input.found()))
-}
-
 /// One arrow. A transition that could not be parsed is reported here, and is `None`.
 fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
     let start = *input;
     let mut headed = false;
-    if let Some(mark) = input.eat("->") {
+    if input.eat("->") {
+        let mark = input.since(&start);
         if !input.at_group(Delimiter::Bracket) {
             return Ok(Some(Arrow::Bare(mark)));
         }
         sink.notation(mark, "the head of an arrow stands behind its condition: `-[x]->`");
         headed = true;
-    } else if input.eat("<-").is_some() {
+    } else if input.eat("<-") {
         return Err(Error::new(start.span(), "arrows point forward: write `B -[x]-> A` in place of `A <-[x]- B`"));
-    } else if input.eat("-").is_some() {
+    } else if input.eat("-") {
         doubled(input, &start, sink);
     } else {
         sink.notation(input.span(), "in front of this `-` is missing: a transition is drawn `-[x]->`");
@@ -159,7 +155,7 @@ fn doubled(input: &mut Input, start: &Input, sink: &mut Sink) {
 /// What should be `->` behind the brackets.
 fn head(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<()> {
     let brackets = input.last();
-    if input.eat("->").is_some() {
+    if input.eat("->") {
         return Ok(());
     }
     // `-[x]-[y]->`: the dash belongs to the next arrow. `-[x]- -[y]->` has one to spare.
@@ -173,11 +169,11 @@ fn head(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<()> {
     if input.at("-") && !input.at("->") {
         return Ok(());
     }
-    let message = if input.eat("->").is_some() {
+    let message = if input.eat("->") {
         "an arrow has single dashes: `-[x]->`"
-    } else if input.eat(">").is_some() || input.eat("=>").is_some() {
+    } else if input.eat(">") || input.eat("=>") {
         "the head of an arrow is `->`: `-[x]->`"
-    } else if input.is_at(&before) && !(input.ident().is_some() || input.at_group(Delimiter::Parenthesis)) {
+    } else if input.is_at(&before) && !(input.word().is_some() || input.at_group(Delimiter::Parenthesis)) {
         return Err(Error::new(
             Mark::from(start.span()).to(brackets),
             "this arrow has no head and leads nowhere: write `-[x]-> B`",
@@ -196,7 +192,7 @@ fn without_brackets(input: &mut Input, start: &Input, sink: &mut Sink) -> Result
     if !head_follows(ahead) {
         return Err(Error::new(input.since(start), "a transition is drawn `-[condition]->`"));
     }
-    while input.eat("->").is_none() {
+    while !input.eat("->") {
         input.bump();
     }
     let message = if ahead.at("->") {

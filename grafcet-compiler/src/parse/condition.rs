@@ -1,7 +1,7 @@
 //! Conditions: Rust expressions, with an ear for other notations.
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
-use syn::parse::{ParseBuffer, ParseStream};
+use proc_macro2::{Delimiter, TokenTree};
+use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
 
@@ -10,7 +10,7 @@ use crate::diagnostic::Mark;
 
 /// A condition, up to what cannot belong to it any more. `what` says what it is if it is missing.
 pub(super) fn parse(input: &mut Input, what: &str) -> Result<Expr> {
-    with(input, what, ParseBuffer::parse)
+    with(input, what, Expr::parse)
 }
 
 /// A condition behind which a block may follow.
@@ -25,10 +25,8 @@ fn with(input: &mut Input, what: &str, parse: fn(ParseStream) -> syn::Result<Exp
     let start = *input;
     let expr = input.rust(parse).map_err(|error| foreign(start).unwrap_or(error))?;
     // `a AND b` ends, for Rust, in front of `AND`.
-    if input.ident().is_some_and(|word| operator(&word).is_some()) || is_not(&expr) && starts_operand(input) {
-        if let Some(error) = foreign(start) {
-            return Err(error);
-        }
+    if starts_operand(input) {
+        foreign(start).map_or(Ok(()), Err)?;
     }
     let mut notes = Vec::new();
     assignments(&expr, &mut notes);
@@ -39,8 +37,8 @@ fn with(input: &mut Input, what: &str, parse: fn(ParseStream) -> syn::Result<Exp
 }
 
 /// What Rust calls an operator that is written as a word.
-fn operator(word: &Ident) -> Option<&'static str> {
-    match word.to_string().to_lowercase().as_str() {
+fn operator(word: &str) -> Option<&'static str> {
+    match word.to_lowercase().as_str() {
         "and" => Some("&&"),
         "or" => Some("||"),
         "not" => Some("!"),
@@ -49,12 +47,8 @@ fn operator(word: &Ident) -> Option<&'static str> {
     }
 }
 
-fn is_not(expr: &Expr) -> bool {
-    matches!(expr, Expr::Path(path) if path.path.get_ident().is_some_and(|word| operator(word) == Some("!")))
-}
-
 fn starts_operand(input: &Input) -> bool {
-    input.ident().is_some_and(|word| word != "if") || input.literal().is_some()
+    input.at_name() || input.literal().is_some()
 }
 
 /// The words and signs of other notations in an expression that Rust could not read.
@@ -66,12 +60,16 @@ fn foreign(mut input: Input) -> Option<Error> {
 
 fn collect_foreign(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
     let mut operand = false;
-    while !input.is_empty() && !input.at(";") {
-        if let Some((word, ours)) = input.ident().and_then(|word| Some((word.clone(), operator(&word)?))) {
+    // Where a `;` is missing, the rest of the chart is no part of this condition.
+    for _ in 0..100 {
+        if input.is_empty() || input.at(";") {
+            return;
+        }
+        if let Some((word, ours)) = input.word().and_then(|word| Some((word, operator(word)?))) {
             let behind = input.next();
             // A name like any other, unless an operand follows it.
             if starts_operand(&behind) || behind.at_group(Delimiter::Parenthesis) || behind.at("!") {
-                notes.push((Mark::from(&word), format!("`{word}` is written `{ours}`")));
+                notes.push((input.span().into(), format!("`{word}` is written `{ours}`")));
             }
         } else if input.at("<>") {
             notes.push((input.span().into(), "`<>` is written `!=`".to_owned()));
@@ -84,7 +82,7 @@ fn collect_foreign(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
         }
         operand = input.punct().is_none();
         match input.tree() {
-            Some(TokenTree::Group(group)) => {
+            Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::None => {
                 if let Some(mut inside) = input.enter(group.delimiter()) {
                     collect_foreign(&mut inside, notes);
                 }

@@ -1,7 +1,7 @@
 //! `output speed: u16 = 0;` and `action heat(setpoint: i16);`
 
 use proc_macro2::{Delimiter, Ident};
-use syn::parse::ParseBuffer;
+use syn::parse::Parse;
 use syn::{Expr, Type};
 
 use super::recover::{self, Place};
@@ -16,10 +16,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     colon(input, &names, keyword.as_ref())?;
     let ty = ty(input)?;
     let start = *input;
-    let mut init = match input.at_assign().then(|| input.eat("=")) {
-        Some(_) => Some(value(input)?),
-        None => None,
-    };
+    let mut init = if input.at_assign() && input.eat("=") { Some(value(input)?) } else { None };
     if kind == DeclKind::Input && init.take().is_some() {
         sink.notation(input.since(&start), "an input has no initial value: each cycle reads it anew; remove this");
     }
@@ -29,14 +26,14 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
 
 fn names(input: &mut Input) -> Result<Vec<Ident>> {
     let mut names = vec![input.name("a name")?];
-    while input.eat(",").is_some() {
+    while input.eat(",") {
         names.push(input.name("a name behind `,`")?);
     }
     Ok(names)
 }
 
 fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<()> {
-    if input.at(":=") || input.eat(":").is_none() {
+    if input.at(":=") || !input.eat(":") {
         let names = names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let keyword = keyword.map_or_else(|| "var".to_owned(), ToString::to_string);
         let message = format!("expected `:` and a type, as in `{keyword} {names}: bool;`, found {}", input.found());
@@ -55,7 +52,7 @@ fn ty(input: &mut Input) -> Result<Ty> {
     if input.is_empty() || [";", "=", ",", ":"].iter().any(|sign| input.at(sign)) && !input.at("::") {
         return Err(input.error(format!("expected a type, such as `bool`, found {}", input.found())));
     }
-    input.rust(ParseBuffer::parse::<Type>).map(Ty::Rust)
+    input.rust(Type::parse).map(Ty::Rust)
 }
 
 /// The expression behind `=`.
@@ -63,7 +60,7 @@ fn value(input: &mut Input) -> Result<Expr> {
     if input.is_empty() || input.at(";") {
         return Err(input.error(format!("expected a value behind `=`, found {}", input.found())));
     }
-    input.rust(ParseBuffer::parse::<Expr>)
+    input.rust(Expr::parse)
 }
 
 /// A code action; the keyword is next.
@@ -79,7 +76,7 @@ pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result
     let mut params = Vec::new();
     while !inside.is_empty() {
         params.push(param(&mut inside)?);
-        if inside.eat(",").is_none() && !inside.is_empty() {
+        if !inside.eat(",") && !inside.is_empty() {
             return Err(inside.error(format!("expected `,`, found {}", inside.found())));
         }
     }
@@ -90,7 +87,7 @@ pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result
 
 fn param(input: &mut Input) -> Result<(Ident, Ty)> {
     let name = input.name("an argument, as in `setpoint: i16`")?;
-    if input.at("::") || input.eat(":").is_none() {
+    if input.at("::") || !input.eat(":") {
         return Err(input.error(format!("expected `:` and the type of `{name}`, found {}", input.found())));
     }
     Ok((name, ty(input)?))

@@ -28,10 +28,10 @@ fn order(mut inside: Input) -> Result<ForceOrder> {
     let alone = |input: &Input, order| {
         if input.is_empty() { Ok(order) } else { Err(input.error("`*` and `INIT` stand alone between the braces")) }
     };
-    if inside.eat("*").is_some() {
+    if inside.eat("*") {
         return alone(&inside, ForceOrder::Hold);
     }
-    if inside.eat_word("INIT").is_some() {
+    if inside.eat_word("INIT") {
         return alone(&inside, ForceOrder::Init);
     }
     let steps = inside.names("a step of the situation")?;

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::Visibility;
-use syn::parse::ParseBuffer;
+use syn::parse::Parse;
 
 use super::{Input, Result, attrs, body};
 use crate::ast::{Chart, Dialect};
@@ -50,11 +50,11 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, Dia
 fn visibility(input: &mut Input) -> Result<Visibility> {
     // A macro that makes charts passes `$vis` in a group without delimiters.
     if matches!(input.tree(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::None) {
-        return input.rust_tokens(1, ParseBuffer::parse);
+        return input.rust_tokens(1, Visibility::parse);
     }
     if input.at_word("pub") {
         let restricted = usize::from(input.next().at_group(Delimiter::Parenthesis));
-        return input.rust_tokens(1 + restricted, ParseBuffer::parse);
+        return input.rust_tokens(1 + restricted, Visibility::parse);
     }
     Ok(Visibility::Inherited)
 }
@@ -62,18 +62,21 @@ fn visibility(input: &mut Input) -> Result<Visibility> {
 fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
     let expected =
         "a chart begins with its dialect, `sfc` (IEC 61131-3) or `grafcet` (IEC 60848), as in `pub sfc Motor { … }`";
-    let start = *input;
-    let Some(word) = input.eat_ident() else {
-        return Err(input.error(format!("{expected}; found {}", input.found())));
-    };
-    let written = word.to_string();
+    let written = input.word().unwrap_or_default();
     let (dialect, ours) = match written.to_lowercase().as_str() {
         "sfc" => (Dialect::Sfc, "sfc"),
         "grafcet" | "graphcet" | "grafset" => (Dialect::Grafcet, "grafcet"),
-        _ => return Err(start.error(format!("{expected}; found `{written}`"))),
+        // A chart by another name is read on, so that it still gives its types.
+        other if input.next().word().is_some() && input.next().next().at_group(Delimiter::Brace) => {
+            sink.notation(input.span(), format!("{expected}; found {}", input.found()));
+            input.bump();
+            return Ok(if strsim::osa_distance(other, "sfc") < 2 { Dialect::Sfc } else { Dialect::Grafcet });
+        }
+        _ => return Err(input.error(format!("{expected}; found {}", input.found()))),
     };
     if written != ours {
-        sink.notation(&word, format!("the dialect is written `{ours}`"));
+        sink.notation(input.span(), format!("the dialect is written `{ours}`"));
     }
+    input.bump();
     Ok(dialect)
 }

@@ -1,52 +1,75 @@
 //! The cursor through the structure of a chart, and the cut where `syn` takes over.
 
 use proc_macro2::{Delimiter, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
-use syn::buffer::{Cursor, TokenBuffer};
 use syn::parse::{ParseStream, Parser};
 
-use super::{Error, Result};
+use super::buffer::{Buffer, Token};
+use super::{Error, Result, words};
 use crate::diagnostic::Mark;
 
 /// What is left of a body, of a group, or of the whole call. A copy looks ahead.
 #[derive(Clone, Copy)]
 pub(super) struct Input<'a> {
-    cursor: Cursor<'a>,
-    /// The token before the cursor.
-    last: Span,
-    /// The closing delimiter, where an unexpected end is shown.
-    close: Span,
+    tokens: &'a [Token],
+    at: usize,
+    end: usize,
+    /// The group this is the inside of.
+    group: Option<usize>,
+    /// The token before `at`; none at the beginning.
+    last: Option<usize>,
 }
 
 impl<'a> Input<'a> {
     /// All of a call.
-    pub(super) fn new(buffer: &'a TokenBuffer) -> Self {
-        let last = Span::call_site();
-        let mut end = Self { cursor: buffer.begin(), last, close: last };
-        while end.bump().is_some() {}
-        Self { cursor: buffer.begin(), last, close: end.last }
+    pub(super) fn new(buffer: &'a Buffer) -> Self {
+        let tokens = buffer.tokens();
+        Self { tokens, at: 0, end: tokens.len(), group: None, last: None }
     }
 
     pub(super) fn is_empty(&self) -> bool {
-        self.cursor.eof()
+        self.visible() >= self.end
     }
 
     /// Whether both stand at the same token.
     pub(super) fn is_at(&self, other: &Self) -> bool {
-        self.cursor == other.cursor
+        self.at == other.at
+    }
+
+    /// Where the next token stands that is not an invisible group.
+    fn visible(&self) -> usize {
+        let mut at = self.at;
+        while at < self.end && self.tokens[at].is_invisible() {
+            at += 1;
+        }
+        at
+    }
+
+    fn token(&self) -> Option<&'a Token> {
+        self.tokens[..self.end].get(self.visible())
+    }
+
+    /// Steps over the token at `at`.
+    fn step(&mut self, at: usize) {
+        self.last = Some(at);
+        self.at = self.tokens[at].behind;
     }
 
     /// The next token's place, or that of the closing delimiter.
     pub(super) fn span(&self) -> Span {
-        match self.cursor.token_tree() {
-            Some((TokenTree::Group(group), _)) => group.span_open(),
-            Some((tree, _)) => tree.span(),
-            None => self.close,
+        match (self.token(), self.group) {
+            (Some(token), _) => token.open(),
+            (None, Some(group)) => self.tokens[group].close(),
+            (None, None) => self.last(),
         }
     }
 
     /// The place of the token before the cursor.
     pub(super) fn last(&self) -> Span {
-        self.last
+        match (self.last, self.group) {
+            (Some(last), _) => self.tokens[last].close(),
+            (None, Some(group)) => self.tokens[group].open(),
+            (None, None) => Span::call_site(),
+        }
     }
 
     /// An error at the next token.
@@ -56,50 +79,61 @@ impl<'a> Input<'a> {
 
     /// The next token as an error message names it.
     pub(super) fn found(&self) -> String {
-        match self.cursor.token_tree() {
-            None => "the end".to_owned(),
-            Some((TokenTree::Group(group), _)) => match group.delimiter() {
+        let Some(token) = self.token() else { return "the end".to_owned() };
+        match &token.tree {
+            TokenTree::Group(group) => match group.delimiter() {
                 Delimiter::Parenthesis => "`(`".to_owned(),
                 Delimiter::Brace => "`{`".to_owned(),
                 Delimiter::Bracket => "`[`".to_owned(),
-                Delimiter::None => format!("`{group}`"),
+                Delimiter::None => "nothing".to_owned(),
             },
-            Some((TokenTree::Punct(punct), rest)) => match rest.punct() {
-                Some((next, _)) if punct.spacing() == Spacing::Joint => {
-                    format!("`{}{}`", punct.as_char(), next.as_char())
-                }
+            TokenTree::Punct(punct) => match self.next().punct() {
+                Some(next) if punct.spacing() == Spacing::Joint => format!("`{}{}`", punct.as_char(), next.as_char()),
                 _ => format!("`{punct}`"),
             },
-            Some((tree, _)) => format!("`{tree}`"),
+            tree => format!("`{tree}`"),
         }
     }
 
     /// Whether the next token stands on a later line than the last one; `false` where the toolchain does not tell.
     pub(super) fn on_new_line(&self) -> bool {
-        self.span().start().line > self.last.end().line && self.last.end().line > 0
+        let last = self.last().end().line;
+        last > 0 && self.span().start().line > last
     }
 
-    pub(super) fn tree(&self) -> Option<TokenTree> {
-        self.cursor.token_tree().map(|(tree, _)| tree)
+    /// The next token, also where it is an invisible group.
+    pub(super) fn tree(&self) -> Option<&'a TokenTree> {
+        self.tokens[..self.end].get(self.at).map(|token| &token.tree)
     }
 
     /// The next token if it is an identifier, keywords of Rust included.
-    pub(super) fn ident(&self) -> Option<Ident> {
-        self.cursor.ident().map(|(ident, _)| ident)
+    pub(super) fn word(&self) -> Option<&'a str> {
+        self.token().filter(|token| matches!(token.tree, TokenTree::Ident(_))).map(|token| token.word.as_str())
     }
 
-    pub(super) fn literal(&self) -> Option<Literal> {
-        self.cursor.literal().map(|(literal, _)| literal)
+    pub(super) fn literal(&self) -> Option<&'a Literal> {
+        match &self.token()?.tree {
+            TokenTree::Literal(literal) => Some(literal),
+            _ => None,
+        }
     }
 
     /// The next token if it is an operator's character.
-    pub(super) fn punct(&self) -> Option<Punct> {
-        self.cursor.punct().map(|(punct, _)| punct)
+    pub(super) fn punct(&self) -> Option<&'a Punct> {
+        match &self.token()?.tree {
+            TokenTree::Punct(punct) => Some(punct),
+            _ => None,
+        }
     }
 
     /// Whether the next token is this word.
     pub(super) fn at_word(&self, word: &str) -> bool {
-        self.cursor.ident().is_some_and(|(ident, _)| ident == word)
+        self.word() == Some(word)
+    }
+
+    /// Whether a name can be next that goes on with the line: `q if c` ends in front of `if`.
+    pub(super) fn at_name(&self) -> bool {
+        self.word().is_some_and(|word| word != "if")
     }
 
     /// Whether the next tokens are these characters, written without a gap.
@@ -109,7 +143,7 @@ impl<'a> Input<'a> {
 
     /// Whether a group with this delimiter is next.
     pub(super) fn at_group(&self, delimiter: Delimiter) -> bool {
-        self.cursor.group(delimiter).is_some()
+        self.token().is_some_and(|token| token.is_group(delimiter))
     }
 
     /// Whether `=` is next, and not `==` or `=>`.
@@ -125,51 +159,61 @@ impl<'a> Input<'a> {
 
     /// What follows `operator`, if it is next.
     pub(super) fn behind(mut self, operator: &str) -> Option<Self> {
-        let mut left = operator.chars().count();
-        for char in operator.chars() {
-            left -= 1;
-            let (punct, rest) = self.cursor.punct()?;
-            if punct.as_char() != char || (left > 0 && punct.spacing() == Spacing::Alone) {
+        let mut chars = operator.chars().peekable();
+        while let Some(char) = chars.next() {
+            let punct = self.punct()?;
+            if punct.as_char() != char || (chars.peek().is_some() && punct.spacing() == Spacing::Alone) {
                 return None;
             }
-            (self.cursor, self.last) = (rest, punct.span());
+            self.bump();
         }
         Some(self)
     }
 
-    /// Steps over the next token, a group as a whole.
-    pub(super) fn bump(&mut self) -> Option<TokenTree> {
-        let (tree, rest) = self.cursor.token_tree()?;
-        self.last = match &tree {
-            TokenTree::Group(group) => group.span_close(),
-            other => other.span(),
-        };
-        self.cursor = rest;
-        Some(tree)
+    /// Steps over the next token, a group as a whole; `false` at the end.
+    pub(super) fn bump(&mut self) -> bool {
+        let at = self.visible();
+        if at < self.end {
+            self.step(at);
+        }
+        at < self.end
     }
 
     pub(super) fn eat_ident(&mut self) -> Option<Ident> {
-        let (ident, rest) = self.cursor.ident()?;
-        (self.cursor, self.last) = (rest, ident.span());
-        Some(ident)
+        let TokenTree::Ident(ident) = &self.token()?.tree else { return None };
+        self.bump();
+        Some(ident.clone())
     }
 
-    pub(super) fn eat_word(&mut self, word: &str) -> Option<Span> {
-        if self.at_word(word) { self.eat_ident().map(|ident| ident.span()) } else { None }
+    pub(super) fn eat_word(&mut self, word: &str) -> bool {
+        self.at_word(word) && self.bump()
     }
 
-    pub(super) fn eat(&mut self, operator: &str) -> Option<Mark> {
-        let start = self.span();
-        let rest = self.behind(operator)?;
-        *self = rest;
-        Some(Mark { start, end: self.last })
+    pub(super) fn eat(&mut self, operator: &str) -> bool {
+        let behind = self.behind(operator);
+        if let Some(behind) = behind {
+            *self = behind;
+        }
+        behind.is_some()
     }
 
     /// Steps over a group and gives what is in it.
     pub(super) fn enter(&mut self, delimiter: Delimiter) -> Option<Self> {
-        let (inside, span, rest) = self.cursor.group(delimiter)?;
-        (self.cursor, self.last) = (rest, span.close());
-        Some(Self { cursor: inside, last: span.open(), close: span.close() })
+        if !self.at_group(delimiter) {
+            return None;
+        }
+        let group = self.visible();
+        self.step(group);
+        Some(Self { at: group + 1, end: self.at, group: Some(group), last: None, ..*self })
+    }
+
+    /// Every name from here up to `end`, also inside groups.
+    pub(super) fn names_until(&self, end: &Self) -> impl Iterator<Item = Ident> + 'a {
+        let names = |token: &Token| match &token.tree {
+            TokenTree::Ident(name) => Some(name.clone()),
+            _ => None,
+        };
+        self.tokens[self.at..end.at].iter().filter_map(names)
     }
 
     /// A name that is declared or mentioned. Keywords of Rust pass: a rule refuses them with its reason.
@@ -182,7 +226,7 @@ impl<'a> Input<'a> {
         let mut names = Vec::new();
         while !self.is_empty() {
             names.push(self.name(what)?);
-            if self.eat(",").is_none() && !self.is_empty() {
+            if !self.eat(",") && !self.is_empty() {
                 return Err(self.error(format!("expected `,`, found {}", self.found())));
             }
         }
@@ -192,14 +236,17 @@ impl<'a> Input<'a> {
     /// Lets `syn` parse Rust from here, and steps over what it used. What follows is the caller's.
     pub(super) fn rust<T>(&mut self, parse: impl FnOnce(ParseStream) -> syn::Result<T>) -> Result<T> {
         let mut ahead = *self;
-        let mut tokens = Vec::new();
-        while !ahead.at(";") {
-            match ahead.bump() {
-                Some(tree) => tokens.push(tree),
-                None => break,
+        let mut operand = false;
+        while let Some(token) = ahead.token() {
+            // No expression and no type has a name right behind an operand: so much less to cut out where `;` is missing.
+            let name = !token.word.is_empty() && !words::is_rust(&token.word);
+            if name && operand || matches!(&token.tree, TokenTree::Punct(punct) if punct.as_char() == ';') {
+                break;
             }
+            operand = name || matches!(token.tree, TokenTree::Literal(_));
+            ahead.at = self.tokens[ahead.at].behind;
         }
-        self.cut(tokens, ahead.span(), parse)
+        self.cut(ahead, parse)
     }
 
     /// Like [`Input::rust`], for exactly the next `count` tokens.
@@ -209,32 +256,39 @@ impl<'a> Input<'a> {
         parse: impl FnOnce(ParseStream) -> syn::Result<T>,
     ) -> Result<T> {
         let mut ahead = *self;
-        let tokens = (0..count).map_while(|_| ahead.bump()).collect();
-        self.cut(tokens, ahead.span(), parse)
+        for _ in 0..count {
+            if let Some(token) = self.tokens[..self.end].get(ahead.at) {
+                ahead.at = token.behind;
+            }
+        }
+        self.cut(ahead, parse)
     }
 
-    fn cut<T>(
-        &mut self,
-        tokens: Vec<TokenTree>,
-        end: Span,
-        parse: impl FnOnce(ParseStream) -> syn::Result<T>,
-    ) -> Result<T> {
-        let count = tokens.len();
+    /// Cuts out the tokens up to `end` and lets `syn` parse them.
+    fn cut<T>(&mut self, end: Self, parse: impl FnOnce(ParseStream) -> syn::Result<T>) -> Result<T> {
+        let mut starts = Vec::new();
+        let mut at = self.at;
+        while at < end.at {
+            starts.push(at);
+            at = self.tokens[at].behind;
+        }
         // With a `;` behind the piece, "unexpected end" has a place to point at.
         let mut semicolon = Punct::new(';', Spacing::Alone);
-        semicolon.set_span(end);
-        let tokens = tokens.into_iter().chain([semicolon.into()]).collect::<TokenStream>();
+        semicolon.set_span(end.span());
+        let trees = starts.iter().map(|at| self.tokens[*at].tree.clone());
+        let tokens = trees.chain([semicolon.into()]).collect::<TokenStream>();
         // Draining the piece keeps `syn` from complaining about the part that is not its business.
         let counted = |input: ParseStream| Ok((parse(input)?, input.parse::<TokenStream>()?.into_iter().count()));
         let (parsed, left) = counted.parse2(tokens)?;
-        for _ in 0..(count + 1).saturating_sub(left) {
-            self.bump();
+        let used = (starts.len() + 1).saturating_sub(left);
+        if let Some(last) = starts.get(used.wrapping_sub(1)) {
+            self.step(*last);
         }
         Ok(parsed)
     }
 
     /// What `from` stands before and this input behind.
     pub(super) fn since(&self, from: &Self) -> Mark {
-        Mark { start: from.span(), end: self.last }
+        Mark { start: from.span(), end: self.last() }
     }
 }

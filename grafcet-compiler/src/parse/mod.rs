@@ -1,12 +1,12 @@
 //! Tokens to syntax: one file a production of the language.
 //!
-//! The structure of a chart is read with a [`Cursor`](syn::buffer::Cursor) that can look ahead as far as it likes;
-//! the Rust inside it (types, expressions, blocks) is cut out and handed to `syn` piece by piece, so that a mistake in one
+//! The structure of a chart is read with a cursor that can look ahead as far as it likes; the Rust inside it (types, expressions, blocks) is cut out and handed to `syn` piece by piece, so that a mistake in one
 //! piece is the mistake of that piece alone. Every body goes on behind a broken item.
 
 mod association;
 mod attrs;
 mod body;
+mod buffer;
 mod chain;
 mod condition;
 mod decl;
@@ -26,8 +26,8 @@ mod transition;
 mod words;
 
 use proc_macro2::{Span, TokenStream};
-use syn::buffer::TokenBuffer;
 
+use self::buffer::Buffer;
 use self::error::{Error, Result};
 use self::input::Input;
 use crate::ast::Chart;
@@ -47,10 +47,11 @@ pub fn chart(tokens: TokenStream, sink: &mut Sink) -> Option<Chart> {
         );
         return None;
     }
-    if let Err(error) = guard::check(&tokens) {
-        error.report(sink);
-        return None;
+    match Buffer::new(tokens) {
+        Ok(buffer) => header::chart(Input::new(&buffer), sink),
+        Err(error) => {
+            error.report(sink);
+            None
+        }
     }
-    let buffer = TokenBuffer::new2(tokens);
-    header::chart(Input::new(&buffer), sink)
 }

@@ -15,7 +15,7 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
         "never" => Property::Never { attrs, keyword, condition: condition::parse(input, "what must never hold")? },
         "always" => {
             let first = condition::parse(input, "what must always hold")?;
-            if input.eat("=>").is_some() {
+            if input.eat("=>") {
                 let condition = condition::parse(input, "what follows from it, behind `=>`")?;
                 Property::Always { attrs, keyword, premise: Some(first), condition }
             } else {

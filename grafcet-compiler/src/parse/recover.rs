@@ -33,12 +33,12 @@ pub(super) fn skip(input: &mut Input, start: &Input, place: Place) {
     }
     while !input.is_empty() && !place.item_begins(input) {
         let brace = input.at_group(Delimiter::Brace);
-        if input.eat(";").is_some() {
+        if input.eat(";") {
             return;
         }
         input.bump();
         // Braces end an item, unless they are in the middle of an expression.
-        if brace && !input.at(";") && (input.on_new_line() || input.ident().is_some()) {
+        if brace && !input.at(";") && (input.on_new_line() || input.word().is_some()) {
             return;
         }
     }
@@ -47,10 +47,10 @@ pub(super) fn skip(input: &mut Input, start: &Input, place: Place) {
 /// The `;` at the end of an item. Where it is missing, or something stands before it, that is reported, and the item
 /// stays: what it says is understood.
 pub(super) fn semicolon(input: &mut Input, place: Place, sink: &mut Sink) {
-    if input.eat(";").is_some() {
+    if input.eat(";") {
         return;
     }
-    let chain = || place == Place::Body && input.ident().is_some() && chain::begins(input);
+    let chain = || place == Place::Body && input.word().is_some() && chain::begins(input);
     if input.is_empty() || input.on_new_line() || place.item_begins(input) || chain() {
         sink.notation(input.last(), "`;` is missing behind this");
         return;
@@ -74,23 +74,27 @@ fn unexpected(input: &Input) -> Error {
 
 /// The names that the item at `start`, which is broken, would have declared.
 pub(super) fn names(mut start: Input) -> Vec<Ident> {
-    while start.eat("#").is_some() {
+    while start.eat("#") {
         start.enter(Delimiter::Bracket);
     }
     let Some(first) = start.eat_ident() else { return Vec::new() };
-    if association::is_qualifier(&first) || first == "force" {
+    if start.at_group(Delimiter::Brace) {
+        return vec![first];
+    }
+    let written = first.to_string();
+    if association::is_qualifier(&written) || written == "force" {
         return Vec::new();
     }
     if start.at(":") {
         return vec![first];
     }
-    let mut word = words::meant(&first).unwrap_or_default();
+    let mut word = words::meant(&written).unwrap_or_default();
     // `initial step Off`: the name stands behind the last of the words.
     while let ("initial" | "final" | "linked" | "entry" | "exit" | "macro" | "enclosing", Some(next)) =
-        (word, start.ident())
+        (word, start.word())
     {
-        word = words::meant(&next).unwrap_or("step");
-        if words::meant(&next).is_some() {
+        word = words::meant(next).unwrap_or("step");
+        if words::meant(next).is_some() {
             start.bump();
         }
     }
@@ -98,12 +102,29 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
     if !matches!(word, "" | "input" | "output" | "var" | "param" | "action" | "step" | "partial") {
         return Vec::new();
     }
+    let is_list = matches!(word, "" | "input" | "output" | "var" | "param");
     let mut names = Vec::new();
     while let Some(name) = start.eat_ident() {
         names.push(name);
-        if start.eat(",").is_none() {
+        // In a list the comma may be what is missing.
+        if !start.eat(",") && !is_list {
             break;
         }
     }
     names
 }
+
+/// Whether the item at `start`, which is broken, may have been a step.
+pub(super) fn may_be_step(mut start: Input) -> bool {
+    while start.eat("#") {
+        start.enter(Delimiter::Bracket);
+    }
+    let Some(first) = start.word() else { return false };
+    let no_step = ["input", "output", "var", "param", "action", "partial"];
+    match words::meant(first) {
+        Some(word) => !no_step.contains(&word) && !SETTINGS.contains(&word),
+        None => !chain::begins(&start),
+    }
+}
+
+const SETTINGS: [&str; 7] = ["clock", "max_evolutions", "budget", "assume", "never", "always", "home"];

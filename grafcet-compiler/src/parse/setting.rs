@@ -26,14 +26,14 @@ fn unit(input: &mut Input, sink: &mut Sink) -> Result<Time> {
     let Some(literal) = input.literal() else {
         return Err(input.error(format!("the clock's unit is a time such as `1ms`, found {}", input.found())));
     };
-    time::parse(input, &literal, sink).ok_or_else(Error::reported)
+    time::parse(input, literal, sink).ok_or_else(Error::reported)
 }
 
 fn count(input: &mut Input, word: &str) -> Result<LitInt> {
     let Some(literal) = input.literal() else {
         return Err(input.error(format!("expected a number, as in `{word} 20;`, found {}", input.found())));
     };
-    let syn::Lit::Int(count) = syn::Lit::new(literal) else {
+    let syn::Lit::Int(count) = syn::Lit::new(literal.clone()) else {
         return Err(input.error(format!("expected a whole number, as in `{word} 20;`, found {}", input.found())));
     };
     if !count.suffix().is_empty() || count.base10_digits().starts_with('-') {
@@ -44,7 +44,7 @@ fn count(input: &mut Input, word: &str) -> Result<LitInt> {
 }
 
 fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {
-    if input.eat_word("never").is_none() {
+    if !input.eat_word("never") {
         let message = "what the plant excludes is written `assume never b1 && b3;`";
         return Err(Error::new(input.span(), message));
     }

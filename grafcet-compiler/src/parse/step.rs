@@ -56,27 +56,21 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
 /// Everything up to the name.
 fn words(input: &mut Input, sink: &mut Sink) -> Words {
     let mut words = Words::default();
-    while let Some(word) = input.ident() {
-        let behind = input.next();
-        let last = behind.ident().is_none();
-        let meant = match word.to_string() {
-            exact if last && exact != "step" => break,
-            exact if exact == "step" || words.slot(&exact).is_some() => exact,
-            _ => match words::meant(&word) {
-                Some(meant) if meant == "step" || words.slot(meant).is_some() => {
-                    // The first word was reported where the item was recognised.
-                    if !words.is_empty() {
-                        words::report(&word, meant, sink);
-                    }
-                    meant.to_owned()
-                }
-                _ => break,
-            },
+    while let Some(word) = input.word() {
+        let last = input.next().word().is_none();
+        let meant = match words::meant(word) {
+            Some(meant) if last && meant != "step" => break,
+            Some(meant) if meant == "step" || words.slot(meant).is_some() => meant,
+            _ => break,
         };
+        // The first word was reported where the item was recognised.
+        if meant != word && !words.is_empty() {
+            words::report(input, meant, sink);
+        }
         input.bump();
-        let Some(slot) = words.slot(&meant) else { return words };
-        if slot.replace(word.span()).is_some() {
-            sink.notation(&word, format!("`{word}` stands here twice; remove one"));
+        let Some(slot) = words.slot(meant) else { return words };
+        if slot.replace(input.last()).is_some() {
+            sink.notation(input.last(), format!("`{word}` stands here twice; remove one"));
         }
     }
     sink.notation(input.last(), "behind this `step` is missing, as in `initial step Off;`");
@@ -102,7 +96,7 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
     if input.at_group(Delimiter::Brace) {
         return Ok(step_body(braces(input, name, "step")?, false, sink).0);
     }
-    if input.eat(";").is_some() {
+    if input.eat(";") {
         return Ok(StepBody::default());
     }
     if input.is_empty() || input.on_new_line() || words::item_begins(input) {
@@ -132,8 +126,7 @@ fn line(input: &mut Input, body: &mut StepBody, partials: Option<&mut Vec<Partia
         outer.refuse("the end of a step", sink);
         return Ok(());
     }
-    let behind = input.next();
-    let named = behind.ident().is_some_and(|word| word != "if");
+    let named = input.next().at_name();
     if input.at_word("partial") && named {
         let partial = partial::parse(input, outer.attrs, sink)?;
         match partials {
@@ -143,7 +136,7 @@ fn line(input: &mut Input, body: &mut StepBody, partials: Option<&mut Vec<Partia
         return Ok(());
     }
     outer.refuse("a line of a step", sink);
-    if input.eat(";").is_some() {
+    if input.eat(";") {
         sink.notation(input.last(), "this `;` ends nothing; remove it");
     } else if input.at_word("force") && named {
         body.forces.push(force::parse(input)?);

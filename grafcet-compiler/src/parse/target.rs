@@ -1,7 +1,7 @@
 //! What can stand behind a qualifier: `relay`, `count = count + 1`, `heat(80)`, `{ count += 1; }`.
 
 use proc_macro2::{Delimiter, Ident};
-use syn::parse::{ParseBuffer, ParseStream};
+use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Block, Expr, Token};
 
@@ -11,7 +11,7 @@ use crate::ast::Target;
 /// The target of an association or of an action on clearing.
 pub(super) fn parse(input: &mut Input) -> Result<Target> {
     if input.at_group(Delimiter::Brace) {
-        return input.rust_tokens(1, ParseBuffer::parse::<Block>).map(Target::Block);
+        return input.rust_tokens(1, Block::parse).map(Target::Block);
     }
     let name = input.name("a name, an assignment, a call or a block")?;
     if input.at_group(Delimiter::Parenthesis) {
@@ -40,7 +40,7 @@ fn value(input: &mut Input, name: &Ident) -> Result<Expr> {
     if input.is_empty() || input.at(";") {
         return Err(input.error(format!("expected the value of `{name}`, found {}", input.found())));
     }
-    input.rust(ParseBuffer::parse::<Expr>)
+    input.rust(Expr::parse)
 }
 
 /// What other notations write behind the name.

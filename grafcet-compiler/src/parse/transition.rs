@@ -17,7 +17,7 @@ pub(super) fn parse(mut inside: Input, mark: Mark) -> Result<Transition> {
     }
     let condition = condition::parse(&mut inside, "a condition, such as `true`")?;
     let mut clearing = Vec::new();
-    if inside.eat("=>").is_some() {
+    if inside.eat("=>") {
         clearing = self::clearing(&mut inside)?;
     }
     if !inside.is_empty() {
@@ -28,14 +28,13 @@ pub(super) fn parse(mut inside: Input, mark: Mark) -> Result<Transition> {
 
 /// `go:`, but not the beginning of a path.
 fn name(inside: &mut Input) -> Option<Ident> {
-    let name = inside.ident()?;
     let behind = inside.next();
-    if !behind.at(":") || behind.at("::") || behind.at(":=") {
+    if inside.word().is_none() || !behind.at(":") || behind.at("::") || behind.at(":=") {
         return None;
     }
-    inside.bump();
-    inside.bump();
-    Some(name)
+    let name = inside.eat_ident();
+    inside.eat(":");
+    name
 }
 
 fn clearing(inside: &mut Input) -> Result<Vec<Clearing>> {
@@ -44,7 +43,7 @@ fn clearing(inside: &mut Input) -> Result<Vec<Clearing>> {
         let start = *inside;
         let target = target::parse(inside)?;
         actions.push(Clearing { mark: inside.since(&start), target });
-        if inside.eat(",").is_none() {
+        if !inside.eat(",") {
             return Ok(actions);
         }
     }

@@ -1,7 +1,5 @@
 //! The words of the notation, and those that people write in their place.
 
-use proc_macro2::Ident;
-
 use super::Input;
 use crate::diagnostic::Sink;
 
@@ -47,9 +45,19 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("end", "final"),
 ];
 
-/// The word of the notation that `ident`, followed by what it is followed by, was meant to be.
-pub(super) fn meant(ident: &Ident) -> Option<&'static str> {
-    let written = ident.to_string();
+/// What can stand beside a name in an expression or a type.
+const RUST: &[&str] = &[
+    "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false", "fn",
+    "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "raw", "ref", "return",
+    "self", "Self", "static", "struct", "super", "trait", "true", "try", "type", "unsafe", "use", "where", "while",
+    "yield",
+];
+
+/// The word of the notation that is written, or was meant by what is written.
+pub(super) fn meant(written: &str) -> Option<&'static str> {
+    if let Some(word) = ITEMS.iter().find(|word| **word == written) {
+        return Some(word);
+    }
     let lower = written.to_lowercase();
     let exactly = ITEMS.iter().find(|word| **word == lower);
     let elsewhere = || ELSEWHERE.iter().find(|(word, _)| *word == lower).map(|(_, ours)| ours);
@@ -60,14 +68,18 @@ pub(super) fn meant(ident: &Ident) -> Option<&'static str> {
     exactly.or_else(elsewhere).or_else(nearly).copied()
 }
 
-/// Reports a word that is meant, but not written, as one of the notation.
-pub(super) fn report(ident: &Ident, meant: &str, sink: &mut Sink) {
-    sink.notation(ident, format!("`{ident}` is no word of the notation; write `{meant}`"));
+/// Reports the next word, which is meant, but not written, as one of the notation.
+pub(super) fn report(input: &Input, meant: &str, sink: &mut Sink) {
+    sink.notation(input.span(), format!("{} is no word of the notation; write `{meant}`", input.found()));
 }
 
 /// Whether an item certainly begins here: no expression has one of our words before a name or a number.
 pub(super) fn item_begins(input: &Input) -> bool {
-    let Some(word) = input.ident() else { return false };
     let behind = input.next();
-    ITEMS.iter().any(|item| word == item) && (behind.ident().is_some() || behind.literal().is_some())
+    input.word().is_some_and(|word| ITEMS.contains(&word)) && (behind.at_name() || behind.literal().is_some())
+}
+
+/// Whether `word` is a keyword that Rust allows in an expression or a type.
+pub(super) fn is_rust(word: &str) -> bool {
+    RUST.contains(&word)
 }

@@ -1,5 +1,6 @@
 //! How each output gets its value.
 
+use super::{Control, What};
 use crate::analysis::Concurrency;
 use crate::model::{Association, Dialect, Effect, Model, Name, OutputId, Place, Qualifier, Read, StepId};
 
@@ -13,16 +14,18 @@ pub struct Drive {
     pub reset_flag: bool,
     /// An action reads its value of the cycle before, which the cycle may overwrite before.
     pub read_by_actions: bool,
+    /// An expression reads it.
+    pub read: bool,
     /// Its value of the cycle before is remembered only because it is read.
     pub last: bool,
 }
 
 /// The drives of all outputs.
-pub(super) fn all(model: &Model, concurrency: &Concurrency) -> Vec<Drive> {
-    model.outputs.ids().map(|output| of(model, concurrency, output)).collect()
+pub(super) fn all(model: &Model, concurrency: &Concurrency, control: &Control) -> Vec<Drive> {
+    model.outputs.ids().map(|output| of(model, concurrency, control, output)).collect()
 }
 
-fn of(model: &Model, concurrency: &Concurrency, output: OutputId) -> Drive {
+fn of(model: &Model, concurrency: &Concurrency, control: &Control, output: OutputId) -> Drive {
     let mine = |association: &&Association| writes(&association.effect, output);
     let associations: Vec<_> = model.associations.values().filter(mine).collect();
     let steps = |qualifier: Qualifier| {
@@ -37,11 +40,16 @@ fn of(model: &Model, concurrency: &Concurrency, output: OutputId) -> Drive {
         .iter()
         .any(|set| resets.iter().any(|reset| set == reset || concurrency.together(*set, *reset)));
     let read = reads(model, output);
+    if control.targets.iter().any(|target| target.what == What::Boolean(Place::Output(output))) {
+        // The action control computes its Q into a local.
+        return Drive { continuous: true, stored: false, reset_flag: false, read_by_actions: false, read: read.anywhere, last: read.anywhere };
+    }
     Drive {
         continuous,
         stored,
         reset_flag: !resets.is_empty() && (continuous || contended),
         read_by_actions: stored && !continuous && read.by_actions,
+        read: read.anywhere,
         last: (continuous || !stored) && read.anywhere,
     }
 }

@@ -1,28 +1,38 @@
 //! What the machine code will look like: which steps share a byte, which states there are, what is remembered.
 //! No tokens yet.
 
+mod control;
 mod drive;
+mod evolution;
+mod memory;
 mod regions;
+mod stored;
 
+use std::collections::BTreeSet;
+
+pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
-pub use regions::{Region, RegionId, Regions, starts};
+pub use evolution::Evolution;
+pub use memory::Memory;
+pub use regions::{Region, RegionId, Regions};
+pub use stored::{Stored, is_stored, writes};
 
-use crate::analysis::{Concurrency, Stability};
-use crate::model::{Dialect, Effect, Id, Model, OutputId, Qualifier, StepId, TransitionId};
+use crate::analysis::{Concurrency, Stability, hierarchy};
+use crate::model::{Dialect, Effect, Model, Qualifier, Read, StepId};
 
 /// The plan for one chart.
 pub struct Plan {
     pub regions: Regions,
-    /// The first cycle differs from the others, so the state says whether it is still to come.
-    pub has_start: bool,
+    pub evolution: Evolution,
     /// How each output gets its value, by output.
     pub drives: Vec<Drive>,
-    /// Outputs that are remembered from cycle to cycle, in order of declaration.
-    pub stored: Vec<OutputId>,
-    /// Outputs whose last value is remembered only because an expression reads it (and `stored` does not hold it).
-    pub last: Vec<OutputId>,
-    /// Per step, the transitions that leave it, in source order.
-    pub leaving: Vec<Vec<TransitionId>>,
+    pub control: Control,
+    pub stored: Stored,
+    pub memory: Memory,
+    /// The active steps of the initial situation.
+    pub initial: BTreeSet<StepId>,
+    /// The first cycle differs from the others, so the state says whether it is still to come.
+    pub has_start: bool,
     /// Per region, whether an action can see that a step was left and entered again in one evolution.
     pub sees_reentry: Vec<bool>,
     /// A search for stability may have no end, as far as is known (A30).
@@ -36,50 +46,55 @@ impl Plan {
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let concurrency = Concurrency::of(model);
-        let regions = Regions::of(model, &concurrency);
-        let drives = drive::all(model, &concurrency);
-        let pick = |wanted: &dyn Fn(&Drive) -> bool| {
-            model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
-        };
-        let sees_reentry = (0..regions.all().len()).map(|region| sees_reentry(model, &regions.all()[region])).collect();
+        let initial = hierarchy::initial_situation(model);
+        let mut regions = Regions::of(model, &concurrency, &initial);
+        let control = Control::of(model);
+        let drives = drive::all(model, &concurrency, &control);
+        let evolution = Evolution::of(model, &concurrency);
+        regions.allow_leaving(&evolution.entered_last);
+        let sees_reentry = (0..regions.all().len()).map(|r| sees_reentry(model, &regions, &evolution, r)).collect();
         Self {
-            has_start: has_start(model),
-            stored: pick(&|drive| drive.stored),
-            last: pick(&|drive| drive.last),
-            drives,
-            leaving: leaving(model),
+            memory: Memory::of(model, &regions, &drives),
+            has_start: has_start(model, &initial),
+            stored: Stored::of(model),
             sees_reentry,
             may_be_unstable: model.is_grafcet() && !Stability::of(model).is_certain(),
             max_evolutions: max_evolutions(model),
             regions,
+            evolution,
+            drives,
+            control,
+            initial,
         }
     }
 }
 
-fn leaving(model: &Model) -> Vec<Vec<TransitionId>> {
-    let mut leaving = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-    }
-    leaving
-}
-
-/// A4s: in an `sfc`, a self-loop deactivates and activates its step. In a `grafcet` (A4g) nothing happens to it.
-fn sees_reentry(model: &Model, region: &Region) -> bool {
+/// A4s: in an `sfc`, a step that is left and entered in one cycle is deactivated and activated. In a `grafcet` (A4g)
+/// nothing happens to it. In the first cycle, a region behind the first one enters its initial step unseen otherwise.
+fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution, id: RegionId) -> bool {
+    let region = &regions.all()[id];
     let looks = |step: StepId| {
         let associations = model.steps[step].associations.iter().map(|id| &model.associations[*id]);
         associations.into_iter().any(|a| !matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R))
+            || model.expressions().flatten().any(|read| is_time_of(*read, step))
     };
-    let reentered =
-        |step: &StepId| model.transitions.values().any(|t| t.sources.contains(step) && t.targets.contains(step));
-    model.dialect == Dialect::Sfc && region.steps.iter().any(|step| looks(*step) && reentered(step))
+    let reentered = |step: StepId| {
+        evolution.entered_last.contains(&step)
+            || id > 0 && region.initial == Some(step)
+            || model.transitions.values().any(|t| t.sources.contains(&step) && t.targets.contains(&step))
+    };
+    model.dialect == Dialect::Sfc && region.steps.iter().any(|step| reentered(*step) && looks(*step))
+}
+
+fn is_time_of(read: Read, step: StepId) -> bool {
+    matches!(read, Read::Since(other) | Read::Elapsed(_, other) if other == step)
 }
 
 /// Whether the first cycle differs from the others.
 ///
 /// In an `sfc` it does not evolve (A27). In a `grafcet` it differs where something happens on the activation of the
 /// initial situation, or where something looks at the time or at the evolution before.
-fn has_start(model: &Model) -> bool {
+fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
     let acts = |step: StepId| {
         model.steps[step].associations.iter().map(|id| &model.associations[*id]).any(|association| {
             let continuous = matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
@@ -89,7 +104,7 @@ fn has_start(model: &Model) -> bool {
     model.dialect == Dialect::Sfc
         || !model.edges.is_empty()
         || model.uses_time()
-        || model.steps.ids().any(|step| starts(model, step) && acts(step))
+        || initial.iter().any(|step| acts(*step))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

@@ -4,14 +4,18 @@
 //! well-nested chart has no induced path of four steps (it is a cograph), and on such a graph the greedy colouring
 //! needs the fewest colours in any order: one for a chart without parallel branches, else one per parallel branch.
 
+use std::collections::BTreeSet;
+
 use crate::analysis::Concurrency;
-use crate::model::{ForceOrder, Id, Model, StepId};
+use crate::model::{ForceOrder, Id, Model, PartialId, StepId};
 
 /// The position of a region.
 pub type RegionId = usize;
 
 /// Steps of which at most one is active.
 pub struct Region {
+    /// The partial grafcet all its steps belong to.
+    pub partial: PartialId,
     /// In order of declaration.
     pub steps: Vec<StepId>,
     /// The one that is active in the initial situation.
@@ -29,23 +33,20 @@ pub struct Regions {
 impl Regions {
     /// Divides the steps of a chart.
     #[must_use]
-    pub fn of(model: &Model, concurrency: &Concurrency) -> Self {
+    pub fn of(model: &Model, concurrency: &Concurrency, initial: &BTreeSet<StepId>) -> Self {
         let mut regions: Vec<Region> = Vec::new();
         let mut of_step = Vec::with_capacity(model.steps.len());
         for step in model.steps.ids() {
             let partial = model.steps[step].partial;
             let fits = |region: &Region| {
-                region
-                    .steps
-                    .iter()
-                    .all(|other| model.steps[*other].partial == partial && !concurrency.together(step, *other))
+                region.partial == partial && region.steps.iter().all(|other| !concurrency.together(step, *other))
             };
             let region = regions.iter().position(fits).unwrap_or_else(|| {
-                regions.push(Region { steps: Vec::new(), initial: None, may_be_empty: true });
+                regions.push(Region { partial, steps: Vec::new(), initial: None, may_be_empty: true });
                 regions.len() - 1
             });
             regions[region].steps.push(step);
-            if starts(model, step) {
+            if initial.contains(&step) {
                 regions[region].initial = Some(step);
             }
             of_step.push(region);
@@ -55,6 +56,13 @@ impl Regions {
             all.regions[region].may_be_empty = all.may_become_empty(model, region);
         }
         all
+    }
+
+    /// Steps that are first taken away and then given back leave their region empty in between.
+    pub(super) fn allow_leaving(&mut self, steps: &BTreeSet<StepId>) {
+        for step in steps {
+            self.regions[self.of_step[step.index()]].may_be_empty = true;
+        }
     }
 
     /// The region of a step.
@@ -69,6 +77,11 @@ impl Regions {
         &self.regions
     }
 
+    /// The regions of a partial grafcet.
+    pub fn of_partial(&self, partial: PartialId) -> impl Iterator<Item = RegionId> + '_ {
+        self.regions.iter().enumerate().filter(move |(_, region)| region.partial == partial).map(|(id, _)| id)
+    }
+
     /// The situation is one step: the chart has no parallel branches and never stands without an active step.
     #[must_use]
     pub fn is_single(&self) -> bool {
@@ -78,19 +91,11 @@ impl Regions {
     /// Whether a region starts empty, or something takes its active step away without giving it another.
     fn may_become_empty(&self, model: &Model, region: RegionId) -> bool {
         let here = |step: &StepId| self.of_step(*step) == region;
-        let partial = self.regions[region].steps.first().map(|step| model.steps[*step].partial);
-        let forced = model.forces.values().any(|f| Some(f.target) == partial && f.order != ForceOrder::Hold);
-        let enclosed = partial.is_some_and(|partial| model.partials[partial].enclosed_by.is_some());
+        let partial = self.regions[region].partial;
+        let forced = model.forces.values().any(|f| f.target == partial && f.order != ForceOrder::Hold);
         self.regions[region].initial.is_none()
             || forced
-            || enclosed
+            || model.partials[partial].enclosed_by.is_some()
             || model.transitions.values().any(|t| t.sources.iter().any(here) && !t.targets.iter().any(here))
     }
-}
-
-/// Whether a step is active in the initial situation: initial steps of an enclosure are only where the enclosing step is.
-#[must_use]
-pub fn starts(model: &Model, step: StepId) -> bool {
-    let step = &model.steps[step];
-    step.initial && model.partials[step.partial].enclosed_by.is_none_or(|outer| starts(model, outer))
 }

@@ -8,22 +8,32 @@ use crate::ast::{self, Target};
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Association, Effect, Name, Place, Qualifier, StepId};
 
+/// The name of a target, or its whole block.
+pub(super) fn mark_of(target: &Target) -> Mark {
+    match target {
+        Target::Name(name) | Target::Assign { name, .. } | Target::Call { name, .. } => name.into(),
+        Target::Block(block) => Mark::of(block),
+    }
+}
+
 impl Resolver<'_> {
     /// One line of a step's body.
     pub(super) fn association(&mut self, step: StepId, association: &ast::Association) {
-        let time = association.time.as_ref().map(|time| self.time_arg(time));
+        let qualifier = association.qualifier.map(|(qualifier, _)| qualifier);
+        let time = association.time.as_ref().map(|time| self.time_arg(time, qualifier));
         let event = association.event.as_ref().map(|event| expr::resolve(event, self));
         let condition = association.condition.as_ref().map(|condition| expr::resolve(condition, self));
         let Some(effect) = self.effect(&association.target) else { return self.lose() };
-        let qualifier = association.qualifier.map_or(Qualifier::N, |(qualifier, _)| qualifier);
         let id = self.model.associations.push(Association {
             step,
-            qualifier,
+            qualifier: qualifier.unwrap_or(Qualifier::N),
             time,
             event,
             condition,
             effect,
             mark: association.mark,
+            qualifier_mark: association.qualifier.map(|(_, span)| span.into()),
+            target_mark: mark_of(&association.target),
         });
         self.model.steps[step].associations.push(id);
     }
@@ -72,9 +82,11 @@ impl Resolver<'_> {
         let args: Vec<_> = args.iter().map(|arg| (Mark::of(arg), expr::resolve(arg, self))).collect();
         let action = match self.scope.get(name) {
             Some(Meaning::Action(action)) => action,
-            Some(_) => {
-                let message =
-                    format!("`{name}` is not an action and cannot be called; declare `action` under another name");
+            Some(other) => {
+                let message = format!(
+                    "`{name}` is {}, which cannot be called; declare an `action` under another name",
+                    other.kind()
+                );
                 self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
                 return None;
             }

@@ -1,10 +1,12 @@
 //! Chains of steps and transitions.
 
+use proc_macro2::Ident;
+
 use super::scope::Meaning;
 use super::{Resolver, expr};
 use crate::ast::{self, Arrow, Node};
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Dialect, PartialId, StepId, Transition};
+use crate::model::{Dialect, Effect, PartialId, StepId, Transition};
 
 /// At which end of an arrow a node stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -18,6 +20,10 @@ impl Resolver<'_> {
     pub(super) fn chain(&mut self, chain: &ast::Chain, partial: PartialId) {
         let mut before = &chain.first;
         self.repeated(before);
+        if chain.rest.is_empty() {
+            self.node(before, End::Source, partial);
+            self.lose();
+        }
         for (arrow, after) in &chain.rest {
             self.repeated(after);
             match arrow {
@@ -42,6 +48,8 @@ impl Resolver<'_> {
         if let Some(name) = &transition.name {
             self.scope.declare_transition(name, self.sink);
         }
+        self.forgotten(before, End::Source);
+        self.forgotten(after, End::Target);
         let clearing = self.clearing(transition);
         if let Node::Missing(mark) = after {
             let message = "between two transitions there is always a step; \
@@ -79,10 +87,10 @@ impl Resolver<'_> {
 
     /// The steps of a node: of a macro-step its entry or its exit.
     fn node(&mut self, node: &Node, end: End, partial: PartialId) -> Option<Vec<StepId>> {
-        let names: &[syn::Ident] = match node {
+        let names: &[Ident] = match node {
             Node::Step(name) => std::slice::from_ref(name),
             Node::Group(names, _) => names,
-            Node::Missing(_) => return None,
+            Node::Missing(_) | Node::Forgotten(_) => return None,
         };
         let mut steps = Vec::new();
         let mut complete = true;
@@ -122,11 +130,19 @@ impl Resolver<'_> {
     fn repeated(&mut self, node: &Node) {
         let Node::Group(names, _) = node else { return };
         for (i, name) in names.iter().enumerate() {
-            if names[..i].contains(name) {
-                let message = format!("`{name}` stands twice in this list; name each step once");
-                self.sink.rule(&rules::REPEATED_STEP, &[], vec![(name.into(), message)]);
+            if let Some(first) = names[..i].iter().find(|first| *first == name) {
+                self.repeated_step(first, name);
             }
         }
+    }
+
+    /// A step twice in one list, marked at both places.
+    pub(super) fn repeated_step(&mut self, first: &Ident, second: &Ident) {
+        let notes = vec![
+            (first.into(), format!("`{first}` stands here and again in this list; name each step once")),
+            (second.into(), format!("`{second}` stands here a second time; name each step once")),
+        ];
+        self.sink.rule(&rules::REPEATED_STEP, &[], notes);
     }
 
     /// `()` in an `sfc`.
@@ -148,7 +164,37 @@ impl Resolver<'_> {
         self.sink.rule(rule, &[], vec![(*mark, message.to_owned())]);
     }
 
-    fn clearing(&mut self, transition: &ast::Transition) -> Vec<crate::model::Effect> {
+    /// `-[x]-> A;` and `A -[x]->;`: an arc was forgotten, in either dialect.
+    fn forgotten(&mut self, node: &Node, end: End) {
+        let Node::Forgotten(mark) = node else { return };
+        let (rule, message) = match end {
+            End::Source => {
+                (&rules::SOURCE_TRANSITION, "no step stands in front of this transition; name it: `A -[x]-> …`")
+            }
+            End::Target => (&rules::SINK_TRANSITION, "no step stands behind this transition; name it: `… -[x]-> A`"),
+        };
+        let message = match (self.model.dialect, end) {
+            (Dialect::Sfc, _) => message.to_owned(),
+            (Dialect::Grafcet, End::Source) => format!("{message}; one without is written `() -[x]-> …`"),
+            (Dialect::Grafcet, End::Target) => format!("{message}; one without is written `… -[x]-> ()`"),
+        };
+        self.sink.rule(rule, &[], vec![(*mark, message)]);
+    }
+
+    /// The steps that are named in items that could not be parsed are not on their own for all we know; and one of these
+    /// items may be the initial step.
+    pub(super) fn lost_items(&mut self, body: &ast::Body) {
+        for name in &body.lost {
+            if let Some(Meaning::Step(step)) = self.scope.get(name) {
+                self.model.steps[step].drawn = true;
+            }
+        }
+        if body.lost_step {
+            self.lose();
+        }
+    }
+
+    fn clearing(&mut self, transition: &ast::Transition) -> Vec<Effect> {
         let mut effects = Vec::new();
         for clearing in &transition.clearing {
             if self.model.dialect == Dialect::Sfc {
@@ -156,7 +202,13 @@ impl Resolver<'_> {
                                write the action behind `P1` in the step that follows";
                 self.sink.rule(&rules::CLEARING_ACTION, &[], vec![(clearing.mark, message.to_owned())]);
             }
-            effects.extend(self.effect(&clearing.target));
+            let effect = self.effect(&clearing.target);
+            if let (Some(Effect::Control(place)), Dialect::Grafcet) = (&effect, self.model.dialect) {
+                let name = self.model.place_name(*place);
+                let message = format!("this does not say what `{name}` becomes; write `{name} = …`");
+                self.sink.rule(&rules::WRONG_TARGET, &[], vec![(clearing.mark, message)]);
+            }
+            effects.extend(effect);
         }
         effects
     }
@@ -169,6 +221,6 @@ fn name_of(node: &Node) -> String {
         Node::Group(names, _) => {
             format!("({})", names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
         }
-        Node::Missing(_) => "…".to_owned(),
+        Node::Missing(_) | Node::Forgotten(_) => "…".to_owned(),
     }
 }

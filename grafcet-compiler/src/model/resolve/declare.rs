@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use syn::Type;
 
-use super::scope::Meaning;
+use super::scope::{Meaning, refuse_reserved, spelled};
 use super::{Resolver, expr};
 use crate::ast::{self, DeclKind, Item, StepKind};
 use crate::diagnostic::{Mark, rules};
@@ -12,76 +12,63 @@ use crate::model::{
 };
 
 impl Resolver<'_> {
-    /// The statements that the meaning of others depends on.
-    pub(super) fn read_settings(&mut self, body: &ast::Body) {
-        for item in &body.items {
-            match item {
-                Item::Setting(ast::Setting::Clock { unit, .. }) => {
-                    if unit.nanos == 0 {
-                        let message = "a clock unit cannot be zero; write `clock 1ms;`".to_owned();
-                        self.sink.rule(&rules::BAD_TIME, &[], vec![(unit.span.into(), message)]);
-                    } else {
-                        self.model.clock_nanos = unit.nanos;
-                    }
-                }
-                Item::Setting(ast::Setting::MaxEvolutions { count, .. }) => match count.base10_parse() {
-                    Ok(0) => self.sink.notation(count.span(), "a cycle has at least one evolution; write 1 or more"),
-                    Ok(count) => self.model.max_evolutions = Some(count),
-                    Err(error) => self.sink.syn(&error),
-                },
-                _ => {}
-            }
-        }
-    }
-
     /// Declares everything in the chart.
     pub(super) fn declare_chart(&mut self, body: &ast::Body) {
         self.model.partials.push(partial(None, None, Vec::new()));
-        self.declare_body(body, PartialId::new(0), None, true);
+        self.declare_body(body, PartialId::new(0), Where::Chart);
     }
 
-    fn declare_body(&mut self, body: &ast::Body, partial: PartialId, inside: Option<MacroId>, is_chart: bool) {
-        self.scope.add_broken(body.broken.iter().map(ToString::to_string));
+    fn declare_body(&mut self, body: &ast::Body, partial: PartialId, place: Where) {
+        self.scope.add_broken(body);
         for item in &body.items {
             match item {
-                Item::Decl(decl) if is_chart => self.declare_decl(decl),
-                Item::Action(action) if is_chart => self.declare_action(action),
-                Item::Decl(ast::Decl { names, .. }) => self.only_in_chart(names.first()),
-                Item::Action(ast::ActionDecl { name, .. }) => self.only_in_chart(Some(name)),
-                Item::Step(step) => self.declare_step(step, partial, inside),
+                // Also where it must not stand: its name is known, and one error is enough.
+                Item::Decl(decl) => {
+                    self.only_in_chart(place, decl.names.iter());
+                    self.declare_decl(decl);
+                }
+                Item::Action(action) => {
+                    self.only_in_chart(place, std::iter::once(&action.name));
+                    self.declare_action(action);
+                }
+                Item::Step(step) => self.declare_step(step, partial, place),
                 Item::Partial(inner) => {
+                    self.refuse_partial(inner, place);
                     self.declare_partial(inner, None);
                 }
-                Item::Setting(_) | Item::Property(_) | Item::Chain(_) => {}
+                Item::Setting(setting) => self.setting(setting, place),
+                Item::Property(_) | Item::Chain(_) => {}
             }
         }
     }
 
-    fn only_in_chart(&mut self, name: Option<&Ident>) {
-        if let Some(name) = name {
-            let message =
-                format!("`{name}` is declared inside a part of the chart; names are declared directly in the chart");
+    fn only_in_chart<'n>(&mut self, place: Where, names: impl Iterator<Item = &'n Ident>) {
+        if place == Where::Chart {
+            return;
+        }
+        for name in names {
+            let message = format!(
+                "`{name}` is declared inside {}; the whole chart shares its names: declare it directly in the chart",
+                place.text()
+            );
             self.sink.notation(name, message);
         }
-        self.lose();
     }
 
     fn declare_decl(&mut self, decl: &ast::Decl) {
-        for name in &decl.names {
-            let name = name.clone();
+        for declared in &decl.names {
+            let name = spelled(declared);
             let (attrs, levels) = (decl.attrs.passed_on.clone(), decl.attrs.levels.clone());
             let ty = ty(&decl.ty);
             let value = match decl.kind {
-                DeclKind::Input => Name::Input(self.model.inputs.push(Input { name: name.clone(), attrs, levels, ty })),
+                DeclKind::Input => Name::Input(self.model.inputs.push(Input { name, attrs, levels, ty })),
                 DeclKind::Output => {
-                    Name::Output(self.model.outputs.push(Output { name: name.clone(), attrs, levels, ty, init: None }))
+                    Name::Output(self.model.outputs.push(Output { name, attrs, levels, ty, init: None }))
                 }
-                DeclKind::Var => Name::Var(self.model.vars.push(Var { name: name.clone(), levels, ty, init: None })),
-                DeclKind::Param => {
-                    Name::Param(self.model.params.push(Param { name: name.clone(), attrs, levels, ty, init: None }))
-                }
+                DeclKind::Var => Name::Var(self.model.vars.push(Var { name, levels, ty, init: None })),
+                DeclKind::Param => Name::Param(self.model.params.push(Param { name, attrs, levels, ty, init: None })),
             };
-            self.scope.declare(&name, Meaning::Value(value), self.sink);
+            self.scope.declare(declared, Meaning::Value(value), self.sink);
         }
     }
 
@@ -105,9 +92,10 @@ impl Resolver<'_> {
     }
 
     fn declare_action(&mut self, action: &ast::ActionDecl) {
-        let params = action.params.iter().map(|(name, t)| (name.clone(), ty(t))).collect();
+        let params = action.params.iter().map(|(name, t)| (spelled(name), ty(t))).collect();
+        self.refuse_arguments(action);
         let id = self.model.actions.push(Action {
-            name: action.name.clone(),
+            name: spelled(&action.name),
             attrs: action.attrs.passed_on.clone(),
             levels: action.attrs.levels.clone(),
             params,
@@ -115,28 +103,43 @@ impl Resolver<'_> {
         self.scope.declare(&action.name, Meaning::Action(id), self.sink);
     }
 
+    /// Argument names that Rust would refuse in the chart's trait.
+    fn refuse_arguments(&mut self, action: &ast::ActionDecl) {
+        for (i, (name, _)) in action.params.iter().enumerate() {
+            match action.params[..i].iter().find(|(other, _)| other == name) {
+                Some((first, _)) => super::scope::report_duplicate(name, first, self.sink),
+                None => refuse_reserved(name, self.sink),
+            }
+        }
+    }
+
     fn declare_partial(&mut self, inner: &ast::Partial, enclosed_by: Option<StepId>) -> PartialId {
         let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().collect();
         let id = self.model.partials.push(partial(Some(inner.name.clone()), enclosed_by, levels));
         self.partials.push(id);
         self.scope.declare_partial(&inner.name, id, self.sink);
-        self.declare_body(&inner.body, id, None, false);
+        let place = if enclosed_by.is_some() { Where::Enclosure } else { Where::Partial };
+        self.declare_body(&inner.body, id, place);
         id
     }
 
-    fn declare_step(&mut self, step: &ast::Step, partial: PartialId, inside: Option<MacroId>) {
+    fn declare_step(&mut self, step: &ast::Step, partial: PartialId, place: Where) {
+        self.refuse_words(step, partial, place);
         if let StepKind::Macro(_, body) = &step.kind {
             return self.declare_macro(step, body, partial);
         }
         let id = self.model.steps.push(Step {
-            name: step.name.clone(),
+            name: spelled(&step.name),
             attrs: step.attrs.passed_on.clone(),
             levels: step.attrs.levels.clone(),
             partial,
             initial: step.initial.is_some(),
             is_final: step.is_final.is_some(),
             linked: step.linked.is_some(),
-            macro_step: inside,
+            macro_step: match place {
+                Where::Expansion(id) => Some(id),
+                _ => None,
+            },
             encloses: Vec::new(),
             drawn: false,
             associations: Vec::new(),
@@ -144,7 +147,8 @@ impl Resolver<'_> {
         });
         self.steps.push(id);
         self.model.partials[partial].steps.push(id);
-        self.scope.declare(&step.name, Meaning::Step(id), self.sink);
+        // A second step of a name is not on its own: what is drawn to it cannot be told from the first.
+        self.model.steps[id].drawn = !self.scope.declare(&step.name, Meaning::Step(id), self.sink);
         if let StepKind::Enclosing(_, _, partials) = &step.kind {
             for inner in partials {
                 let inner = self.declare_partial(inner, Some(id));
@@ -157,10 +161,10 @@ impl Resolver<'_> {
     fn declare_macro(&mut self, step: &ast::Step, body: &ast::Body, partial: PartialId) {
         let unknown = StepId::new(0);
         let first = self.model.steps.len();
-        let macro_step = MacroStep { name: step.name.clone(), entry: unknown, exit: unknown, steps: Vec::new() };
+        let macro_step = MacroStep { name: spelled(&step.name), entry: unknown, exit: unknown, steps: Vec::new() };
         let id = self.model.macros.push(macro_step);
         self.scope.declare(&step.name, Meaning::Macro(id), self.sink);
-        self.declare_body(body, partial, Some(id), false);
+        self.declare_body(body, partial, Where::Expansion(id));
         self.model.macros[id].steps =
             self.model.steps.ids().skip(first).filter(|s| self.model.steps[*s].partial == partial).collect();
 
@@ -171,6 +175,7 @@ impl Resolver<'_> {
             self.model.macros[id].exit = exit;
             self.model.steps[entry].initial |= step.initial.is_some();
             self.model.steps[entry].linked |= step.linked.is_some();
+            self.model.steps[exit].is_final |= step.is_final.is_some();
         } else {
             self.broken_macros.push(id);
             self.lose();
@@ -200,18 +205,45 @@ impl Resolver<'_> {
                 _ => None,
             };
         }
-        let (place, message) = match ends.get(1) {
-            None => (
-                &step.name,
-                format!("macro-step `{}` has no {which} step; write `{which} step …` in its expansion", step.name),
-            ),
-            Some(second) => (
-                &second.name,
-                format!("macro-step `{}` has a second {which} step; an expansion has exactly one", step.name),
-            ),
+        let notes = if ends.is_empty() {
+            let message =
+                format!("macro-step `{}` has no {which} step; write `{which} step …` in its expansion", step.name);
+            vec![((&step.name).into(), message)]
+        } else {
+            let note = |end: &&ast::Step| {
+                let message = format!(
+                    "`{}` is one of {} {which} steps of macro-step `{}`, an expansion has exactly one; \
+                     leave `{which}` to one of them",
+                    end.name,
+                    ends.len(),
+                    step.name
+                );
+                (Mark::from(&end.name), message)
+            };
+            ends.iter().map(note).collect()
         };
-        self.sink.rule(&rules::MACRO_ENTRY_EXIT, &[], vec![(place.into(), message)]);
+        self.sink.rule(&rules::MACRO_ENTRY_EXIT, &[], notes);
         None
+    }
+}
+
+/// In which kind of body a name is declared.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Where {
+    Chart,
+    Partial,
+    Enclosure,
+    Expansion(MacroId),
+}
+
+impl Where {
+    pub(super) fn text(self) -> &'static str {
+        match self {
+            Self::Chart => "the chart",
+            Self::Partial => "a partial grafcet",
+            Self::Enclosure => "an enclosure",
+            Self::Expansion(_) => "the expansion of a macro-step",
+        }
     }
 }
 

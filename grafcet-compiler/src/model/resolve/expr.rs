@@ -9,7 +9,7 @@ use syn::{BinOp, ExprBinary, Lit, Member, UnOp};
 
 use super::Resolver;
 use super::scope::Meaning;
-use crate::diagnostic::Mark;
+use crate::diagnostic::{Mark, rules};
 use crate::model::{Binary, Delay, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
 
 /// Resolves one expression of the user.
@@ -17,9 +17,13 @@ pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
     let mut lower = Lower::new(resolver);
     locals_of_expr(&mut expr.clone(), &mut lower.locals);
     let mut tokens = expr.clone();
+    let before = lower.resolver.sink.count();
     let tree = lower.lower(&mut tokens);
-    let reads = lower.reads;
-    Expr { tree, tokens, reads, text: super::text::of(expr) }
+    let broken = lower.resolver.sink.count() > before;
+    let (reads, text) = (lower.reads, super::text::of(expr));
+    // An expression with a mistake equals only its own text.
+    let tree = if broken { Tree::Opaque { text: text.clone(), reads: reads.clone() } } else { tree };
+    Expr { tree, tokens, reads, text }
 }
 
 /// Rewrites expressions in place and takes note of what they read.
@@ -59,6 +63,7 @@ impl<'r, 's> Lower<'r, 's> {
                 let Some(operator) = operator(&binary.op) else { return self.opaque(expr) };
                 let left = self.lower(&mut binary.left);
                 let right = self.lower(&mut binary.right);
+                self.units(binary, &left, &right);
                 Tree::Binary(operator, Box::new(left), Box::new(right))
             }
             syn::Expr::Lit(lit) => match literal(&lit.lit) {
@@ -69,6 +74,17 @@ impl<'r, 's> Lower<'r, 's> {
             syn::Expr::Field(_) => self.field(expr),
             syn::Expr::Call(_) => self.call(expr),
             _ => self.opaque(expr),
+        }
+    }
+
+    /// `Heat.T > 5` and `5/Heat`: a time has a unit.
+    fn units(&mut self, binary: &ExprBinary, left: &Tree, right: &Tree) {
+        let since = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(_) | Read::MacroSince(_)));
+        match (left, right) {
+            _ if matches!(binary.op, BinOp::Mul(_) | BinOp::Div(_)) => {}
+            (time, Tree::Int(_)) if since(time) => self.resolver.no_unit(&binary.right),
+            (Tree::Int(_), time) if since(time) => self.resolver.no_unit(&binary.left),
+            _ => {}
         }
     }
 
@@ -160,6 +176,12 @@ impl<'r, 's> Lower<'r, 's> {
             (Meaning::Step(id), false) => Read::Since(id),
             (Meaning::Macro(id), true) => Read::MacroActive(id),
             (Meaning::Macro(id), false) => Read::MacroSince(id),
+            (Meaning::Value(value), _) if self.resolver.is_plain(value) => {
+                let (name, kind) = (&step[0], meaning.kind());
+                let message = format!("`{name}` is {kind}, not a step; only a step has `.{member}`");
+                self.resolver.sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
+                return Tree::Bool(true);
+            }
             _ => return self.opaque(expr),
         };
         self.replace(expr, read)
@@ -172,7 +194,7 @@ impl<'r, 's> Lower<'r, 's> {
             let partial = self.resolver.scope.partial(partial, self.resolver.sink)?;
             let found = self.resolver.scope.step(name, self.resolver.sink)?;
             if let Meaning::Step(step) = found {
-                self.resolver.expect_in_partial(name, step, partial);
+                self.resolver.step_of_partial(name, step, partial);
             }
             return Some(found);
         }
@@ -186,6 +208,9 @@ impl<'r, 's> Lower<'r, 's> {
     fn call(&mut self, expr: &mut syn::Expr) -> Tree {
         let syn::Expr::Call(call) = &mut *expr else { return self.opaque(expr) };
         let Some(function) = single_name(&call.func) else { return self.opaque(expr) };
+        if let Some(Meaning::Action(_)) = self.resolver.scope.get(&function) {
+            return self.path(&mut call.func);
+        }
         if function != "rising" && function != "falling" {
             let text = super::text::of(&*call);
             let outside = std::mem::take(&mut self.reads);
@@ -241,8 +266,21 @@ impl<'r, 's> Lower<'r, 's> {
                 });
             }
         }
-        let on = self.resolver.time_of(&division.left)?;
+        let on = match self.resolver.time_of(&division.left) {
+            Some(on) => on,
+            // `5/Heat`: a number divided by a step can only be meant as a delay.
+            None if is_number(&division.left) && self.is_step(&division.right) => {
+                self.resolver.no_unit(&division.left);
+                TimeRef::Ticks(0)
+            }
+            None => return None,
+        };
         Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
+    }
+
+    fn is_step(&self, expr: &syn::Expr) -> bool {
+        let meaning = single_name(expr).and_then(|name| self.resolver.scope.get(&name));
+        matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)))
     }
 
     fn three_part_delay(&mut self, on: TimeRef, inner: &ExprBinary, last: &syn::Expr) -> DelayParts {
@@ -381,6 +419,10 @@ pub(super) fn single_name(expr: &syn::Expr) -> Option<Ident> {
         syn::Expr::Group(group) => single_name(&group.expr),
         _ => None,
     }
+}
+
+fn is_number(expr: &syn::Expr) -> bool {
+    matches!(expr, syn::Expr::Lit(lit) if matches!(literal(&lit.lit), Some(Tree::Int(_))))
 }
 
 /// `Feed` or `Production::Feed` in front of `.X`.

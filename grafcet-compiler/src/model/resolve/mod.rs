@@ -7,6 +7,7 @@ mod chains;
 mod code;
 mod declare;
 mod expr;
+mod misplaced;
 mod scope;
 mod text;
 mod time;
@@ -15,10 +16,11 @@ use proc_macro2::Ident;
 
 use self::scope::Scope;
 use super::{
-    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Model, PartialId, Step, StepId,
+    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Model, Name, PartialId, Step, StepId,
+    Ty,
 };
 use crate::ast;
-use crate::diagnostic::{Sink, rules};
+use crate::diagnostic::{Mark, Sink, rules};
 
 /// Resolves a chart. Mistakes go to the sink; the model holds all that could be understood.
 pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
@@ -29,8 +31,8 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         steps: Vec::new(),
         partials: Vec::new(),
         broken_macros: Vec::new(),
+        settings: Vec::new(),
     };
-    resolver.read_settings(&chart.body);
     resolver.declare_chart(&chart.body);
     let mut cursor = Cursor::default();
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
@@ -47,6 +49,8 @@ pub(super) struct Resolver<'s> {
     partials: Vec<PartialId>,
     /// Macro-steps without exactly one entry and one exit step: no transition can be drawn to them.
     broken_macros: Vec<MacroId>,
+    /// `clock` and its like, where they stand first.
+    settings: Vec<(&'static str, Mark)>,
 }
 
 /// How far resolving has come in the ids given while declaring.
@@ -87,6 +91,7 @@ fn empty(chart: &ast::Chart) -> Model {
 impl Resolver<'_> {
     /// The second pass over a body, in source order.
     fn body(&mut self, body: &ast::Body, partial: PartialId, cursor: &mut Cursor) {
+        self.lost_items(body);
         for item in &body.items {
             match item {
                 ast::Item::Decl(decl) => self.initial_value(decl),
@@ -130,6 +135,7 @@ impl Resolver<'_> {
     }
 
     fn force(&mut self, step: StepId, force: &ast::Force) {
+        self.only_in_grafcet(force.mark, "forcing orders");
         let Some(target) = self.scope.partial(&force.partial, self.sink) else { return self.lose() };
         let order = match &force.order {
             ast::ForceOrder::Steps(names) => ForceOrder::Steps(self.forced_steps(names, target)),
@@ -147,12 +153,10 @@ impl Resolver<'_> {
         for name in names {
             match self.scope.step(name, self.sink) {
                 Some(scope::Meaning::Step(step)) => {
-                    self.expect_in_partial(name, step, target);
-                    if steps.contains(&step) {
-                        let message = format!("`{name}` stands twice in this situation; name it once");
-                        self.sink.rule(&rules::REPEATED_STEP, &[], vec![(name.into(), message)]);
-                    } else {
-                        steps.push(step);
+                    self.forced_step(name, step, target);
+                    match names.iter().find(|first| *first == name) {
+                        Some(first) if steps.contains(&step) => self.repeated_step(first, name),
+                        _ => steps.push(step),
                     }
                 }
                 Some(_) => {
@@ -166,15 +170,27 @@ impl Resolver<'_> {
         steps
     }
 
-    /// Reports a step that is named as part of a partial grafcet it does not belong to.
-    fn expect_in_partial(&mut self, name: &Ident, step: StepId, partial: PartialId) {
+    /// Reports a step of a forced situation that belongs to another partial grafcet.
+    fn forced_step(&mut self, name: &Ident, step: StepId, forced: PartialId) {
         let home = self.model.steps[step].partial;
-        if home == partial {
-            return;
+        if home != forced {
+            let (home, forced) = (self.partial_name(home), self.partial_name(forced));
+            let message = format!("step `{name}` belongs to {home}, the order forces {forced}; name steps of {forced}");
+            self.sink.rule(&rules::FORCED_STEP_OUTSIDE, &[], vec![(name.into(), message)]);
         }
-        let wanted = self.partial_name(partial);
-        let message = format!("step `{name}` belongs to {}, not to {wanted}", self.partial_name(home));
-        self.sink.rule(&rules::FORCED_STEP_OUTSIDE, &[], vec![(name.into(), message)]);
+    }
+
+    /// Reports `Production::Ready` where `Ready` is a step of another partial grafcet.
+    fn step_of_partial(&mut self, name: &Ident, step: StepId, partial: PartialId) {
+        let home = self.model.steps[step].partial;
+        if home != partial {
+            let mend = match &self.model.partials[home].name {
+                Some(home) => format!("`{home}::{name}`"),
+                None => format!("`{name}` alone"),
+            };
+            let message = format!("step `{name}` does not belong to {}; write {mend}", self.partial_name(partial));
+            self.sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
+        }
     }
 
     fn partial_name(&self, partial: PartialId) -> String {
@@ -182,6 +198,17 @@ impl Resolver<'_> {
             Some(name) => format!("`{name}`"),
             None => "the chart itself".to_owned(),
         }
+    }
+
+    /// Whether a value is a number or a `bool`, which has no fields.
+    fn is_plain(&self, value: Name) -> bool {
+        let ty = match value {
+            Name::Input(id) => &self.model.inputs[id].ty,
+            Name::Output(id) => &self.model.outputs[id].ty,
+            Name::Var(id) => &self.model.vars[id].ty,
+            Name::Param(id) => &self.model.params[id].ty,
+        };
+        !matches!(ty, Ty::Other(_))
     }
 
     /// Something could not be resolved and is missing from the model.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
+use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{ActionId, MacroId, Name, PartialId, StepId};
 
@@ -16,74 +17,99 @@ pub(super) enum Meaning {
     Macro(MacroId),
 }
 
+impl Meaning {
+    /// What it is, in a sentence.
+    pub(super) fn kind(self) -> &'static str {
+        match self {
+            Self::Value(Name::Input(_)) => "an input",
+            Self::Value(Name::Output(_)) => "an output",
+            Self::Value(Name::Var(_)) => "a variable",
+            Self::Value(Name::Param(_)) => "a param",
+            Self::Action(_) => "an action",
+            Self::Step(_) => "a step",
+            Self::Macro(_) => "a macro-step",
+        }
+    }
+}
+
 /// The declared names. Steps and values share one name space: `Off.X` must mean one thing.
 #[derive(Default)]
 pub(super) struct Scope {
-    names: BTreeMap<String, (Meaning, Ident)>,
+    /// Of several with one name, which is an error, the first counts; as a step the first step.
+    names: BTreeMap<String, Vec<(Meaning, Ident)>>,
     partials: BTreeMap<String, (PartialId, Ident)>,
     transitions: BTreeMap<String, Ident>,
     /// Names that a broken item would have declared: no error about them, its own error says enough.
-    broken: Vec<String>,
+    broken: Vec<Ident>,
 }
 
 /// Qualifiers and words of the notation that would make it ambiguous.
-const RESERVED: &[&str] = &[
-    "N", "S", "R", "L", "D", "P", "P1", "P0", "SD", "DS", "SL", "INIT", "X", "T", "rising", "falling", "self", "Self",
-    "super", "crate", "_",
+const NOTATION: &[&str] =
+    &["N", "S", "R", "L", "D", "P", "P1", "P0", "SD", "DS", "SL", "INIT", "X", "T", "rising", "falling"];
+
+/// What Rust gives no name, not even as `r#…`.
+const NEVER_A_NAME: &[&str] = &["self", "Self", "super", "crate", "_"];
+
+/// The other keywords of Rust, those reserved for the future included.
+const KEYWORDS: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
+    "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
+    "mut", "override", "priv", "pub", "ref", "return", "static", "struct", "trait", "true", "try", "type", "typeof",
+    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
 impl Scope {
     /// Takes note of the names of items that could not be parsed.
-    pub(super) fn add_broken(&mut self, names: impl IntoIterator<Item = String>) {
-        self.broken.extend(names);
+    pub(super) fn add_broken(&mut self, body: &Body) {
+        self.broken.extend(body.broken.iter().cloned());
     }
 
-    /// Declares `name`; a reserved or second one is reported and not declared (`false`).
+    /// Declares `name`; `false` if it is taken. A reserved one is reported and declared all the same, so that its uses
+    /// are no further errors.
     pub(super) fn declare(&mut self, name: &Ident, meaning: Meaning, sink: &mut Sink) -> bool {
-        if !free_to_use(name, sink) {
-            return false;
+        let same = self.names.entry(key(name)).or_default();
+        match same.first() {
+            Some((_, first)) => report_duplicate(name, first, sink),
+            None => refuse_reserved(name, sink),
         }
-        let first = self.names.get(&name.to_string()).map(|(_, first)| first);
-        if let Some(first) = first {
-            report_duplicate(name, first, sink);
-            return false;
-        }
-        self.names.insert(name.to_string(), (meaning, name.clone()));
-        true
+        same.push((meaning, name.clone()));
+        same.len() == 1
     }
 
     /// Declares a partial grafcet.
-    pub(super) fn declare_partial(&mut self, name: &Ident, id: PartialId, sink: &mut Sink) -> bool {
-        if let Some((_, first)) = self.partials.get(&name.to_string()) {
-            report_duplicate(name, first, sink);
-            return false;
+    pub(super) fn declare_partial(&mut self, name: &Ident, id: PartialId, sink: &mut Sink) {
+        match self.partials.get(&key(name)) {
+            Some((_, first)) => report_duplicate(name, first, sink),
+            None => {
+                refuse_reserved(name, sink);
+                self.partials.insert(key(name), (id, name.clone()));
+            }
         }
-        self.partials.insert(name.to_string(), (id, name.clone()));
-        free_to_use(name, sink)
     }
 
     /// Declares a named transition.
-    pub(super) fn declare_transition(&mut self, name: &Ident, sink: &mut Sink) -> bool {
-        if let Some(first) = self.transitions.get(&name.to_string()) {
-            report_duplicate(name, first, sink);
-            return false;
+    pub(super) fn declare_transition(&mut self, name: &Ident, sink: &mut Sink) {
+        match self.transitions.get(&key(name)) {
+            Some(first) => report_duplicate(name, first, sink),
+            None => {
+                refuse_reserved(name, sink);
+                self.transitions.insert(key(name), name.clone());
+            }
         }
-        self.transitions.insert(name.to_string(), name.clone());
-        true
     }
 
     /// What `name` means, if it is declared.
     pub(super) fn get(&self, name: &Ident) -> Option<Meaning> {
-        self.names.get(&name.to_string()).map(|(meaning, _)| *meaning)
+        self.names.get(&key(name))?.first().map(|(meaning, _)| *meaning)
     }
 
     /// The partial grafcet `name`; an unknown one is reported.
     pub(super) fn partial(&self, name: &Ident, sink: &mut Sink) -> Option<PartialId> {
-        if let Some((id, _)) = self.partials.get(&name.to_string()) {
+        if let Some((id, _)) = self.partials.get(&key(name)) {
             return Some(*id);
         }
         if !self.is_broken(name) {
-            let hint = nearest(&name.to_string(), self.partials.keys())
+            let hint = nearest(name, self.partials.values().map(|(_, declared)| declared))
                 .unwrap_or_else(|| format!("declare it: `partial {name} {{ … }}`"));
             sink.rule(
                 &rules::UNKNOWN_PARTIAL,
@@ -96,20 +122,18 @@ impl Scope {
 
     /// The step or macro-step `name`; anything else is reported.
     pub(super) fn step(&self, name: &Ident, sink: &mut Sink) -> Option<Meaning> {
-        match self.get(name) {
-            Some(meaning @ (Meaning::Step(_) | Meaning::Macro(_))) => Some(meaning),
-            Some(Meaning::Value(_) | Meaning::Action(_)) => {
-                sink.rule(&rules::UNKNOWN_STEP, &[], vec![(
-                    name.into(),
-                    format!("`{name}` is not a step; a transition leads from steps to steps: declare `step` under another name"),
-                )]);
-                None
-            }
-            None => {
-                self.unknown_step(name, sink);
-                None
-            }
+        let Some(same) = self.names.get(&key(name)) else {
+            self.unknown_step(name, sink);
+            return None;
+        };
+        let mut meanings = same.iter().map(|(meaning, _)| *meaning);
+        let step = meanings.clone().find(|meaning| matches!(meaning, Meaning::Step(_) | Meaning::Macro(_)));
+        if let (None, Some(other)) = (step, meanings.next()) {
+            let message =
+                format!("`{name}` is {}, not a step; name a step, or declare one under another name", other.kind());
+            sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
         }
+        step
     }
 
     /// Reports a step that is not declared.
@@ -140,31 +164,58 @@ impl Scope {
     }
 
     fn suggest(&self, name: &Ident, fits: impl Fn(Meaning) -> bool) -> Option<String> {
-        let candidates = self.names.iter().filter(|(_, (m, _))| fits(*m)).map(|(n, _)| n);
-        nearest(&name.to_string(), candidates)
+        nearest(name, self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared))
     }
 }
 
-/// "did you mean `Off`?", where something is near enough.
-fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a String>) -> Option<String> {
-    let lower = name.to_lowercase();
+/// A name without `r#`: `on` and `r#on` are one.
+fn key(name: &Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+/// "did you mean `Off`?", where something is near enough. `S5` is not a slip of the pen for `S1`.
+fn nearest<'a>(name: &Ident, candidates: impl Iterator<Item = &'a Ident>) -> Option<String> {
+    let lower = key(name).to_lowercase();
+    let letters = |name: &str| name.chars().filter(|c| !c.is_numeric()).collect::<String>();
     candidates
-        .map(|c| (strsim::osa_distance(&lower, &c.to_lowercase()), c))
-        .min()
-        .filter(|(distance, c)| *distance <= 1.max(c.chars().count() / 3))
-        .map(|(_, c)| format!("did you mean `{c}`?"))
+        .map(|candidate| (key(candidate).to_lowercase(), candidate))
+        .filter(|(other, _)| *other == lower || letters(other) != letters(&lower))
+        .map(|(other, candidate)| (strsim::osa_distance(&lower, &other), other.chars().count(), candidate))
+        .filter(|(distance, length, _)| *distance <= length / 3)
+        .min_by_key(|(distance, ..)| *distance)
+        .map(|(.., candidate)| format!("did you mean `{candidate}`?"))
 }
 
-fn free_to_use(name: &Ident, sink: &mut Sink) -> bool {
-    let free = !RESERVED.iter().any(|word| name == word);
-    if !free {
-        let message = format!("`{name}` is reserved by the notation; choose another name");
-        sink.rule(&rules::RESERVED_NAME, &[], vec![(name.into(), message)]);
+/// Reports a name that the notation or Rust needs.
+pub(super) fn refuse_reserved(name: &Ident, sink: &mut Sink) {
+    let is_in = |words: &[&str]| words.iter().any(|word| name == word);
+    let message = if is_in(NOTATION) {
+        format!("`{name}` is a word of the notation and cannot be a name; choose another one")
+    } else if is_in(NEVER_A_NAME) {
+        format!("`{name}` cannot be a name in Rust; choose another one")
+    } else if is_in(KEYWORDS) {
+        format!(
+            "`{name}` is a keyword of Rust and cannot be a name; choose another one, or write `r#{name}` everywhere"
+        )
+    } else {
+        return;
+    };
+    sink.rule(&rules::RESERVED_NAME, &[], vec![(name.into(), message)]);
+}
+
+/// `name`, as generated code can spell it also where it was reported as reserved.
+pub(super) fn spelled(name: &Ident) -> Ident {
+    if KEYWORDS.iter().any(|word| name == word) {
+        Ident::new_raw(&name.to_string(), name.span())
+    } else if NEVER_A_NAME.iter().any(|word| name == word) {
+        Ident::new(&format!("{name}_"), name.span())
+    } else {
+        name.clone()
     }
-    free
 }
 
-fn report_duplicate(second: &Ident, first: &Ident, sink: &mut Sink) {
+/// Reports a name that is declared twice, at both places.
+pub(super) fn report_duplicate(second: &Ident, first: &Ident, sink: &mut Sink) {
     let notes: Vec<(Mark, String)> = vec![
         (first.into(), format!("`{first}` is declared here first, and again further down; rename one of them")),
         (second.into(), format!("`{second}` is declared here a second time; rename one of them")),

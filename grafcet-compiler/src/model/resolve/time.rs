@@ -7,11 +7,13 @@ use super::expr::{single_name, time_name};
 use super::scope::Meaning;
 use crate::ast;
 use crate::diagnostic::{Mark, rules};
-use crate::model::TimeRef;
+use crate::model::{Qualifier, TimeRef};
 use crate::parse::time_literal;
 
 /// The default unit of the time argument of `cycle`.
 pub(super) const MILLISECOND: u64 = 1_000_000;
+
+const HOUR: u64 = 3_600_000_000_000;
 
 impl Resolver<'_> {
     /// The ticks of a literal with a unit of time; anything else is `None`. One that cannot be counted is reported.
@@ -29,18 +31,36 @@ impl Resolver<'_> {
     /// A duration in ticks; one that the clock cannot count is reported.
     pub(super) fn ticks(&mut self, time: &ast::Time) -> u32 {
         let clock = self.model.clock_nanos.max(1);
-        let unit = unit(clock);
         let message = match u32::try_from(time.nanos / clock) {
             _ if time.nanos % clock != 0 => {
-                format!(
-                    "this time is finer than the chart's clock of {unit}; round it, or state a finer unit: `clock 1us;`"
-                )
+                let finer = [1_000_000_000, MILLISECOND, 1_000].into_iter();
+                let finer = finer.clone().find(|unit| clock % unit == 0 && time.nanos % unit == 0);
+                let mend =
+                    finer.map_or(String::new(), |finer| format!(", or state a finer one: `clock {};`", unit(finer)));
+                format!("this time is finer than the chart's clock of {}; round it{mend}", unit(clock))
             }
             Ok(ticks) => return ticks,
-            Err(_) => format!("this time is more than 2^32 - 1 ticks of {unit}; state a coarser unit: `clock 1s;`"),
+            Err(_) => {
+                let longest = u64::from(u32::MAX).saturating_mul(clock) / HOUR;
+                let mend = [10 * MILLISECOND, 100 * MILLISECOND, 1_000_000_000, 60_000_000_000, HOUR]
+                    .into_iter()
+                    .find(|unit| u32::try_from(time.nanos / unit).is_ok());
+                let mend = mend.map_or(String::new(), |coarser| format!(": `clock {};`", unit(coarser)));
+                format!(
+                    "the chart's clock of {} counts up to {longest}h, this time is longer; state a coarser one{mend}",
+                    unit(clock)
+                )
+            }
         };
         self.sink.rule(&rules::BAD_TIME, &[], vec![(time.span.into(), message)]);
         0
+    }
+
+    /// A bare number where a time stands.
+    pub(super) fn no_unit(&mut self, number: &syn::Expr) {
+        let text = super::text::of(number);
+        let message = format!("`{text}` has no unit of time; the units are h, m, s, ms and us, as in `{text}s`");
+        self.sink.rule(&rules::BAD_TIME, &[], vec![(Mark::of(number), message)]);
     }
 
     /// The time an expression is: a literal with a unit or a name of type `time`.
@@ -56,8 +76,15 @@ impl Resolver<'_> {
     }
 
     /// The time behind a qualifier.
-    pub(super) fn time_arg(&mut self, time: &ast::TimeArg) -> TimeRef {
+    pub(super) fn time_arg(&mut self, time: &ast::TimeArg, qualifier: Option<Qualifier>) -> TimeRef {
         match time {
+            ast::TimeArg::Literal(time)
+                if time.nanos == 0 && matches!(qualifier, Some(Qualifier::L | Qualifier::Sl)) =>
+            {
+                let message = "limited to no time at all, this action never shows; write the time it may last";
+                self.sink.rule(&rules::BAD_TIME, &[], vec![(time.span.into(), message.to_owned())]);
+                TimeRef::Ticks(0)
+            }
             ast::TimeArg::Literal(time) => TimeRef::Ticks(self.ticks(time)),
             ast::TimeArg::Name(name) => {
                 let found = match self.scope.get(name) {
@@ -81,7 +108,8 @@ impl Resolver<'_> {
 
 /// A clock unit as the user would write it.
 fn unit(nanos: u64) -> String {
-    let units = [("s", 1_000_000_000), ("ms", MILLISECOND), ("us", 1_000), ("ns", 1)];
+    let units =
+        [("h", HOUR), ("m", 60_000_000_000), ("s", 1_000_000_000), ("ms", MILLISECOND), ("us", 1_000), ("ns", 1)];
     let (name, size) = units.into_iter().find(|(_, size)| nanos % size == 0).unwrap_or(("ns", 1));
     format!("{}{name}", nanos / size)
 }

@@ -1,0 +1,375 @@
+//! `sfc`: the ACTION_CONTROL of IEC 61131-3 for the targets that need it, and the order of the runs (A29).
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use super::bind::Moment;
+use super::segments::Item;
+use super::{Cx, names};
+use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
+use crate::plan::{Target, What, source_order};
+
+/// The qualifiers whose flag is the activity of a step; the others are events.
+const LEVELS: [Qualifier; 8] = [
+    Qualifier::N,
+    Qualifier::S,
+    Qualifier::R,
+    Qualifier::L,
+    Qualifier::D,
+    Qualifier::Sd,
+    Qualifier::Ds,
+    Qualifier::Sl,
+];
+
+impl Cx<'_> {
+    /// The flags of all targets, their conditions read before the first action runs.
+    pub(super) fn gather_flags(&self) -> TokenStream {
+        let targets = &self.plan.control.targets;
+        let declare = targets.iter().enumerate().map(|(i, target)| self.declare_flags(i, target));
+        let gathered = source_order(self.model).filter_map(|id| {
+            let target = self.plan.control.of_association[id.index()]?;
+            Some(self.gather(id, target))
+        });
+        let gathered = self.in_order(gathered);
+        quote!(#(#declare)* #gathered)
+    }
+
+    fn declare_flags(&self, index: usize, target: &Target) -> TokenStream {
+        let flags = target.associations.iter().map(|id| self.model.associations[*id].qualifier);
+        let mut flags: Vec<Qualifier> = flags.collect();
+        flags.sort_unstable();
+        flags.dedup();
+        let flags = flags.iter().map(|qualifier| {
+            let flag = names::target(names::flag(*qualifier), self.model, index, target);
+            quote!(let mut #flag = false;)
+        });
+        let restart = self.restarts(target).then(|| {
+            let restart = names::target("restart", self.model, index, target);
+            quote!(let mut #restart = false;)
+        });
+        let left = self.sees_leaving(target).then(|| {
+            let left = names::target("left", self.model, index, target);
+            quote!(let mut #left = false;)
+        });
+        let numbers = (target.what == What::Runs && self.has_choice(target)).then(|| {
+            let leaving = names::target("number_p0", self.model, index, target);
+            let entering = names::target("number_p1", self.model, index, target);
+            let p = &self.p;
+            quote!(let mut #leaving: #p::u8 = 0; let mut #entering: #p::u8 = 0;)
+        });
+        quote!(#(#flags)* #restart #left #numbers)
+    }
+
+    /// What one association adds to the flags of its target.
+    fn gather(&self, id: AssociationId, index: usize) -> Item {
+        let (association, target) = (&self.model.associations[id], &self.plan.control.targets[index]);
+        let flag = names::target(names::flag(association.qualifier), self.model, index, target);
+        let number = self.note_number(id, association, index, target);
+        let mut set = quote!(#flag = true; #number);
+        if target.remembers_time(self.model, association.qualifier) {
+            let prefix = format!("time_{}", names::flag(association.qualifier));
+            let field = names::target(&prefix, self.model, index, target);
+            let time = association.time.map(|time| self.time(time));
+            set.extend(quote!(self.#field = #time;));
+        }
+        if let Some(condition) = &association.condition {
+            let condition = self.value(condition, Moment::Action);
+            set = quote!(if #condition { #set });
+        }
+        let step = association.step;
+        let region = self.plan.regions.of_step(step);
+        match association.qualifier {
+            Qualifier::P0 => self.if_left(step, &set),
+            Qualifier::P1 | Qualifier::P => self.if_entered(step, &set),
+            _ => {
+                let again = self.plan.sees_reentry[region] && self.restarts(target) && association.time.is_some();
+                let restart = again.then(|| {
+                    let (restart, again) =
+                        (names::target("restart", self.model, index, target), names::again(region, self.plan));
+                    quote!(#restart |= #again;)
+                });
+                Item::After(step, quote!(#set #restart))
+            }
+        }
+    }
+
+    /// Which association's arguments a run takes: the last active one in source order, never an R (A31).
+    fn note_number(&self, id: AssociationId, association: &Association, index: usize, target: &Target) -> TokenStream {
+        if target.what != What::Runs || association.qualifier == Qualifier::R || !self.has_choice(target) {
+            return TokenStream::new();
+        }
+        let number = names::association_number(target, id);
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let (leaving, entering, remembered) = (name("number_p0"), name("number_p1"), name("association"));
+        match association.qualifier {
+            Qualifier::P0 => quote!(#leaving = #number;),
+            Qualifier::P1 => quote!(#entering = #number;),
+            _ if target.has(self.model, Qualifier::P1) => quote!(#entering = #number; self.#remembered = #number;),
+            _ => quote!(self.#remembered = #number;),
+        }
+    }
+
+    /// Several associations of the target give different calls.
+    fn has_choice(&self, target: &Target) -> bool {
+        let runs = |id: &&AssociationId| {
+            let association = &self.model.associations[**id];
+            association.qualifier != Qualifier::R
+                && matches!(&association.effect, Effect::Call(_, arguments) if !arguments.is_empty())
+        };
+        target.associations.iter().filter(runs).count() > 1
+    }
+
+    /// A timed association of the target can be re-entered (A4s).
+    fn restarts(&self, target: &Target) -> bool {
+        target.associations.iter().any(|id| {
+            let association = &self.model.associations[*id];
+            association.time.is_some() && self.plan.sees_reentry[self.plan.regions.of_step(association.step)]
+        })
+    }
+
+    /// Its final call can be caused by leaving a step.
+    fn sees_leaving(&self, target: &Target) -> bool {
+        let levels = [Qualifier::N, Qualifier::L, Qualifier::D];
+        target.remembers_q && levels.iter().any(|qualifier| target.has(self.model, *qualifier))
+    }
+
+    /// Q of all targets.
+    pub(super) fn compute_q(&self) -> TokenStream {
+        self.plan.control.targets.iter().enumerate().map(|(i, target)| self.q(i, target)).collect()
+    }
+
+    /// ```text
+    /// Q = !R && (N || S_FF || (L && !L_TMR) || D_TMR || P_TRIG || SD_TMR || DS_FF || (SL_FF && !SL_TMR))
+    /// ```
+    fn q(&self, index: usize, target: &Target) -> TokenStream {
+        let reset = if target.has(self.model, Qualifier::R) {
+            let flag = names::target(names::flag(Qualifier::R), self.model, index, target);
+            quote!(#flag)
+        } else {
+            quote!(false)
+        };
+        let mut statements = TokenStream::new();
+        let mut terms = Vec::new();
+        for qualifier in LEVELS.into_iter().chain([Qualifier::P]) {
+            if qualifier != Qualifier::R && target.has(self.model, qualifier) {
+                let (statement, term) = self.term(index, target, qualifier, &reset);
+                statements.extend(statement);
+                terms.push(term);
+            }
+        }
+        let q = names::target("q", self.model, index, target);
+        let any = if terms.is_empty() { quote!(false) } else { quote!((#(#terms)||*)) };
+        quote!(#statements let #q = !#reset && #any;)
+    }
+
+    /// One term of Q and the statements that prepare it.
+    fn term(&self, index: usize, target: &Target, qualifier: Qualifier, reset: &TokenStream) -> (TokenStream, TokenStream) {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let flag = name(names::flag(qualifier));
+        let store = |input: &TokenStream| {
+            let memory = name(&format!("memory_{}", names::flag(qualifier)));
+            (quote!(self.#memory = (self.#memory || #input) && !#reset;), quote!(self.#memory))
+        };
+        let timer = |input: &TokenStream, restart: bool| {
+            let (timer, done) = (name(&format!("timer_{}", names::flag(qualifier))), name(&format!("done_{}", names::flag(qualifier))));
+            let restart = if restart && self.restarts(target) {
+                let restart = name("restart");
+                quote!(#restart)
+            } else {
+                quote!(false)
+            };
+            let time = self.target_time(index, target, qualifier);
+            (quote!(let #done = self.#timer.update(#input, #restart, #time, elapsed);), quote!(#done))
+        };
+        match qualifier {
+            Qualifier::S => store(&quote!(#flag)),
+            Qualifier::L => {
+                let (statement, done) = timer(&quote!(#flag), true);
+                (statement, quote!(#flag && !#done))
+            }
+            Qualifier::D => timer(&quote!(#flag), true),
+            Qualifier::Sd => {
+                let (first, stored) = store(&quote!(#flag));
+                let (second, done) = timer(&stored, false);
+                (quote!(#first #second), done)
+            }
+            Qualifier::Ds => {
+                let (first, done) = timer(&quote!(#flag), true);
+                let (second, stored) = store(&done);
+                (quote!(#first #second), stored)
+            }
+            Qualifier::Sl => {
+                let (first, stored) = store(&quote!(#flag));
+                let (second, done) = timer(&stored, false);
+                (quote!(#first #second), quote!(#stored && !#done))
+            }
+            _ => (TokenStream::new(), quote!(#flag)),
+        }
+    }
+
+    /// The time of a target's timer: that of the association active last where they differ.
+    pub(super) fn target_time(&self, index: usize, target: &Target, qualifier: Qualifier) -> TokenStream {
+        if target.remembers_time(self.model, qualifier) {
+            let field = names::target(&format!("time_{}", names::flag(qualifier)), self.model, index, target);
+            return quote!(self.#field);
+        }
+        let time = target.under(self.model, qualifier).find_map(|id| self.model.associations[id].time);
+        time.map(|time| self.time(time)).unwrap_or_default()
+    }
+
+    /// Final calls caused by leaving a step are told apart from the others (A29).
+    pub(super) fn note_leaving(&self) -> TokenStream {
+        let items = source_order(self.model).filter_map(|id| {
+            let index = self.plan.control.of_association[id.index()]?;
+            let (target, association) = (&self.plan.control.targets[index], &self.model.associations[id]);
+            let level = matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
+            if !level || !self.sees_leaving(target) {
+                return None;
+            }
+            let left = names::target("left", self.model, index, target);
+            if association.qualifier != Qualifier::N {
+                // On a self-loop the time begins again: the action may end by that.
+                return Some(self.if_left(association.step, &quote!(#left = true;)));
+            }
+            let (after, variant) = (names::after(self.plan.regions.of_step(association.step), self.plan), self.variant(association.step));
+            Some(Item::Before(association.step, quote!(if #after != #variant { #left = true; })))
+        });
+        self.in_order(items)
+    }
+
+    /// The run of a target among the deactivations: P0, and a final call caused by leaving a step.
+    pub(super) fn run_leaving(&self, index: usize, target: &Target) -> TokenStream {
+        if target.what != What::Runs {
+            return TokenStream::new();
+        }
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let p0 = target.has(self.model, Qualifier::P0).then(|| name(names::flag(Qualifier::P0)));
+        let (q, kept) = (name("q"), name("kept_q"));
+        let falls = target.remembers_q.then(|| quote!(self.#kept && !#q));
+        let leaving = self.sees_leaving(target).then(|| name("left"));
+        let p0_run = |phase: TokenStream| self.run(index, target, &phase, RunKind::P0);
+        let (first, last) = (p0_run(quote!(First)), p0_run(quote!(Final)));
+        let final_run = self.run(index, target, &quote!(Final), RunKind::Level);
+        match (p0, falls, leaving) {
+            (Some(p0), Some(falls), Some(left)) => {
+                quote!(if #p0 { if #falls { #last } else { #first } } else if #falls && #left { #final_run })
+            }
+            (Some(p0), Some(falls), None) => quote!(if #p0 { if #falls { #last } else { #first } }),
+            (Some(p0), None, _) => quote!(if #p0 { #first }),
+            (None, Some(falls), Some(left)) => quote!(if #falls && #left { #final_run }),
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// The run of a target among the activations: P1.
+    pub(super) fn run_entering(&self, index: usize, target: &Target) -> TokenStream {
+        if target.what != What::Runs || !target.has(self.model, Qualifier::P1) {
+            return TokenStream::new();
+        }
+        let p1 = names::target(names::flag(Qualifier::P1), self.model, index, target);
+        let run = self.run(index, target, &quote!(First), RunKind::P1);
+        quote!(if #p1 { #run })
+    }
+
+    /// What is left of a target: its value, or its run while Q holds, or the final call that no leaving has caused.
+    pub(super) fn run_rest(&self, index: usize, target: &Target) -> TokenStream {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let q = name("q");
+        match target.what {
+            What::Boolean(Place::Output(output)) => {
+                let local = names::output_local(self.model, output);
+                return quote!(#local = #q;);
+            }
+            What::Boolean(Place::Var(var)) => {
+                let field = names::var_field(self.model, var);
+                let settled = self.unsettle_if(&quote!(self.#field != #q));
+                return quote!(#settled self.#field = #q;);
+            }
+            What::Runs if !target.remembers_q => return TokenStream::new(),
+            What::Runs => {}
+        }
+        let kept = name("kept_q");
+        let first = self.run(index, target, &quote!(First), RunKind::Level);
+        let repeated = self.run(index, target, &quote!(Repeated), RunKind::Level);
+        let last = self.run(index, target, &quote!(Final), RunKind::Level);
+        let done = |qualifier, prefix: &str| target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag));
+        let not_p1 = done(Qualifier::P1, names::flag(Qualifier::P1));
+        let not_p0 = done(Qualifier::P0, names::flag(Qualifier::P0));
+        let not_left = self.sees_leaving(target).then(|| name("left")).map(|left| quote!(&& !#left));
+        let run = if self.tells_phase(target) {
+            quote!(if self.#kept { #repeated } else { #first })
+        } else {
+            first
+        };
+        quote! {
+            if #q #not_p1 { #run } else if self.#kept && !#q #not_p0 #not_left { #last }
+            self.#kept = #q;
+        }
+    }
+
+    /// Only the method of an action is told the phase.
+    fn tells_phase(&self, target: &Target) -> bool {
+        target.associations.iter().any(|id| matches!(self.model.associations[*id].effect, Effect::Call(..)))
+    }
+
+    /// One run of a target.
+    fn run(&self, index: usize, target: &Target, phase: &TokenStream, kind: RunKind) -> TokenStream {
+        let unsettle = self.unsettle();
+        let runs = target.associations.iter().copied().filter(|id| self.model.associations[*id].qualifier != Qualifier::R);
+        let of_kind = |id: &AssociationId| match (kind, self.model.associations[*id].qualifier) {
+            (RunKind::P0, qualifier) => qualifier == Qualifier::P0,
+            (RunKind::P1, qualifier) => qualifier != Qualifier::P0,
+            (RunKind::Level, qualifier) => !matches!(qualifier, Qualifier::P0 | Qualifier::P1),
+        };
+        let runs: Vec<_> = runs.filter(of_kind).collect();
+        let moment = if kind == RunKind::P0 { Moment::Leaving } else { Moment::Action };
+        let one = |id: &AssociationId| self.effect_run(&self.model.associations[*id].effect, phase, moment);
+        let Some((last, others)) = runs.split_last() else { return TokenStream::new() };
+        if !self.has_choice(target) || others.is_empty() {
+            let run = one(last);
+            return quote!(#unsettle #run);
+        }
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let number = match kind {
+            RunKind::P0 => name("number_p0").into_token_stream(),
+            RunKind::P1 => name("number_p1").into_token_stream(),
+            RunKind::Level => {
+                let field = name("association");
+                quote!(self.#field)
+            }
+        };
+        let arms = others.iter().map(|id| {
+            let (number, run) = (names::association_number(target, *id), one(id));
+            quote!(#number => { #run })
+        });
+        let last = one(last);
+        quote!(#unsettle match #number { #(#arms)* _ => { #last } })
+    }
+
+    /// The effect of an action that runs.
+    pub(super) fn effect_run(&self, effect: &Effect, phase: &TokenStream, moment: Moment) -> TokenStream {
+        match effect {
+            Effect::Call(action, args) => self.call(*action, phase, args, moment),
+            Effect::Assign(place, value) => {
+                let (field, value) = (names::place_field(self.model, *place), self.value(value, moment));
+                quote!(self.#field = #value;)
+            }
+            Effect::Block(code) => self.block(code, moment, |place| {
+                let field = names::place_field(self.model, place);
+                quote!(self.#field)
+            }),
+            Effect::Control(_) => TokenStream::new(),
+        }
+    }
+}
+
+/// Which associations a run is of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum RunKind {
+    /// On leaving a step.
+    P0,
+    /// On entering one: its arguments are the last in the source among P1 and what is active.
+    P1,
+    /// While Q holds, and the final call.
+    Level,
+}

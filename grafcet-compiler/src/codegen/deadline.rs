@@ -1,0 +1,209 @@
+//! `next_deadline`: until when nothing happens, unless an input changes.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{Cx, names};
+use crate::model::{Binary, Effect, Expr, MacroId, Name, Qualifier, Read, StepId, TimeRef, Tree};
+
+/// At which times of a step something changes.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Threshold {
+    /// At the time itself.
+    At(TimeRef),
+    /// One tick behind it.
+    Behind(TimeRef),
+    /// At every tick: the time is used in another way than in a comparison.
+    Always,
+}
+
+/// Whose time is meant.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Clock {
+    Step(StepId),
+    Macro(MacroId),
+}
+
+impl Cx<'_> {
+    /// The method, where the chart uses time.
+    pub(super) fn deadline(&self) -> Option<TokenStream> {
+        if !self.plan.memory.time {
+            return None;
+        }
+        let (vis, p) = (&self.model.vis, &self.p);
+        let thresholds = self.thresholds();
+        let steps = thresholds.iter().map(|(clock, threshold)| self.until(*clock, *threshold));
+        let delays = self.model.delays.iter().map(|(id, delay)| {
+            let (field, on, off) = (names::delay_field(id), self.time(delay.on), self.time(delay.off));
+            quote!(soonest = #p::sooner(soonest, self.#field.remaining(#on, #off));)
+        });
+        let timers = self.timers();
+        Some(quote! {
+            /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+            /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+            /// "scan again at once"; `None` means "only an input can change anything".
+            #[must_use]
+            #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> {
+                if !self.settled {
+                    return #p::Option::Some(self.now);
+                }
+                let mut soonest = #p::Option::None;
+                #(#steps)*
+                #(#delays)*
+                #timers
+                match soonest {
+                    #p::Option::Some(time) => #p::Option::Some(self.now.after(time)),
+                    #p::Option::None => #p::Option::None,
+                }
+            }
+        })
+    }
+
+    /// `if active { soonest = sooner(soonest, until(since, 5s)); }`
+    fn until(&self, clock: Clock, threshold: Threshold) -> TokenStream {
+        let p = &self.p;
+        let (active, since) = match clock {
+            Clock::Step(step) => {
+                let region = self.plan.regions.of_step(step);
+                let (field, variant) = (names::region_field(region, self.plan), self.variant(step));
+                let since = names::step_time(region, self.plan);
+                (quote!(self.#field == #variant), quote!(self.#since))
+            }
+            Clock::Macro(id) => {
+                let active = self.model.macros[id].steps.iter().map(|step| {
+                    let field = names::region_field(self.plan.regions.of_step(*step), self.plan);
+                    let variant = self.variant(*step);
+                    quote!(self.#field == #variant)
+                });
+                let (active, since) = (active.collect::<Vec<_>>(), names::macro_time(id));
+                (quote!(#(#active)||*), quote!(self.#since))
+            }
+        };
+        let tick = quote!(#p::Ticks::new(1));
+        let remaining = match threshold {
+            Threshold::At(time) => {
+                let time = self.time(time);
+                quote!(#p::until(#since, #time))
+            }
+            Threshold::Behind(time) => {
+                let time = self.time(time);
+                quote!(#p::until(#since, #time + #tick))
+            }
+            Threshold::Always => quote!(#p::Option::Some(#tick)),
+        };
+        quote!(if #active { soonest = #p::sooner(soonest, #remaining); })
+    }
+
+    /// The timers of the action control.
+    fn timers(&self) -> TokenStream {
+        let p = &self.p;
+        let mut tokens = TokenStream::new();
+        for (index, target) in self.plan.control.targets.iter().enumerate() {
+            for qualifier in [Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl] {
+                if target.has(self.model, qualifier) {
+                    let prefix = format!("timer_{}", names::flag(qualifier));
+                    let timer = names::target(&prefix, self.model, index, target);
+                    let time = self.target_time(index, target, qualifier);
+                    tokens.extend(quote!(soonest = #p::sooner(soonest, self.#timer.remaining(#time));));
+                }
+            }
+        }
+        tokens
+    }
+
+    /// Every time of a step that an expression looks at.
+    fn thresholds(&self) -> BTreeSet<(Clock, Threshold)> {
+        let mut found = BTreeSet::new();
+        for transition in self.model.transitions.values() {
+            collect(&transition.condition.tree, &mut found);
+            transition.clearing.iter().for_each(|effect| of_effect(effect, &mut found));
+        }
+        for association in self.model.associations.values() {
+            association.condition.iter().chain(&association.event).for_each(|expr| collect(&expr.tree, &mut found));
+            of_effect(&association.effect, &mut found);
+            if let (true, Some(time)) = (self.model.is_grafcet(), association.time) {
+                found.insert((Clock::Step(association.step), Threshold::At(time)));
+            }
+        }
+        self.model.edges.values().for_each(|edge| collect(&edge.of.tree, &mut found));
+        self.model.delays.values().for_each(|delay| collect(&delay.of.tree, &mut found));
+        found
+    }
+}
+
+fn of_effect(effect: &Effect, found: &mut BTreeSet<(Clock, Threshold)>) {
+    let of_expr = |expr: &Expr, found: &mut BTreeSet<_>| collect(&expr.tree, found);
+    match effect {
+        Effect::Control(_) => {}
+        Effect::Assign(_, value) => of_expr(value, found),
+        Effect::Call(_, args) => args.iter().for_each(|arg| of_expr(arg, found)),
+        Effect::Block(code) => code.reads.iter().for_each(|read| always(*read, found)),
+    }
+}
+
+fn collect(tree: &Tree, found: &mut BTreeSet<(Clock, Threshold)>) {
+    match tree {
+        Tree::Elapsed(time, step) => {
+            found.insert((Clock::Step(*step), Threshold::At(*time)));
+        }
+        Tree::MacroElapsed(time, id) => {
+            found.insert((Clock::Macro(*id), Threshold::At(*time)));
+        }
+        Tree::Binary(operator, a, b) => match comparison(*operator, a, b).or_else(|| comparison(mirrored(*operator), b, a)) {
+            Some((clock, thresholds)) => found.extend(thresholds.into_iter().map(|threshold| (clock, threshold))),
+            None => {
+                collect(a, found);
+                collect(b, found);
+            }
+        },
+        Tree::Unary(_, inner) => collect(inner, found),
+        Tree::Read(read) => always(*read, found),
+        Tree::Opaque { reads, .. } => reads.iter().for_each(|read| always(*read, found)),
+        Tree::Bool(_) | Tree::Int(_) => {}
+    }
+}
+
+fn always(read: Read, found: &mut BTreeSet<(Clock, Threshold)>) {
+    let entry = match read {
+        Read::Since(step) => (Clock::Step(step), Threshold::Always),
+        Read::MacroSince(id) => (Clock::Macro(id), Threshold::Always),
+        Read::Elapsed(time, step) => (Clock::Step(step), Threshold::At(time)),
+        Read::MacroElapsed(time, id) => (Clock::Macro(id), Threshold::At(time)),
+        _ => return,
+    };
+    found.insert(entry);
+}
+
+/// `Step.T < 5s`: when its truth can change.
+fn comparison(operator: Binary, a: &Tree, b: &Tree) -> Option<(Clock, Vec<Threshold>)> {
+    let clock = match a {
+        Tree::Read(Read::Since(step)) => Clock::Step(*step),
+        Tree::Read(Read::MacroSince(id)) => Clock::Macro(*id),
+        _ => return None,
+    };
+    let time = match b {
+        Tree::Read(Read::Ticks(ticks)) => TimeRef::Ticks(*ticks),
+        Tree::Read(Read::Name(Name::Param(id))) => TimeRef::Param(*id),
+        Tree::Read(Read::Name(Name::Var(id))) => TimeRef::Var(*id),
+        _ => return None,
+    };
+    let thresholds = match operator {
+        Binary::Lt | Binary::Ge => vec![Threshold::At(time)],
+        Binary::Gt | Binary::Le => vec![Threshold::Behind(time)],
+        Binary::Eq | Binary::Ne => vec![Threshold::At(time), Threshold::Behind(time)],
+        _ => return None,
+    };
+    Some((clock, thresholds))
+}
+
+fn mirrored(operator: Binary) -> Binary {
+    match operator {
+        Binary::Lt => Binary::Gt,
+        Binary::Le => Binary::Ge,
+        Binary::Gt => Binary::Lt,
+        Binary::Ge => Binary::Le,
+        other => other,
+    }
+}

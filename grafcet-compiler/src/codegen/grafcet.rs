@@ -1,0 +1,247 @@
+//! `cycle` of a `grafcet` (IEC 60848): evolutions until the situation is stable, then the continuous actions.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::bind::Moment;
+use super::segments::Item;
+use super::{Cx, names};
+use crate::analysis::combinational;
+use crate::model::{ActionId, Association, Effect, Place, Qualifier};
+use crate::plan::source_order;
+
+impl Cx<'_> {
+    /// The body of `cycle`.
+    pub(super) fn grafcet_cycle(&self) -> TokenStream {
+        let time = self.pass_time();
+        let start = self.start_cycle();
+        let delays = self.sample_on_start();
+        let search = self.search();
+        let (stable, outputs) = (self.stable_situation(), self.declare_outputs());
+        let continuous = self.continuous();
+        let calls = self.continuous_calls();
+        let result = self.result();
+        quote!(#time #start #delays #search #stable #outputs #continuous #calls #result)
+    }
+
+    /// A37: the activation of the initial situation is an evolution of its own.
+    fn start_cycle(&self) -> TokenStream {
+        if !self.plan.has_start {
+            return TokenStream::new();
+        }
+        let (field, initial, first) = (names::region_field(0, self.plan), self.initial(0), self.first());
+        let stored = self.initial_stored();
+        let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(let mut fresh = #first;));
+        // Delays see the initial situation, so it is entered before they are sampled.
+        quote! {
+            #fresh
+            if #first {
+                self.#field = #initial;
+                #stored
+            }
+        }
+    }
+
+    /// The delays, on the situation the cycle starts from.
+    fn sample_on_start(&self) -> TokenStream {
+        if self.model.delays.is_empty() {
+            return TokenStream::new();
+        }
+        let (snapshot, combinational, delays) =
+            (self.befores(), self.combinational(Moment::Condition), self.sample_delays());
+        quote!({ #snapshot #combinational #delays })
+    }
+
+    /// The search for stability.
+    fn search(&self) -> TokenStream {
+        let (snapshot, combinational) = (self.snapshot(), self.combinational(Moment::Condition));
+        let (declare_bound, bound) = self.bound();
+        let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(fresh)));
+        let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
+        let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(fresh = false;));
+        let (declare, evolve, collect) = (self.declare_collected(), self.evolve(), self.collect_stored());
+        let unchanged = self.unchanged();
+        let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
+        let (commit, restart) = (self.commit(), self.restart_times());
+        let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
+        // A delay is sampled once per cycle: the next one sees the new situation.
+        let unsettle = (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;));
+        quote! {
+            #declare_bound
+            #declare_edges
+            #time
+            loop {
+                #snapshot #combinational #keep_edges #edges #fresh #declare #evolve #collect
+                if #unchanged { break; }
+                #bound
+                #stored #commit_collected #commit #restart #unsettle
+            }
+        }
+    }
+
+    /// A25: the situation is a fixed point, and nothing else is to be done.
+    fn unchanged(&self) -> TokenStream {
+        let same = (0..self.plan.regions.all().len()).map(|region| {
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            quote!(#after == #before)
+        });
+        let terms: Vec<_> = same.chain(self.collected_unchanged()).collect();
+        if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
+    }
+
+    /// A30: the end of a search that does not become stable.
+    fn bound(&self) -> (TokenStream, TokenStream) {
+        if !self.plan.may_be_unstable {
+            return (TokenStream::new(), TokenStream::new());
+        }
+        let (limit, p) = (Literal::u32_unsuffixed(self.plan.max_evolutions), &self.p);
+        let put_back = self.keep_edges().1;
+        let declare = quote! {
+            let mut evolutions_left: #p::u32 = #limit;
+            self.stable = true;
+        };
+        let unsettle = self.unsettle();
+        let bound = quote! {
+            if evolutions_left == 0 {
+                self.stable = false;
+                #unsettle
+                #put_back
+                break;
+            }
+            evolutions_left -= 1;
+        };
+        (declare, bound)
+    }
+
+    /// The situation the search has reached, for the continuous actions.
+    fn stable_situation(&self) -> TokenStream {
+        let continuous = self.model.associations.values().any(|a| !crate::plan::is_stored(a));
+        if !continuous {
+            return TokenStream::new();
+        }
+        let states = (0..self.plan.regions.all().len()).map(|region| {
+            let (after, field) = (names::after(region, self.plan), names::region_field(region, self.plan));
+            quote!(let #after = self.#field;)
+        });
+        let combinational = self.combinational(Moment::Stable);
+        quote!(#(#states)* #combinational)
+    }
+
+    /// Variables that follow from the situation (A22), each behind those it reads.
+    fn combinational(&self, moment: Moment) -> TokenStream {
+        let vars = self.plan.memory.combinational.iter().map(|var| {
+            let local = names::combinational(self.model, *var);
+            let terms = combinational::asserted(self.model, *var).map(|association| {
+                let active = self.is_active(association.step, moment);
+                let condition = self.continuous_condition(association, moment).map(|condition| quote!(&& #condition));
+                quote!((#active #condition))
+            });
+            quote!(let #local = #(#terms)||*;)
+        });
+        quote!(#(#vars)*)
+    }
+
+    /// Behind `if`, and what L and D mean here: `q if !(t/Step)` and `q if t/Step` (A32).
+    fn continuous_condition(&self, association: &Association, moment: Moment) -> Option<TokenStream> {
+        let limit = association.time.map(|time| {
+            let elapsed = self.elapsed(time, association.step, moment);
+            if association.qualifier == Qualifier::L { quote!(!#elapsed) } else { elapsed }
+        });
+        let condition = association.condition.as_ref().map(|condition| self.value(condition, moment));
+        let terms: Vec<_> = limit.into_iter().chain(condition).collect();
+        (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
+    }
+
+    /// The continuous outputs, on the stable situation (A9, A10).
+    fn continuous(&self) -> TokenStream {
+        let items = source_order(self.model).map(|id| {
+            let association = &self.model.associations[id];
+            let act = match &association.effect {
+                Effect::Control(Place::Output(output)) if !crate::plan::is_stored(association) => {
+                    let local = names::output_local(self.model, *output);
+                    quote!(#local = true;)
+                }
+                Effect::Assign(Place::Output(output), value) if !crate::plan::is_stored(association) => {
+                    let (local, value) = (names::output_local(self.model, *output), self.value(value, Moment::Stable));
+                    quote!(#local = #value;)
+                }
+                _ => TokenStream::new(),
+            };
+            if act.is_empty() {
+                return Item::After(association.step, act);
+            }
+            Item::After(association.step, match self.continuous_condition(association, Moment::Stable) {
+                Some(condition) => quote!(if #condition { #act }),
+                None => act,
+            })
+        });
+        self.in_order(items)
+    }
+
+    /// `N heat(80)`: called once per cycle, behind all others, and told its phase (A33).
+    fn continuous_calls(&self) -> TokenStream {
+        self.model.actions.ids().map(|action| self.continuous_call(action)).collect()
+    }
+
+    fn continuous_call(&self, action: ActionId) -> TokenStream {
+        let associations = self.continuous_calls_of(action);
+        if associations.is_empty() {
+            return TokenStream::new();
+        }
+        let (called, number) = (names::called(self.model, action), names::called_number(self.model, action));
+        let choice = self.remembers_call(action);
+        let gathered = self.in_order(associations.iter().enumerate().map(|(i, association)| {
+            let index = Literal::usize_unsuffixed(i);
+            let note = choice.then(|| quote!(self.#number = #index;));
+            let set = quote!(active = true; #note);
+            Item::After(association.step, match self.continuous_condition(association, Moment::Stable) {
+                Some(condition) => quote!(if #condition { #set }),
+                None => set,
+            })
+        }));
+        let call = |phase: &TokenStream| {
+            let one = |association: &Association| self.effect_run(&association.effect, phase, Moment::Stable);
+            match associations.split_last() {
+                Some((last, others)) if choice => {
+                    let arms = others.iter().enumerate().map(|(i, association)| {
+                        let (index, call) = (Literal::usize_unsuffixed(i), one(association));
+                        quote!(#index => { #call })
+                    });
+                    let last = one(last);
+                    quote!(match self.#number { #(#arms)* _ => { #last } })
+                }
+                Some((last, _)) => one(last),
+                None => TokenStream::new(),
+            }
+        };
+        let (first, repeated, last) = (call(&quote!(First)), call(&quote!(Repeated)), call(&quote!(Final)));
+        let unsettle = self.unsettle();
+        quote! {
+            {
+                let mut active = false;
+                #gathered
+                if active {
+                    #unsettle
+                    if self.#called { #repeated } else { #first }
+                } else if self.#called {
+                    #last
+                }
+                self.#called = active;
+            }
+        }
+    }
+
+    /// The associations that call an action continuously.
+    pub(super) fn continuous_calls_of(&self, action: ActionId) -> Vec<&Association> {
+        let calls = |association: &&Association| {
+            !crate::plan::is_stored(association)
+                && matches!(association.effect, Effect::Call(other, _) if other == action)
+        };
+        source_order(self.model).map(|id| &self.model.associations[id]).filter(calls).collect()
+    }
+
+    /// Several associations give arguments, so the last active one is remembered.
+    pub(super) fn remembers_call(&self, action: ActionId) -> bool {
+        self.continuous_calls_of(action).len() > 1 && !self.model.actions[action].params.is_empty()
+    }
+}

@@ -1,0 +1,52 @@
+//! `grafcet`: what a partial grafcet does when a forcing order or an enclosing step decides about it.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::bind::Moment;
+use super::{Cx, names};
+use crate::model::{ForceOrder, PartialId, StepId};
+
+impl Cx<'_> {
+    /// `evolve`, unless something above decides: first forcing, then what follows for enclosures (A15).
+    pub(super) fn under_masters(&self, partial: PartialId, evolve: &TokenStream) -> TokenStream {
+        let forces: Vec<_> = self.model.forces.values().filter(|force| force.target == partial).collect();
+        if !forces.is_empty() {
+            // A11: an order that is there after the evolution shows in it.
+            let orders = forces.iter().map(|force| {
+                let ordered = self.is_active(force.step, Moment::Stable);
+                let situation = match &force.order {
+                    ForceOrder::Steps(steps) => self.set_situation(partial, steps),
+                    ForceOrder::Init => self.set_situation(partial, &self.marked(partial, |step| step.initial)),
+                    ForceOrder::Hold => TokenStream::new(),
+                };
+                quote!(if #ordered { #situation } else)
+            });
+            // A13: in the evolution in which the order ends the partial grafcet is still frozen.
+            let frozen = forces.iter().map(|force| self.is_active(force.step, Moment::Condition));
+            return quote!(#(#orders)* if !(#(#frozen)||*) { #evolve });
+        }
+        let Some(outer) = self.model.partials[partial].enclosed_by else { return evolve.clone() };
+        let (was, is) = (self.is_active(outer, Moment::Condition), self.is_active(outer, Moment::Stable));
+        let empty = self.set_situation(partial, &[]);
+        let linked = self.set_situation(partial, &self.marked(partial, |step| step.linked));
+        // A19: if the enclosing step is left, the inner transitions clear nothing.
+        quote!(if !#is { #empty } else if !#was { #linked } else { #evolve })
+    }
+
+    fn marked(&self, partial: PartialId, wanted: fn(&crate::model::Step) -> bool) -> Vec<StepId> {
+        let steps = &self.model.partials[partial].steps;
+        steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).collect()
+    }
+
+    /// Makes exactly these steps of a partial grafcet active.
+    fn set_situation(&self, partial: PartialId, steps: &[StepId]) -> TokenStream {
+        let regions = self.plan.regions.of_partial(partial).map(|region| {
+            let after = names::after(region, self.plan);
+            let step = steps.iter().find(|step| self.plan.regions.of_step(**step) == region);
+            let state = step.map_or_else(|| self.empty(region), |step| self.variant(*step));
+            quote!(#after = #state;)
+        });
+        regions.collect()
+    }
+}

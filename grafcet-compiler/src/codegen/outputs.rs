@@ -1,0 +1,91 @@
+//! Outputs: what is collected in a cycle, what is remembered, what is returned.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{Cx, names, types};
+use crate::model::{Id, OutputId, Qualifier};
+
+impl Cx<'_> {
+    /// The outputs to be returned, with their initial values.
+    pub(super) fn declare_outputs(&self) -> TokenStream {
+        let outputs = &self.names.outputs;
+        let mutable = self.model.outputs.ids().any(|id| {
+            let drive = &self.plan.drives[id.index()];
+            drive.continuous || drive.stored
+        });
+        let mutable = mutable.then(|| quote!(mut));
+        let fields = self.model.outputs.iter().map(|(id, output)| {
+            let (name, value) = (&output.name, types::initial_output(self.model, id, &self.p));
+            quote!(#name: #value,)
+        });
+        quote!(let #mutable outputs = #outputs { #(#fields)* };)
+    }
+
+    /// A boolean output under a qualifier.
+    pub(super) fn drive(&self, output: OutputId, qualifier: Qualifier) -> TokenStream {
+        let field = names::output_field(self.model, output);
+        match qualifier {
+            Qualifier::S => {
+                let unsettle = self.unsettle_read(output, &quote!(!self.#field));
+                quote!(#unsettle self.#field = true;)
+            }
+            Qualifier::R if self.plan.drives[output.index()].reset_flag => {
+                let reset = names::output_reset(self.model, output);
+                quote!(#reset = true;)
+            }
+            Qualifier::R => {
+                let unsettle = self.unsettle_read(output, &quote!(self.#field));
+                quote!(#unsettle self.#field = false;)
+            }
+            _ => {
+                let local = names::output_local(self.model, output);
+                quote!(#local = true;)
+            }
+        }
+    }
+
+    /// The flags of resets that come behind everything that sets.
+    pub(super) fn declare_resets(&self) -> TokenStream {
+        self.reset_outputs().map(|id| names::output_reset(self.model, id)).map(|r| quote!(let mut #r = false;)).collect()
+    }
+
+    /// Reset dominates.
+    pub(super) fn apply_resets(&self) -> TokenStream {
+        self.reset_outputs()
+            .map(|id| {
+                let drive = &self.plan.drives[id.index()];
+                let reset = names::output_reset(self.model, id);
+                let (field, local) = (names::output_field(self.model, id), names::output_local(self.model, id));
+                let unsettle = self.unsettle_read(id, &quote!(self.#field));
+                let stored = drive.stored.then(|| quote!(#unsettle self.#field = false;));
+                let continuous = drive.continuous.then(|| quote!(#local = false;));
+                quote!(if #reset { #stored #continuous })
+            })
+            .collect()
+    }
+
+    /// A stored output that others read has changed.
+    fn unsettle_read(&self, output: OutputId, change: &TokenStream) -> Option<TokenStream> {
+        self.plan.drives[output.index()].read.then(|| self.unsettle_if(change)).flatten()
+    }
+
+    fn reset_outputs(&self) -> impl Iterator<Item = OutputId> + '_ {
+        self.model.outputs.ids().filter(|id| self.plan.drives[id.index()].reset_flag)
+    }
+
+    /// The outputs `cycle` returns.
+    pub(super) fn result(&self) -> TokenStream {
+        let stored = self.plan.memory.stored.iter().map(|id| {
+            let (local, field) = (names::output_local(self.model, *id), names::output_field(self.model, *id));
+            let set = self.plan.drives[id.index()].continuous.then(|| quote!(#local ||));
+            quote!(#local = #set self.#field;)
+        });
+        let remember = self.plan.memory.last.iter().map(|id| {
+            let (field, local) = (names::output_field(self.model, *id), names::output_local(self.model, *id));
+            let unsettle = self.unsettle_if(&quote!(self.#field != #local));
+            quote!(#unsettle self.#field = #local;)
+        });
+        quote!(#(#stored)* #(#remember)* outputs)
+    }
+}

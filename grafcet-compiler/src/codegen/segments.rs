@@ -1,0 +1,104 @@
+//! Actions in their order, as few `match`es as that allows.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{Cx, names};
+use crate::model::StepId;
+use crate::plan::RegionId;
+
+/// Something that happens in a cycle.
+pub(super) enum Item {
+    /// While a step is active before the evolution.
+    Before(StepId, TokenStream),
+    /// While a step is active after it.
+    After(StepId, TokenStream),
+    /// In every cycle.
+    Always(TokenStream),
+}
+
+/// A `match` under construction.
+struct Segment {
+    before: bool,
+    region: RegionId,
+    arms: Vec<(StepId, TokenStream)>,
+}
+
+impl Cx<'_> {
+    /// One `match` for each run of items that look at the same region: their order is kept, since of a region's steps
+    /// only one is active, and a step that is not active costs nothing.
+    pub(super) fn in_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        let mut open: Option<Segment> = None;
+        for item in items {
+            let (before, step, body) = match item {
+                Item::Before(step, body) => (true, step, body),
+                Item::After(step, body) => (false, step, body),
+                Item::Always(body) => {
+                    tokens.extend(open.take().map(|segment| self.segment(segment)));
+                    tokens.extend(body);
+                    continue;
+                }
+            };
+            if body.is_empty() {
+                continue;
+            }
+            let region = self.plan.regions.of_step(step);
+            match &mut open {
+                Some(segment) if segment.before == before && segment.region == region => {
+                    match segment.arms.iter_mut().find(|(other, _)| *other == step) {
+                        Some((_, arm)) => arm.extend(body),
+                        None => segment.arms.push((step, body)),
+                    }
+                }
+                _ => {
+                    tokens.extend(open.take().map(|segment| self.segment(segment)));
+                    open = Some(Segment { before, region, arms: vec![(step, body)] });
+                }
+            }
+        }
+        tokens.extend(open.map(|segment| self.segment(segment)));
+        tokens
+    }
+
+    fn segment(&self, segment: Segment) -> TokenStream {
+        let Segment { before, region, arms } = segment;
+        let state = if before { names::before(region, self.plan) } else { names::after(region, self.plan) };
+        let rest = (arms.len() < self.states(region)).then(|| quote!(_ => {}));
+        let arms = arms.iter().map(|(step, body)| {
+            let variant = self.variant(*step);
+            quote!(#variant => { #body })
+        });
+        quote!(match #state { #(#arms)* #rest })
+    }
+
+    /// How many states a region has.
+    pub(super) fn states(&self, region: RegionId) -> usize {
+        let plan = &self.plan.regions.all()[region];
+        plan.steps.len() + usize::from(plan.may_be_empty) + usize::from(self.has_start_variant(region))
+    }
+
+    /// `body`, if the step has been left.
+    pub(super) fn if_left(&self, step: StepId, body: &TokenStream) -> Item {
+        let region = self.plan.regions.of_step(step);
+        let (after, variant, again) = (names::after(region, self.plan), self.variant(step), self.or_again(region));
+        let nothing = body.is_empty();
+        Item::Before(step, if nothing { TokenStream::new() } else { quote!(if #after != #variant #again { #body }) })
+    }
+
+    /// `body`, if the step has been entered.
+    pub(super) fn if_entered(&self, step: StepId, body: &TokenStream) -> Item {
+        let region = self.plan.regions.of_step(step);
+        let (before, variant, again) = (names::before(region, self.plan), self.variant(step), self.or_again(region));
+        let nothing = body.is_empty();
+        Item::After(step, if nothing { TokenStream::new() } else { quote!(if #before != #variant #again { #body }) })
+    }
+
+    /// `|| again`, where a step of the region can be left and entered in one evolution.
+    pub(super) fn or_again(&self, region: RegionId) -> Option<TokenStream> {
+        self.plan.sees_reentry[region].then(|| {
+            let again = names::again(region, self.plan);
+            quote!(|| #again)
+        })
+    }
+}

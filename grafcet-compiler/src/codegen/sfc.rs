@@ -1,0 +1,198 @@
+//! `cycle` of an `sfc` (IEC 61131-3): exactly one evolution, then the actions.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::bind::Moment;
+use super::segments::Item;
+use super::{Cx, names};
+use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
+use crate::plan::{Target, source_order};
+
+impl Cx<'_> {
+    /// The body of `cycle`.
+    pub(super) fn sfc_cycle(&self) -> TokenStream {
+        let time = self.pass_time();
+        let first = (!self.plan.memory.edges.is_empty()).then(|| {
+            let first = self.first();
+            quote!(let first = #first;)
+        });
+        let snapshot = self.snapshot();
+        let delays = self.sample_delays();
+        let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(first)));
+        let evolve = self.evolve();
+        let keep = self.keep_times();
+        let (commit, restart) = (self.commit(), self.restart_times());
+        let settle = self.declare_settled();
+        let actions = self.sfc_actions();
+        let result = self.result();
+        quote! {
+            #time #first #snapshot #delays #declare_edges #edges #evolve #keep #commit #restart #settle #actions #result
+        }
+    }
+
+    /// Flags and values first, then deactivations, activations and the rest (A29).
+    fn sfc_actions(&self) -> TokenStream {
+        let (last, outputs, resets) = (self.keep_last_outputs(), self.declare_outputs(), self.declare_resets());
+        let apply_resets = self.apply_resets();
+        if self.runs_in_one_pass() {
+            // Nothing but the active step's own actions: its arm does it all.
+            let items = source_order(self.model).map(|id| self.gather_local(id));
+            let entered = source_order(self.model).map(|id| self.local_run(id, Part::Activation));
+            let rest = source_order(self.model).map(|id| self.local_run(id, Part::Rest));
+            let all = self.in_order(items.chain(entered).chain(rest));
+            return quote!(#last #outputs #resets #all #apply_resets);
+        }
+        let local = self.in_order(source_order(self.model).map(|id| self.gather_local(id)));
+        let (flags, q, left) = (self.gather_flags(), self.compute_q(), self.note_leaving());
+        let leaving = self.in_order(self.part(Part::Deactivation));
+        let entering = self.in_order(self.part(Part::Activation));
+        let rest = self.in_order(self.part(Part::Rest));
+        quote!(#last #outputs #resets #local #flags #apply_resets #q #left #leaving #entering #rest)
+    }
+
+    /// One region, no action control, and nothing that leaving a step does: the order across steps does not matter.
+    fn runs_in_one_pass(&self) -> bool {
+        let leaves = |id: AssociationId| !self.local_run_tokens(id, Part::Deactivation).is_empty();
+        self.plan.regions.all().len() == 1
+            && self.plan.control.targets.is_empty()
+            && !source_order(self.model).any(leaves)
+    }
+
+    /// All runs of one part of the cycle; a target stands where its first association stands.
+    fn part(&self, part: Part) -> impl Iterator<Item = Item> + '_ {
+        source_order(self.model).map(move |id| {
+            let Some(index) = self.plan.control.of_association[id.index()] else { return self.local_run(id, part) };
+            let target: &Target = &self.plan.control.targets[index];
+            if target.associations.first() != Some(&id) {
+                return Item::After(self.model.associations[id].step, TokenStream::new());
+            }
+            Item::Always(match part {
+                Part::Deactivation => self.run_leaving(index, target),
+                Part::Activation => self.run_entering(index, target),
+                Part::Rest => self.run_rest(index, target),
+            })
+        })
+    }
+
+    /// What a boolean output or an assigned output gets from its step's arm.
+    fn gather_local(&self, id: AssociationId) -> Item {
+        let association = &self.model.associations[id];
+        let step = association.step;
+        let nothing = Item::After(step, TokenStream::new());
+        if self.plan.control.of_association[id.index()].is_some() {
+            return nothing;
+        }
+        let act = match &association.effect {
+            Effect::Control(Place::Output(output)) => self.drive(*output, association.qualifier),
+            Effect::Assign(Place::Output(output), value) if association.qualifier == Qualifier::N => {
+                let (local, value) = (names::output_local(self.model, *output), self.value(value, Moment::Action));
+                quote!(#local = #value;)
+            }
+            _ => return nothing,
+        };
+        let act = self.under_condition(association, act);
+        if association.qualifier == Qualifier::P { self.if_entered(step, &act) } else { Item::After(step, act) }
+    }
+
+    fn under_condition(&self, association: &Association, act: TokenStream) -> TokenStream {
+        match &association.condition {
+            Some(condition) => {
+                let condition = self.value(condition, Moment::Action);
+                quote!(if #condition { #act })
+            }
+            None => act,
+        }
+    }
+
+    /// An assignment or a block that its step's arm runs.
+    fn local_run(&self, id: AssociationId, part: Part) -> Item {
+        let step = self.model.associations[id].step;
+        let body = self.local_run_tokens(id, part);
+        match part {
+            // The final run of N: on a self-loop Q has no gap.
+            Part::Deactivation if self.model.associations[id].qualifier == Qualifier::N => {
+                let (after, variant) = (names::after(self.plan.regions.of_step(step), self.plan), self.variant(step));
+                let body = if body.is_empty() { body } else { quote!(if #after != #variant { #body }) };
+                Item::Before(step, body)
+            }
+            Part::Deactivation => self.if_left(step, &body),
+            Part::Activation => self.if_entered(step, &body),
+            Part::Rest => Item::After(step, body),
+        }
+    }
+
+    fn local_run_tokens(&self, id: AssociationId, part: Part) -> TokenStream {
+        let association = &self.model.associations[id];
+        let assigned = matches!(association.effect, Effect::Assign(Place::Output(_), _));
+        let runs = match &association.effect {
+            Effect::Assign(..) => !(assigned && association.qualifier == Qualifier::N),
+            Effect::Block(_) => true,
+            Effect::Control(_) | Effect::Call(..) => false,
+        };
+        let wanted = match part {
+            Part::Deactivation => matches!(association.qualifier, Qualifier::P0 | Qualifier::N),
+            Part::Activation => association.qualifier == Qualifier::P1,
+            Part::Rest => association.qualifier == Qualifier::N,
+        };
+        if !runs || !wanted || self.plan.control.of_association[id.index()].is_some() {
+            return TokenStream::new();
+        }
+        let moment = if part == Part::Deactivation { Moment::Leaving } else { Moment::Action };
+        let (unsettle, run) = (self.unsettle(), self.effect_run(&association.effect, &TokenStream::new(), moment));
+        self.under_condition(association, quote!(#unsettle #run))
+    }
+
+    /// `settled` says whether the next cycle would do the same as this one, were it not for the time.
+    fn declare_settled(&self) -> TokenStream {
+        if !self.plan.memory.time {
+            return TokenStream::new();
+        }
+        let regions = (0..self.plan.regions.all().len()).map(|region| {
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            let again = self.plan.sees_reentry[region].then(|| {
+                let again = names::again(region, self.plan);
+                quote!(&& !#again)
+            });
+            quote!(#before == #after #again)
+        });
+        let edges = self.plan.memory.edges.iter().flat_map(|(id, rising, falling)| {
+            let rising = rising.then(|| names::edge_local(*id, true));
+            rising.into_iter().chain(falling.then(|| names::edge_local(*id, false)))
+        });
+        quote!(self.settled = #(#regions)&&* #(&& !#edges)*;)
+    }
+
+    /// An action runs, and would run again in the next cycle or has changed what others read.
+    pub(super) fn unsettle(&self) -> Option<TokenStream> {
+        self.plan.memory.time.then(|| quote!(self.settled = false;))
+    }
+
+    /// The same, if something changes.
+    pub(super) fn unsettle_if(&self, change: &TokenStream) -> Option<TokenStream> {
+        self.plan.memory.time.then(|| quote!(if #change { self.settled = false; }))
+    }
+
+    /// The outputs of the cycle before, where an action reads them.
+    fn keep_last_outputs(&self) -> TokenStream {
+        let reads = |id: &crate::model::OutputId| self.plan.drives[id.index()].read_by_actions;
+        self.model
+            .outputs
+            .ids()
+            .filter(reads)
+            .map(|id| {
+                let (last, field) = (names::output_last(self.model, id), names::output_field(self.model, id));
+                quote!(let #last = self.#field;)
+            })
+            .collect()
+    }
+}
+
+/// The parts in which actions run (A29).
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Deactivation,
+    Activation,
+    Rest,
+}
+

@@ -1,0 +1,231 @@
+//! The stored actions of one evolution of a `grafcet`, and the calls that are due in it.
+//!
+//! All of them see the values from before the evolution and are committed together (A6). Places that other actions read,
+//! and those that events and clearings write, are collected in locals first; the rest is written in its place.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::bind::Moment;
+use super::segments::Item;
+use super::{Cx, names};
+use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, TransitionId};
+use crate::plan::{is_stored, source_order};
+
+/// When an association of a `grafcet` acts.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Instant {
+    Deactivation,
+    Activation,
+    Event,
+}
+
+/// Which stored actions are meant.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Which {
+    /// Those that write to locals, and the flags of calls that are due.
+    Collected,
+    /// Those that write in their place, and the calls.
+    Direct,
+}
+
+impl Cx<'_> {
+    /// The locals of an evolution: the values to come, and which calls are due.
+    pub(super) fn declare_collected(&self) -> TokenStream {
+        let places = self.plan.stored.collected.iter().map(|place| {
+            let (next, field) = (names::collected(self.model, *place), names::place_field(self.model, *place));
+            quote!(let mut #next = self.#field;)
+        });
+        let events = self.event_calls().map(|id| names::due("call", id)).map(|due| quote!(let mut #due = false;));
+        let clearings = self.clearing_calls().map(|id| names::due("clearing", id.index()));
+        let clearings = clearings.map(|due| quote!(let mut #due = false;));
+        quote!(#(#places)* #(#events)* #(#clearings)*)
+    }
+
+    /// Stored actions that write to locals.
+    pub(super) fn collect_stored(&self) -> TokenStream {
+        self.stored_by_step(Which::Collected)
+    }
+
+    /// Stored actions that write in their place, and the calls that are due, in source order (A33).
+    pub(super) fn do_stored(&self) -> TokenStream {
+        let steps = self.stored_by_step(Which::Direct);
+        let clearings = self.clearing_calls().map(|id| {
+            let due = names::due("clearing", id.index());
+            let calls = self.model.transitions[id].clearing.iter().filter(|effect| matches!(effect, Effect::Call(..)));
+            let calls = calls.map(|effect| self.stored_effect(effect, Moment::Stored));
+            quote!(if #due { #(#calls)* })
+        });
+        quote!(#steps #(#clearings)*)
+    }
+
+    /// Takes over what was collected.
+    pub(super) fn commit_collected(&self) -> TokenStream {
+        let places = self.plan.stored.collected.iter().map(|place| {
+            let (next, field) = (names::collected(self.model, *place), names::place_field(self.model, *place));
+            quote!(self.#field = #next;)
+        });
+        quote!(#(#places)*)
+    }
+
+    /// Whether the collected actions change anything, or a call is due (A25).
+    pub(super) fn collected_unchanged(&self) -> Vec<TokenStream> {
+        let places = self.plan.stored.collected.iter().map(|place| {
+            let (next, field) = (names::collected(self.model, *place), names::place_field(self.model, *place));
+            quote!(#next == self.#field)
+        });
+        let events = self.event_calls().map(|id| names::due("call", id)).map(|due| quote!(!#due));
+        let clearings = self.clearing_calls().map(|id| names::due("clearing", id.index())).map(|due| quote!(!#due));
+        places.chain(events).chain(clearings).collect()
+    }
+
+    /// The stored actions on the activation of the initial situation (A37).
+    pub(super) fn initial_stored(&self) -> TokenStream {
+        let actions: Vec<_> = self
+            .plan
+            .initial
+            .iter()
+            .flat_map(|step| &self.model.steps[*step].associations)
+            .map(|id| &self.model.associations[*id])
+            .filter(|association| instant(association) == Some(Instant::Activation))
+            .collect();
+        if actions.is_empty() {
+            return TokenStream::new();
+        }
+        let collects = actions.iter().any(|association| self.plan.stored.is_collected(&association.effect));
+        let declare = collects.then(|| {
+            let places = self.plan.stored.collected.iter().map(|place| {
+                let (next, field) = (names::collected(self.model, *place), names::place_field(self.model, *place));
+                quote!(let mut #next = self.#field;)
+            });
+            quote!(#(#places)*)
+        });
+        let commit = collects.then(|| self.commit_collected());
+        let actions = actions.iter().map(|association| self.conditional(association, Moment::Start));
+        quote!(#declare #(#actions)* #commit)
+    }
+
+    /// The actions on clearing that write, and the flag of those that call.
+    pub(super) fn clearing_actions(&self, id: TransitionId) -> TokenStream {
+        let effects = self.model.transitions[id].clearing.iter();
+        let writes = effects.filter(|effect| !matches!(effect, Effect::Call(..)));
+        let writes = writes.map(|effect| self.stored_effect(effect, Moment::Stored));
+        let call = self.clearing_calls().any(|other| other == id).then(|| {
+            let due = names::due("clearing", id.index());
+            quote!(#due = true;)
+        });
+        quote!(#(#writes)* #call)
+    }
+
+    fn clearing_calls(&self) -> impl Iterator<Item = TransitionId> + '_ {
+        let calls = |effect: &Effect| matches!(effect, Effect::Call(..));
+        self.model.transitions.iter().filter(move |(_, t)| t.clearing.iter().any(calls)).map(|(id, _)| id)
+    }
+
+    /// Calls on an event, by the number of their association.
+    fn event_calls(&self) -> impl Iterator<Item = usize> + '_ {
+        let calls = self.model.associations.iter().filter(|(_, a)| is_event_call(a));
+        calls.map(|(id, _)| id.index())
+    }
+
+    /// The stored actions of all steps in source order; where no call makes the order visible, by instant.
+    fn stored_by_step(&self, which: Which) -> TokenStream {
+        let mut actions: Vec<_> = source_order(self.model)
+            .map(|id| (id, &self.model.associations[id]))
+            .filter_map(|(id, association)| Some((instant(association)?, id, association)))
+            .collect();
+        let calls = |(_, _, association): &(Instant, AssociationId, &Association)| matches!(association.effect, Effect::Call(..));
+        if !actions.iter().any(calls) {
+            actions.sort_by_key(|(instant, _, _)| *instant);
+        }
+        self.in_order(actions.into_iter().map(|(instant, id, association)| {
+            let body = self.stored_action(id, association, which);
+            match instant {
+                Instant::Deactivation => self.if_left(association.step, &body),
+                Instant::Activation => self.if_entered(association.step, &body),
+                Instant::Event => Item::Before(association.step, body),
+            }
+        }))
+    }
+
+    /// The part of a stored action that belongs to this pass; nothing, if it belongs to the other one.
+    fn stored_action(&self, id: AssociationId, association: &Association, which: Which) -> TokenStream {
+        if is_event_call(association) {
+            let due = names::due("call", id.index());
+            return match which {
+                Which::Collected => {
+                    let condition = self.stored_condition(association, Moment::Stored);
+                    quote!(if #condition { #due = true; })
+                }
+                Which::Direct => {
+                    let call = self.stored_effect(&association.effect, Moment::Stored);
+                    quote!(if #due { #call })
+                }
+            };
+        }
+        if self.plan.stored.is_collected(&association.effect) == (which == Which::Collected) {
+            self.conditional(association, Moment::Stored)
+        } else {
+            TokenStream::new()
+        }
+    }
+
+    /// A stored action under its event and condition.
+    fn conditional(&self, association: &Association, moment: Moment) -> TokenStream {
+        let act = match (association.qualifier, &association.effect) {
+            (Qualifier::S, Effect::Control(place)) => self.store(*place, &quote!(true)),
+            (Qualifier::R, Effect::Control(place)) => self.store(*place, &quote!(false)),
+            (_, effect) => self.stored_effect(effect, moment),
+        };
+        if association.event.is_none() && association.condition.is_none() {
+            return act;
+        }
+        let condition = self.stored_condition(association, moment);
+        quote!(if #condition { #act })
+    }
+
+    fn stored_condition(&self, association: &Association, moment: Moment) -> TokenStream {
+        let terms = association.event.iter().chain(&association.condition).map(|expr| self.value(expr, moment));
+        quote!(#(#terms)&&*)
+    }
+
+    fn stored_effect(&self, effect: &Effect, moment: Moment) -> TokenStream {
+        match effect {
+            Effect::Assign(place, value) => {
+                let value = self.value(value, moment);
+                self.store(*place, &value)
+            }
+            Effect::Call(action, args) => self.call(*action, &quote!(First), args, moment),
+            Effect::Block(code) => self.block(code, moment, |place| self.stored_target(place)),
+            Effect::Control(place) => self.store(*place, &quote!(true)),
+        }
+    }
+
+    fn store(&self, place: Place, value: &TokenStream) -> TokenStream {
+        let target = self.stored_target(place);
+        quote!(#target = #value;)
+    }
+
+    /// Where a stored action writes a place.
+    fn stored_target(&self, place: Place) -> TokenStream {
+        if self.plan.stored.collected.contains(&place) {
+            let next = names::collected(self.model, place);
+            return quote!(#next);
+        }
+        let field = names::place_field(self.model, place);
+        quote!(self.#field)
+    }
+}
+
+fn is_event_call(association: &Association) -> bool {
+    association.qualifier == Qualifier::On && matches!(association.effect, Effect::Call(..))
+}
+
+/// When a stored action acts; `None` for a continuous one.
+fn instant(association: &Association) -> Option<Instant> {
+    is_stored(association).then_some(match association.qualifier {
+        Qualifier::P0 => Instant::Deactivation,
+        Qualifier::On => Instant::Event,
+        _ => Instant::Activation,
+    })
+}

@@ -1,0 +1,146 @@
+//! `sfc`: which targets the action control of IEC 61131-3 works on, and how much of it each of them needs (A31).
+//!
+//! Most actions need none of it: a boolean output under N, S, R and P is collected in the arms of its steps, and an
+//! assignment or block under N, P1 or P0 runs in them. What is left over gets a [`Target`]: its flags are collected
+//! first, then its Q is computed, then it runs in its place.
+
+use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier};
+
+/// A target whose associations are combined by the action control.
+pub struct Target {
+    pub what: What,
+    /// In source order.
+    pub associations: Vec<AssociationId>,
+    /// The value of Q in the cycle before is remembered: something runs when it rises or falls.
+    pub remembers_q: bool,
+    /// Several associations give arguments, so the one that was active last is remembered.
+    pub remembers_association: bool,
+}
+
+/// What a target is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum What {
+    /// A boolean output or variable: it is Q.
+    Boolean(Place),
+    /// An action or an assignment or block of its own: it runs.
+    Runs,
+}
+
+impl Target {
+    /// Its associations under a qualifier.
+    pub fn under<'t>(&'t self, model: &'t Model, qualifier: Qualifier) -> impl Iterator<Item = AssociationId> + 't {
+        self.associations.iter().copied().filter(move |id| model.associations[*id].qualifier == qualifier)
+    }
+
+    /// Whether any association has the qualifier.
+    #[must_use]
+    pub fn has(&self, model: &Model, qualifier: Qualifier) -> bool {
+        self.under(model, qualifier).next().is_some()
+    }
+
+    /// Whether associations under a timed qualifier state different times, so that the last one is remembered.
+    #[must_use]
+    pub fn remembers_time(&self, model: &Model, qualifier: Qualifier) -> bool {
+        let mut times = self.under(model, qualifier).map(|id| model.associations[id].time);
+        let first = times.next();
+        times.any(|time| Some(time) != first)
+    }
+}
+
+/// The targets of a chart and who belongs to them.
+pub struct Control {
+    pub targets: Vec<Target>,
+    /// Per association, its target; `None` where its step's arm does it all.
+    pub of_association: Vec<Option<usize>>,
+}
+
+impl Control {
+    pub(super) fn of(model: &Model) -> Self {
+        let mut control = Self { targets: Vec::new(), of_association: vec![None; model.associations.len()] };
+        if model.dialect != Dialect::Sfc {
+            return control;
+        }
+        let mut keys: Vec<Key> = Vec::new();
+        for id in source_order(model) {
+            let association = &model.associations[id];
+            let key = key(id, &association.effect);
+            if is_local(model, &key, association) {
+                continue;
+            }
+            let target = keys.iter().position(|other| *other == key).unwrap_or_else(|| {
+                keys.push(key);
+                let what = match association.effect {
+                    Effect::Control(place) => What::Boolean(place),
+                    _ => What::Runs,
+                };
+                let associations = Vec::new();
+                control.targets.push(Target { what, associations, remembers_q: false, remembers_association: false });
+                keys.len() - 1
+            });
+            control.targets[target].associations.push(id);
+            control.of_association[id.index()] = Some(target);
+        }
+        for target in &mut control.targets {
+            target.remembers_q = target.what == What::Runs && has_q(model, target);
+            target.remembers_association = remembers_association(model, target);
+        }
+        control
+    }
+}
+
+/// All associations, by step and then as they stand in it.
+pub fn source_order(model: &Model) -> impl Iterator<Item = AssociationId> + '_ {
+    model.steps.values().flat_map(|step| step.associations.iter().copied())
+}
+
+/// What makes two associations one target.
+#[derive(PartialEq, Eq)]
+enum Key {
+    Place(Place),
+    Action(usize),
+    Own(AssociationId),
+}
+
+fn key(id: AssociationId, effect: &Effect) -> Key {
+    match effect {
+        Effect::Control(place) => Key::Place(*place),
+        Effect::Call(action, _) => Key::Action(action.index()),
+        Effect::Assign(..) | Effect::Block(_) => Key::Own(id),
+    }
+}
+
+/// Whether the arms of the step do it all.
+fn is_local(model: &Model, key: &Key, association: &Association) -> bool {
+    let simple = |a: &Association| {
+        matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P)
+    };
+    match (&association.effect, key) {
+        (Effect::Control(Place::Output(output)), _) => {
+            let same = |a: &&Association| matches!(a.effect, Effect::Control(Place::Output(other)) if other == *output);
+            model.associations.values().filter(same).all(simple)
+        }
+        (Effect::Assign(Place::Output(_), _), _) if association.qualifier == Qualifier::N => true,
+        (Effect::Assign(..) | Effect::Block(_), _) => {
+            matches!(association.qualifier, Qualifier::P1 | Qualifier::P0)
+                || association.qualifier == Qualifier::N && association.condition.is_none()
+        }
+        _ => false,
+    }
+}
+
+/// Whether anything but single runs (P1, P0) and resets belongs to the target.
+fn has_q(model: &Model, target: &Target) -> bool {
+    let single = |id: &AssociationId| {
+        matches!(model.associations[*id].qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::R)
+    };
+    !target.associations.iter().all(single)
+}
+
+fn remembers_association(model: &Model, target: &Target) -> bool {
+    let with_arguments = |id: &&AssociationId| {
+        let association = &model.associations[**id];
+        association.qualifier != Qualifier::R
+            && matches!(&association.effect, Effect::Call(_, arguments) if !arguments.is_empty())
+    };
+    target.associations.iter().filter(with_arguments).count() > 1 && has_q(model, target)
+}

@@ -1,0 +1,93 @@
+//! How one evolution is computed: which transitions are looked at together, and where.
+
+use std::collections::BTreeSet;
+
+use crate::analysis::{Concurrency, Logic, hierarchy};
+use crate::model::{Id, Model, PartialId, StepId, Transition, TransitionId};
+
+/// The order and grouping of the transitions.
+pub struct Evolution {
+    /// The partial grafcets, from top to bottom.
+    pub partials: Vec<PartialId>,
+    /// Per step, the transitions that are looked at when it is active, in source order: each transition stands at its
+    /// first source step, but for those in `contests`.
+    pub owned: Vec<Vec<TransitionId>>,
+    /// Per step, whether at most one of its transitions can clear at a time: by priority in an `sfc`, by their
+    /// conditions in a `grafcet`.
+    pub exclusive: Vec<bool>,
+    /// `sfc`: transitions that compete for source steps of an AND-convergence, in source order (A28).
+    pub contests: Vec<Vec<TransitionId>>,
+    /// Steps that may be activated and left in the same evolution: they are entered behind everything else.
+    pub entered_last: BTreeSet<StepId>,
+}
+
+impl Evolution {
+    pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
+        let contests = if model.is_grafcet() { Vec::new() } else { contests(model) };
+        let contested: BTreeSet<TransitionId> = contests.iter().flatten().copied().collect();
+        let mut owned = vec![Vec::new(); model.steps.len()];
+        for (id, transition) in model.transitions.iter().filter(|(id, _)| !contested.contains(id)) {
+            if let Some(first) = transition.sources.first() {
+                owned[first.index()].push(id);
+            }
+        }
+        let exclusive = exclusive(model);
+        let entered_last = entered_last(model, concurrency, &exclusive);
+        Self { partials: hierarchy::top_down(model), owned, exclusive, contests, entered_last }
+    }
+}
+
+/// Whether all transitions that leave a step exclude each other.
+fn exclusive(model: &Model) -> Vec<bool> {
+    let mut leaving: Vec<Vec<&Transition>> = vec![Vec::new(); model.steps.len()];
+    for transition in model.transitions.values() {
+        transition.sources.iter().for_each(|step| leaving[step.index()].push(transition));
+    }
+    let logic = Logic::new(model);
+    let all_exclude = |transitions: &Vec<&Transition>| {
+        transitions.iter().enumerate().all(|(i, a)| {
+            transitions[i + 1..].iter().all(|b| logic.exclusive(&a.condition.tree, &b.condition.tree))
+        })
+    };
+    leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).collect()
+}
+
+/// Groups of transitions that share source steps, where one of them has several.
+fn contests(model: &Model) -> Vec<Vec<TransitionId>> {
+    let mut group: Vec<usize> = (0..model.transitions.len()).collect();
+    let mut first_of_step: Vec<Option<usize>> = vec![None; model.steps.len()];
+    for (id, transition) in model.transitions.iter() {
+        for step in &transition.sources {
+            match first_of_step[step.index()] {
+                None => first_of_step[step.index()] = Some(id.index()),
+                Some(other) => {
+                    let (a, b) = (root(&group, id.index()), root(&group, other));
+                    group[a.max(b)] = a.min(b);
+                }
+            }
+        }
+    }
+    let mut groups: Vec<Vec<TransitionId>> = vec![Vec::new(); model.transitions.len()];
+    for id in model.transitions.ids() {
+        groups[root(&group, id.index())].push(id);
+    }
+    let contest = |ids: &Vec<TransitionId>| ids.len() > 1 && ids.iter().any(|id| model.transitions[*id].sources.len() > 1);
+    groups.into_iter().filter(contest).collect()
+}
+
+fn root(group: &[usize], mut item: usize) -> usize {
+    while group[item] != item {
+        item = group[item];
+    }
+    item
+}
+
+/// Steps that one transition may take away while another gives them back: activation wins (rule 5 of IEC 60848).
+fn entered_last(model: &Model, concurrency: &Concurrency, exclusive: &[bool]) -> BTreeSet<StepId> {
+    let kept = model.transitions.values().flat_map(|transition| {
+        let overlapping = |step: &&StepId| transition.sources.contains(step) && !exclusive[step.index()];
+        transition.targets.iter().filter(overlapping)
+    });
+    let entered_twice = model.steps.ids().filter(|step| concurrency.activated_while_active(*step));
+    entered_twice.chain(kept.copied()).collect()
+}

@@ -1,0 +1,66 @@
+//! What a chart remembers from cycle to cycle beside its situation: only what it uses.
+
+use std::collections::BTreeSet;
+
+use super::{Drive, Regions};
+use crate::analysis::combinational;
+use crate::model::{EdgeId, Id, MacroId, Model, OutputId, Read, StepId, VarId};
+
+/// The remembered values.
+pub struct Memory {
+    /// Variables; a combinational one is computed from the situation and not remembered.
+    pub vars: Vec<VarId>,
+    /// Variables computed from the situation, each behind those it reads (A22).
+    pub combinational: Vec<VarId>,
+    /// Outputs that are remembered, in order of declaration.
+    pub stored: Vec<OutputId>,
+    /// Outputs whose last value is remembered only because an expression reads it (and `stored` does not hold it).
+    pub last: Vec<OutputId>,
+    /// The chart looks at the time, so `cycle` takes it.
+    pub time: bool,
+    /// Per region, whether the time of its active step is counted.
+    pub step_times: Vec<bool>,
+    /// Macro-steps whose time is counted.
+    pub macro_times: Vec<MacroId>,
+    /// Edges, each with whether its rising and its falling side are used.
+    pub edges: Vec<(EdgeId, bool, bool)>,
+}
+
+impl Memory {
+    pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive]) -> Self {
+        let reads: BTreeSet<Read> = model.expressions().flatten().copied().collect();
+        let combinational = combinational::in_order(model);
+        let pick = |wanted: &dyn Fn(&Drive) -> bool| {
+            model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
+        };
+        let timed = timed_steps(model, &reads);
+        Self {
+            vars: model.vars.ids().filter(|id| !combinational.contains(id)).collect(),
+            combinational,
+            stored: pick(&|drive| drive.stored),
+            last: pick(&|drive| drive.last),
+            time: model.uses_time(),
+            step_times: regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect(),
+            macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
+            edges: model
+                .edges
+                .ids()
+                .map(|id| (id, reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))))
+                .collect(),
+        }
+    }
+}
+
+/// Steps whose time is read. L and D of a `grafcet` are conditions on it (A32).
+fn timed_steps(model: &Model, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
+    let read = reads.iter().filter_map(|read| match read {
+        Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
+        _ => None,
+    });
+    let limited = model.associations.values().filter(|a| model.is_grafcet() && a.time.is_some()).map(|a| a.step);
+    read.chain(limited).collect()
+}
+
+fn is_time_of(read: Read, id: MacroId) -> bool {
+    matches!(read, Read::MacroSince(other) | Read::MacroElapsed(_, other) if other == id)
+}

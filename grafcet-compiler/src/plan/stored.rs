@@ -1,0 +1,78 @@
+//! `grafcet`: in which order the stored actions of one evolution write.
+//!
+//! All of them see the values from before the evolution and are committed together (A6). A place can be written in its
+//! place at once if no other action reads it and no action may write it without a change of the situation; any other
+//! place is first written to a local, which tells whether the evolution changes anything (A25).
+
+use std::collections::BTreeSet;
+
+use crate::model::{Association, Effect, Model, Name, Place, Qualifier, Read};
+
+/// The places that stored actions write.
+pub struct Stored {
+    /// Places that are collected in locals and committed at the end of the evolution.
+    pub collected: BTreeSet<Place>,
+}
+
+impl Stored {
+    pub(super) fn of(model: &Model) -> Self {
+        let mut stored = Self { collected: BTreeSet::new() };
+        if !model.is_grafcet() {
+            return stored;
+        }
+        for transition in model.transitions.values() {
+            stored.collected.extend(transition.clearing.iter().flat_map(writes));
+        }
+        let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).collect();
+        for action in &actions {
+            if action.qualifier == Qualifier::On {
+                stored.collected.extend(writes(&action.effect));
+            }
+            let own: Vec<Place> = writes(&action.effect).collect();
+            stored.collected.extend(reads(action).filter(|place| !own.contains(place)));
+        }
+        // A block writes all its places in the same way.
+        loop {
+            let before = stored.collected.len();
+            for action in &actions {
+                if writes(&action.effect).any(|place| stored.collected.contains(&place)) {
+                    stored.collected.extend(writes(&action.effect));
+                }
+            }
+            if stored.collected.len() == before {
+                return stored;
+            }
+        }
+    }
+
+    /// Whether the effect writes to locals first.
+    #[must_use]
+    pub fn is_collected(&self, effect: &Effect) -> bool {
+        writes(effect).any(|place| self.collected.contains(&place))
+    }
+}
+
+/// Whether the action acts at an instant.
+#[must_use]
+pub fn is_stored(association: &Association) -> bool {
+    matches!(association.qualifier, Qualifier::S | Qualifier::R | Qualifier::P1 | Qualifier::P0 | Qualifier::On)
+}
+
+/// The places an effect may write.
+pub fn writes(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
+    let (one, many): (Option<Place>, &[Place]) = match effect {
+        Effect::Control(place) | Effect::Assign(place, _) => (Some(*place), &[]),
+        Effect::Call(..) => (None, &[]),
+        Effect::Block(code) => (None, &code.writes),
+    };
+    one.into_iter().chain(many.iter().copied())
+}
+
+fn reads(association: &Association) -> impl Iterator<Item = Place> + '_ {
+    let conditions = association.condition.iter().chain(&association.event).map(|e| &e.reads[..]);
+    conditions.chain(association.effect.reads()).flatten().filter_map(|read| match read {
+        Read::Name(Name::Output(id)) => Some(Place::Output(*id)),
+        Read::Name(Name::Var(id)) => Some(Place::Var(*id)),
+        _ => None,
+    })
+}

@@ -1,0 +1,143 @@
+//! The timers of actions and conditions.
+
+use crate::Ticks;
+
+/// TON of IEC 61131-3: true once its input has been true for a time.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct OnDelay {
+    held: Ticks,
+    input: bool,
+}
+
+impl OnDelay {
+    /// A timer whose input has been false.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { held: Ticks::ZERO, input: false }
+    }
+
+    /// Takes the input of this cycle; `elapsed` is the time since the cycle before. With `restart` the time of a true
+    /// input begins again. A time of zero has elapsed at once (A35).
+    pub fn update(&mut self, input: bool, restart: bool, time: Ticks, elapsed: Ticks) -> bool {
+        self.held = if input && self.input && !restart { self.held + elapsed } else { Ticks::ZERO };
+        self.input = input;
+        input && self.held >= time
+    }
+
+    /// How long it still takes until the output becomes true; `None` if nothing is under way.
+    #[must_use]
+    pub fn remaining(&self, time: Ticks) -> Option<Ticks> {
+        (self.input && self.held < time).then(|| time - self.held)
+    }
+}
+
+impl Default for OnDelay {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The general delay `t1/e/t2` of IEC 60848: true once `e` has been true for `t1`, false once it has been false for `t2`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Delay {
+    /// How long the input has had its value.
+    held: Ticks,
+    input: bool,
+    output: bool,
+}
+
+impl Delay {
+    /// A delay whose input has been false for long.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { held: Ticks::MAX, input: false, output: false }
+    }
+
+    /// Takes the input of this cycle; `elapsed` is the time since the cycle before.
+    pub fn update(&mut self, input: bool, on: Ticks, off: Ticks, elapsed: Ticks) {
+        self.held = if input == self.input { self.held + elapsed } else { Ticks::ZERO };
+        self.input = input;
+        if self.held >= if input { on } else { off } {
+            self.output = input;
+        }
+    }
+
+    /// Whether the delayed condition holds.
+    #[must_use]
+    pub const fn output(&self) -> bool {
+        self.output
+    }
+
+    /// How long it still takes until the output changes; `None` if nothing is under way.
+    #[must_use]
+    pub fn remaining(&self, on: Ticks, off: Ticks) -> Option<Ticks> {
+        let time = if self.input { on } else { off };
+        (self.input != self.output).then(|| time - self.held)
+    }
+}
+
+impl Default for Delay {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// How long until a time that has been counted reaches a threshold; `None` if it has.
+#[must_use]
+pub fn until(counted: Ticks, threshold: Ticks) -> Option<Ticks> {
+    (counted < threshold).then(|| threshold - counted)
+}
+
+/// The earlier of two times from now.
+#[must_use]
+pub fn sooner(a: Option<Ticks>, b: Option<Ticks>) -> Option<Ticks> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(if a < b { a } else { b }),
+        (a, b) => a.or(b),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Delay, OnDelay, sooner};
+    use crate::Ticks;
+
+    const fn ticks(n: u32) -> Ticks {
+        Ticks::new(n)
+    }
+
+    #[test]
+    fn on_delay_counts_while_its_input_is_true() {
+        let mut timer = OnDelay::new();
+        assert!(!timer.update(true, false, ticks(5), ticks(100)));
+        assert_eq!(timer.remaining(ticks(5)), Some(ticks(5)));
+        assert!(!timer.update(true, false, ticks(5), ticks(4)));
+        assert!(timer.update(true, false, ticks(5), ticks(1)));
+        assert!(!timer.update(true, true, ticks(5), ticks(1)));
+        assert!(!timer.update(false, false, ticks(0), ticks(1)));
+        assert!(timer.update(true, false, ticks(0), ticks(1)));
+    }
+
+    #[test]
+    fn delay_follows_late_in_both_directions() {
+        let mut delay = Delay::new();
+        let mut step = |input, elapsed| {
+            delay.update(input, ticks(3), ticks(2), ticks(elapsed));
+            delay.output()
+        };
+        assert!(!step(false, 0));
+        assert!(!step(true, 1));
+        assert!(!step(true, 2));
+        assert!(step(true, 1));
+        assert!(step(false, 5));
+        assert!(step(false, 1));
+        assert!(!step(false, 1));
+    }
+
+    #[test]
+    fn the_sooner_of_two_times() {
+        assert_eq!(sooner(Some(ticks(3)), Some(ticks(2))), Some(ticks(2)));
+        assert_eq!(sooner(None, Some(ticks(2))), Some(ticks(2)));
+        assert_eq!(sooner(None, None), None);
+    }
+}
