@@ -86,7 +86,11 @@ pub use grafcet_core::{Chart, Phase, Ticks, heapless};
 /// - `Motor`, the state, with `new`, `cycle`, `init`, `is_active`, `active_steps`, `situation`, and `is_stable` where the
 ///   chart is a `grafcet`; it implements [`Chart`];
 /// - `MotorInputs` and `MotorOutputs`, plain structs with a field for each declared input and output;
-/// - `MotorStep` and `MotorTransition`, the names of its steps and transitions.
+/// - `MotorStep` and `MotorTransition`, the names of its steps and transitions;
+/// - `MotorParams`, where the chart declares a `param`, and the trait `MotorActions`, where it declares an `action`.
+///
+/// A chart that uses time takes the reading of its clock in `cycle`, and has `next_deadline`; one that declares actions
+/// takes what carries them out.
 ///
 /// What is wrong with the chart is a compile error, all of it at once; where a rule is broken, the message ends with the
 /// rule's name. The types are generated all the same, so that the rest of the program gets no errors that follow from it.

@@ -32,6 +32,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     check::drawing(&model, &mut sink);
     if !sink.has_errors() && !chart.incomplete {
         check::not_yet(&chart, &mut sink);
+        check::whole(&model, &mut sink);
     }
     let failed = sink.has_errors() || chart.incomplete || model.incomplete;
     let mut tokens = diagnostic::tokens(&sink.finish());

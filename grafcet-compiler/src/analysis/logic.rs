@@ -47,6 +47,13 @@ impl<'m> Logic<'m> {
         self.unsatisfiable(&both, &atoms)
     }
 
+    /// Whether two conditions always hold together; `false` where that cannot be shown.
+    #[must_use]
+    pub fn equivalent(&self, a: &Tree, b: &Tree) -> bool {
+        let not = |tree: &Tree| Tree::Unary(Unary::Not, Box::new(tree.clone()));
+        self.exclusive(a, &not(b)) && self.exclusive(&not(a), b)
+    }
+
     /// Whether a condition can never hold; `false` where that cannot be shown.
     #[must_use]
     pub fn never(&self, condition: &Expr) -> bool {

@@ -72,7 +72,17 @@ rules! {
     CLEARING_ACTION = error("clearing_action");
     WRONG_TARGET = error("wrong_target");
     BAD_TIME = error("bad_time");
+    UNSTABLE = error("unstable");
+    READS_CONTINUOUS = error("reads_continuous");
+    COMBINATIONAL_CIRCLE = error("combinational_circle");
+    MIXED_MODES = error("mixed_modes");
+    WRITE_RACE = deny("write_race");
+    FORCING_CIRCLE = error("forcing_circle");
+    TWO_MASTERS = error("two_masters");
     FORCED_STEP_OUTSIDE = error("forced_step_outside");
+    INIT_WITHOUT_INITIAL = error("init_without_initial");
+    FORCED_ENCLOSURE = error("forced_enclosure");
+    ENCLOSURE_WITHOUT_LINK = error("enclosure_without_link");
     MACRO_ENTRY_EXIT = error("macro_entry_exit");
 }
 
@@ -88,16 +98,11 @@ const LATER: &[&str] = &[
     "always_true",
     "shadowed_branch",
     "overlapping_branches",
-    "unstable",
     "possible_instability",
-    "reads_continuous",
-    "combinational_circle",
     "level_source_transition",
     "edge_in_assignation",
     "event_without_edge",
-    "mixed_modes",
     "conflicting_values",
-    "write_race",
     "set_without_reset",
     "reset_without_set",
     "timed_contention",
@@ -106,11 +111,6 @@ const LATER: &[&str] = &[
     "unused_variable",
     "unused_action",
     "unused_param",
-    "forcing_circle",
-    "two_masters",
-    "init_without_initial",
-    "forced_enclosure",
-    "enclosure_without_link",
     "property_violated",
     "property_undecided",
 ];

@@ -1,6 +1,6 @@
 //! Questions that several passes ask of a model.
 
-use super::{Effect, Model, Name, Place, Read, Ty};
+use super::{Effect, Expr, Model, Name, Place, Read, Ty};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
@@ -61,6 +61,16 @@ impl Model {
 }
 
 impl Effect {
+    /// The expressions of an effect; a block has none.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        let (one, many): (Option<&Expr>, &[Expr]) = match self {
+            Effect::Assign(_, value) => (Some(value), &[]),
+            Effect::Call(_, args) => (None, args),
+            Effect::Control(_) | Effect::Block(_) => (None, &[]),
+        };
+        one.into_iter().chain(many)
+    }
+
     /// What the expressions of an effect read, one list an expression.
     pub fn reads(&self) -> impl Iterator<Item = &[Read]> {
         let (one, many): (Option<&[Read]>, &[super::Expr]) = match self {

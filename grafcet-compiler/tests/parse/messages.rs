@@ -31,7 +31,7 @@ fn an_empty_call() {
 fn headers() {
     for (text, marked, message, some) in [
         ("pub Motor { }", "Motor", "begins with its dialect, `sfc` (IEC 61131-3) or `grafcet` (IEC 60848)", false),
-        ("chart Motor { }", "chart", "begins with its dialect", false),
+        ("chart Motor { }", "chart", "begins with its dialect", true),
         ("{ }", "{", "begins with its dialect", false),
         ("Sfc Motor { }", "Sfc", "written `sfc`", true),
         ("GRAFCET Motor { }", "GRAFCET", "written `grafcet`", true),

@@ -1,0 +1,65 @@
+//! `mixed_modes`: one output or variable has one kind of action (A8).
+
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier};
+use crate::plan::{is_stored, writes};
+
+/// What actions do with a place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    /// `grafcet`: while a step is active. `sfc`: `speed = e`.
+    Assigned,
+    /// `grafcet`: at an instant. `sfc`: written by a run, `P1 speed = e` or a block.
+    Written,
+    /// `sfc`: by the action control, `N q`, `S q`.
+    Controlled,
+}
+
+pub(super) fn check(model: &Model, sink: &mut Sink) {
+    let places = model.outputs.ids().map(Place::Output).chain(model.vars.ids().map(Place::Var));
+    for place in places {
+        let uses = uses(model, place);
+        let Some((first_mode, first)) = uses.first() else { continue };
+        let Some((other_mode, other)) = uses.iter().find(|(mode, _)| mode != first_mode) else { continue };
+        let name = model.place_name(place);
+        let note = |mode: Mode, mark: Mark, elsewhere: Mode| {
+            let message = format!(
+                "`{name}` is {} here and {} elsewhere; keep to one of them, or use two names",
+                word(model, mode),
+                word(model, elsewhere)
+            );
+            (mark, message)
+        };
+        let notes = vec![note(*first_mode, *first, *other_mode), note(*other_mode, *other, *first_mode)];
+        sink.rule(&rules::MIXED_MODES, &[], notes);
+    }
+}
+
+fn uses(model: &Model, place: Place) -> Vec<(Mode, Mark)> {
+    let of_steps = model.associations.values().filter(|a| writes(&a.effect).any(|other| other == place));
+    let of_steps = of_steps.map(|association| (mode(model, association), association.mark));
+    let clearings = model.transitions.values().flat_map(|t| t.clearing.iter().map(move |effect| (effect, t.mark)));
+    let clearings = clearings.filter(|(effect, _)| writes(effect).any(|other| other == place));
+    of_steps.chain(clearings.map(|(_, mark)| (Mode::Written, mark))).collect()
+}
+
+fn mode(model: &Model, association: &Association) -> Mode {
+    if model.dialect == Dialect::Grafcet {
+        return if is_stored(association) { Mode::Written } else { Mode::Assigned };
+    }
+    match &association.effect {
+        Effect::Control(_) => Mode::Controlled,
+        Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => Mode::Assigned,
+        _ => Mode::Written,
+    }
+}
+
+fn word(model: &Model, mode: Mode) -> &'static str {
+    match (model.dialect, mode) {
+        (Dialect::Grafcet, Mode::Assigned) => "assigned while a step is active (continuous action)",
+        (Dialect::Grafcet, _) => "set at an instant (stored action)",
+        (Dialect::Sfc, Mode::Assigned) => "given a value while a step is active",
+        (Dialect::Sfc, Mode::Written) => "written by an action",
+        (Dialect::Sfc, Mode::Controlled) => "switched by its qualifiers",
+    }
+}

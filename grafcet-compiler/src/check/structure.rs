@@ -1,0 +1,117 @@
+//! `grafcet`: forcing orders, enclosures and macro-steps (A14, A16, A18, A21).
+
+use crate::analysis::{Concurrency, hierarchy};
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Force, ForceOrder, Model, PartialId};
+
+pub(super) fn check(model: &Model, sink: &mut Sink) {
+    circles(model, sink);
+    forced_enclosures(model, sink);
+    missing_links(model, sink);
+    missing_initial_steps(model, sink);
+}
+
+/// A14: a partial grafcet that forces or encloses itself, directly or through others.
+fn circles(model: &Model, sink: &mut Sink) {
+    for force in model.forces.values() {
+        let home = model.steps[force.step].partial;
+        if reaches(model, force.target, home) {
+            let message = format!(
+                "this order forces {}, which acts on {} in turn; a partial grafcet cannot command its own commander",
+                name(model, force.target),
+                name(model, home)
+            );
+            sink.rule(&rules::FORCING_CIRCLE, &[], vec![(force.mark, message)]);
+        }
+    }
+}
+
+/// Whether `from` is `to` or acts on it through forcing orders and enclosing steps.
+fn reaches(model: &Model, from: PartialId, to: PartialId) -> bool {
+    let mut seen = vec![to];
+    let mut next = 0;
+    while let Some(at) = seen.get(next).copied() {
+        if at == from {
+            return true;
+        }
+        for master in hierarchy::masters(model, at) {
+            if !seen.contains(&master) {
+                seen.push(master);
+            }
+        }
+        next += 1;
+    }
+    false
+}
+
+/// A16: what sits in an enclosure is commanded by its enclosing step alone.
+fn forced_enclosures(model: &Model, sink: &mut Sink) {
+    for force in model.forces.values() {
+        if let Some(outer) = model.partials[force.target].enclosed_by {
+            let message = format!(
+                "{} sits in the enclosing step `{}`, which alone commands it; force the partial grafcet of `{1}` instead",
+                name(model, force.target),
+                model.steps[outer].name
+            );
+            sink.rule(&rules::FORCED_ENCLOSURE, &[], vec![(force.mark, message)]);
+        }
+    }
+}
+
+/// A18: an enclosing step has to activate something.
+fn missing_links(model: &Model, sink: &mut Sink) {
+    for partial in model.partials.values() {
+        let (Some(name), Some(outer)) = (&partial.name, partial.enclosed_by) else { continue };
+        if partial.steps.iter().any(|step| model.steps[*step].linked) {
+            continue;
+        }
+        let outer = &model.steps[outer].name;
+        let message = format!(
+            "nothing in `{name}` becomes active when `{outer}` does; mark the steps to be activated: `linked step …`"
+        );
+        sink.rule(&rules::ENCLOSURE_WITHOUT_LINK, &[], vec![(Mark::from(name), message)]);
+    }
+}
+
+/// A21: `{INIT}` needs initial steps.
+fn missing_initial_steps(model: &Model, sink: &mut Sink) {
+    for force in model.forces.values().filter(|force| force.order == ForceOrder::Init) {
+        if !model.partials[force.target].steps.iter().any(|step| model.steps[*step].initial) {
+            let message = format!(
+                "{} has no initial step, so `{{INIT}}` means nothing; mark one `initial step`, or list the steps",
+                name(model, force.target)
+            );
+            sink.rule(&rules::INIT_WITHOUT_INITIAL, &[], vec![(force.mark, message)]);
+        }
+    }
+}
+
+/// A14: two orders that may force one partial grafcet at the same time.
+pub(super) fn two_masters(model: &Model, concurrency: &Concurrency, sink: &mut Sink) {
+    let forces: Vec<&Force> = model.forces.values().collect();
+    for (i, first) in forces.iter().enumerate() {
+        for second in &forces[i + 1..] {
+            let together = first.step == second.step || concurrency.together(first.step, second.step);
+            if first.target != second.target || !together {
+                continue;
+            }
+            let note = |force: &Force, other: &Force| {
+                let message = format!(
+                    "`{}` can force {} while `{}` does; let only one of them be active at a time",
+                    model.steps[force.step].name,
+                    name(model, force.target),
+                    model.steps[other.step].name
+                );
+                (force.mark, message)
+            };
+            sink.rule(&rules::TWO_MASTERS, &[], vec![note(first, second), note(second, first)]);
+        }
+    }
+}
+
+fn name(model: &Model, partial: PartialId) -> String {
+    match &model.partials[partial].name {
+        Some(name) => format!("`{name}`"),
+        None => "the chart itself".to_owned(),
+    }
+}
