@@ -78,7 +78,7 @@ grafcet! {
                 }
             }
             Idle -[start]-> Feed -[full]-> Clamp -[!clamped]-> Idle;
-            Idle -[auto && !start]-> Auto -[n >= 2 => n = 0]-> Idle;
+            Idle -[auto && !start]-> Auto -[n >= 2 && !part => n = 0]-> Idle;
         }
     }
 }
@@ -93,6 +93,8 @@ fn cell() {
     cell.cycle(&CellInputs { part: true, ..idle });
     cell.cycle(&idle);
     cell.cycle(&CellInputs { part: true, ..idle });
+    assert_eq!(format!("{:?}", cell.situation()), "{Ready, Auto, Count}");
+    cell.cycle(&idle);
     assert_eq!(format!("{:?}", cell.situation()), "{Ready, Idle}");
     cell.cycle(&CellInputs { estop: true, ..idle });
     assert_eq!(format!("{:?}", cell.situation()), "{Stopped}");

@@ -72,6 +72,10 @@ impl<'m> Logic<'m> {
         match tree {
             Tree::Bool(_) => {}
             Tree::Unary(Unary::Not, inner) => self.collect(inner, atoms),
+            Tree::Read(Read::Rising(id) | Read::Falling(id)) => {
+                atoms.boolean(tree);
+                self.collect(&self.model.edges[*id].of.tree, atoms);
+            }
             Tree::Binary(operator, a, b) if self.is_connective(*operator, a, b) => {
                 self.collect(a, atoms);
                 self.collect(b, atoms);
@@ -88,6 +92,15 @@ impl<'m> Logic<'m> {
         match tree {
             Tree::Bool(value) => Function::Const(*value),
             Tree::Unary(Unary::Not, inner) => Function::Not(Box::new(self.function(inner, atoms))),
+            // On a rising edge of `e`, `e` is true; on a falling one it is false.
+            Tree::Read(Read::Rising(id)) => {
+                let of = self.function(&self.model.edges[*id].of.tree, atoms);
+                Function::And(Box::new(atoms.leaf(tree)), Box::new(of))
+            }
+            Tree::Read(Read::Falling(id)) => {
+                let of = self.function(&self.model.edges[*id].of.tree, atoms);
+                Function::And(Box::new(atoms.leaf(tree)), Box::new(Function::Not(Box::new(of))))
+            }
             Tree::Binary(operator, a, b) if self.is_connective(*operator, a, b) => {
                 let (a, b) = (Box::new(self.function(a, atoms)), Box::new(self.function(b, atoms)));
                 match operator {

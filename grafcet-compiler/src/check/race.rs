@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Effect, Expr, Model, Place, Qualifier, StepId, TransitionId, Tree};
+use crate::model::{Binary, Effect, Expr, Model, Place, Qualifier, StepId, TransitionId, Tree};
 use crate::plan::{is_stored, writes};
 
 /// One stored action that writes a place.
@@ -102,21 +102,39 @@ struct Race<'m> {
 impl Race<'_> {
     /// Whether both can write in one evolution, and not just the same value.
     fn can_meet(&self, a: &Write<'_>, b: &Write<'_>) -> bool {
-        let same_value = a.value.is_some() && a.value == b.value;
-        let exclusive = a.conditions.iter().any(|x| b.conditions.iter().any(|y| self.logic.exclusive(&x.tree, &y.tree)));
-        if same_value || exclusive {
+        if a.value.is_some() && a.value == b.value {
             return false;
         }
         match (a.when, b.when) {
-            (When::Active(x), When::Active(y)) => x == y || self.concurrency.together(x, y),
-            (When::Active(step), other) | (other, When::Active(step)) => {
-                self.causes(other).iter().any(|cause| self.active_before(*cause, step))
+            (When::Active(x), When::Active(y)) => {
+                (x == y || self.concurrency.together(x, y)) && !self.exclude(a, None, b, None)
             }
+            (When::Active(step), _) => self.meets_event(step, a, b),
+            (_, When::Active(step)) => self.meets_event(step, b, a),
             (x, y) => {
                 let (causes_x, causes_y) = (self.causes(x), self.causes(y));
-                causes_x.iter().any(|x| causes_y.iter().any(|y| self.clear_together(*x, *y)))
+                let meet = |x: TransitionId, y: TransitionId| {
+                    (x == y || self.enabled_together(x, y)) && !self.exclude(a, Some(x), b, Some(y))
+                };
+                causes_x.iter().any(|x| causes_y.iter().any(|y| meet(*x, *y)))
             }
         }
+    }
+
+    /// Whether an action on an event and one that belongs to a transition can write in one evolution.
+    fn meets_event(&self, step: StepId, event: &Write<'_>, other: &Write<'_>) -> bool {
+        let causes = self.causes(other.when);
+        causes.iter().any(|cause| self.active_before(*cause, step) && !self.exclude(event, None, other, Some(*cause)))
+    }
+
+    /// Whether the conditions under which both write exclude each other; all of them are read before the evolution.
+    fn exclude(&self, a: &Write<'_>, by_a: Option<TransitionId>, b: &Write<'_>, by_b: Option<TransitionId>) -> bool {
+        let conditions = |write: &Write<'_>, by: Option<TransitionId>| {
+            let transition = by.map(|id| &self.model.transitions[id].condition);
+            let all = write.conditions.iter().copied().chain(transition).map(|expr| expr.tree.clone());
+            all.fold(Tree::Bool(true), |a, b| Tree::Binary(Binary::And, Box::new(a), Box::new(b)))
+        };
+        self.logic.exclusive(&conditions(a, by_a), &conditions(b, by_b))
     }
 
     /// The transitions by which a step is entered or left. What forcing orders and enclosing steps do is not among them:
@@ -140,15 +158,9 @@ impl Race<'_> {
         sources.iter().all(|source| *source == step || self.concurrency.together(*source, step))
     }
 
-    /// Whether two transitions can clear in one evolution.
-    fn clear_together(&self, a: TransitionId, b: TransitionId) -> bool {
-        if a == b {
-            return true;
-        }
+    /// Whether the sources of two transitions can all be active together.
+    fn enabled_together(&self, a: TransitionId, b: TransitionId) -> bool {
         let (first, second) = (&self.model.transitions[a], &self.model.transitions[b]);
-        let enabled = first.sources.iter().all(|x| {
-            second.sources.iter().all(|y| x == y || self.concurrency.together(*x, *y))
-        });
-        enabled && !self.logic.exclusive(&first.condition.tree, &second.condition.tree)
+        first.sources.iter().all(|x| second.sources.iter().all(|y| x == y || self.concurrency.together(*x, *y)))
     }
 }

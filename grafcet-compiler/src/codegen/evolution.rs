@@ -49,11 +49,11 @@ impl Cx<'_> {
         quote!(if #before == #start { #(#enter)* } else { #evolve })
     }
 
-    /// Whether the evolution is one `match` from a step to the next: one region, nothing above it, each transition from
-    /// one step to one.
+    /// Whether the evolution is one `match` from a step to the next: an `sfc` with one region, each transition from one
+    /// step to one. (In the search loop of a `grafcet`, LLVM would read all inputs in front of the loop.)
     pub(super) fn is_one_match(&self) -> bool {
-        self.plan.regions.is_single()
-            && self.model.partials.len() == 1
+        !self.model.is_grafcet()
+            && self.plan.regions.is_single()
             && self.plan.evolution.entered_last.is_empty()
             && self.model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1)
     }

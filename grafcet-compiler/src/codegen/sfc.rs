@@ -26,14 +26,16 @@ impl Cx<'_> {
         let settle = self.declare_settled();
         let actions = self.sfc_actions();
         let result = self.result();
+        // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
+        let outputs = self.declare_outputs();
         quote! {
-            #time #first #snapshot #delays #declare_edges #edges #evolve #keep #commit #restart #settle #actions #result
+            #outputs #time #first #snapshot #delays #declare_edges #edges #evolve #keep #commit #restart #settle #actions #result
         }
     }
 
     /// Flags and values first, then deactivations, activations and the rest (A29).
     fn sfc_actions(&self) -> TokenStream {
-        let (last, outputs, resets) = (self.keep_last_outputs(), self.declare_outputs(), self.declare_resets());
+        let (last, resets) = (self.keep_last_outputs(), self.declare_resets());
         let apply_resets = self.apply_resets();
         if self.runs_in_one_pass() {
             // Nothing but the active step's own actions: its arm does it all.
@@ -41,14 +43,14 @@ impl Cx<'_> {
             let entered = source_order(self.model).map(|id| self.local_run(id, Part::Activation));
             let rest = source_order(self.model).map(|id| self.local_run(id, Part::Rest));
             let all = self.in_order(items.chain(entered).chain(rest));
-            return quote!(#last #outputs #resets #all #apply_resets);
+            return quote!(#last #resets #all #apply_resets);
         }
         let local = self.in_order(source_order(self.model).map(|id| self.gather_local(id)));
         let (flags, q, left) = (self.gather_flags(), self.compute_q(), self.note_leaving());
         let leaving = self.in_order(self.part(Part::Deactivation));
         let entering = self.in_order(self.part(Part::Activation));
         let rest = self.in_order(self.part(Part::Rest));
-        quote!(#last #outputs #resets #local #flags #apply_resets #q #left #leaving #entering #rest)
+        quote!(#last #resets #local #flags #apply_resets #q #left #leaving #entering #rest)
     }
 
     /// One region, no action control, and nothing that leaving a step does: the order across steps does not matter.

@@ -73,7 +73,7 @@ impl Effect {
 
     /// What the expressions of an effect read, one list an expression.
     pub fn reads(&self) -> impl Iterator<Item = &[Read]> {
-        let (one, many): (Option<&[Read]>, &[super::Expr]) = match self {
+        let (one, many): (Option<&[Read]>, &[Expr]) = match self {
             Effect::Control(_) => (None, &[]),
             Effect::Assign(_, value) => (Some(&value.reads), &[]),
             Effect::Call(_, args) => (None, args),

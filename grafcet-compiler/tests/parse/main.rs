@@ -1,6 +1,8 @@
 //! The parser: every form of the language, every message, recovery behind mistakes, hostile sizes.
 
 mod forms;
+mod generated;
+mod generator;
 mod limits;
 mod messages;
 mod recovery;

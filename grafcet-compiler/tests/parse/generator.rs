@@ -1,0 +1,395 @@
+//! Token streams from bytes: charts, nearly charts, and nothing like a chart.
+//!
+//! Made of tokens, not of text, so that things come up which no text gives: groups without delimiters, spacing that
+//! contradicts what follows, negative literals.
+
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+
+const SEEDS: &str = include_str!("seeds.txt");
+
+const WORDS: &[&str] = &[
+    "sfc",
+    "grafcet",
+    "pub",
+    "crate",
+    "input",
+    "output",
+    "var",
+    "param",
+    "action",
+    "clock",
+    "max_evolutions",
+    "budget",
+    "assume",
+    "never",
+    "always",
+    "home",
+    "initial",
+    "final",
+    "linked",
+    "entry",
+    "exit",
+    "macro",
+    "enclosing",
+    "step",
+    "partial",
+    "force",
+    "INIT",
+    "on",
+    "if",
+    "else",
+    "time",
+    "bool",
+    "u16",
+    "N",
+    "S",
+    "R",
+    "L",
+    "D",
+    "P",
+    "P1",
+    "P0",
+    "SD",
+    "DS",
+    "SL",
+    "rising",
+    "falling",
+    "X",
+    "T",
+    "A",
+    "B",
+    "C",
+    "M",
+    "G",
+    "a",
+    "b",
+    "q",
+    "count",
+    "soak",
+    "AND",
+    "OR",
+    "NOT",
+    "state",
+    "Step",
+    "intput",
+    "transition",
+    "match",
+    "let",
+    "fn",
+    "mut",
+    "ref",
+    "dyn",
+    "impl",
+    "for",
+    "while",
+    "loop",
+    "return",
+    "break",
+    "async",
+    "move",
+    "unsafe",
+    "as",
+    "in",
+    "where",
+    "self",
+    "Self",
+    "super",
+    "true",
+    "false",
+    "allow",
+    "deny",
+    "doc",
+    "cfg",
+    "_",
+    "ä",
+];
+
+/// Several characters are one operator.
+const OPERATORS: &[&str] = &[
+    "->", "-", ";", ",", ":", "=", "==", "=>", "&&", "||", "!", "<", ">", "+", "*", "/", ".", "..", "..=", "::", "#",
+    "?", "+=", ":=", "--", "<-", "<<", ">>", "|", "&", "%", "^", "@", "$", "~", "'",
+];
+
+const LITERALS: &[&str] = &[
+    "5s",
+    "500ms",
+    "1.5s",
+    "1h30m",
+    "250us",
+    "0s",
+    "5min",
+    "9999999h",
+    "0",
+    "1",
+    "20",
+    "100_000",
+    "5u8",
+    "0x5s",
+    "1.5",
+    "1e3",
+    "true_",
+    "340282366920938463463374607431768211456",
+    "\"text\"",
+    "r#\"raw\"#",
+    "b\"bytes\"",
+    "c\"c\"",
+    "'c'",
+    "b'c'",
+    "\"\"s",
+    "1f64",
+];
+
+/// The bytes that decide; behind their end everything is zero.
+struct Bytes<'a>(&'a [u8]);
+
+impl Bytes<'_> {
+    fn next(&mut self) -> u8 {
+        let (first, rest) = self.0.split_first().unwrap_or((&0, &[]));
+        self.0 = rest;
+        *first
+    }
+
+    fn below(&mut self, end: usize) -> usize {
+        let wide = if end > 256 { usize::from(self.next()) << 8 } else { 0 };
+        (wide + usize::from(self.next())) % end.max(1)
+    }
+
+    fn pick<'t>(&mut self, table: &[&'t str]) -> &'t str {
+        table[self.below(table.len())]
+    }
+}
+
+/// What the bytes make.
+pub(crate) fn tokens(bytes: &[u8]) -> TokenStream {
+    let mut bytes = Bytes(bytes);
+    match bytes.next() % 8 {
+        0 => sequence(&mut bytes, 0),
+        1 | 2 => chart(&mut bytes),
+        _ => mutated(&mut bytes),
+    }
+}
+
+fn ident(word: &str) -> TokenTree {
+    Ident::new(word, Span::call_site()).into()
+}
+
+fn group(delimiter: Delimiter, content: TokenStream) -> TokenTree {
+    Group::new(delimiter, content).into()
+}
+
+/// The characters of an operator, now and then spaced as no text would be.
+fn operator(text: &str, bytes: &mut Bytes) -> TokenStream {
+    let count = text.chars().count();
+    let odd = bytes.next() == 255;
+    let one = |(at, char)| {
+        TokenTree::from(Punct::new(char, if (at + 1 < count) != odd { Spacing::Joint } else { Spacing::Alone }))
+    };
+    text.chars().enumerate().map(one).collect()
+}
+
+fn literal(bytes: &mut Bytes) -> TokenTree {
+    match bytes.next() % 8 {
+        0 => Literal::i32_unsuffixed(-5).into(),
+        1 => Literal::f64_suffixed(-0.5).into(),
+        _ => bytes.pick(LITERALS).parse::<Literal>().unwrap_or_else(|_| Literal::u8_suffixed(7)).into(),
+    }
+}
+
+fn delimiter(bytes: &mut Bytes) -> Delimiter {
+    match bytes.next() % 8 {
+        0 | 1 => Delimiter::Bracket,
+        2 | 3 => Delimiter::Parenthesis,
+        4 => Delimiter::None,
+        _ => Delimiter::Brace,
+    }
+}
+
+/// One thing from the dictionary, with whatever is in it.
+fn anything(bytes: &mut Bytes, depth: usize) -> TokenStream {
+    match bytes.next() % 16 {
+        0..=5 => ident(bytes.pick(WORDS)).into(),
+        6 => TokenTree::from(Ident::new_raw(["step", "match", "A"][bytes.below(3)], Span::call_site())).into(),
+        7..=10 => operator(bytes.pick(OPERATORS), bytes),
+        11 | 12 => literal(bytes).into(),
+        _ if depth > 40 => TokenStream::new(),
+        _ => group(delimiter(bytes), sequence(bytes, depth + 1)).into(),
+    }
+}
+
+fn sequence(bytes: &mut Bytes, depth: usize) -> TokenStream {
+    let count = bytes.below(12);
+    let mut tokens = TokenStream::new();
+    for _ in 0..count {
+        if bytes.0.is_empty() {
+            break;
+        }
+        tokens.extend(anything(bytes, depth));
+    }
+    tokens
+}
+
+/// A chart of items that are right but for their names and types, and for a little noise.
+fn chart(bytes: &mut Bytes) -> TokenStream {
+    let header = if bytes.next() < 128 { "sfc M" } else { "pub grafcet M" };
+    let mut tokens = parsed(header);
+    let body = body(bytes, 0);
+    tokens.extend([group(Delimiter::Brace, body)]);
+    tokens
+}
+
+fn body(bytes: &mut Bytes, depth: usize) -> TokenStream {
+    let mut tokens = parsed("input a, b: bool; output q: bool; var count: u16 = 0; initial step A;");
+    for _ in 0..bytes.below(10) {
+        tokens.extend(item(bytes, depth));
+        if bytes.next() > 250 {
+            tokens.extend(anything(bytes, depth));
+        }
+    }
+    tokens
+}
+
+fn item(bytes: &mut Bytes, depth: usize) -> TokenStream {
+    let (word, other) = (ident(bytes.pick(WORDS)), ident(bytes.pick(WORDS)));
+    match bytes.next() % 12 {
+        0 => fill("VAR NAME: bool;", bytes, word, other, depth),
+        1 => fill("param NAME: time = LITERAL; action OTHER(NAME: time);", bytes, word, other, depth),
+        2..=4 => fill(
+            "step NAME { Q q; Q LITERAL q if EXPR; Q count = EXPR; Q { EXPR; } on EXPR OTHER; }",
+            bytes,
+            word,
+            other,
+            depth,
+        ),
+        5..=7 => fill("NAME -[EXPR]-> OTHER -[go: EXPR => count = EXPR]-> (A, NAME);", bytes, word, other, depth),
+        8 => fill("never EXPR; always EXPR => EXPR; home NAME; clock LITERAL;", bytes, word, other, depth),
+        9 => fill("initial NAME step OTHER; force NAME { OTHER };", bytes, word, other, depth),
+        10 if depth < 8 => {
+            let head = ["macro step", "enclosing step", "partial"][bytes.below(3)];
+            let mut tokens = parsed(head);
+            tokens.extend([word, group(Delimiter::Brace, body(bytes, depth + 1))]);
+            tokens
+        }
+        _ => fill("() -[EXPR]-> NAME; OTHER -[EXPR]-> (); A -> B; A -[EXPR]-[EXPR]-> B;", bytes, word, other, depth),
+    }
+}
+
+/// A pattern with its capital words filled in.
+fn fill(pattern: &str, bytes: &mut Bytes, word: TokenTree, other: TokenTree, depth: usize) -> TokenStream {
+    replace(parsed(pattern), &mut |name| match name {
+        "NAME" => Some(word.clone().into()),
+        "OTHER" => Some(other.clone().into()),
+        "VAR" => Some(ident(["input", "output", "var", "param"][bytes.below(4)]).into()),
+        "Q" => Some(ident(["N", "S", "R", "L", "D", "P", "P1", "P0", "SD", "DS", "SL"][bytes.below(11)]).into()),
+        "LITERAL" => Some(literal(bytes).into()),
+        "EXPR" => Some(expression(bytes, depth)),
+        _ => None,
+    })
+}
+
+fn replace(tokens: TokenStream, with: &mut impl FnMut(&str) -> Option<TokenStream>) -> TokenStream {
+    let mut replaced = TokenStream::new();
+    for tree in tokens {
+        replaced.extend(match tree {
+            TokenTree::Group(it) => group(it.delimiter(), replace(it.stream(), with)).into(),
+            TokenTree::Ident(it) => with(&it.to_string()).unwrap_or_else(|| TokenTree::from(it).into()),
+            other => other.into(),
+        });
+    }
+    replaced
+}
+
+fn expression(bytes: &mut Bytes, depth: usize) -> TokenStream {
+    let patterns = [
+        "a",
+        "b",
+        "true",
+        "A.X",
+        "A.T > 5s",
+        "5s/A",
+        "count > 3",
+        "EXPR && EXPR",
+        "EXPR || EXPR",
+        "!EXPR",
+        "!(EXPR)",
+        "rising(EXPR)",
+        "falling(EXPR)",
+        "LITERAL/(EXPR)/LITERAL",
+        "if EXPR { EXPR } else { EXPR }",
+        "count == LITERAL",
+        "match count { 0 => EXPR, n => n > 1 }",
+        "NAME",
+        "{ let x = EXPR; x }",
+        "(|x| x)(EXPR)",
+        "-EXPR",
+        "LITERAL/NAME",
+    ];
+    if depth > 12 || bytes.0.is_empty() {
+        return parsed("a");
+    }
+    if bytes.next() > 250 {
+        return anything(bytes, depth);
+    }
+    let pattern = bytes.pick(&patterns);
+    let word = ident(bytes.pick(WORDS));
+    fill(pattern, bytes, word.clone(), word, depth + 3)
+}
+
+/// Tokens of a text of ours.
+fn parsed(text: &str) -> TokenStream {
+    text.parse().unwrap_or_default()
+}
+
+/// A seed with a few things changed.
+fn mutated(bytes: &mut Bytes) -> TokenStream {
+    let seeds = SEEDS.split("====").collect::<Vec<_>>();
+    let mut tokens = parsed(bytes.pick(&seeds));
+    for _ in 0..1 + bytes.below(6) {
+        let mut at = bytes.below(count(&tokens));
+        tokens = change(tokens, &mut at, bytes);
+    }
+    tokens
+}
+
+/// How many tokens there are on all levels.
+fn count(tokens: &TokenStream) -> usize {
+    let inside = |tree| match tree {
+        TokenTree::Group(it) => 1 + count(&it.stream()),
+        _ => 1,
+    };
+    tokens.clone().into_iter().map(inside).sum()
+}
+
+/// Changes the token with the number `at`, which counts down.
+fn change(tokens: TokenStream, at: &mut usize, bytes: &mut Bytes) -> TokenStream {
+    let mut changed = TokenStream::new();
+    let mut before = None;
+    for tree in tokens {
+        let here = *at == 0;
+        *at = at.wrapping_sub(1);
+        changed.extend(match tree {
+            tree if here => mutation(tree.clone(), before.take(), bytes),
+            TokenTree::Group(it) => group(it.delimiter(), change(it.stream(), at, bytes)).into(),
+            ref other => other.clone().into(),
+        });
+        before = changed.clone().into_iter().last();
+    }
+    changed
+}
+
+fn mutation(tree: TokenTree, before: Option<TokenTree>, bytes: &mut Bytes) -> TokenStream {
+    let inside = match &tree {
+        TokenTree::Group(it) => it.stream(),
+        other => other.clone().into(),
+    };
+    match bytes.next() % 10 {
+        0 | 1 => TokenStream::new(),
+        2 => [tree.clone(), tree].into_iter().collect(),
+        3 => anything(bytes, 0),
+        4 => anything(bytes, 0).into_iter().chain([tree]).collect(),
+        5 => before.into_iter().chain([tree]).collect(),
+        6 => inside,
+        7 => group(delimiter(bytes), inside).into(),
+        8 => group(delimiter(bytes), tree.into()).into(),
+        _ => std::iter::repeat_n(tree, 1 + bytes.below(60)).collect(),
+    }
+}
