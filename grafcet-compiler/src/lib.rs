@@ -30,16 +30,20 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     };
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
-    if !sink.has_errors() && !chart.incomplete {
-        check::not_yet(&chart, &mut sink);
-        check::whole(&model, &mut sink);
+    check::not_yet(&chart, &mut sink);
+    let complete = !chart.incomplete && !model.incomplete;
+    if complete && !sink.has_errors() {
+        check::evolution(&model, &mut sink);
     }
-    let failed = sink.has_errors() || chart.incomplete || model.incomplete;
+    let plan = (complete && !sink.has_errors()).then(|| Plan::of(&model));
+    if let Some(plan) = &plan {
+        check::initial_values(&model, plan, &mut sink);
+    }
+    let items = match plan {
+        Some(plan) if !sink.has_errors() => codegen::generate(&model, &plan, root),
+        _ => codegen::stub(&model, root),
+    };
     let mut tokens = diagnostic::tokens(&sink.finish());
-    tokens.extend(if failed {
-        codegen::stub(&model, root)
-    } else {
-        codegen::generate(&model, &Plan::of(&model), root)
-    });
+    tokens.extend(items);
     tokens
 }

@@ -6,25 +6,25 @@ use std::fmt;
 
 /// One file: a chart and its timeline.
 #[derive(Clone, Debug)]
-pub(crate) struct Case {
+pub struct Case {
     /// The text of the chart, as it would stand inside `grafcet! { … }`.
-    pub(crate) chart: String,
+    pub chart: String,
     /// The timeline.
-    pub(crate) lines: Vec<Line>,
+    pub lines: Vec<Line>,
 }
 
 /// One line of a timeline.
 #[derive(Clone, Debug)]
-pub(crate) struct Line {
+pub struct Line {
     /// Its number in the file, from 1.
-    pub(crate) number: usize,
+    pub number: usize,
     /// What it says.
-    pub(crate) kind: Kind,
+    pub kind: Kind,
 }
 
 /// What a line asks for.
 #[derive(Clone, Debug)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// One cycle at the time `now`; inputs that are not named are false or zero.
     Cycle { inputs: BTreeMap<String, i128>, now: u32, expected: Expected },
     /// What the chart shows without a cycle, calls excepted.
@@ -37,15 +37,15 @@ pub(crate) enum Kind {
 
 /// What a cycle has to show. Values are numbers; `true` is 1, times are in ticks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Expected {
+pub struct Expected {
     /// The names of the active steps.
-    pub(crate) steps: BTreeSet<String>,
+    pub steps: BTreeSet<String>,
     /// Whether the search of a `grafcet` ended in a stable situation.
-    pub(crate) stable: bool,
+    pub stable: bool,
     /// The outputs that are not false or zero.
-    pub(crate) outputs: BTreeMap<String, i128>,
+    pub outputs: BTreeMap<String, i128>,
     /// The calls in their order, as `first heat(80)`.
-    pub(crate) calls: Vec<String>,
+    pub calls: Vec<String>,
 }
 
 impl fmt::Display for Expected {
@@ -65,7 +65,7 @@ impl fmt::Display for Expected {
 ///
 /// # Errors
 /// The number of the line that is not understood, and why.
-pub(crate) fn read(text: &str) -> Result<Case, String> {
+pub fn read(text: &str) -> Result<Case, String> {
     let (chart, timeline) = text.split_once("\n---\n").ok_or("no line `---` between chart and timeline")?;
     let above = chart.lines().count() + 1;
     let mut lines = Vec::new();

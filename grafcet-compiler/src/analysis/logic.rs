@@ -44,7 +44,7 @@ impl<'m> Logic<'m> {
         self.collect(a, &mut atoms);
         self.collect(b, &mut atoms);
         let both = Function::And(Box::new(self.function(a, &atoms)), Box::new(self.function(b, &atoms)));
-        self.unsatisfiable(&both, &atoms)
+        Self::unsatisfiable(&both, &atoms)
     }
 
     /// Whether two conditions always hold together; `false` where that cannot be shown.
@@ -59,10 +59,10 @@ impl<'m> Logic<'m> {
     pub fn never(&self, condition: &Expr) -> bool {
         let mut atoms = Atoms::default();
         self.collect(&condition.tree, &mut atoms);
-        self.unsatisfiable(&self.function(&condition.tree, &atoms), &atoms)
+        Self::unsatisfiable(&self.function(&condition.tree, &atoms), &atoms)
     }
 
-    fn unsatisfiable(&self, function: &Function, atoms: &Atoms) -> bool {
+    fn unsatisfiable(function: &Function, atoms: &Atoms) -> bool {
         let mut search = Satisfy { sizes: atoms.sizes(), values: vec![None; atoms.variables.len()], budget: BUDGET };
         search.possible(function, 0) == Some(false)
     }
@@ -142,8 +142,7 @@ impl<'m> Logic<'m> {
             },
             Tree::Unary(operator, inner) => *operator == Unary::Not && self.is_boolean(inner),
             Tree::Binary(operator, a, b) => match operator {
-                Binary::And | Binary::Or => true,
-                Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge => true,
+                Binary::And | Binary::Or | Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge => true,
                 Binary::BitAnd | Binary::BitOr | Binary::BitXor => self.is_boolean(a) && self.is_boolean(b),
                 _ => false,
             },

@@ -114,10 +114,8 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
     } else {
         quote!(())
     };
-    let (now, now_name) = match cx.plan.memory.time {
-        true => (Some(quote!(, now)), quote!(now)),
-        false => (None, quote!(_now)),
-    };
+    let (now, now_name) =
+        if cx.plan.memory.time { (Some(quote!(, now)), quote!(now)) } else { (None, quote!(_now)) };
     let (pass, actions_name) = if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
     quote! {
         impl #p::Chart for #chart {
@@ -183,12 +181,12 @@ fn is_active(cx: &Cx<'_>) -> TokenStream {
 /// Whether the chart's state holds a step.
 fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let region = cx.plan.regions.of_step(step);
-    let (field, variant) = (names::region_field(region, cx.plan), cx.variant(step));
+    let (state, variant) = (cx.plain_state(region), cx.variant(step));
     let starting = (cx.has_start_variant(region) && cx.plan.initial.contains(&step)).then(|| {
         let start = cx.start();
-        quote!(|| self.#field == #start)
+        quote!(|| #state == #start)
     });
-    quote!((self.#field == #variant #starting))
+    quote!((#state == #variant #starting))
 }
 
 /// One step, where that is all a situation can be.
@@ -199,12 +197,12 @@ fn situation_type(cx: &Cx<'_>) -> TokenStream {
 
 fn situation(cx: &Cx<'_>) -> TokenStream {
     let entered = |region| {
-        let field = names::region_field(region, cx.plan);
+        let state = cx.plain_state(region);
         if cx.has_start_variant(region) {
             let (start, initial) = (cx.start(), cx.initial(region));
-            quote!(match self.#field { #start => #initial, entered => entered })
+            quote!(match #state { #start => #initial, entered => entered })
         } else {
-            quote!(self.#field)
+            state
         }
     };
     if !cx.plan.regions.is_single() {
@@ -216,6 +214,7 @@ fn situation(cx: &Cx<'_>) -> TokenStream {
         return quote!(#name { #(#regions)* });
     }
     let field = names::region_field(0, cx.plan);
+    let unstable = cx.has_unstable_twins(0).then(|| unstable_steps(cx));
     let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
         let (variant, name) = (cx.variant(*id), step_name(cx, *id));
         let starting = (cx.has_start_variant(0) && cx.plan.initial.contains(id)).then(|| {
@@ -224,7 +223,18 @@ fn situation(cx: &Cx<'_>) -> TokenStream {
         });
         quote!(#variant #starting => #name,)
     });
-    quote!(match self.#field { #(#arms)* })
+    quote!(match self.#field { #(#arms)* #unstable })
+}
+
+/// The states after an unstable search, as the steps they stand for.
+fn unstable_steps(cx: &Cx<'_>) -> TokenStream {
+    let region = cx.names.region(0, cx.plan);
+    let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
+        let twin = names::unstable_twin(cx.model, &names::private_variant(cx.model, *id));
+        let name = step_name(cx, *id);
+        quote!(#region::#twin => #name,)
+    });
+    arms.collect()
 }
 
 /// `MotorSituation`: the states of all regions.
@@ -272,7 +282,8 @@ fn is_stable(cx: &Cx<'_>) -> Option<TokenStream> {
     if !cx.model.is_grafcet() {
         return None;
     }
-    let value = if cx.plan.may_be_unstable { quote!(self.stable) } else { quote!(true) };
+    let field = names::region_field(0, cx.plan);
+    let value = if cx.plan.may_be_unstable { quote!(!self.#field.is_unstable()) } else { quote!(true) };
     Some(quote! {
         /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
         /// and keeps the situation it had reached (decision A30).

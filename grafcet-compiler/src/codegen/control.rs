@@ -1,4 +1,4 @@
-//! `sfc`: the ACTION_CONTROL of IEC 61131-3 for the targets that need it, and the order of the runs (A29).
+//! `sfc`: the `ACTION_CONTROL` of IEC 61131-3 for the targets that need it, and the order of the runs (A29).
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};

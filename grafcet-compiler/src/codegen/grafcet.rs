@@ -21,7 +21,8 @@ impl Cx<'_> {
         let continuous = self.continuous();
         let calls = self.continuous_calls();
         let result = self.result();
-        quote!(#time #start #delays #search #stable #outputs #continuous #calls #result)
+        let (forget, note) = self.note_instability();
+        quote!(#forget #time #start #delays #search #stable #outputs #continuous #calls #note #result)
     }
 
     /// A37: the activation of the initial situation is an evolution of its own.
@@ -98,12 +99,12 @@ impl Cx<'_> {
         let put_back = self.keep_edges().1;
         let declare = quote! {
             let mut evolutions_left: #p::u32 = #limit;
-            self.stable = true;
+            let mut stable = true;
         };
         let unsettle = self.unsettle();
         let bound = quote! {
             if evolutions_left == 0 {
-                self.stable = false;
+                stable = false;
                 #unsettle
                 #put_back
                 break;
@@ -111,6 +112,15 @@ impl Cx<'_> {
             evolutions_left -= 1;
         };
         (declare, bound)
+    }
+
+    /// The mark of an unstable search is taken away at the begin of a cycle and set at its end.
+    fn note_instability(&self) -> (TokenStream, TokenStream) {
+        if !self.plan.may_be_unstable {
+            return (TokenStream::new(), TokenStream::new());
+        }
+        let field = names::region_field(0, self.plan);
+        (quote!(self.#field = self.#field.plain();), quote!(if !stable { self.#field = self.#field.unstable(); }))
     }
 
     /// The situation the search has reached, for the continuous actions.

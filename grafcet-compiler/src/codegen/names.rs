@@ -241,6 +241,11 @@ pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
     name
 }
 
+/// The variant of a state after an unstable search.
+pub(super) fn unstable_twin(model: &Model, state: &Ident) -> Ident {
+    fresh(model, &format!("{}_UNSTABLE", state.to_string().trim_start_matches("r#")))
+}
+
 /// A name of ours that no token of the user can mean.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())

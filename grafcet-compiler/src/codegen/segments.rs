@@ -75,7 +75,9 @@ impl Cx<'_> {
     /// How many states a region has.
     pub(super) fn states(&self, region: RegionId) -> usize {
         let plan = &self.plan.regions.all()[region];
-        plan.steps.len() + usize::from(plan.may_be_empty) + usize::from(self.has_start_variant(region))
+        let states = plan.steps.len() + usize::from(plan.may_be_empty);
+        let twins = if self.has_unstable_twins(region) { states } else { 0 };
+        states + twins + usize::from(self.has_start_variant(region))
     }
 
     /// `body`, if the step has been left.

@@ -22,6 +22,7 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     let empty = region.may_be_empty.then(|| cx.names.empty.clone());
     let start = cx.has_start_variant(id).then(|| cx.names.start.clone());
     let variants = steps.chain(empty).chain(start);
+    let (twins, twin_methods) = unstable_twins(cx, id);
     quote! {
         #[derive(
             #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
@@ -29,8 +30,44 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
         )]
         #[doc(hidden)]
         #[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
-        enum #name { #(#variants,)* }
+        enum #name { #(#variants,)* #twins }
+
+        #twin_methods
     }
+}
+
+/// A30: that the last search did not become stable is told by a second variant for each state of the first region, so
+/// that it takes no byte of its own.
+fn unstable_twins(cx: &Cx<'_>, id: RegionId) -> (TokenStream, TokenStream) {
+    if !cx.has_unstable_twins(id) {
+        return (TokenStream::new(), TokenStream::new());
+    }
+    let p = &cx.p;
+    let region = &cx.plan.regions.all()[id];
+    let name = cx.names.region(id, cx.plan);
+    let states: Vec<Ident> = region
+        .steps
+        .iter()
+        .map(|step| names::private_variant(cx.model, *step))
+        .chain(region.may_be_empty.then(|| cx.names.empty.clone()))
+        .collect();
+    let twins: Vec<Ident> = states.iter().map(|state| names::unstable_twin(cx.model, state)).collect();
+    let methods = quote! {
+        impl #name {
+            const fn plain(self) -> Self {
+                match self { #(Self::#twins => Self::#states,)* plain => plain }
+            }
+
+            const fn unstable(self) -> Self {
+                match self { #(Self::#states => Self::#twins,)* other => other }
+            }
+
+            const fn is_unstable(self) -> #p::bool {
+                match self { #(Self::#twins)|* => true, _ => false }
+            }
+        }
+    };
+    (quote!(#(#twins,)*), methods)
 }
 
 /// A field of the chart's struct.
@@ -44,6 +81,18 @@ impl Cx<'_> {
     /// The first region's state also says that the first cycle is still to come.
     pub(super) fn has_start_variant(&self, region: RegionId) -> bool {
         region == 0 && self.plan.has_start
+    }
+
+    /// The first region's state also says that the last search did not become stable.
+    pub(super) fn has_unstable_twins(&self, region: RegionId) -> bool {
+        region == 0 && self.plan.may_be_unstable
+    }
+
+    /// The state of a region between two cycles, without the mark of an unstable search.
+    pub(super) fn plain_state(&self, region: RegionId) -> TokenStream {
+        let field = names::region_field(region, self.plan);
+        let plain = self.has_unstable_twins(region).then(|| quote!(.plain()));
+        quote!(self.#field #plain)
     }
 
     /// `__MotorState::INIT`
@@ -66,9 +115,6 @@ impl Cx<'_> {
         fields.extend(self.time_fields());
         fields.extend(self.control_fields());
         fields.extend(self.call_fields());
-        if self.plan.may_be_unstable {
-            fields.push(self.flag("stable", true));
-        }
         fields
     }
 

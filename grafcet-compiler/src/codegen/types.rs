@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
-use syn::{Attribute, Type};
+use syn::Attribute;
 
 use super::Cx;
 use crate::model::{Expr, Model, OutputId, Ty};
@@ -73,7 +73,7 @@ fn step_names(cx: &Cx<'_>) -> TokenStream {
         quote!(#docs #name,)
     });
     let doc = format!("The names of the steps of [`{}`].", cx.model.name);
-    name_enum(cx, &cx.names.step, &doc, variants.collect())
+    name_enum(cx, &cx.names.step, &doc, &variants.collect())
 }
 
 fn transition_names(cx: &Cx<'_>) -> TokenStream {
@@ -83,10 +83,10 @@ fn transition_names(cx: &Cx<'_>) -> TokenStream {
         quote!(#[doc = #text] #name,)
     });
     let doc = format!("The names of the transitions of [`{}`].", cx.model.name);
-    name_enum(cx, &cx.names.transition, &doc, variants.collect())
+    name_enum(cx, &cx.names.transition, &doc, &variants.collect())
 }
 
-fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: TokenStream) -> TokenStream {
+fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> TokenStream {
     let (vis, p) = (&cx.model.vis, &cx.p);
     quote! {
         #[doc = #doc]
@@ -116,7 +116,7 @@ pub(super) fn derives<'t>(types: impl Iterator<Item = &'t Ty>, p: &TokenStream) 
     let mut derives = quote!(#p::core::clone::Clone, #p::core::marker::Copy);
     if types.iter().all(|ty| is_known(ty)) {
         derives.extend(quote!(, #p::core::fmt::Debug, #p::core::cmp::PartialEq));
-        if !types.iter().any(|ty| is_float(ty)) {
+        if !types.iter().any(|ty| ty.is_float()) {
             derives.extend(quote!(, #p::core::cmp::Eq));
         }
     }
@@ -124,12 +124,7 @@ pub(super) fn derives<'t>(types: impl Iterator<Item = &'t Ty>, p: &TokenStream) 
 }
 
 fn is_known(ty: &Ty) -> bool {
-    !matches!(ty, Ty::Other(_)) || is_float(ty)
-}
-
-fn is_float(ty: &Ty) -> bool {
-    let Ty::Other(Type::Path(path)) = ty else { return false };
-    path.path.is_ident("f32") || path.path.is_ident("f64")
+    !matches!(ty, Ty::Other(_)) || ty.is_float()
 }
 
 /// The declared type in Rust.
@@ -162,7 +157,7 @@ pub(super) fn initial_value(init: Option<&Expr>, ty: &Ty, p: &TokenStream) -> To
         Ty::Bool(_) => quote!(false),
         Ty::Int { .. } => quote!(0),
         Ty::Time(_) => quote!(#p::Ticks::ZERO),
-        Ty::Other(_) if is_float(ty) => quote!(0.0),
+        Ty::Other(_) if ty.is_float() => quote!(0.0),
         Ty::Other(_) => quote!(#p::core::default::Default::default()),
     }
 }

@@ -49,6 +49,7 @@ impl<I: Id, T> Arena<I, T> {
     }
 
     /// All values with their ids.
+    #[must_use]
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator {
         self.items.iter().enumerate().map(|(i, v)| (I::new(i), v))
     }

@@ -60,6 +60,15 @@ impl Model {
     }
 }
 
+impl Ty {
+    /// `f32` or `f64`.
+    #[must_use]
+    pub fn is_float(&self) -> bool {
+        let Self::Other(syn::Type::Path(path)) = self else { return false };
+        path.path.is_ident("f32") || path.path.is_ident("f64")
+    }
+}
+
 impl Effect {
     /// The expressions of an effect; a block has none.
     pub fn expressions(&self) -> impl Iterator<Item = &Expr> {

@@ -367,11 +367,11 @@ fn change(tokens: TokenStream, at: &mut usize, bytes: &mut Bytes) -> TokenStream
         let here = *at == 0;
         *at = at.wrapping_sub(1);
         changed.extend(match tree {
-            tree if here => mutation(tree.clone(), before.take(), bytes),
-            TokenTree::Group(it) => group(it.delimiter(), change(it.stream(), at, bytes)).into(),
+            ref tree if here => mutation(tree.clone(), before.take(), bytes),
+            TokenTree::Group(ref it) => group(it.delimiter(), change(it.stream(), at, bytes)).into(),
             ref other => other.clone().into(),
         });
-        before = changed.clone().into_iter().last();
+        before = Some(tree);
     }
     changed
 }

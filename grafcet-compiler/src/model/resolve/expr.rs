@@ -217,7 +217,9 @@ impl<'r, 's> Lower<'r, 's> {
             // The name of a function is Rust's, its arguments are ours.
             call.args.iter_mut().for_each(|argument| drop(self.lower(argument)));
             let reads = std::mem::replace(&mut self.reads, outside);
-            reads.iter().for_each(|read| self.note(*read));
+            for read in &reads {
+                self.note(*read);
+            }
             return Tree::Opaque { text, reads };
         }
         let [argument] = &*call.args.iter().collect::<Vec<_>>() else {

@@ -119,7 +119,9 @@ impl Resolver<'_> {
             ast::StepKind::Plain(body) => self.step_body(id, body),
             ast::StepKind::Enclosing(_, body, partials) => {
                 self.step_body(id, body);
-                partials.iter().for_each(|inner| self.partial(inner, cursor));
+                for inner in partials {
+                    self.partial(inner, cursor);
+                }
             }
             ast::StepKind::Macro(..) => {}
         }

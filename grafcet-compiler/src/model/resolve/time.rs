@@ -21,7 +21,7 @@ impl Resolver<'_> {
         let time = match time_literal(lit)? {
             Ok(time) => time,
             Err(error) => {
-                self.sink.rule(&rules::BAD_TIME, &[], vec![(lit.span().into(), error.to_string())]);
+                self.sink.rule(&rules::BAD_TIME, &[], vec![(lit.span().into(), error.clone())]);
                 return Some(0);
             }
         };

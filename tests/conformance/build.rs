@@ -1,0 +1,39 @@
+//! Writes a module for each chart of the corpus, so that `cargo test` compiles all of them through the macro.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+
+#[path = "src/chart.rs"]
+#[allow(dead_code, unreachable_pub, reason = "the library uses the rest")]
+mod chart;
+#[path = "src/emit.rs"]
+#[allow(unreachable_pub, reason = "public in the library")]
+mod emit;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = env::var("CARGO_MANIFEST_DIR")?;
+    println!("cargo::rerun-if-changed={folder}");
+    let mut files = Vec::new();
+    for entry in fs::read_dir(&folder)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "chart") {
+            files.push(path);
+        }
+    }
+    files.sort();
+    let (mut modules, mut list) = (String::new(), String::new());
+    for path in &files {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let text = fs::read_to_string(path)?;
+        let (chart, _) = text.split_once("\n---\n").ok_or_else(|| format!("{name}: no line `---`"))?;
+        let module = emit::module(chart).map_err(|error| format!("{name}: {error}"))?;
+        writeln!(modules, "mod {name} {{\n{module}}}")?;
+        let subject = format!("|| Box::new({name}::Compiled::default())");
+        writeln!(list, "    Entry {{ name: {name:?}, text: include_str!({path:?}), subject: {subject} }},")?;
+    }
+    let code = format!("{modules}\n/// The corpus.\nconst CORPUS: &[Entry] = &[\n{list}];\n");
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("corpus.rs"), code)?;
+    Ok(())
+}

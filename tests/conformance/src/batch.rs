@@ -1,0 +1,1 @@
+//! What the crates of `cargo xtask conformance` run.

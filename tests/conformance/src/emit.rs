@@ -1,0 +1,110 @@
+//! The Rust that makes a chart a [`Subject`](crate::Subject): the macro call, and a shim that knows its types.
+
+use std::fmt::Write as _;
+
+use grafcet_compiler::model::{Model, Ty};
+use proc_macro2::Ident;
+
+use super::chart;
+
+/// The items of a module for one chart: its type is `Compiled`.
+///
+/// # Errors
+/// What the compiler says about the chart.
+pub fn module(text: &str) -> Result<String, String> {
+    let model = chart::resolve(text)?;
+    let name = &model.name;
+    let inputs: String = model.inputs.values().map(|i| take(&i.name, "inputs")).collect();
+    let outputs: Vec<_> = model.outputs.values().map(|o| o.name.to_string()).collect();
+    let outputs: String = outputs.iter().map(|o| format!("(\"{}\", number(o.{o})), ", plain(o))).collect();
+    let (calls, no_calls) = match model.actions.is_empty() {
+        true => (String::new(), "()".to_owned()),
+        false => (actions(&model), "Calls::default()".to_owned()),
+    };
+    let called = if model.actions.is_empty() { "Vec::new()" } else { "calls.0" };
+    let (declare, params) = params(&model);
+    Ok(format!(
+        "use grafcet_conformance::generated::*;
+grafcet::grafcet! {{
+{text}
+}}
+{calls}
+pub struct Compiled {{ chart: {name}, shown: Shown, {declare} }}
+fn shown(chart: &{name}, o: &{name}Outputs, calls: Vec<String>) -> Shown {{
+    let _ = o;
+    Shown {{ steps: steps(chart, &chart.active_steps()), stable: chart.is_stable(), outputs: outputs([{outputs}]), calls }}
+}}
+impl Default for Compiled {{
+    fn default() -> Self {{
+        let chart = {name}::new();
+        let shown = shown(&chart, &Default::default(), Vec::new());
+        Self {{ chart, shown {} }}
+    }}
+}}
+impl Subject for Compiled {{
+    fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {{
+        let _ = inputs;
+        let inputs = {name}Inputs {{ {inputs} }};
+        #[allow(unused_mut)]
+        let mut calls = {no_calls};
+        let outputs = Chart::scan(&mut self.chart, &inputs, Ticks::new(now), &mut calls);
+        self.shown = shown(&self.chart, &outputs, {called});
+        Ok(self.shown.clone())
+    }}
+    fn init(&mut self) -> Result<(), String> {{
+        self.chart.init();
+        self.shown = shown(&self.chart, &Default::default(), Vec::new());
+        Ok(())
+    }}
+    fn set_params(&mut self, changed: &Values) -> Result<(), String> {{
+        let _ = changed;
+        {params}
+        Ok(())
+    }}
+    fn shown(&self) -> Shown {{ self.shown.clone() }}
+    fn next_deadline(&self) -> Option<u32> {{ self.chart.next_deadline().map(Ticks::get) }}
+}}
+",
+        if declare.is_empty() { "" } else { ", params: Default::default()" }
+    ))
+}
+
+/// `on: take(inputs, "on"), `
+fn take(name: &Ident, from: &str) -> String {
+    format!("{name}: take({from}, \"{}\"), ", plain(&name.to_string()))
+}
+
+fn plain(name: &str) -> &str {
+    name.trim_start_matches("r#")
+}
+
+/// The trait of the code actions, writing down every call.
+fn actions(model: &Model) -> String {
+    let mut methods = String::new();
+    for action in model.actions.values() {
+        let params = action.params.iter().map(|(name, ty)| format!(", {name}: {}", rust(ty)));
+        let args = action.params.iter().map(|(name, _)| format!("number({name}), "));
+        let (params, args, name) = (params.collect::<String>(), args.collect::<String>(), action.name.to_string());
+        let body = format!("self.0.push(call(phase, \"{}\", &[{args}]));", plain(&name));
+        _ = writeln!(methods, "    fn {name}(&mut self, phase: Phase{params}) {{ {body} }}");
+    }
+    format!("#[derive(Default)] struct Calls(Vec<String>);\nimpl {}Actions for Calls {{\n{methods}}}", model.name)
+}
+
+/// The field with the recipe, and how it is exchanged.
+fn params(model: &Model) -> (String, String) {
+    if model.params.is_empty() {
+        return (String::new(), String::new());
+    }
+    let names = model.params.values().map(|param| param.name.to_string());
+    let set = names.map(|name| format!("replace(changed, \"{}\", &mut self.params.{name});\n        ", plain(&name)));
+    let set = set.collect::<String>() + "self.chart.set_params(self.params);";
+    (format!("params: {}Params", model.name), set)
+}
+
+fn rust(ty: &Ty) -> String {
+    match ty {
+        Ty::Time(_) => "Ticks".to_owned(),
+        Ty::Bool(ty) | Ty::Int { rust: ty, .. } | Ty::Other(ty) => quote::quote!(#ty).to_string(),
+    }
+}

@@ -1,0 +1,95 @@
+//! The interpreter as a [`Subject`].
+
+use grafcet_compiler::interp::{Call, Interpreter, Phase, Situation, Value};
+use grafcet_compiler::model::{Model, Ty};
+
+use crate::{Shown, Subject, Values};
+
+/// An interpreted chart.
+pub struct Interpreted<'m> {
+    model: &'m Model,
+    machine: Interpreter<'m>,
+}
+
+impl<'m> Interpreted<'m> {
+    /// In its initial situation.
+    ///
+    /// # Errors
+    /// The interpreter does not understand the chart.
+    pub fn new(model: &'m Model) -> Result<Self, String> {
+        let machine = Interpreter::new(model).map_err(|error| error.to_string())?;
+        Ok(Self { model, machine })
+    }
+
+    fn show(&self, situation: &Situation, outputs: &[Value]) -> Shown {
+        let names = self.model.outputs.values().map(|output| plain(&output.name));
+        let outputs = names.zip(outputs.iter().copied().map(number));
+        Shown {
+            steps: situation.iter().map(|step| plain(&self.model.steps[*step].name)).collect(),
+            stable: true,
+            outputs: outputs.filter(|(_, value)| *value != 0).collect(),
+            calls: Vec::new(),
+        }
+    }
+
+    fn write(&self, call: &Call) -> String {
+        let phase = match call.phase {
+            Phase::First => "first",
+            Phase::Repeated => "repeated",
+            Phase::Final => "final",
+        };
+        let args: Vec<String> = call.args.iter().map(|arg| number(*arg).to_string()).collect();
+        format!("{phase} {}({})", plain(&self.model.actions[call.action].name), args.join(","))
+    }
+}
+
+impl Subject for Interpreted<'_> {
+    fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {
+        let given = |name: String| inputs.get(&name).copied().unwrap_or_default();
+        let inputs: Vec<Value> = self.model.inputs.values().map(|i| value(given(plain(&i.name)), &i.ty)).collect();
+        let cycle = self.machine.cycle(&inputs, now).map_err(|error| error.to_string())?;
+        let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
+        Ok(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) })
+    }
+
+    fn init(&mut self) -> Result<(), String> {
+        self.machine.init().map_err(|error| error.to_string())
+    }
+
+    fn set_params(&mut self, changed: &Values) -> Result<(), String> {
+        let params = self.model.params.values().zip(self.machine.params());
+        let new = |(param, old): (&grafcet_compiler::model::Param, &Value)| {
+            changed.get(&plain(&param.name)).map_or(*old, |new| value(*new, &param.ty))
+        };
+        let params: Vec<Value> = params.map(new).collect();
+        self.machine.set_params(&params).map_err(|error| error.to_string())
+    }
+
+    fn shown(&self) -> Shown {
+        self.show(self.machine.situation(), self.machine.outputs())
+    }
+
+    fn next_deadline(&self) -> Option<u32> {
+        None
+    }
+}
+
+fn plain(name: &proc_macro2::Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+fn value(number: i128, ty: &Ty) -> Value {
+    match ty {
+        Ty::Bool(_) => Value::Bool(number != 0),
+        Ty::Time(_) => Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),
+        _ => Value::Int(number),
+    }
+}
+
+fn number(value: Value) -> i128 {
+    match value {
+        Value::Bool(value) => i128::from(value),
+        Value::Int(value) => value,
+        Value::Ticks(value) => i128::from(value),
+    }
+}

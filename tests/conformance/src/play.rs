@@ -1,0 +1,90 @@
+//! Plays timelines and compares.
+
+use std::fmt;
+
+use crate::reader::{Kind, Line};
+use crate::{Shown, Subject};
+
+/// Where two subjects, or a subject and the file, say different things.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// The line in the file.
+    pub line: usize,
+    /// What is expected there.
+    pub expected: String,
+    /// What the compiled chart shows.
+    pub found: String,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}\n  expected {}\n  found    {}", self.line, self.expected, self.found)
+    }
+}
+
+/// Plays the timeline and compares with what the file expects.
+///
+/// # Errors
+/// The first difference.
+pub fn against_the_file(subject: &mut dyn Subject, lines: &[Line]) -> Result<(), Difference> {
+    for line in lines {
+        let (found, expected) = match &line.kind {
+            Kind::Cycle { inputs, now, expected } => (subject.cycle(inputs, *now), expected),
+            Kind::Shows(expected) => (Ok(subject.shown()), expected),
+            Kind::Init => {
+                subject.init().map_err(|error| failure(line, "", &error))?;
+                continue;
+            }
+            Kind::Params(changed) => {
+                subject.set_params(changed).map_err(|error| failure(line, "", &error))?;
+                continue;
+            }
+        };
+        let expected = normal(expected);
+        match found {
+            Ok(found) if found == expected => {}
+            Ok(found) => return Err(failure(line, &expected.to_string(), &found.to_string())),
+            Err(error) => return Err(failure(line, &expected.to_string(), &error)),
+        }
+    }
+    Ok(())
+}
+
+/// Plays the timeline on both and compares them, whatever the file expects; `oracle` says what is right.
+///
+/// # Errors
+/// The first difference.
+pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &[Line]) -> Result<(), Difference> {
+    for line in lines {
+        let both = match &line.kind {
+            Kind::Cycle { inputs, now, .. } => {
+                let expected = oracle.cycle(inputs, *now);
+                // What the interpreter calls a mistake of the chart may be a panic of the compiled one.
+                expected.and_then(|expected| Ok((expected, subject.cycle(inputs, *now)?)))
+            }
+            Kind::Init => oracle.init().and_then(|()| subject.init()).map(|()| (oracle.shown(), subject.shown())),
+            Kind::Params(changed) => oracle
+                .set_params(changed)
+                .and_then(|()| subject.set_params(changed))
+                .map(|()| (oracle.shown(), subject.shown())),
+            Kind::Shows(_) => Ok((oracle.shown(), subject.shown())),
+        };
+        match both {
+            Ok((expected, found)) if found == expected => {}
+            Ok((expected, found)) => return Err(failure(line, &expected.to_string(), &found.to_string())),
+            Err(error) => return Err(failure(line, "no error of the interpreter", &error)),
+        }
+    }
+    Ok(())
+}
+
+fn failure(line: &Line, expected: &str, found: &str) -> Difference {
+    Difference { line: line.number, expected: expected.to_owned(), found: found.to_owned() }
+}
+
+/// Without what is zero.
+fn normal(expected: &Shown) -> Shown {
+    let mut expected = expected.clone();
+    expected.outputs.retain(|_, value| *value != 0);
+    expected
+}
