@@ -1,6 +1,6 @@
 //! `sfc`: the `ACTION_CONTROL` of IEC 61131-3 for the targets that need it, and the order of the runs (A29).
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::bind::Moment;
@@ -47,8 +47,8 @@ impl Cx<'_> {
             let restart = names::target("restart", self.model, index, target);
             quote!(let mut #restart = false;)
         });
-        let left = self.sees_leaving(target).then(|| {
-            let left = names::target("left", self.model, index, target);
+        let left = self.leavable(target).into_iter().map(|qualifier| {
+            let left = self.left(index, target, qualifier);
             quote!(let mut #left = false;)
         });
         let numbers = (target.what == What::Runs && self.has_choice(target)).then(|| {
@@ -57,7 +57,7 @@ impl Cx<'_> {
             let p = &self.p;
             quote!(let mut #leaving: #p::u8 = 0; let mut #entering: #p::u8 = 0;)
         });
-        quote!(#(#flags)* #restart #left #numbers)
+        quote!(#(#flags)* #restart #(#left)* #numbers)
     }
 
     /// What one association adds to the flags of its target.
@@ -127,10 +127,28 @@ impl Cx<'_> {
         })
     }
 
-    /// Its final call can be caused by leaving a step.
-    fn sees_leaving(&self, target: &Target) -> bool {
-        let levels = [Qualifier::N, Qualifier::L, Qualifier::D];
-        target.remembers_q && levels.iter().any(|qualifier| target.has(self.model, *qualifier))
+    /// The qualifiers of the target that leaving a step can end, and a final call with them.
+    fn leavable(&self, target: &Target) -> Vec<Qualifier> {
+        if target.remembers_q { target.leavable(self.model) } else { Vec::new() }
+    }
+
+    /// The local that says that a step with this qualifier has been left.
+    fn left(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
+        names::target(&format!("left_{}", names::flag(qualifier)), self.model, index, target)
+    }
+
+    /// Whether the end of N, L or D by leaving a step has caused the fall of Q (A29).
+    fn by_leaving(&self, index: usize, target: &Target) -> Option<TokenStream> {
+        let causes = self.leavable(target).into_iter().map(|qualifier| {
+            let (left, now) = (self.left(index, target, qualifier), self.term(index, target, qualifier, &quote!(false)).1);
+            let held = target.remembers_terms(self.model).then(|| {
+                let kept = names::target(&format!("kept_{}", names::flag(qualifier)), self.model, index, target);
+                quote!(&& self.#kept)
+            });
+            quote!((#left && !(#now) #held))
+        });
+        let causes: Vec<_> = causes.collect();
+        (!causes.is_empty()).then(|| quote!((#(#causes)||*)))
     }
 
     /// Q of all targets.
@@ -222,11 +240,10 @@ impl Cx<'_> {
         let items = source_order(self.model).filter_map(|id| {
             let index = self.plan.control.of_association[id.index()]?;
             let (target, association) = (&self.plan.control.targets[index], &self.model.associations[id]);
-            let level = matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
-            if !level || !self.sees_leaving(target) {
+            if !self.leavable(target).contains(&association.qualifier) {
                 return None;
             }
-            let left = names::target("left", self.model, index, target);
+            let left = self.left(index, target, association.qualifier);
             if association.qualifier != Qualifier::N {
                 // On a self-loop the time begins again: the action may end by that.
                 return Some(self.if_left(association.step, &quote!(#left = true;)));
@@ -246,7 +263,7 @@ impl Cx<'_> {
         let p0 = target.has(self.model, Qualifier::P0).then(|| name(names::flag(Qualifier::P0)));
         let (q, kept) = (name("q"), name("kept_q"));
         let falls = target.remembers_q.then(|| quote!(self.#kept && !#q));
-        let leaving = self.sees_leaving(target).then(|| name("left"));
+        let leaving = self.by_leaving(index, target);
         let p0_run = |phase: TokenStream| self.run(index, target, &phase, RunKind::P0);
         let (first, last) = (p0_run(quote!(First)), p0_run(quote!(Final)));
         let final_run = self.run(index, target, &quote!(Final), RunKind::Level);
@@ -295,7 +312,12 @@ impl Cx<'_> {
         let done = |qualifier, prefix: &str| target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag));
         let not_p1 = done(Qualifier::P1, names::flag(Qualifier::P1));
         let not_p0 = done(Qualifier::P0, names::flag(Qualifier::P0));
-        let not_left = self.sees_leaving(target).then(|| name("left")).map(|left| quote!(&& !#left));
+        let not_left = self.by_leaving(index, target).map(|left| quote!(&& !#left));
+        let kept_terms = self.leavable(target).into_iter().filter(|_| target.remembers_terms(self.model));
+        let kept_terms = kept_terms.map(|qualifier| {
+            let (kept, now) = (name(&format!("kept_{}", names::flag(qualifier))), self.term(index, target, qualifier, &quote!(false)).1);
+            quote!(self.#kept = #now;)
+        });
         let run = if self.tells_phase(target) {
             quote!(if self.#kept { #repeated } else { #first })
         } else {
@@ -304,6 +326,7 @@ impl Cx<'_> {
         quote! {
             if #q #not_p1 { #run } else if self.#kept && !#q #not_p0 #not_left { #last }
             self.#kept = #q;
+            #(#kept_terms)*
         }
     }
 

@@ -176,6 +176,11 @@ pub(super) fn combinational(model: &Model, var: VarId) -> Ident {
     prefixed("is_", &model.vars[var].name)
 }
 
+/// The local that says whether the condition of an assigned output held before the first action ran.
+pub(super) fn holds(id: AssociationId) -> Ident {
+    local(&format!("holds_{}", id.index()))
+}
+
 /// The field of a place.
 pub(super) fn place_field(model: &Model, place: Place) -> Ident {
     match place {

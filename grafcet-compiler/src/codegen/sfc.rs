@@ -36,6 +36,8 @@ impl Cx<'_> {
     /// Flags and values first, then deactivations, activations and the rest (A29).
     fn sfc_actions(&self) -> TokenStream {
         let (last, resets) = (self.keep_last_outputs(), self.declare_resets());
+        let holds = self.assigned_under_condition().map(|id| names::holds(id));
+        let resets = quote!(#resets #(let mut #holds = false;)*);
         let apply_resets = self.apply_resets();
         if self.runs_in_one_pass() {
             // Nothing but the active step's own actions: its arm does it all.
@@ -87,9 +89,11 @@ impl Cx<'_> {
         }
         let act = match &association.effect {
             Effect::Control(Place::Output(output)) => self.drive(*output, association.qualifier),
-            Effect::Assign(Place::Output(output), value) if association.qualifier == Qualifier::N => {
-                let (local, value) = (names::output_local(self.model, *output), self.value(value, Moment::Action));
-                quote!(#local = #value;)
+            Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => {
+                // Its value belongs to the rest, its condition is read before the first action runs.
+                let Some(condition) = &association.condition else { return nothing };
+                let (holds, condition) = (names::holds(id), self.value(condition, Moment::Action));
+                return Item::After(step, quote!(#holds = #condition;));
             }
             _ => return nothing,
         };
@@ -124,14 +128,25 @@ impl Cx<'_> {
         }
     }
 
+    /// `speed = e if c`
+    fn assigned_under_condition(&self) -> impl Iterator<Item = AssociationId> + '_ {
+        self.model.associations.iter().filter(|(_, a)| is_assigned(a) && a.condition.is_some()).map(|(id, _)| id)
+    }
+
     fn local_run_tokens(&self, id: AssociationId, part: Part) -> TokenStream {
         let association = &self.model.associations[id];
-        let assigned = matches!(association.effect, Effect::Assign(Place::Output(_), _));
-        let runs = match &association.effect {
-            Effect::Assign(..) => !(assigned && association.qualifier == Qualifier::N),
-            Effect::Block(_) => true,
-            Effect::Control(_) | Effect::Call(..) => false,
-        };
+        if let (Effect::Assign(Place::Output(output), value), true) = (&association.effect, is_assigned(association)) {
+            if part != Part::Rest {
+                return TokenStream::new();
+            }
+            let (local, value) = (names::output_local(self.model, *output), self.value(value, Moment::Action));
+            let holds = names::holds(id);
+            return match association.condition {
+                Some(_) => quote!(if #holds { #local = #value; }),
+                None => quote!(#local = #value;),
+            };
+        }
+        let runs = matches!(association.effect, Effect::Assign(..) | Effect::Block(_));
         let wanted = match part {
             Part::Deactivation => matches!(association.qualifier, Qualifier::P0 | Qualifier::N),
             Part::Activation => association.qualifier == Qualifier::P1,
@@ -188,6 +203,11 @@ impl Cx<'_> {
             })
             .collect()
     }
+}
+
+/// An output that has a value while a step is active.
+fn is_assigned(association: &Association) -> bool {
+    association.qualifier == Qualifier::N && matches!(association.effect, Effect::Assign(Place::Output(_), _))
 }
 
 /// The parts in which actions run (A29).

@@ -201,6 +201,11 @@ impl Cx<'_> {
                 fields.push(Field { name: name(&format!("time_{flag}")), ty, initial });
             }
         }
+        if target.remembers_q && target.remembers_terms(self.model) {
+            for qualifier in target.leavable(self.model) {
+                fields.push(self.flag(&name(&format!("kept_{}", names::flag(qualifier))).to_string(), false));
+            }
+        }
         if target.remembers_q {
             fields.push(self.flag(&name("kept_q").to_string(), false));
         }

@@ -15,7 +15,8 @@ pub(crate) fn stub(model: &Model, root: &TokenStream) -> TokenStream {
     let records = records(model, &names, &p);
     let enums = enums(model, &names);
     let methods = methods(model, &names, &p);
-    quote!(#records #enums #methods)
+    let uniform = uniform(model, &names, &p);
+    quote!(#records #enums #methods #uniform)
 }
 
 /// The chart, its inputs, outputs and recipe.
@@ -93,6 +94,31 @@ fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
             #vis fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { loop {} }
+        }
+    }
+}
+
+/// The trait `Chart`.
+fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
+    let Names { chart, inputs, outputs, step, transition, actions, .. } = names;
+    let name = model.name.to_string();
+    let actions = if model.actions.is_empty() { quote!(()) } else { quote!(dyn #actions + 'a) };
+    quote! {
+        #[allow(unused_variables)]
+        impl #p::Chart for #chart {
+            type Inputs = #inputs;
+            type Outputs = #outputs;
+            type Step = #step;
+            type Transition = #transition;
+            type Situation = #step;
+            type Actions<'a> = #actions;
+            const NAME: &'static #p::str = #name;
+            const STEPS: &'static [#step] = &[];
+            const TRANSITIONS: &'static [#transition] = &[];
+            fn scan(&mut self, inputs: &#inputs, now: #p::Ticks, actions: &mut Self::Actions<'_>) -> #outputs { loop {} }
+            fn init(&mut self) {}
+            fn is_active(&self, step: #step) -> #p::bool { loop {} }
+            fn situation(&self) -> #step { loop {} }
         }
     }
 }

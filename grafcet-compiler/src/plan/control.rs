@@ -38,6 +38,21 @@ impl Target {
         self.under(model, qualifier).next().is_some()
     }
 
+    /// The qualifiers it has whose end can come from leaving a step.
+    #[must_use]
+    pub fn leavable(&self, model: &Model) -> Vec<Qualifier> {
+        let qualifiers = [Qualifier::N, Qualifier::L, Qualifier::D];
+        qualifiers.into_iter().filter(|qualifier| self.has(model, *qualifier)).collect()
+    }
+
+    /// Which of them held in the cycle before does not follow from Q alone, so it is remembered.
+    #[must_use]
+    pub fn remembers_terms(&self, model: &Model) -> bool {
+        let stores = [Qualifier::S, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl, Qualifier::P];
+        let leavable = self.leavable(model).len();
+        leavable > 1 || leavable == 1 && stores.iter().any(|qualifier| self.has(model, *qualifier))
+    }
+
     /// Whether associations under a timed qualifier state different times, so that the last one is remembered.
     #[must_use]
     pub fn remembers_time(&self, model: &Model, qualifier: Qualifier) -> bool {

@@ -1,7 +1,8 @@
 //! From the text of a chart to its model, by the compiler's own way.
 
+use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::{check, compile, diagnostic::Sink, model, parse};
+use grafcet_compiler::{compile, model, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -11,33 +12,19 @@ use quote::quote;
 /// What the compiler says about the chart.
 pub fn resolve(text: &str) -> Result<Model, String> {
     let tokens: TokenStream = text.parse().map_err(|error| format!("tokens: {error}"))?;
-    let mut sink = Sink::new();
-    let model = parse::chart(tokens, &mut sink).map(|chart| {
-        let model = model::resolve(&chart, &mut sink);
-        check::drawing(&model, &mut sink);
-        if !sink.has_errors() {
-            check::not_yet(&chart, &mut sink);
-            check::whole(&model, &mut sink);
-        }
-        model
-    });
-    let refused = sink.has_errors();
-    let notes: Vec<String> = sink.finish().iter().flat_map(|d| &d.notes).map(|(_, text)| text.clone()).collect();
-    match model {
-        Some(model) if !refused => Ok(model),
-        _ => Err(notes.join("\n  ")),
+    let messages = errors(&compile(&quote!(::grafcet), tokens.clone()).to_string());
+    if !messages.is_empty() {
+        return Err(messages.join("\n  "));
     }
+    // What the macro accepts resolves without a mistake.
+    let mut sink = Sink::new();
+    let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
+    sink.finish();
+    model.ok_or_else(|| "no chart".to_owned())
 }
 
-/// Whether the macro compiles a chart: what it generates is no error message.
-///
-/// # Errors
-/// The messages.
-pub fn accepts(text: &str) -> Result<(), String> {
-    let tokens: TokenStream = text.parse().map_err(|error| format!("tokens: {error}"))?;
-    let generated = compile(&quote!(::grafcet), tokens).to_string();
-    match generated.contains("compile_error") {
-        true => Err(resolve(text).err().unwrap_or_else(|| "refused by the macro".to_owned())),
-        false => Ok(()),
-    }
+/// The messages in generated code: it is the only way to see exactly what the macro refuses.
+fn errors(generated: &str) -> Vec<String> {
+    let parts = generated.split("compile_error").skip(1);
+    parts.map(|part| part.split('"').nth(1).unwrap_or("refused").to_owned()).collect()
 }

@@ -1,0 +1,188 @@
+//! Random conditions and values.
+
+use super::Gen;
+use super::names::{Role, Ty};
+
+/// What an expression may read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reads {
+    /// `rising` and `falling`.
+    pub(super) edges: bool,
+    /// `t1/e/t2`
+    pub(super) delays: bool,
+    /// Combinational variables with a smaller number: no circle (A22).
+    pub(super) combinational: usize,
+}
+
+/// All of them.
+pub(super) const ALL: Reads = Reads { edges: true, delays: true, combinational: usize::MAX };
+
+impl Gen {
+    /// A boolean expression that can stand beside `&&` and `||`.
+    pub(super) fn condition(&mut self, depth: usize, reads: Reads) -> String {
+        if depth > 0 && self.rng.chance(45) {
+            let operator = *self.rng.pick(&["&&", "&&", "||", "||", "^", "!="]);
+            let (left, right) = (self.condition(depth - 1, reads), self.condition(depth - 1, reads));
+            return match operator {
+                "&&" | "||" => format!("({left} {operator} {right})"),
+                _ => format!("(({left}) {operator} ({right}))"),
+            };
+        }
+        match self.rng.below(24) {
+            0..=7 => self.boolean(reads),
+            8..=10 => format!("!{}", self.boolean(reads)),
+            11..=13 => self.comparison(),
+            14 | 15 => format!("{}.X", self.step_path()),
+            16 => self.time_of_step(),
+            17..=19 => self.elapsed(),
+            20 | 21 if reads.edges => self.edge(reads),
+            22 if reads.delays => self.delay(reads),
+            23 => format!("!({})", self.condition(depth.saturating_sub(1), reads)),
+            _ => self.boolean(reads),
+        }
+    }
+
+    /// The name of a readable boolean.
+    pub(super) fn boolean(&mut self, reads: Reads) -> String {
+        let grafcet = self.grafcet;
+        let readable = |role: Role, name: &str| match role {
+            Role::Combinational => name[1..].parse().is_ok_and(|index: usize| index < reads.combinational),
+            Role::Controlled | Role::Assigned => !grafcet,
+            _ => true,
+        };
+        let bools = self.names.values.iter().filter(|v| v.ty == Ty::Bool);
+        let names: Vec<String> = bools.filter(|v| readable(v.role, &v.name)).map(|v| v.name.clone()).collect();
+        // Inputs move a chart on; the others are seen often enough at a third.
+        let inputs = self.names.of(Role::Input, Ty::Bool);
+        let name = if self.rng.chance(65) { self.rng.pick(&inputs) } else { self.rng.pick(&names) }.clone();
+        if name.starts_with('x') && grafcet {
+            self.note("combinational variable read");
+        }
+        name
+    }
+
+    fn numbers(&self, ty: Ty) -> Vec<String> {
+        let readable = |role| role != Role::Assigned || !self.grafcet;
+        let numbers = self.names.values.iter().filter(|v| v.ty == ty && readable(v.role));
+        numbers.map(|v| v.name.clone()).collect()
+    }
+
+    fn comparison(&mut self) -> String {
+        let ty = *self.rng.pick(&[Ty::I16, Ty::U8]);
+        let names = self.numbers(ty);
+        let Some(name) = self.rng.maybe(&names).cloned() else { return self.boolean(ALL) };
+        let operator = *self.rng.pick(&["==", "!=", "<", "<=", ">", ">="]);
+        self.note("comparison of numbers");
+        format!("({name} {operator} {})", self.int(ty, 0))
+    }
+
+    fn time_of_step(&mut self) -> String {
+        let operator = *self.rng.pick(&[">=", ">=", ">", "<", "<=", "==", "!="]);
+        self.note("Step.T");
+        let (step, time) = (self.step_path(), self.time());
+        if self.rng.chance(20) { format!("({time} {operator} {step}.T)") } else { format!("({step}.T {operator} {time})") }
+    }
+
+    fn elapsed(&mut self) -> String {
+        self.note("t/Step");
+        let time = if self.rng.chance(5) { self.ticks(0) } else { self.time() };
+        format!("({time}/{})", self.step_name())
+    }
+
+    /// `rising(e)`
+    pub(super) fn edge(&mut self, reads: Reads) -> String {
+        let word = *self.rng.pick(&["rising", "rising", "falling"]);
+        let of = match self.rng.below(10) {
+            0..=5 => self.boolean(reads),
+            6 | 7 => {
+                self.note("edge of a step");
+                format!("{}.X", self.step_path())
+            }
+            _ => {
+                self.note("edge of a mixture");
+                self.condition(1, Reads { edges: self.rng.chance(10), ..reads })
+            }
+        };
+        self.note("edge");
+        format!("{word}({of})")
+    }
+
+    fn delay(&mut self, reads: Reads) -> String {
+        self.note("t1/e/t2");
+        let (on, off) = (self.time(), self.time());
+        let of = match self.rng.below(10) {
+            0..=4 => self.boolean(reads),
+            5 | 6 => return format!("({on}/{}/{off})", self.step_name()),
+            _ => format!("({})", self.condition(1, Reads { delays: self.rng.chance(10), ..reads })),
+        };
+        if self.rng.chance(30) { format!("({on}/{of})") } else { format!("({on}/{of}/{off})") }
+    }
+
+    /// A time: a literal, a param or a variable.
+    pub(super) fn time(&mut self) -> String {
+        let mut names = self.names.of(Role::Param, Ty::Time);
+        names.extend(self.names.of(Role::Written, Ty::Time));
+        match self.rng.maybe(&names).cloned() {
+            Some(name) if self.rng.chance(35) => {
+                self.note(if name == "p" { "time from a param" } else { "time from a variable" });
+                name
+            }
+            _ => self.short(),
+        }
+    }
+
+    /// A value of a type; numbers between -49 and 49, so that no arithmetic leaves its type.
+    pub(super) fn value(&mut self, ty: Ty, reads: Reads) -> String {
+        match ty {
+            Ty::Bool if self.rng.chance(30) => (*self.rng.pick(&["true", "false"])).to_owned(),
+            Ty::Bool => self.condition(1, reads),
+            Ty::I16 | Ty::U8 => self.int(ty, 2),
+            Ty::Time => match self.rng.below(4) {
+                0 => {
+                    self.note("Step.T in an action");
+                    format!("{}.T", self.step_path())
+                }
+                1 => format!("{} + {}", self.time(), self.short()),
+                _ => self.time(),
+            },
+        }
+    }
+
+    fn int(&mut self, ty: Ty, depth: usize) -> String {
+        let names = self.numbers(ty);
+        let name = match self.rng.maybe(&names) {
+            Some(name) if self.rng.chance(75) => name.clone(),
+            _ => self.rng.below(9).to_string(),
+        };
+        if depth == 0 {
+            return name;
+        }
+        let other = self.int(ty, depth - 1);
+        match self.rng.below(7) {
+            0 | 1 => format!("(({name} + {other}) % 50)"),
+            2 => format!("(({name} * 3) % 50)"),
+            3 if ty == Ty::I16 => format!("(({name} - {other}) % 50)"),
+            4 => format!("({name} & 7)"),
+            5 => format!("({other} / 3)"),
+            _ => name,
+        }
+    }
+
+    /// A step or macro-step, by its name alone.
+    pub(super) fn step_name(&mut self) -> String {
+        let (_, name) = self.rng.pick(&self.steps).clone();
+        if name.starts_with('M') {
+            self.note("variable of a macro-step");
+        }
+        name
+    }
+
+    /// The same, sometimes with its partial grafcet in front.
+    fn step_path(&mut self) -> String {
+        let (partial, name) = self.rng.pick(&self.steps).clone();
+        match partial {
+            Some(partial) if !name.starts_with('M') && self.rng.chance(50) => format!("{partial}::{name}"),
+            _ => name,
+        }
+    }
+}
