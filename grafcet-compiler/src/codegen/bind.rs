@@ -161,9 +161,9 @@ impl Cx<'_> {
         }
         let state = self.state_at(region, moment);
         let starts = self.plan.initial.contains(&step);
-        if moment == Moment::Sample && starts && self.has_start_variant(region) {
-            let start = self.start();
-            return quote!((#state == #variant || #state == #start));
+        if moment == Moment::Sample && starts && self.plan.has_start && !self.model.is_grafcet() {
+            let (first, start) = (names::before(0, self.plan), self.start());
+            return quote!((#state == #variant || #first == #start));
         }
         quote!((#state == #variant))
     }

@@ -20,9 +20,18 @@ impl Cx<'_> {
     pub(super) fn befores(&self) -> TokenStream {
         let regions = (0..self.plan.regions.all().len()).map(|region| {
             let (before, field) = (names::before(region, self.plan), names::region_field(region, self.plan));
+            if self.enters_first(region) {
+                let (first, start, empty) = (names::before(0, self.plan), self.start(), self.empty(region));
+                return quote!(let #before = if #first == #start { #empty } else { self.#field };);
+            }
             quote!(let #before = self.#field;)
         });
         quote!(#(#regions)*)
+    }
+
+    /// A region behind the first one whose initial step is entered in the first cycle of an `sfc`.
+    fn enters_first(&self, region: usize) -> bool {
+        !self.model.is_grafcet() && region > 0 && self.plan.regions.all()[region].initial.is_some()
     }
 
     /// The situation before the evolution, and the one after it as far as nothing clears.

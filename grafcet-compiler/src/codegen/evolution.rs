@@ -40,11 +40,7 @@ impl Cx<'_> {
         let (before, start) = (names::before(0, self.plan), self.start());
         let enter = regions.iter().map(|region| {
             let (after, initial) = (names::after(*region, self.plan), self.initial(*region));
-            let again = self.plan.sees_reentry[*region].then(|| {
-                let again = names::again(*region, self.plan);
-                quote!(#again = true;)
-            });
-            quote!(#after = #initial; #again)
+            quote!(#after = #initial;)
         });
         quote!(if #before == #start { #(#enter)* } else { #evolve })
     }

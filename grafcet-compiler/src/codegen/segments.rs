@@ -82,6 +82,9 @@ impl Cx<'_> {
 
     /// `body`, if the step has been left.
     pub(super) fn if_left(&self, step: StepId, body: &TokenStream) -> Item {
+        if self.always_moves() {
+            return Item::Before(step, body.clone());
+        }
         let region = self.plan.regions.of_step(step);
         let (after, variant, again) = (names::after(region, self.plan), self.variant(step), self.or_again(region));
         let nothing = body.is_empty();
@@ -90,10 +93,18 @@ impl Cx<'_> {
 
     /// `body`, if the step has been entered.
     pub(super) fn if_entered(&self, step: StepId, body: &TokenStream) -> Item {
+        if self.always_moves() {
+            return Item::After(step, body.clone());
+        }
         let region = self.plan.regions.of_step(step);
         let (before, variant, again) = (names::before(region, self.plan), self.variant(step), self.or_again(region));
         let nothing = body.is_empty();
         Item::After(step, if nothing { TokenStream::new() } else { quote!(if #before != #variant #again { #body }) })
+    }
+
+    /// In the search of a chart with one region, an evolution that changes anything goes from one step to another.
+    fn always_moves(&self) -> bool {
+        self.model.is_grafcet() && self.plan.regions.all().len() == 1 && self.collected_unchanged().is_empty()
     }
 
     /// `|| again`, where a step of the region can be left and entered in one evolution.

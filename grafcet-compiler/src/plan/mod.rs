@@ -54,6 +54,10 @@ impl Plan {
         let drives = drive::all(model, &concurrency, &control);
         let evolution = Evolution::of(model, &concurrency);
         regions.allow_leaving(&evolution.entered_last);
+        if model.dialect == Dialect::Sfc && regions.all().len() > 1 {
+            // Before the first cycle nothing is active yet: its activation is seen as a change of the situation.
+            regions.allow_leaving(&initial);
+        }
         let sees_reentry = (0..regions.all().len()).map(|r| sees_reentry(model, &regions, &evolution, r)).collect();
         Self {
             memory: Memory::of(model, &regions, &drives),
@@ -72,7 +76,7 @@ impl Plan {
 }
 
 /// A4s: in an `sfc`, a step that is left and entered in one cycle is deactivated and activated. In a `grafcet` (A4g)
-/// nothing happens to it. In the first cycle, a region behind the first one enters its initial step unseen otherwise.
+/// nothing happens to it.
 fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution, id: RegionId) -> bool {
     let region = &regions.all()[id];
     let looks = |step: StepId| {
@@ -82,7 +86,6 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution, id: Reg
     };
     let reentered = |step: StepId| {
         evolution.entered_last.contains(&step)
-            || id > 0 && region.initial == Some(step)
             || model.transitions.values().any(|t| t.sources.contains(&step) && t.targets.contains(&step))
     };
     model.dialect == Dialect::Sfc && region.steps.iter().any(|step| reentered(*step) && looks(*step))

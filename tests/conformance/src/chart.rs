@@ -19,7 +19,7 @@ pub fn resolve(text: &str) -> Result<Model, String> {
     // What the macro accepts resolves without a mistake.
     let mut sink = Sink::new();
     let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
-    sink.finish();
+    _ = sink.finish();
     model.ok_or_else(|| "no chart".to_owned())
 }
 

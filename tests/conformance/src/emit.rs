@@ -29,7 +29,7 @@ grafcet::grafcet! {{
 {text}
 }}
 {calls}
-pub struct Compiled {{ chart: {name}, shown: Shown, {declare} }}
+pub(super) struct Compiled {{ chart: {name}, shown: Shown, {declare} }}
 fn shown(chart: &{name}, o: &{name}Outputs, calls: Vec<String>) -> Shown {{
     let _ = o;
     Shown {{ steps: steps(chart, &chart.active_steps()), stable: chart.is_stable(), outputs: outputs([{outputs}]), calls }}

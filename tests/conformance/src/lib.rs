@@ -10,6 +10,7 @@ pub mod emit;
 pub mod generated;
 pub mod oracle;
 pub mod play;
+pub mod random;
 #[path = "../reader.rs"]
 pub mod reader;
 

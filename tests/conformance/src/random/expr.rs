@@ -31,7 +31,7 @@ impl Gen {
         match self.rng.below(24) {
             0..=7 => self.boolean(reads),
             8..=10 => format!("!{}", self.boolean(reads)),
-            11..=13 => self.comparison(),
+            11..=13 => self.comparison(reads),
             14 | 15 => format!("{}.X", self.step_path()),
             16 => self.time_of_step(),
             17..=19 => self.elapsed(),
@@ -67,10 +67,10 @@ impl Gen {
         numbers.map(|v| v.name.clone()).collect()
     }
 
-    fn comparison(&mut self) -> String {
+    fn comparison(&mut self, reads: Reads) -> String {
         let ty = *self.rng.pick(&[Ty::I16, Ty::U8]);
         let names = self.numbers(ty);
-        let Some(name) = self.rng.maybe(&names).cloned() else { return self.boolean(ALL) };
+        let Some(name) = self.rng.maybe(&names).cloned() else { return self.boolean(reads) };
         let operator = *self.rng.pick(&["==", "!=", "<", "<=", ">", ">="]);
         self.note("comparison of numbers");
         format!("({name} {operator} {})", self.int(ty, 0))
@@ -100,7 +100,8 @@ impl Gen {
             }
             _ => {
                 self.note("edge of a mixture");
-                self.condition(1, Reads { edges: self.rng.chance(10), ..reads })
+                let edges = reads.edges && self.rng.chance(10);
+                self.condition(1, Reads { edges, ..reads })
             }
         };
         self.note("edge");
@@ -113,7 +114,10 @@ impl Gen {
         let of = match self.rng.below(10) {
             0..=4 => self.boolean(reads),
             5 | 6 => return format!("({on}/{}/{off})", self.step_name()),
-            _ => format!("({})", self.condition(1, Reads { delays: self.rng.chance(10), ..reads })),
+            _ => {
+                let delays = reads.delays && self.rng.chance(10);
+                format!("({})", self.condition(1, Reads { delays, ..reads }))
+            }
         };
         if self.rng.chance(30) { format!("({on}/{of})") } else { format!("({on}/{of}/{off})") }
     }

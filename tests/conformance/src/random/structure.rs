@@ -77,15 +77,272 @@ impl Gen {
 
     /// Gives the masters their orders.
     fn force(&mut self, parts: Vec<(Part, Vec<usize>)>) -> Vec<Part> {
-        let steps: Vec<Vec<String>> = parts.iter().map(|(part, _)| real_steps(part)).collect();
-        let names: Vec<String> = parts.iter().map(|(part, _)| part.name.clone().unwrap_or_default()).collect();
-        let mut parts = parts;
-        for (part, slaves) in &mut parts {
-            for (step, slave) in part.steps.iter_mut().flat_map(|s| slaves.iter().map(move |slave| (s as *mut Step, *slave))).map(|(s, slave)| (s, slave)).collect::<Vec<_>>() {
-                let _ = (step, slave);
+        let targets: Vec<(String, Vec<String>)> =
+            parts.iter().map(|(part, _)| (part.name.clone().unwrap_or_default(), real_steps(part))).collect();
+        let mut done = Vec::new();
+        for (mut part, slaves) in parts {
+            for step in &mut part.steps {
+                for slave in &slaves {
+                    if self.rng.chance(60) {
+                        let (name, steps) = &targets[*slave];
+                        let order = self.order(steps);
+                        step.forces.push(format!("force {name} {{{order}}};"));
+                    }
+                }
+            }
+            done.push(part);
+        }
+        done
+    }
+
+    fn order(&mut self, steps: &[String]) -> String {
+        match self.rng.below(4) {
+            0 => {
+                self.note("force {}");
+                String::new()
+            }
+            1 => {
+                self.note("force {*}");
+                "*".to_owned()
+            }
+            2 => {
+                self.note("force {INIT}");
+                "INIT".to_owned()
+            }
+            _ => {
+                self.note("force {S}");
+                let mut chosen = vec![self.rng.pick(steps).clone()];
+                let other = self.rng.pick(steps);
+                if self.rng.chance(30) && !chosen.contains(other) {
+                    chosen.push(other.clone());
+                }
+                chosen.join(", ")
             }
         }
-        let _ = (steps, names);
-        parts.into_iter().map(|(part, _)| part).collect()
     }
+
+    /// One token that goes round.
+    fn ring(&mut self, name: Option<String>) -> Part {
+        let mut part = Part { name, ..Part::default() };
+        let count = self.rng.between(2, 4);
+        let steps: Vec<String> = (0..count).map(|_| self.plain(&mut part, "")).collect();
+        part.steps[0].words = "initial ".to_owned();
+        for (index, step) in steps.iter().enumerate() {
+            let next = steps[(index + 1) % count].clone();
+            part.arrow(&[step.clone()], &[next], None);
+        }
+        part
+    }
+
+    /// A partial grafcet with everything in it.
+    fn partial(&mut self, name: Option<String>, steps: usize) -> Part {
+        let mut part = Part { name, ..Part::default() };
+        let mut room = Room { steps, depth: usize::from(self.grafcet) * 2 };
+        let first = self.node(&mut part, &mut room);
+        self.body(&mut part, &first, &mut room);
+        let initial = |step: &mut Step| step.words.insert_str(0, "initial ");
+        initial(&mut part.steps[0]);
+        if self.rng.chance(if self.grafcet { 20 } else { 4 }) && part.steps.len() > 2 {
+            self.note("several initial steps");
+            let other = self.rng.between(1, part.steps.len() - 1);
+            initial(&mut part.steps[other]);
+        }
+        self.ends(&mut part);
+        part
+    }
+
+    /// From `first` around and back, and jumps.
+    fn body(&mut self, part: &mut Part, first: &str, room: &mut Room) {
+        let mut last = first.to_owned();
+        while room.steps > 0 {
+            last = self.grow(part, last, room);
+        }
+        if last == first {
+            last = self.plain(part, "");
+            part.arrow(&[first.to_owned()], &[last.clone()], None);
+        }
+        part.arrow(&[last], &[first.to_owned()], None);
+        if self.rng.chance(35) {
+            self.note("jump");
+            for _ in 0..self.rng.between(1, 2) {
+                let names = part.names();
+                let (from, to) = (self.rng.pick(&names).clone(), self.rng.pick(&names).clone());
+                part.arrow(&[from], &[to], None);
+            }
+        }
+    }
+
+    /// Source and sink transitions, in `grafcet`.
+    fn ends(&mut self, part: &mut Part) {
+        if !self.grafcet {
+            return;
+        }
+        if self.rng.chance(15) {
+            self.note("source transition");
+            let to = self.rng.pick(&part.names()).clone();
+            part.arrow(&[], &[to], None);
+        }
+        if self.rng.chance(15) {
+            self.note("sink transition");
+            let from = self.rng.pick(&part.names()).clone();
+            part.arrow(&[from], &[], None);
+        }
+    }
+
+    /// Goes on from a step; the new last step.
+    fn grow(&mut self, part: &mut Part, from: String, room: &mut Room) -> String {
+        match self.rng.below(10) {
+            0..=3 => {
+                let to = self.node(part, room);
+                part.arrow(&[from], &[to.clone()], None);
+                to
+            }
+            4..=6 => self.selection(part, &from, room),
+            7 | 8 => self.parallel(part, from, room),
+            _ => {
+                self.note("self-loop");
+                part.arrow(&[from.clone()], &[from.clone()], None);
+                let to = self.node(part, room);
+                part.arrow(&[from], &[to.clone()], None);
+                to
+            }
+        }
+    }
+
+    fn selection(&mut self, part: &mut Part, from: &str, room: &mut Room) -> String {
+        let exclusive = self.rng.chance(50);
+        self.note(if exclusive { "OR-divergence, exclusive" } else { "OR-divergence, overlapping" });
+        let guards = if self.rng.chance(60) { vec!["a", "!a"] } else { vec!["b", "!b && a", "!b && !a"] };
+        let mut ends = Vec::new();
+        for guard in &guards {
+            let step = self.node(part, room);
+            part.arrow(&[from.to_owned()], &[step.clone()], exclusive.then(|| (*guard).to_owned()));
+            let end = if room.steps > 1 && self.rng.chance(30) { self.grow(part, step, room) } else { step };
+            ends.push(end);
+        }
+        let join = self.node(part, room);
+        ends.iter().for_each(|end| part.arrow(&[end.clone()], &[join.clone()], None));
+        join
+    }
+
+    fn parallel(&mut self, part: &mut Part, from: String, room: &mut Room) -> String {
+        self.note("AND-divergence");
+        let count = self.rng.between(2, 3);
+        let starts: Vec<String> = (0..count).map(|_| self.node(part, room)).collect();
+        part.arrow(&[from], &starts, None);
+        let mut ends = Vec::new();
+        for start in starts {
+            let mut end = start;
+            for _ in 0..self.rng.below(3) {
+                if room.steps > 0 {
+                    end = self.grow(part, end, room);
+                }
+            }
+            ends.push(end);
+        }
+        if self.rng.chance(20) {
+            self.note("AND-convergence into AND-divergence");
+            let again: Vec<String> = (0..2).map(|_| self.node(part, room)).collect();
+            part.arrow(&ends, &again, None);
+            ends = again;
+        }
+        let join = self.node(part, room);
+        if self.rng.chance(30) {
+            self.note("AND-convergence with alternatives");
+            let other = self.node(part, room);
+            part.arrow(&ends, &[join.clone()], None);
+            part.arrow(&ends, &[other.clone()], None);
+            part.arrow(&[other], &[join.clone()], None);
+        } else {
+            part.arrow(&ends, &[join.clone()], None);
+        }
+        join
+    }
+
+    /// A new step of any kind.
+    fn node(&mut self, part: &mut Part, room: &mut Room) -> String {
+        room.steps = room.steps.saturating_sub(1);
+        match self.rng.below(100) {
+            0..=9 if room.depth > 0 => self.macro_step(part, room),
+            10..=21 if room.depth > 0 => self.enclosing(part, room),
+            _ => self.plain(part, ""),
+        }
+    }
+
+    fn plain(&mut self, part: &mut Part, words: &str) -> String {
+        let name = self.fresh('S');
+        part.steps.push(Step {
+            words: words.to_owned(),
+            name: name.clone(),
+            inner: Inner::Nothing,
+            forces: Vec::new(),
+        });
+        name
+    }
+
+    fn macro_step(&mut self, part: &mut Part, room: &Room) -> String {
+        self.note("macro-step");
+        let mut body = Part::default();
+        let entry = self.plain(&mut body, "entry ");
+        let mut inner = Room { steps: self.rng.below(3), depth: room.depth - 1 };
+        let mut last = entry.clone();
+        while inner.steps > 0 {
+            last = self.grow(&mut body, last, &mut inner);
+        }
+        let exit = self.plain(&mut body, "exit ");
+        body.arrow(&[last], &[exit.clone()], None);
+        if self.rng.chance(25) {
+            body.arrow(&[exit], &[entry], None);
+        }
+        let name = self.fresh('M');
+        let inner = Inner::Macro(Box::new(body));
+        part.steps.push(Step { words: "macro ".to_owned(), name: name.clone(), inner, forces: Vec::new() });
+        name
+    }
+
+    fn enclosing(&mut self, part: &mut Part, room: &Room) -> String {
+        self.note("enclosing step");
+        if room.depth == 1 {
+            self.note("enclosing or macro-step inside another");
+        }
+        let name = self.fresh('S');
+        let mut enclosed = Vec::new();
+        for _ in 0..self.rng.between(1, 2) {
+            let mut body = Part { name: Some(self.fresh('G')), ..Part::default() };
+            let mut inner = Room { steps: self.rng.between(1, 3), depth: room.depth - 1 };
+            // A macro-step cannot carry the link.
+            let nested = inner.depth > 0 && self.rng.chance(20);
+            let first = if nested { self.enclosing(&mut body, &inner) } else { self.plain(&mut body, "") };
+            self.body(&mut body, &first, &mut inner);
+            let count = body.steps.len();
+            let carriers: Vec<usize> =
+                (0..count).filter(|index| !matches!(body.steps[*index].inner, Inner::Macro(_))).collect();
+            let linked = *self.rng.pick(&carriers);
+            body.steps[linked].words.insert_str(0, "linked ");
+            let initial = *self.rng.pick(&carriers);
+            body.steps[initial].words.insert_str(0, "initial ");
+            self.ends(&mut body);
+            enclosed.push(body);
+        }
+        let inner = Inner::Enclosed(enclosed);
+        part.steps.push(Step { words: "enclosing ".to_owned(), name: name.clone(), inner, forces: Vec::new() });
+        name
+    }
+
+    fn fresh(&mut self, letter: char) -> String {
+        self.count += 1;
+        format!("{letter}{}", self.count)
+    }
+}
+
+/// The steps that can stand in a forcing order.
+fn real_steps(part: &Part) -> Vec<String> {
+    let mut steps = Vec::new();
+    for step in &part.steps {
+        match &step.inner {
+            Inner::Macro(body) => steps.extend(real_steps(body)),
+            Inner::Nothing | Inner::Enclosed(_) => steps.push(step.name.clone()),
+        }
+    }
+    steps
 }

@@ -1,0 +1,79 @@
+//! Well-formed random charts: the same seed is the same chart on every machine.
+//!
+//! Made are a chart's text and a timeline. Most are what the compiler accepts; the others are thrown away by whoever asks.
+
+mod actions;
+mod expr;
+mod names;
+mod rng;
+mod structure;
+mod timeline;
+mod write;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+pub use self::rng::Rng;
+use self::names::Names;
+
+/// A chart and what happens to it.
+pub struct Random {
+    /// What would stand inside `grafcet! { … }`.
+    pub chart: String,
+    /// One line for each event, as in the corpus, with nothing expected.
+    pub timeline: String,
+    /// What of the language is in it.
+    pub features: BTreeSet<&'static str>,
+}
+
+/// Makes a chart of a dialect from a seed, with a timeline of so many cycles.
+#[must_use]
+pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
+    let mut generator = Gen {
+        rng: Rng::new(seed),
+        grafcet,
+        names: Names::default(),
+        steps: Vec::new(),
+        count: 0,
+        races: false,
+        writers: BTreeMap::new(),
+        features: BTreeSet::new(),
+    };
+    generator.races = generator.rng.chance(35);
+    generator.declare();
+    let parts = generator.structure();
+    let chart = generator.write(&parts);
+    let timeline = generator.timeline(cycles);
+    Random { chart, timeline, features: generator.features }
+}
+
+/// The state of the making.
+struct Gen {
+    rng: Rng,
+    grafcet: bool,
+    names: Names,
+    /// All steps and macro-steps with the partial grafcet they stand in.
+    steps: Vec<(Option<String>, String)>,
+    /// How many names of steps and partial grafcets have been given.
+    count: usize,
+    /// The chart allows `write_race`: several actions may write a place.
+    races: bool,
+    /// How many stored actions of a `grafcet` write a place.
+    writers: BTreeMap<String, usize>,
+    features: BTreeSet<&'static str>,
+}
+
+impl Gen {
+    fn note(&mut self, feature: &'static str) {
+        self.features.insert(feature);
+    }
+
+    /// Whether one more stored action may write a place: two that could do it in one evolution are a mistake (A7).
+    fn may_write(&mut self, name: &str, most: usize) -> bool {
+        if !self.grafcet || self.races {
+            return true;
+        }
+        let count = self.writers.entry(name.to_owned()).or_default();
+        *count += 1;
+        *count <= most
+    }
+}

@@ -1,0 +1,121 @@
+//! The text of a random chart: one declaration, association or transition a line, so that a line can be left out.
+
+use std::fmt::Write as _;
+
+use super::Gen;
+use super::expr::ALL;
+use super::structure::{Arrow, Inner, Part, Step};
+
+/// Random charts are not sensible ones.
+const ALLOWED: [&str; 19] = [
+    "several_initial_steps",
+    "unreachable_step",
+    "dead_transition",
+    "unsafe_step",
+    "stuck_join",
+    "deadlock",
+    "never_true",
+    "always_true",
+    "shadowed_branch",
+    "overlapping_branches",
+    "level_source_transition",
+    "conflicting_values",
+    "set_without_reset",
+    "reset_without_set",
+    "timed_contention",
+    "unused_input",
+    "undriven_output",
+    "unused_variable",
+    "unused_action",
+];
+
+impl Gen {
+    pub(super) fn write(&mut self, parts: &[Part]) -> String {
+        for part in parts {
+            self.collect(part, part.name.as_deref());
+        }
+        let mut lines = vec![format!("{} C {{", if self.grafcet { "grafcet" } else { "sfc" })];
+        let allowed = ALLOWED.map(|rule| format!("grafcet::{rule}")).join(", ");
+        lines.push(format!("#![allow({allowed}, grafcet::unused_param)]"));
+        if self.grafcet && self.races {
+            self.note("write_race allowed");
+            lines.push("#![allow(grafcet::write_race)]".to_owned());
+        }
+        lines.append(&mut self.names.lines.clone());
+        if self.grafcet && self.rng.chance(15) {
+            self.note("max_evolutions");
+            lines.push(format!("max_evolutions {};", self.rng.between(1, 8)));
+        }
+        for part in parts {
+            self.part(part, &mut lines);
+        }
+        lines.push("}".to_owned());
+        let mut text = String::new();
+        for line in lines {
+            _ = writeln!(text, "{line}");
+        }
+        text
+    }
+
+    fn collect(&mut self, part: &Part, partial: Option<&str>) {
+        for step in &part.steps {
+            self.steps.push((partial.map(str::to_owned), step.name.clone()));
+            match &step.inner {
+                Inner::Nothing => {}
+                Inner::Macro(body) => self.collect(body, partial),
+                Inner::Enclosed(parts) => parts.iter().for_each(|part| self.collect(part, part.name.as_deref())),
+            }
+        }
+    }
+
+    fn part(&mut self, part: &Part, lines: &mut Vec<String>) {
+        if let Some(name) = &part.name {
+            lines.push(format!("partial {name} {{"));
+        }
+        part.steps.iter().for_each(|step| self.step(step, lines));
+        part.arrows.iter().for_each(|arrow| lines.push(self.arrow(arrow)));
+        if part.name.is_some() {
+            lines.push("}".to_owned());
+        }
+    }
+
+    fn step(&mut self, step: &Step, lines: &mut Vec<String>) {
+        lines.push(format!("{}step {} {{", step.words, step.name));
+        match &step.inner {
+            Inner::Macro(body) => self.part(body, lines),
+            Inner::Nothing => {}
+            Inner::Enclosed(parts) => parts.iter().for_each(|part| self.part(part, lines)),
+        }
+        if !matches!(step.inner, Inner::Macro(_)) {
+            lines.extend(step.forces.iter().cloned());
+            lines.append(&mut self.associations());
+        }
+        lines.push("}".to_owned());
+    }
+
+    fn arrow(&mut self, arrow: &Arrow) -> String {
+        let condition = match (&arrow.guard, arrow.from.is_empty()) {
+            (_, true) => self.edge(ALL),
+            (Some(guard), _) if self.rng.chance(60) => guard.clone(),
+            (Some(guard), _) => format!("{guard} && {}", self.condition(1, ALL)),
+            (None, _) if self.rng.chance(if self.grafcet { 4 } else { 12 }) => "true".to_owned(),
+            (None, _) => self.condition(2, ALL),
+        };
+        let name = if self.rng.chance(5) { format!("t{}: ", self.rng.below(10_000)) } else { String::new() };
+        let mut clearing = String::new();
+        if self.grafcet && self.rng.chance(15) {
+            if let Some(effects) = self.clearing() {
+                self.note("action on clearing");
+                clearing = format!(" => {effects}");
+            }
+        }
+        format!("{} -[{name}{condition}{clearing}]-> {};", list(&arrow.from), list(&arrow.to))
+    }
+}
+
+fn list(steps: &[String]) -> String {
+    match steps {
+        [step] => step.clone(),
+        steps => format!("({})", steps.join(", ")),
+    }
+}
