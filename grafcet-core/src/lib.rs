@@ -4,6 +4,8 @@
 #![no_std]
 
 mod chart;
+#[cfg(any(feature = "fugit", feature = "embassy-time"))]
+mod instants;
 mod phase;
 mod ticks;
 mod time;

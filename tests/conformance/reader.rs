@@ -22,6 +22,23 @@ pub struct Line {
     pub kind: Kind,
 }
 
+impl Line {
+    /// What is done in the line, without what is expected.
+    #[must_use]
+    #[allow(dead_code, reason = "not every runner prints lines")]
+    pub fn text(&self) -> String {
+        let named = |values: &BTreeMap<String, i128>| {
+            values.iter().map(|(name, value)| format!("{name}={value} ")).collect::<String>()
+        };
+        match &self.kind {
+            Kind::Cycle { inputs, now, .. } => format!("{}@{now}", named(inputs)),
+            Kind::Shows(_) => "shows".to_owned(),
+            Kind::Init => "init".to_owned(),
+            Kind::Params(changed) => format!("params {}", named(changed)),
+        }
+    }
+}
+
 /// What a line asks for.
 #[derive(Clone, Debug)]
 pub enum Kind {

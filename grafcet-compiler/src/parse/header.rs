@@ -1,10 +1,11 @@
 //! `pub sfc Motor { … }`
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
+use quote::ToTokens;
 use syn::Visibility;
 use syn::parse::Parse;
 
-use super::{Input, Result, attrs, body};
+use super::{Error, Input, Result, attrs, body};
 use crate::ast::{Chart, Dialect};
 use crate::diagnostic::Sink;
 
@@ -36,6 +37,10 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, Dia
     let vis = visibility(input)?;
     let dialect = dialect(input, sink)?;
     let name = input.name("the name of the chart, as in `sfc Motor { … }`")?;
+    if syn::parse2::<Ident>(name.to_token_stream()).is_err() {
+        let message = format!("`{name}` is a keyword of Rust; the chart becomes a type and needs another name");
+        return Err(Error::new(&name, message));
+    }
     if input.at("<") {
         return Err(
             input.error("a chart has no generic parameters; its inputs, outputs and variables have concrete types")

@@ -36,6 +36,8 @@ fn headers() {
         ("Sfc Motor { }", "Sfc", "written `sfc`", true),
         ("GRAFCET Motor { }", "GRAFCET", "written `grafcet`", true),
         ("sfc { }", "{", "expected the name of the chart", false),
+        ("sfc match { }", "match", "`match` is a keyword of Rust", false),
+        ("sfc _ { }", "_", "`_` is a keyword of Rust", false),
         ("sfc Motor", "Motor", "expected `{` behind the name", false),
         ("sfc Motor; step A;", ";", "expected `{` behind the name", false),
         ("sfc Motor<T> { }", "<", "no generic parameters", false),

@@ -4,6 +4,7 @@
 //! - the corpus: the `.chart` files of this folder, run by `cargo test`
 //! - [`random`]: well-formed charts made from a number, run by `cargo xtask conformance`
 
+pub mod asleep;
 pub mod batch;
 pub mod chart;
 pub mod emit;

@@ -63,10 +63,11 @@ pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &
                 expected.and_then(|expected| Ok((expected, subject.cycle(inputs, *now)?)))
             }
             Kind::Init => oracle.init().and_then(|()| subject.init()).map(|()| (oracle.shown(), subject.shown())),
-            Kind::Params(changed) => oracle
-                .set_params(changed)
-                .and_then(|()| subject.set_params(changed))
-                .map(|()| (oracle.shown(), subject.shown())),
+            Kind::Params(changed) => {
+                // It shows in the next cycle.
+                let set = oracle.set_params(changed).and_then(|()| subject.set_params(changed));
+                set.map(|()| (subject.shown(), subject.shown()))
+            }
             Kind::Shows(_) => Ok((oracle.shown(), subject.shown())),
         };
         match both {

@@ -1,0 +1,70 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+const USAGE: &str = "\
+conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N] [--folder PATH]
+
+  --charts   charts of each dialect (default 150)
+  --cycles   cycles of each chart (default 500)
+  --seed     which charts (default 1)
+  --number   begins with the chart of this number, as the report gives it behind `s` or `g`
+  --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
+  --folder   where the crates are written and built (default: in the target folder)";
+
+/// What is asked for.
+pub(crate) struct Options {
+    pub(crate) charts: usize,
+    pub(crate) cycles: usize,
+    seed: u64,
+    number: Option<u64>,
+    pub(crate) shrink: usize,
+    /// Whether `grafcet`.
+    pub(crate) dialects: Vec<bool>,
+    pub(crate) folder: Option<PathBuf>,
+}
+
+impl Options {
+    /// Reads the words of the command line.
+    ///
+    /// # Errors
+    /// The usage, where a word is not understood.
+    pub(crate) fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut options = Self {
+            charts: 150,
+            cycles: 500,
+            seed: 1,
+            number: None,
+            shrink: 1,
+            dialects: vec![false, true],
+            folder: None,
+        };
+        while let Some(word) = words.next() {
+            let value = words.next().ok_or(USAGE)?;
+            let number = || value.parse::<u64>().map_err(|error| format!("{word} {value}: {error}"));
+            let count = || value.parse::<usize>().map_err(|error| format!("{word} {value}: {error}"));
+            match &*word {
+                "--charts" => options.charts = count()?,
+                "--cycles" => options.cycles = count()?,
+                "--seed" => options.seed = number()?,
+                "--number" => options.number = Some(number()?),
+                "--shrink" => options.shrink = count()?,
+                "--dialect" => {
+                    options.dialects = match &*value {
+                        "sfc" => vec![false],
+                        "grafcet" => vec![true],
+                        _ => return Err(USAGE.to_owned()),
+                    }
+                }
+                "--folder" => options.folder = Some(PathBuf::from(value)),
+                _ => return Err(USAGE.to_owned()),
+            }
+        }
+        Ok(options)
+    }
+
+    /// The number of the first chart: seeds do not overlap below a hundred thousand charts.
+    pub(crate) fn first(&self) -> u64 {
+        self.number.unwrap_or(self.seed.wrapping_mul(100_000))
+    }
+}
