@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::command::{Result, run as run_command};
 use crate::project::{cargo, root};
-use crate::{firmware, msrv};
+use crate::{conformance, firmware, msrv};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
 
@@ -14,10 +14,11 @@ const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
 type Step = (&'static str, fn() -> Result);
 
 /// No step is ever skipped: one that lacks a tool fails and says which.
-const STEPS: [Step; 7] = [
+const STEPS: [Step; 8] = [
     ("lock files", lock_files),
     ("rustfmt", rustfmt),
     ("test", test),
+    ("conformance", conformance::fixed),
     ("clippy", clippy),
     ("doc", doc),
     ("msrv", msrv::run),

@@ -2,6 +2,7 @@
 
 mod ci;
 mod command;
+mod conformance;
 mod debian;
 mod firmware;
 mod msrv;
@@ -14,6 +15,8 @@ const USAGE: &str = "\
 Usage: cargo xtask <task>
 
   ci        every check that CI runs, with a summary
+  conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
+            random charts, compiled through the macro, beside the interpreter
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
   msrv      check the crates that ship with the oldest supported Rust
 ";
@@ -23,6 +26,7 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
         ["ci"] => ci::run(),
+        ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
         ["msrv"] => msrv::run(),
         [] | ["help" | "-h" | "--help"] => {
