@@ -103,6 +103,10 @@ impl Cx<'_> {
                     }
                 }
             }
+            Read::Name(Name::Output(id)) if self.plan.drives[id.index()].last => {
+                let field = names::output_last_field(self.model, id);
+                quote!(self.#field)
+            }
             Read::Name(Name::Output(id)) => {
                 let field = names::output_field(self.model, id);
                 quote!(self.#field)

@@ -264,9 +264,9 @@ impl Cx<'_> {
         let (q, kept) = (name("q"), name("kept_q"));
         let falls = target.remembers_q.then(|| quote!(self.#kept && !#q));
         let leaving = self.by_leaving(index, target);
-        let p0_run = |phase: TokenStream| self.run(index, target, &phase, RunKind::P0);
+        let p0_run = |phase: TokenStream| self.run_at(index, target, &phase, RunKind::P0, Moment::Leaving);
         let (first, last) = (p0_run(quote!(First)), p0_run(quote!(Final)));
-        let final_run = self.run(index, target, &quote!(Final), RunKind::Level);
+        let final_run = self.run_at(index, target, &quote!(Final), RunKind::Level, Moment::Leaving);
         match (p0, falls, leaving) {
             (Some(p0), Some(falls), Some(left)) => {
                 quote!(if #p0 { if #falls { #last } else { #first } } else if #falls && #left { #final_run })
@@ -337,6 +337,18 @@ impl Cx<'_> {
 
     /// One run of a target.
     fn run(&self, index: usize, target: &Target, phase: &TokenStream, kind: RunKind) -> TokenStream {
+        self.run_at(index, target, phase, kind, Moment::Action)
+    }
+
+    /// One run of a target; among the steps left, with the time they had reached (A34).
+    fn run_at(
+        &self,
+        index: usize,
+        target: &Target,
+        phase: &TokenStream,
+        kind: RunKind,
+        moment: Moment,
+    ) -> TokenStream {
         let unsettle = self.unsettle();
         let runs = target.associations.iter().copied().filter(|id| self.model.associations[*id].qualifier != Qualifier::R);
         let of_kind = |id: &AssociationId| match (kind, self.model.associations[*id].qualifier) {
@@ -345,7 +357,6 @@ impl Cx<'_> {
             (RunKind::Level, qualifier) => !matches!(qualifier, Qualifier::P0 | Qualifier::P1),
         };
         let runs: Vec<_> = runs.filter(of_kind).collect();
-        let moment = if kind == RunKind::P0 { Moment::Leaving } else { Moment::Action };
         let one = |id: &AssociationId| self.effect_run(&self.model.associations[*id].effect, phase, moment);
         let Some((last, others)) = runs.split_last() else { return TokenStream::new() };
         if !self.has_choice(target) || others.is_empty() {

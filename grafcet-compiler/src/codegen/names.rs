@@ -100,6 +100,11 @@ pub(super) fn output_field(model: &Model, output: OutputId) -> Ident {
     prefixed("out_", &model.outputs[output].name)
 }
 
+/// The field that remembers what an output was in the cycle before, only because it is read.
+pub(super) fn output_last_field(model: &Model, output: OutputId) -> Ident {
+    prefixed("out_last_", &model.outputs[output].name)
+}
+
 /// The field of a variable.
 pub(super) fn var_field(model: &Model, var: VarId) -> Ident {
     prefixed("var_", &model.vars[var].name)

@@ -82,7 +82,7 @@ impl Cx<'_> {
             quote!(#local = #set self.#field;)
         });
         let remember = self.plan.memory.last.iter().map(|id| {
-            let (field, local) = (names::output_field(self.model, *id), names::output_local(self.model, *id));
+            let (field, local) = (names::output_last_field(self.model, *id), names::output_local(self.model, *id));
             let unsettle = self.unsettle_if(&quote!(self.#field != #local));
             quote!(#unsettle self.#field = #local;)
         });

@@ -134,16 +134,14 @@ impl Cx<'_> {
 
     /// Remembered outputs, variables and the values that edges compare with.
     fn place_fields(&self) -> Vec<Field> {
-        let mut outputs: Vec<_> = self.plan.memory.stored.iter().chain(&self.plan.memory.last).copied().collect();
-        outputs.sort_unstable();
-        let mut fields: Vec<_> = outputs
-            .into_iter()
-            .map(|id| Field {
-                name: names::output_field(self.model, id),
-                ty: types::rust_type(&self.model.outputs[id].ty, &self.p),
-                initial: types::initial_output(self.model, id, &self.p),
-            })
-            .collect();
+        let output = |id, name| Field {
+            name,
+            ty: types::rust_type(&self.model.outputs[id].ty, &self.p),
+            initial: types::initial_output(self.model, id, &self.p),
+        };
+        let stored = self.plan.memory.stored.iter().map(|id| output(*id, names::output_field(self.model, *id)));
+        let last = self.plan.memory.last.iter().map(|id| output(*id, names::output_last_field(self.model, *id)));
+        let mut fields: Vec<_> = stored.chain(last).collect();
         fields.extend(self.plan.memory.vars.iter().map(|id| {
             let var = &self.model.vars[*id];
             Field {

@@ -203,10 +203,10 @@ fn calls(control: &ActionControl, verdict: Verdict) -> Vec<Run> {
         }
         (false, false) => {}
     }
-    // P1 together with an active Q is one run; its arguments are those of the last of all active associations.
+    // P1 together with an active Q is one run; its arguments are those of the last of all active associations (A31),
+    // also of those whose time has not begun or has run out.
     match (p1, q) {
-        (Some(p1), true) => run(Moment::Entering, active.max(Some(p1)), Phase::First),
-        (Some(p1), false) => run(Moment::Entering, Some(p1), Phase::First),
+        (Some(p1), _) => run(Moment::Entering, active.max(Some(p1)), Phase::First),
         (None, true) => {
             let phase = if before { Phase::Repeated } else { Phase::First };
             run(Moment::Rest, control.active_last, phase);

@@ -3,6 +3,7 @@
 //! Made are a chart's text and a timeline. Most are what the compiler accepts; the others are thrown away by whoever asks.
 
 mod actions;
+pub mod agree;
 mod expr;
 mod names;
 mod rng;
@@ -28,6 +29,9 @@ pub struct Random {
 /// Makes a chart of a dialect from a seed, with a timeline of so many cycles.
 #[must_use]
 pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
+    if seed % 16 == 15 {
+        return agree::chart(seed, grafcet, cycles);
+    }
     let mut generator = Gen {
         rng: Rng::new(seed),
         grafcet,

@@ -1,0 +1,22 @@
+//! Random charts, compiled through the macro, beside the interpreter: the program of the package `grafcet-conformance`.
+
+use crate::command::{Result, run as run_command};
+use crate::project::cargo;
+
+/// Runs the program with these arguments.
+///
+/// # Errors
+/// A chart differs, or a crate cannot be built.
+pub(crate) fn run(arguments: &[&str]) -> Result {
+    // The program builds crates of its own: cargo must not hold its lock meanwhile, so it is run and not tested.
+    let program = ["run", "--quiet", "--package", "grafcet-conformance", "--bin", "conformance", "--"];
+    run_command(cargo(&program).args(arguments))
+}
+
+/// What CI runs: always the same charts.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn fixed() -> Result {
+    run(&["--charts", "150", "--cycles", "500", "--seed", "1"])
+}
