@@ -61,7 +61,10 @@ fn cycle(cx: &Cx<'_>) -> TokenStream {
         let actions = &names.actions;
         quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized))
     });
+    // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
+    let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
     quote! {
+        #outlined
         /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
         /// situation.
         #vis fn cycle(&mut self, inputs: &#inputs #now #actions) -> #outputs {

@@ -45,11 +45,15 @@ impl Cx<'_> {
         quote!(if #before == #start { #(#enter)* } else { #evolve })
     }
 
-    /// Whether the evolution is one `match` from a step to the next: an `sfc` with one region, each transition from one
-    /// step to one. (In the search loop of a `grafcet`, LLVM would read all inputs in front of the loop.)
+    /// Whether the evolution is one `match` from a step to the next: one region, each transition from one step to one,
+    /// and in a `grafcet` no change but that of the situation.
     pub(super) fn is_one_match(&self) -> bool {
-        !self.model.is_grafcet()
-            && self.plan.regions.is_single()
+        let search = self.collected_unchanged().is_empty()
+            && self.model.transitions.values().any(|t| t.sources != t.targets)
+            && self.plan.evolution.exclusive.iter().all(|exclusive| *exclusive);
+        self.plan.regions.is_single()
+            && self.model.partials.len() == 1
+            && (!self.model.is_grafcet() || search)
             && self.plan.evolution.entered_last.is_empty()
             && self.model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1)
     }
@@ -57,8 +61,18 @@ impl Cx<'_> {
     /// `let after = match before { Off => if … { On } else { Off }, … };`
     ///
     /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
-    fn one_match(&self) -> TokenStream {
+    pub(super) fn one_match(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
+        if self.model.is_grafcet() {
+            let leaving = |step: &&StepId| !self.plan.evolution.owned[step.index()].is_empty();
+            let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).collect();
+            let rest = (steps.len() < self.states(0)).then(|| quote!(_ => break,));
+            let arms = steps.into_iter().map(|step| {
+                let (variant, next) = (self.variant(*step), self.next_step(*step));
+                quote!(#variant => #next,)
+            });
+            return quote!(let #after = match #before { #(#arms)* #rest };);
+        }
         let arms = self.plan.regions.all()[0].steps.iter().map(|step| {
             let (variant, next) = (self.variant(*step), self.next_step(*step));
             quote!(#variant => #next,)
@@ -83,13 +97,18 @@ impl Cx<'_> {
                 None => return quote!({ #chain { #clear } }),
             }
         }
-        let variant = self.variant(step);
-        if chain.is_empty() { variant } else { quote!({ #chain { #variant } }) }
+        // In a search, a step that is not left is the end of it.
+        let stay = if self.model.is_grafcet() { quote!(break) } else { self.variant(step) };
+        if chain.is_empty() { stay } else { quote!({ #chain { #stay } }) }
     }
 
     /// What clearing does beside the situation, and the step it leads to.
     fn clear_to(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
+        if self.model.is_grafcet() && transition.sources == transition.targets {
+            // A4g: nothing happens to a step that is left and entered at once.
+            return quote!(break);
+        }
         let actions = self.clearing_actions(id);
         let again = (self.plan.sees_reentry[0] && transition.sources == transition.targets).then(|| {
             let again = names::again(0, self.plan);

@@ -22,7 +22,8 @@ impl Cx<'_> {
         let calls = self.continuous_calls();
         let result = self.result();
         let (forget, note) = self.note_instability();
-        quote!(#forget #time #start #delays #search #stable #outputs #continuous #calls #note #result)
+        // The outputs come first: behind the search, the compiler would clear them again in every arm.
+        quote!(#outputs #forget #time #start #delays #search #stable #continuous #calls #note #result)
     }
 
     /// A37: the activation of the initial situation is an evolution of its own.
@@ -60,11 +61,14 @@ impl Cx<'_> {
         let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(fresh)));
         let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
         let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(fresh = false;));
-        let (declare, evolve, collect) = (self.declare_collected(), self.evolve(), self.collect_stored());
-        let unchanged = self.unchanged();
+        let evolve = self.evolve_or_stop();
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
+        let p = &self.p;
+        // Inputs do not change during the search, and LLVM would read all of them in front of the loop, also those that
+        // no active step asks for.
+        let opaque = (!self.model.inputs.is_empty()).then(|| quote!(let inputs = #p::core::hint::black_box(inputs);));
         // A delay is sampled once per cycle: the next one sees the new situation.
         let unsettle = (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;));
         quote! {
@@ -72,12 +76,23 @@ impl Cx<'_> {
             #declare_edges
             #time
             loop {
-                #snapshot #combinational #keep_edges #edges #fresh #declare #evolve #collect
-                if #unchanged { break; }
+                #opaque
+                #snapshot #combinational #keep_edges #edges #fresh
+                #evolve
                 #bound
                 #stored #commit_collected #commit #restart #unsettle
             }
         }
+    }
+
+    /// One evolution, or the end of the search where nothing changes.
+    fn evolve_or_stop(&self) -> TokenStream {
+        if self.is_one_match() {
+            return self.one_match();
+        }
+        let (declare, evolve, collect) = (self.declare_collected(), self.evolve(), self.collect_stored());
+        let unchanged = self.unchanged();
+        quote!(#declare #evolve #collect if #unchanged { break; })
     }
 
     /// A25: the situation is a fixed point, and nothing else is to be done.

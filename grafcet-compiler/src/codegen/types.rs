@@ -47,10 +47,13 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let (vis, name) = (&model.vis, &cx.names.outputs);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     let allow = many_bools(model.outputs.len());
+    // Processors without unaligned stores clear many single bytes through a call, words at once.
+    let align = (model.outputs.len() > 8).then(|| quote!(#[repr(align(4))]));
     quote! {
         #[doc = #doc]
         #[derive(#derives)]
         #allow
+        #align
         #vis struct #name { #(#fields)* }
 
         impl #p::core::default::Default for #name {

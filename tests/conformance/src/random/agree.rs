@@ -101,7 +101,7 @@ impl Drawing {
 
     fn parallel(&mut self, from: usize, even: bool) -> usize {
         let starts: Vec<usize> = (0..self.rng.between(2, 3)).map(|_| self.step(false)).collect();
-        self.arrow(&[from], &starts, even, "b || c");
+        self.arrow(&[from], &starts, even, "(b || c)");
         let mut ends = Vec::new();
         for start in starts {
             let mut end = start;
