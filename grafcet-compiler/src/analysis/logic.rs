@@ -142,7 +142,14 @@ impl<'m> Logic<'m> {
             },
             Tree::Unary(operator, inner) => *operator == Unary::Not && self.is_boolean(inner),
             Tree::Binary(operator, a, b) => match operator {
-                Binary::And | Binary::Or | Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge => true,
+                Binary::And
+                | Binary::Or
+                | Binary::Eq
+                | Binary::Ne
+                | Binary::Lt
+                | Binary::Le
+                | Binary::Gt
+                | Binary::Ge => true,
                 Binary::BitAnd | Binary::BitOr | Binary::BitXor => self.is_boolean(a) && self.is_boolean(b),
                 _ => false,
             },

@@ -48,9 +48,8 @@ fn expressions(model: &Model) -> impl Iterator<Item = &Expr> {
     let transitions = model.transitions.values().flat_map(|t| {
         std::iter::once(&t.condition).chain(t.clearing.iter().flat_map(crate::model::Effect::expressions))
     });
-    let associations = model.associations.values().flat_map(|a| {
-        a.condition.iter().chain(&a.event).chain(a.effect.expressions())
-    });
+    let associations =
+        model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event).chain(a.effect.expressions()));
     let edges = model.edges.values().map(|edge| &edge.of);
     transitions.chain(associations).chain(edges).chain(model.delays.values().map(|delay| &delay.of))
 }

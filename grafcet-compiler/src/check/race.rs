@@ -143,12 +143,14 @@ impl Race<'_> {
         let transitions = self.model.transitions.iter();
         match when {
             When::Cleared(id) => vec![id],
-            When::Entered(step) | When::Active(step) => {
-                transitions.filter(|(_, t)| t.targets.contains(&step) && !t.sources.contains(&step)).map(|(id, _)| id).collect()
-            }
-            When::Left(step) => {
-                transitions.filter(|(_, t)| t.sources.contains(&step) && !t.targets.contains(&step)).map(|(id, _)| id).collect()
-            }
+            When::Entered(step) | When::Active(step) => transitions
+                .filter(|(_, t)| t.targets.contains(&step) && !t.sources.contains(&step))
+                .map(|(id, _)| id)
+                .collect(),
+            When::Left(step) => transitions
+                .filter(|(_, t)| t.sources.contains(&step) && !t.targets.contains(&step))
+                .map(|(id, _)| id)
+                .collect(),
         }
     }
 

@@ -89,7 +89,8 @@ fn circle(model: &Model, edges: &[TransitionId]) -> Option<Vec<TransitionId>> {
 
 fn report(model: &Model, circle: Option<Vec<TransitionId>>, sink: &mut Sink) {
     let Some(circle) = circle else { return };
-    let names: Vec<_> = circle.iter().map(|id| model.steps[model.transitions[*id].sources[0]].name.to_string()).collect();
+    let names: Vec<_> =
+        circle.iter().map(|id| model.steps[model.transitions[*id].sources[0]].name.to_string()).collect();
     let first = names.first().cloned().unwrap_or_default();
     let message = format!(
         "the circle `{} → {first}` never comes to rest: once one of its transitions clears, all of them do, again and \

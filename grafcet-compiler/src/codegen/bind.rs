@@ -94,7 +94,9 @@ impl Cx<'_> {
                 let field = names::var_field(self.model, id);
                 quote!(self.#field)
             }
-            Read::Name(Name::Output(id)) if self.plan.drives[id.index()].read_by_actions && !self.model.is_grafcet() => {
+            Read::Name(Name::Output(id))
+                if self.plan.drives[id.index()].read_by_actions && !self.model.is_grafcet() =>
+            {
                 match moment {
                     Moment::Action | Moment::Leaving => names::output_last(self.model, id).into_token_stream(),
                     _ => {

@@ -117,9 +117,9 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
     } else {
         quote!(())
     };
-    let (now, now_name) =
-        if cx.plan.memory.time { (Some(quote!(, now)), quote!(now)) } else { (None, quote!(_now)) };
-    let (pass, actions_name) = if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
+    let (now, now_name) = if cx.plan.memory.time { (Some(quote!(, now)), quote!(now)) } else { (None, quote!(_now)) };
+    let (pass, actions_name) =
+        if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
     quote! {
         impl #p::Chart for #chart {
             type Inputs = #inputs;

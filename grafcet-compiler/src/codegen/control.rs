@@ -10,16 +10,8 @@ use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::plan::{Target, What, source_order};
 
 /// The qualifiers whose flag is the activity of a step; the others are events.
-const LEVELS: [Qualifier; 8] = [
-    Qualifier::N,
-    Qualifier::S,
-    Qualifier::R,
-    Qualifier::L,
-    Qualifier::D,
-    Qualifier::Sd,
-    Qualifier::Ds,
-    Qualifier::Sl,
-];
+const LEVELS: [Qualifier; 8] =
+    [Qualifier::N, Qualifier::S, Qualifier::R, Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
 
 impl Cx<'_> {
     /// The flags of all targets, their conditions read before the first action runs.
@@ -140,7 +132,8 @@ impl Cx<'_> {
     /// Whether the end of N, L or D by leaving a step has caused the fall of Q (A29).
     fn by_leaving(&self, index: usize, target: &Target) -> Option<TokenStream> {
         let causes = self.leavable(target).into_iter().map(|qualifier| {
-            let (left, now) = (self.left(index, target, qualifier), self.term(index, target, qualifier, &quote!(false)).1);
+            let (left, now) =
+                (self.left(index, target, qualifier), self.term(index, target, qualifier, &quote!(false)).1);
             let held = target.remembers_terms(self.model).then(|| {
                 let kept = names::target(&format!("kept_{}", names::flag(qualifier)), self.model, index, target);
                 quote!(&& self.#kept)
@@ -181,7 +174,13 @@ impl Cx<'_> {
     }
 
     /// One term of Q and the statements that prepare it.
-    fn term(&self, index: usize, target: &Target, qualifier: Qualifier, reset: &TokenStream) -> (TokenStream, TokenStream) {
+    fn term(
+        &self,
+        index: usize,
+        target: &Target,
+        qualifier: Qualifier,
+        reset: &TokenStream,
+    ) -> (TokenStream, TokenStream) {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let flag = name(names::flag(qualifier));
         let store = |input: &TokenStream| {
@@ -189,7 +188,8 @@ impl Cx<'_> {
             (quote!(self.#memory = (self.#memory || #input) && !#reset;), quote!(self.#memory))
         };
         let timer = |input: &TokenStream, restart: bool| {
-            let (timer, done) = (name(&format!("timer_{}", names::flag(qualifier))), name(&format!("done_{}", names::flag(qualifier))));
+            let (timer, done) =
+                (name(&format!("timer_{}", names::flag(qualifier))), name(&format!("done_{}", names::flag(qualifier))));
             let restart = if restart && self.restarts(target) {
                 let restart = name("restart");
                 quote!(#restart)
@@ -248,7 +248,8 @@ impl Cx<'_> {
                 // On a self-loop the time begins again: the action may end by that.
                 return Some(self.if_left(association.step, &quote!(#left = true;)));
             }
-            let (after, variant) = (names::after(self.plan.regions.of_step(association.step), self.plan), self.variant(association.step));
+            let (after, variant) =
+                (names::after(self.plan.regions.of_step(association.step), self.plan), self.variant(association.step));
             Some(Item::Before(association.step, quote!(if #after != #variant { #left = true; })))
         });
         self.in_order(items)
@@ -309,20 +310,21 @@ impl Cx<'_> {
         let first = self.run(index, target, &quote!(First), RunKind::Level);
         let repeated = self.run(index, target, &quote!(Repeated), RunKind::Level);
         let last = self.run(index, target, &quote!(Final), RunKind::Level);
-        let done = |qualifier, prefix: &str| target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag));
+        let done = |qualifier, prefix: &str| {
+            target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag))
+        };
         let not_p1 = done(Qualifier::P1, names::flag(Qualifier::P1));
         let not_p0 = done(Qualifier::P0, names::flag(Qualifier::P0));
         let not_left = self.by_leaving(index, target).map(|left| quote!(&& !#left));
         let kept_terms = self.leavable(target).into_iter().filter(|_| target.remembers_terms(self.model));
         let kept_terms = kept_terms.map(|qualifier| {
-            let (kept, now) = (name(&format!("kept_{}", names::flag(qualifier))), self.term(index, target, qualifier, &quote!(false)).1);
+            let (kept, now) = (
+                name(&format!("kept_{}", names::flag(qualifier))),
+                self.term(index, target, qualifier, &quote!(false)).1,
+            );
             quote!(self.#kept = #now;)
         });
-        let run = if self.tells_phase(target) {
-            quote!(if self.#kept { #repeated } else { #first })
-        } else {
-            first
-        };
+        let run = if self.tells_phase(target) { quote!(if self.#kept { #repeated } else { #first }) } else { first };
         quote! {
             if #q #not_p1 { #run } else if self.#kept && !#q #not_p0 #not_left { #last }
             self.#kept = #q;
@@ -341,16 +343,10 @@ impl Cx<'_> {
     }
 
     /// One run of a target; among the steps left, with the time they had reached (A34).
-    fn run_at(
-        &self,
-        index: usize,
-        target: &Target,
-        phase: &TokenStream,
-        kind: RunKind,
-        moment: Moment,
-    ) -> TokenStream {
+    fn run_at(&self, index: usize, target: &Target, phase: &TokenStream, kind: RunKind, moment: Moment) -> TokenStream {
         let unsettle = self.unsettle();
-        let runs = target.associations.iter().copied().filter(|id| self.model.associations[*id].qualifier != Qualifier::R);
+        let runs =
+            target.associations.iter().copied().filter(|id| self.model.associations[*id].qualifier != Qualifier::R);
         let of_kind = |id: &AssociationId| match (kind, self.model.associations[*id].qualifier) {
             (RunKind::P0, qualifier) => qualifier == Qualifier::P0,
             (RunKind::P1, qualifier) => qualifier != Qualifier::P0,

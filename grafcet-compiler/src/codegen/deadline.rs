@@ -151,13 +151,15 @@ fn collect(tree: &Tree, found: &mut BTreeSet<(Clock, Threshold)>) {
         Tree::MacroElapsed(time, id) => {
             found.insert((Clock::Macro(*id), Threshold::At(*time)));
         }
-        Tree::Binary(operator, a, b) => match comparison(*operator, a, b).or_else(|| comparison(mirrored(*operator), b, a)) {
-            Some((clock, thresholds)) => found.extend(thresholds.into_iter().map(|threshold| (clock, threshold))),
-            None => {
-                collect(a, found);
-                collect(b, found);
+        Tree::Binary(operator, a, b) => {
+            match comparison(*operator, a, b).or_else(|| comparison(mirrored(*operator), b, a)) {
+                Some((clock, thresholds)) => found.extend(thresholds.into_iter().map(|threshold| (clock, threshold))),
+                None => {
+                    collect(a, found);
+                    collect(b, found);
+                }
             }
-        },
+        }
         Tree::Unary(_, inner) => collect(inner, found),
         Tree::Read(read) => always(*read, found),
         Tree::Opaque { reads, .. } => reads.iter().for_each(|read| always(*read, found)),

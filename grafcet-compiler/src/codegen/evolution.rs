@@ -190,7 +190,8 @@ impl Cx<'_> {
 
     /// A28: transitions that compete for the sources of an AND-convergence, by priority.
     fn contest(&self, contest: &[TransitionId]) -> TokenStream {
-        let mut sources: Vec<StepId> = contest.iter().flat_map(|id| &self.model.transitions[*id].sources).copied().collect();
+        let mut sources: Vec<StepId> =
+            contest.iter().flat_map(|id| &self.model.transitions[*id].sources).copied().collect();
         sources.sort_unstable();
         sources.dedup();
         let declare = sources.iter().map(|step| names::left_local(*step)).map(|left| quote!(let mut #left = false;));

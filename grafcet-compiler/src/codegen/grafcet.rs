@@ -195,10 +195,13 @@ impl Cx<'_> {
             if act.is_empty() {
                 return Item::After(association.step, act);
             }
-            Item::After(association.step, match self.continuous_condition(association, Moment::Stable) {
-                Some(condition) => quote!(if #condition { #act }),
-                None => act,
-            })
+            Item::After(
+                association.step,
+                match self.continuous_condition(association, Moment::Stable) {
+                    Some(condition) => quote!(if #condition { #act }),
+                    None => act,
+                },
+            )
         });
         self.in_order(items)
     }
@@ -219,10 +222,13 @@ impl Cx<'_> {
             let index = Literal::usize_unsuffixed(i);
             let note = choice.then(|| quote!(self.#number = #index;));
             let set = quote!(active = true; #note);
-            Item::After(association.step, match self.continuous_condition(association, Moment::Stable) {
-                Some(condition) => quote!(if #condition { #set }),
-                None => set,
-            })
+            Item::After(
+                association.step,
+                match self.continuous_condition(association, Moment::Stable) {
+                    Some(condition) => quote!(if #condition { #set }),
+                    None => set,
+                },
+            )
         }));
         let call = |phase: &TokenStream| {
             let one = |association: &Association| self.effect_run(&association.effect, phase, Moment::Stable);

@@ -4,7 +4,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::model::{
-    ActionId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId, Transition, TransitionId, VarId,
+    ActionId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId,
+    Transition, TransitionId, VarId,
 };
 use crate::plan::{Plan, RegionId, Target};
 

@@ -47,7 +47,10 @@ impl Cx<'_> {
 
     /// The flags of resets that come behind everything that sets.
     pub(super) fn declare_resets(&self) -> TokenStream {
-        self.reset_outputs().map(|id| names::output_reset(self.model, id)).map(|r| quote!(let mut #r = false;)).collect()
+        self.reset_outputs()
+            .map(|id| names::output_reset(self.model, id))
+            .map(|r| quote!(let mut #r = false;))
+            .collect()
     }
 
     /// Reset dominates.

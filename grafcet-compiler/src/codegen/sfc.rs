@@ -36,7 +36,7 @@ impl Cx<'_> {
     /// Flags and values first, then deactivations, activations and the rest (A29).
     fn sfc_actions(&self) -> TokenStream {
         let (last, resets) = (self.keep_last_outputs(), self.declare_resets());
-        let holds = self.assigned_under_condition().map(|id| names::holds(id));
+        let holds = self.assigned_under_condition().map(names::holds);
         let resets = quote!(#resets #(let mut #holds = false;)*);
         let apply_resets = self.apply_resets();
         if self.runs_in_one_pass() {
@@ -217,4 +217,3 @@ enum Part {
     Activation,
     Rest,
 }
-

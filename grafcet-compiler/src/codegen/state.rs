@@ -126,7 +126,10 @@ impl Cx<'_> {
     fn region_fields(&self) -> Vec<Field> {
         let one = |region| Field {
             name: names::region_field(region, self.plan),
-            ty: { let name = self.names.region(region, self.plan); quote!(#name) },
+            ty: {
+                let name = self.names.region(region, self.plan);
+                quote!(#name)
+            },
             initial: if self.has_start_variant(region) { self.start() } else { self.initial(region) },
         };
         (0..self.plan.regions.all().len()).map(one).collect()
@@ -150,7 +153,9 @@ impl Cx<'_> {
                 initial: types::initial_value(var.init.as_ref(), &var.ty, &self.p),
             }
         }));
-        fields.extend(self.plan.memory.edges.iter().map(|(id, ..)| self.flag(&names::edge_field(*id).to_string(), false)));
+        fields.extend(
+            self.plan.memory.edges.iter().map(|(id, ..)| self.flag(&names::edge_field(*id).to_string(), false)),
+        );
         fields
     }
 
@@ -215,9 +220,10 @@ impl Cx<'_> {
 
     /// A boolean that only S and R control starts with its initial value.
     fn starts_set(&self, target: &Target) -> bool {
-        let only = target.associations.iter().all(|id| {
-            matches!(self.model.associations[*id].qualifier, Qualifier::S | Qualifier::R)
-        });
+        let only = target
+            .associations
+            .iter()
+            .all(|id| matches!(self.model.associations[*id].qualifier, Qualifier::S | Qualifier::R));
         let init = match target.what {
             What::Boolean(Place::Output(id)) => self.model.outputs[id].init.as_ref(),
             What::Boolean(Place::Var(id)) => self.model.vars[id].init.as_ref(),
@@ -320,4 +326,3 @@ pub(super) fn step_name(cx: &Cx<'_>, step: crate::model::StepId) -> TokenStream 
     let (names, step) = (&cx.names.step, &cx.model.steps[step].name);
     quote!(#names::#step)
 }
-

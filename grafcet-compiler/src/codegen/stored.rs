@@ -134,7 +134,9 @@ impl Cx<'_> {
             .map(|id| (id, &self.model.associations[id]))
             .filter_map(|(id, association)| Some((instant(association)?, id, association)))
             .collect();
-        let calls = |(_, _, association): &(Instant, AssociationId, &Association)| matches!(association.effect, Effect::Call(..));
+        let calls = |(_, _, association): &(Instant, AssociationId, &Association)| {
+            matches!(association.effect, Effect::Call(..))
+        };
         if !actions.iter().any(calls) {
             actions.sort_by_key(|(instant, _, _)| *instant);
         }

@@ -76,9 +76,8 @@ fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         });
         quote!(fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
     });
-    let trait_item = (!model.actions.is_empty()).then(|| {
-        quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis trait #actions { #(#methods)* })
-    });
+    let trait_item = (!model.actions.is_empty())
+        .then(|| quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis trait #actions { #(#methods)* }));
     quote! {
         #trait_item
 

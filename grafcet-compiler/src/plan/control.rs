@@ -126,9 +126,7 @@ fn key(id: AssociationId, effect: &Effect) -> Key {
 
 /// Whether the arms of the step do it all.
 fn is_local(model: &Model, key: &Key, association: &Association) -> bool {
-    let simple = |a: &Association| {
-        matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P)
-    };
+    let simple = |a: &Association| matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P);
     match (&association.effect, key) {
         (Effect::Control(Place::Output(output)), _) => {
             let same = |a: &&Association| matches!(a.effect, Effect::Control(Place::Output(other)) if other == *output);
@@ -145,9 +143,8 @@ fn is_local(model: &Model, key: &Key, association: &Association) -> bool {
 
 /// Whether anything but single runs (P1, P0) and resets belongs to the target.
 fn has_q(model: &Model, target: &Target) -> bool {
-    let single = |id: &AssociationId| {
-        matches!(model.associations[*id].qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::R)
-    };
+    let single =
+        |id: &AssociationId| matches!(model.associations[*id].qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::R);
     !target.associations.iter().all(single)
 }
 

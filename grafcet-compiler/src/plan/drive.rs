@@ -42,7 +42,14 @@ fn of(model: &Model, concurrency: &Concurrency, control: &Control, output: Outpu
     let read = reads(model, output);
     if control.targets.iter().any(|target| target.what == What::Boolean(Place::Output(output))) {
         // The action control computes its Q into a local.
-        return Drive { continuous: true, stored: false, reset_flag: false, read_by_actions: false, read: read.anywhere, last: read.anywhere };
+        return Drive {
+            continuous: true,
+            stored: false,
+            reset_flag: false,
+            read_by_actions: false,
+            read: read.anywhere,
+            last: read.anywhere,
+        };
     }
     Drive {
         continuous,

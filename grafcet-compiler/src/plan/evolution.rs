@@ -45,9 +45,10 @@ fn exclusive(model: &Model) -> Vec<bool> {
     }
     let logic = Logic::new(model);
     let all_exclude = |transitions: &Vec<&Transition>| {
-        transitions.iter().enumerate().all(|(i, a)| {
-            transitions[i + 1..].iter().all(|b| logic.exclusive(&a.condition.tree, &b.condition.tree))
-        })
+        transitions
+            .iter()
+            .enumerate()
+            .all(|(i, a)| transitions[i + 1..].iter().all(|b| logic.exclusive(&a.condition.tree, &b.condition.tree)))
     };
     leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).collect()
 }
@@ -71,7 +72,8 @@ fn contests(model: &Model) -> Vec<Vec<TransitionId>> {
     for id in model.transitions.ids() {
         groups[root(&group, id.index())].push(id);
     }
-    let contest = |ids: &Vec<TransitionId>| ids.len() > 1 && ids.iter().any(|id| model.transitions[*id].sources.len() > 1);
+    let contest =
+        |ids: &Vec<TransitionId>| ids.len() > 1 && ids.iter().any(|id| model.transitions[*id].sources.len() > 1);
     groups.into_iter().filter(contest).collect()
 }
 

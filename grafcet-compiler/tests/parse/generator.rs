@@ -182,7 +182,7 @@ fn operator(text: &str, bytes: &mut Bytes) -> TokenStream {
     let count = text.chars().count();
     let odd = bytes.next() == 255;
     let one = |(at, char)| {
-        TokenTree::from(Punct::new(char, if (at + 1 < count) != odd { Spacing::Joint } else { Spacing::Alone }))
+        TokenTree::from(Punct::new(char, if (at + 1 < count) == odd { Spacing::Alone } else { Spacing::Joint }))
     };
     text.chars().enumerate().map(one).collect()
 }
@@ -251,30 +251,30 @@ fn body(bytes: &mut Bytes, depth: usize) -> TokenStream {
 fn item(bytes: &mut Bytes, depth: usize) -> TokenStream {
     let (word, other) = (ident(bytes.pick(WORDS)), ident(bytes.pick(WORDS)));
     match bytes.next() % 12 {
-        0 => fill("VAR NAME: bool;", bytes, word, other, depth),
-        1 => fill("param NAME: time = LITERAL; action OTHER(NAME: time);", bytes, word, other, depth),
+        0 => fill("VAR NAME: bool;", bytes, &word, &other, depth),
+        1 => fill("param NAME: time = LITERAL; action OTHER(NAME: time);", bytes, &word, &other, depth),
         2..=4 => fill(
             "step NAME { Q q; Q LITERAL q if EXPR; Q count = EXPR; Q { EXPR; } on EXPR OTHER; }",
             bytes,
-            word,
-            other,
+            &word,
+            &other,
             depth,
         ),
-        5..=7 => fill("NAME -[EXPR]-> OTHER -[go: EXPR => count = EXPR]-> (A, NAME);", bytes, word, other, depth),
-        8 => fill("never EXPR; always EXPR => EXPR; home NAME; clock LITERAL;", bytes, word, other, depth),
-        9 => fill("initial NAME step OTHER; force NAME { OTHER };", bytes, word, other, depth),
+        5..=7 => fill("NAME -[EXPR]-> OTHER -[go: EXPR => count = EXPR]-> (A, NAME);", bytes, &word, &other, depth),
+        8 => fill("never EXPR; always EXPR => EXPR; home NAME; clock LITERAL;", bytes, &word, &other, depth),
+        9 => fill("initial NAME step OTHER; force NAME { OTHER };", bytes, &word, &other, depth),
         10 if depth < 8 => {
             let head = ["macro step", "enclosing step", "partial"][bytes.below(3)];
             let mut tokens = parsed(head);
             tokens.extend([word, group(Delimiter::Brace, body(bytes, depth + 1))]);
             tokens
         }
-        _ => fill("() -[EXPR]-> NAME; OTHER -[EXPR]-> (); A -> B; A -[EXPR]-[EXPR]-> B;", bytes, word, other, depth),
+        _ => fill("() -[EXPR]-> NAME; OTHER -[EXPR]-> (); A -> B; A -[EXPR]-[EXPR]-> B;", bytes, &word, &other, depth),
     }
 }
 
 /// A pattern with its capital words filled in.
-fn fill(pattern: &str, bytes: &mut Bytes, word: TokenTree, other: TokenTree, depth: usize) -> TokenStream {
+fn fill(pattern: &str, bytes: &mut Bytes, word: &TokenTree, other: &TokenTree, depth: usize) -> TokenStream {
     replace(parsed(pattern), &mut |name| match name {
         "NAME" => Some(word.clone().into()),
         "OTHER" => Some(other.clone().into()),
@@ -331,7 +331,7 @@ fn expression(bytes: &mut Bytes, depth: usize) -> TokenStream {
     }
     let pattern = bytes.pick(&patterns);
     let word = ident(bytes.pick(WORDS));
-    fill(pattern, bytes, word.clone(), word, depth + 3)
+    fill(pattern, bytes, &word, &word, depth + 3)
 }
 
 /// Tokens of a text of ours.
@@ -343,7 +343,7 @@ fn parsed(text: &str) -> TokenStream {
 fn mutated(bytes: &mut Bytes) -> TokenStream {
     let seeds = SEEDS.split("====").collect::<Vec<_>>();
     let mut tokens = parsed(bytes.pick(&seeds));
-    for _ in 0..1 + bytes.below(6) {
+    for _ in 0..=bytes.below(6) {
         let mut at = bytes.below(count(&tokens));
         tokens = change(tokens, &mut at, bytes);
     }

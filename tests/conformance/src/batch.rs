@@ -42,9 +42,7 @@ fn report(entry: &Entry) -> Result<Found, String> {
         return Ok(None);
     }
     let sleeping = |lines: &[Line]| {
-        guarded(|| {
-            asleep::compare(&mut *(entry.subject)(), &mut *(entry.subject)(), lines).map_err(|d| d.to_string())
-        })
+        guarded(|| asleep::compare(&mut *(entry.subject)(), &mut *(entry.subject)(), lines).map_err(|d| d.to_string()))
     };
     Ok(sleeping(&case.lines).err().map(|message| ("deadline", shortened(&case.lines, message, sleeping))))
 }

@@ -104,8 +104,11 @@ pub fn steps<C: Chart>(chart: &C, active: &[C::Step]) -> BTreeSet<String> {
         steps.insert(format!("active_steps={active:?}!=is_active"));
     }
     let situation = format!("{:?}", chart.situation());
-    let shown: BTreeSet<String> =
-        situation.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty()).map(str::to_owned).collect();
+    let shown: BTreeSet<String> = situation
+        .split(|c: char| !c.is_alphanumeric() && c != '_')
+        .filter(|word| !word.is_empty())
+        .map(str::to_owned)
+        .collect();
     if shown != steps {
         steps.insert(format!("situation={situation}"));
     }

@@ -139,7 +139,8 @@ fn units(lines: &[&str]) -> Vec<BTreeSet<usize>> {
 
 /// A block of steps with the transitions that touch them.
 fn with_arrows(lines: &[&str], unit: &BTreeSet<usize>) -> BTreeSet<usize> {
-    let steps: Vec<&str> = unit.iter().filter_map(|index| lines[*index].split("step ").nth(1)?.split(' ').next()).collect();
+    let steps: Vec<&str> =
+        unit.iter().filter_map(|index| lines[*index].split("step ").nth(1)?.split(' ').next()).collect();
     let touches = |line: &str| {
         let outside = format!("{} {}", line.split("-[").next().unwrap_or(""), line.split("]->").nth(1).unwrap_or(""));
         let mut words = outside.split(|c: char| !c.is_alphanumeric());

@@ -11,16 +11,17 @@ use grafcet_conformance::{Subject, chart, random, reader};
 #[test]
 fn the_same_chart_behaves_alike_in_both_dialects() {
     let mut visited = BTreeSet::new();
-    for seed in 0..300 {
-        let [sfc, grafcet] = [false, true].map(|grafcet| random::agree::chart(seed, grafcet, 300));
+    for seed in 0..120 {
+        let [sfc, grafcet] = [false, true].map(|grafcet| random::agree::chart(seed, grafcet, 150));
         let models = [&sfc.chart, &grafcet.chart].map(|text| chart::resolve(text).expect(text));
         let [mut one, mut other] = models.each_ref().map(|model| Interpreted::new(model).expect("understood"));
         for line in reader::read(&format!("{}---\n{}", sfc.chart, sfc.timeline)).expect("a timeline").lines {
             let Kind::Cycle { inputs, now, .. } = &line.kind else { panic!("only cycles") };
-            let [one, other] = [one.cycle(inputs, *now), other.cycle(inputs, *now)].map(|shown| shown.expect("a cycle"));
+            let [one, other] =
+                [one.cycle(inputs, *now), other.cycle(inputs, *now)].map(|shown| shown.expect("a cycle"));
             assert_eq!(one, other, "seed {seed}, line {}: {}\n{}", line.number, line.text(), sfc.chart);
             visited.extend(one.steps.iter().map(|step| (seed, step.clone())));
         }
     }
-    assert!(visited.len() > 1000, "the charts hardly move: {} steps seen", visited.len());
+    assert!(visited.len() > 600, "the charts hardly move: {} steps seen", visited.len());
 }

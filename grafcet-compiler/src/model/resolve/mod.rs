@@ -16,8 +16,8 @@ use proc_macro2::Ident;
 
 use self::scope::Scope;
 use super::{
-    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Model, Name, PartialId, Step, StepId,
-    Ty,
+    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Model, Name, PartialId, Step,
+    StepId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};

@@ -80,7 +80,11 @@ impl Gen {
         let operator = *self.rng.pick(&[">=", ">=", ">", "<", "<=", "==", "!="]);
         self.note("Step.T");
         let (step, time) = (self.step_path(), self.time());
-        if self.rng.chance(20) { format!("({time} {operator} {step}.T)") } else { format!("({step}.T {operator} {time})") }
+        if self.rng.chance(20) {
+            format!("({time} {operator} {step}.T)")
+        } else {
+            format!("({step}.T {operator} {time})")
+        }
     }
 
     fn elapsed(&mut self) -> String {

@@ -13,8 +13,8 @@ mod write;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use self::rng::Rng;
 use self::names::Names;
+pub use self::rng::Rng;
 
 /// A chart and what happens to it.
 pub struct Random {

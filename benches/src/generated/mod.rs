@@ -1,0 +1,87 @@
+//! The charts as a user of the macro writes them.
+
+mod sequences;
+
+pub use sequences::{seq4, seq16, seq64};
+
+/// A chart in both dialects.
+macro_rules! both {
+    ($chart:ident { $($body:tt)* }) => {
+        pub mod $chart {
+            pub mod sfc {
+                ::grafcet::grafcet! { pub sfc Chart { $($body)* } }
+                pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+            }
+            pub mod grafcet {
+                ::grafcet::grafcet! { pub grafcet Chart { $($body)* } }
+                pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+            }
+        }
+    };
+}
+use both;
+
+both! { motor {
+    input on, off, over_temp: bool;
+    output relay, green, red: bool;
+
+    initial step Off { N red; }
+    step On { N relay; N green; }
+
+    Off -[on && !over_temp]-> On -[off || over_temp]-> Off;
+} }
+
+both! { line24v {
+    input b1, b2, b3, b4, b5: bool;
+    output q1, q2, q3: bool;
+
+    initial step S1 { q1; }
+    step S2 { S q2; }
+    step S3 { q3 if b5; }
+    step S4 { R q2; }
+
+    S1 -[b1]-> S2 -[b2]-> S3 -[b3]-> S4 -[b4]-> S1;
+} }
+
+both! { selection {
+    input start, done: bool;
+    input recipe: u8;
+    output ready, pump, v1, v2, v3, v4, v5, v6, v7, v8: bool;
+
+    initial step Idle { ready; }
+    step A1 { pump; v1; }
+    step A2 { pump; v2; }
+    step A3 { pump; v3; }
+    step A4 { pump; v4; }
+    step A5 { pump; v5; }
+    step A6 { pump; v6; }
+    step A7 { pump; v7; }
+    step A8 { pump; v8; }
+
+    Idle -[start && recipe == 1]-> A1 -[done]-> Idle;
+    Idle -[start && recipe == 2]-> A2 -[done]-> Idle;
+    Idle -[start && recipe == 3]-> A3 -[done]-> Idle;
+    Idle -[start && recipe == 4]-> A4 -[done]-> Idle;
+    Idle -[start && recipe == 5]-> A5 -[done]-> Idle;
+    Idle -[start && recipe == 6]-> A6 -[done]-> Idle;
+    Idle -[start && recipe == 7]-> A7 -[done]-> Idle;
+    Idle -[start && recipe == 8]-> A8 -[done]-> Idle;
+} }
+
+both! { washer {
+    input start, full, hot, washed, empty, again, spun: bool;
+    output ready, locked, valve, heater, drum, pump, spin: bool;
+
+    initial step Idle { ready; }
+    step Fill { S locked; valve; }
+    step Heat { heater; }
+    step Wash { drum; heater if !hot; }
+    step Drain { pump; }
+    step Spin { pump; spin; }
+    step Done { R locked; }
+
+    Idle -[start]-> Fill -[full]-> Heat -[hot]-> Wash -[washed]-> Drain;
+    Wash -[!washed && !full]-> Fill;
+    Drain -[empty && again]-> Fill;
+    Drain -[empty && !again]-> Spin -[spun]-> Done -[!start]-> Idle;
+} }
