@@ -1,15 +1,15 @@
 //! The charts in C, in `benches/c`: their types and functions as Rust sees them.
 
 macro_rules! dialects {
-    ($($chart:ident: $($stored:ident)?;)*) => {
+    ($($chart:ident: $first:literal $($stored:ident)?;)*) => {
         $(pub mod $chart {
             pub mod sfc {
                 pub use crate::signals::$chart::*;
                 #[repr(C)]
                 pub struct Chart { step: u8, $($stored: bool,)? }
                 impl Chart {
-                    /// The initial situation is all zero in C, as statics are.
-                    pub fn new() -> Self { Self { step: 0, $($stored: false,)? } }
+                    /// `INIT`, behind the steps.
+                    pub fn new() -> Self { Self { step: $first, $($stored: false,)? } }
                 }
                 unsafe extern "C" {
                     #[link_name = concat!(stringify!($chart), "_sfc_cycle")]
@@ -20,11 +20,10 @@ macro_rules! dialects {
             pub mod grafcet {
                 pub use crate::signals::$chart::*;
                 #[repr(C)]
-                pub struct Chart { step: u8, $($stored: bool,)? unstable: bool }
+                pub struct Chart { step: u8, $($stored: bool,)? stable: bool }
                 impl Chart {
-                    /// The initial situation is all zero in C, as statics are.
-                    pub fn new() -> Self { Self { step: 0, $($stored: false,)? unstable: false } }
-                    pub fn is_stable(&self) -> bool { !self.unstable }
+                    pub fn new() -> Self { Self { step: 0, $($stored: false,)? stable: true } }
+                    pub fn is_stable(&self) -> bool { self.stable }
                 }
                 unsafe extern "C" {
                     #[link_name = concat!(stringify!($chart), "_grafcet_cycle")]
@@ -37,11 +36,11 @@ macro_rules! dialects {
 }
 
 dialects! {
-    motor: ;
-    line24v: q2;
-    seq4: ;
-    seq16: ;
-    seq64: ;
-    selection: ;
-    washer: locked;
+    motor: 2;
+    line24v: 4 q2;
+    seq4: 4;
+    seq16: 16;
+    seq64: 64;
+    selection: 9;
+    washer: 7 locked;
 }

@@ -5,15 +5,14 @@
 //! `chart_dialect`. What the linker keeps for a root alone is what that cycle costs in flash.
 #![no_std]
 
+#[macro_use]
+mod signals;
 #[cfg(feature = "c")]
 mod c;
 #[cfg(feature = "generated")]
 mod generated;
 #[cfg(feature = "hand")]
 mod hand;
-#[cfg(any(feature = "hand", feature = "c"))]
-mod signals;
-
 #[cfg(feature = "c")]
 use c as implementation;
 #[cfg(feature = "generated")]
@@ -53,10 +52,10 @@ pub trait Visitor {
 }
 
 macro_rules! benches {
-    ($($chart:ident: $($input:ident),* $({ $extra:ident: $value:expr })? => $($output:ident),*;)*) => {
+    ($($chart:ident)*) => {
         $(pub mod $chart {
-            benches!(@dialect sfc $chart [$($input)*] [$($extra: $value)?] [$($output)*] |_| true);
-            benches!(@dialect grafcet $chart [$($input)*] [$($extra: $value)?] [$($output)*] Chart::is_stable);
+            benches!(@dialect sfc $chart |_| true);
+            benches!(@dialect grafcet $chart Chart::is_stable);
         })*
 
         /// Shows all charts to a visitor.
@@ -64,31 +63,15 @@ macro_rules! benches {
             $($chart::sfc::visit(visitor); $chart::grafcet::visit(visitor);)*
         }
     };
-    (@dialect $dialect:ident $chart:ident [$($input:ident)*] [$($extra:ident: $value:expr)?] [$($output:ident)*]
-        $stable:expr) => {
+    (@dialect $dialect:ident $chart:ident $stable:expr) => {
         pub mod $dialect {
-            use crate::implementation::$chart::$dialect::{Chart, ChartInputs, ChartOutputs};
+            use crate::implementation::$chart::$dialect::{CYCLE, Chart, ChartInputs, ChartOutputs};
 
             /// What the linker starts from.
             #[unsafe(export_name = concat!(stringify!($chart), "_", stringify!($dialect)))]
-            pub static ROOT: crate::Cycle<Chart, ChartInputs, ChartOutputs> =
-                crate::implementation::$chart::$dialect::CYCLE;
+            pub static ROOT: crate::Cycle<Chart, ChartInputs, ChartOutputs> = CYCLE;
 
-            impl crate::Inputs for ChartInputs {
-                fn from_word(word: u32) -> Self {
-                    let mut bits = word;
-                    $(let $input = bits & 1 != 0; bits >>= 1;)*
-                    Self { $($input,)* $($extra: $value(bits))? }
-                }
-            }
-
-            impl crate::Outputs for ChartOutputs {
-                fn to_word(&self) -> u32 {
-                    [$(self.$output),*].into_iter().fold(0, |word, bit| word << 1 | u32::from(bit))
-                }
-            }
-
-            pub(super) fn visit(visitor: &mut impl crate::Visitor) {
+            pub(crate) fn visit(visitor: &mut impl crate::Visitor) {
                 visitor.visit(&crate::Bench {
                     chart: stringify!($chart),
                     dialect: stringify!($dialect),
@@ -101,19 +84,7 @@ macro_rules! benches {
     };
 }
 
-benches! {
-    motor: on, off, over_temp => relay, green, red;
-    line24v: b1, b2, b3, b4, b5 => q1, q2, q3;
-    seq4: x0, x1, x2, x3 => q0, q1, q2, q3;
-    seq16: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-        => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-    seq64: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-        => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-    selection: start, done { recipe: |bits| 1 + (bits % 8) as u8 }
-        => ready, pump, v1, v2, v3, v4, v5, v6, v7, v8;
-    washer: start, full, hot, washed, empty, again, spun
-        => ready, locked, valve, heater, drum, pump, spin;
-}
+benches!(motor line24v seq4 seq16 seq64 selection washer);
 
 /// A root that keeps nothing: the image all others are compared with.
 #[unsafe(no_mangle)]

@@ -43,7 +43,14 @@ impl Line {
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// One cycle at the time `now`; inputs that are not named are false or zero.
-    Cycle { inputs: BTreeMap<String, i128>, now: u32, expected: Expected },
+    Cycle {
+        /// By name.
+        inputs: BTreeMap<String, i128>,
+        /// In the unit of the chart's clock.
+        now: u32,
+        /// What it has to show.
+        expected: Expected,
+    },
     /// What the chart shows without a cycle, calls excepted.
     Shows(Expected),
     /// The classic *Init*.

@@ -2,6 +2,7 @@
 
 mod continuous;
 mod drawing;
+mod events;
 mod initial;
 mod modes;
 mod not_yet;
@@ -25,6 +26,7 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
     if model.is_grafcet() && !model.incomplete {
         structure::check(model, sink);
         continuous::check(model, sink);
+        events::check(model, sink);
     }
 }
 

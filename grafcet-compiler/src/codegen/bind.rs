@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::{Cx, names};
-use crate::model::{Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, placeholder};
+use crate::model::{Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, placeholder};
 use crate::plan::RegionId;
 
 /// At which moment of the cycle an expression is evaluated: which situation and which values it sees.
@@ -41,14 +41,15 @@ impl Cx<'_> {
         if let ([Read::Name(Name::Input(_))], Some(name)) = (&expr.reads[..], plain_name(tokens)) {
             return quote!(inputs.#name);
         }
-        let bindings = self.bindings(&expr.reads, &[], moment);
-        if bindings.is_empty() { without_parens(tokens) } else { quote!({ #bindings #tokens }) }
+        let bindings = self.bindings(&expr.reads, &[], is_opaque(&expr.tree), moment);
+        let tokens = without_parens(tokens);
+        if bindings.is_empty() { tokens } else { quote!({ #bindings #tokens }) }
     }
 
     /// A block of the user: what it may write is a copy, which `commit` takes over.
     pub(super) fn block(&self, code: &Code, moment: Moment, commit: impl Fn(Place) -> TokenStream) -> TokenStream {
         let Code { tokens, reads, writes, .. } = code;
-        let bindings = self.bindings(reads, writes, moment);
+        let bindings = self.bindings(reads, writes, true, moment);
         let commits = writes.iter().map(|place| {
             let (name, target) = (self.model.place_name(*place), commit(*place));
             quote!(#target = #name;)
@@ -57,21 +58,23 @@ impl Cx<'_> {
         quote!({ #bindings #[allow(unused_braces)] #tokens #(#commits)* })
     }
 
-    /// `let on = inputs.on;` for everything that is read.
-    fn bindings(&self, reads: &[Read], writes: &[Place], moment: Moment) -> TokenStream {
+    /// `let on = inputs.on;` for everything that is read. In Rust that is not looked into (`opaque`) a name that is
+    /// mentioned may stand for something of its own.
+    fn bindings(&self, reads: &[Read], writes: &[Place], opaque: bool, moment: Moment) -> TokenStream {
+        let unused = opaque.then(|| quote!(#[allow(unused_variables)]));
         let one = |read: &Read| {
             let written = writes.iter().find(|place| Read::Name(Name::from(**place)) == *read);
             if let Some(place) = written {
                 let (name, value) = (self.model.place_name(*place), self.read(*read, moment));
                 // A block may mention a name in a way that does not write it.
-                return quote!(#[allow(unused_mut)] let mut #name = #value;);
+                return quote!(#[allow(unused_mut, unused_variables)] let mut #name = #value;);
             }
             let value = self.read(*read, moment);
             let name = match read {
                 Read::Name(name) => self.model.value_name(*name).clone(),
                 other => placeholder::ident(*other, Span::mixed_site()).unwrap_or_else(|| names::local("unnamed")),
             };
-            quote!(let #name = #value;)
+            quote!(#unused let #name = #value;)
         };
         reads.iter().map(one).collect()
     }
@@ -247,10 +250,21 @@ fn plain_name(expr: &syn::Expr) -> Option<&Ident> {
     }
 }
 
-/// `if (a)` would be an `unused_parens` at the user's tokens.
+/// Whether a tree holds Rust that is not looked into.
+fn is_opaque(tree: &Tree) -> bool {
+    match tree {
+        Tree::Opaque { .. } => true,
+        Tree::Unary(_, operand) => is_opaque(operand),
+        Tree::Binary(_, left, right) => is_opaque(left) || is_opaque(right),
+        _ => false,
+    }
+}
+
+/// `if (a)` would be an `unused_parens` at the user's tokens, also where a macro has passed `(a)` on as one token.
 fn without_parens(expr: &syn::Expr) -> TokenStream {
     match expr {
         syn::Expr::Paren(paren) => without_parens(&paren.expr),
+        syn::Expr::Group(group) => without_parens(&group.expr),
         other => other.to_token_stream(),
     }
 }

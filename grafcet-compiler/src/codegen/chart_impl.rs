@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::state::step_name;
-use super::{Cx, names};
+use super::{Cx, names, types};
 use crate::model::StepId;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_stable`, `next_deadline`.
@@ -17,10 +17,11 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
     let (situation_type, situation) = (situation_type(cx), situation(cx));
     let (stable, deadline) = (is_stable(cx), cx.deadline());
     let ticks = ticks(cx);
-    let situation_struct = situation_struct(cx);
+    let (situation_struct, levels) = (situation_struct(cx), types::levels(model));
     quote! {
         #situation_struct
 
+        #levels
         impl #chart {
             #cycle
             #init
@@ -272,8 +273,13 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
 
         impl #p::core::fmt::Debug for #name {
             fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                let steps = <#chart as #p::Chart>::STEPS;
-                f.debug_set().entries(steps.iter().filter(|step| self.is_active(**step))).finish()
+                let mut set = f.debug_set();
+                for step in <#chart as #p::Chart>::STEPS {
+                    if self.is_active(*step) {
+                        let _ = set.entry(step);
+                    }
+                }
+                set.finish()
             }
         }
     })

@@ -49,9 +49,9 @@ impl Cx<'_> {
         if self.model.delays.is_empty() {
             return TokenStream::new();
         }
-        let (snapshot, combinational, delays) =
-            (self.befores(), self.combinational(Moment::Condition), self.sample_delays());
-        quote!({ #snapshot #combinational #delays })
+        let (snapshot, combinational) = (self.befores(), self.combinational(Moment::Condition));
+        let samples = self.sample_delays(&quote!(fresh));
+        quote!({ #snapshot #combinational #samples })
     }
 
     /// The search for stability.
@@ -208,7 +208,15 @@ impl Cx<'_> {
 
     /// `N heat(80)`: called once per cycle, behind all others, and told its phase (A33).
     fn continuous_calls(&self) -> TokenStream {
-        self.model.actions.ids().map(|action| self.continuous_call(action)).collect()
+        let mut actions: Vec<ActionId> = Vec::new();
+        for association in source_order(self.model).map(|id| &self.model.associations[id]) {
+            if let (Effect::Call(action, _), false) = (&association.effect, crate::plan::is_stored(association)) {
+                if !actions.contains(action) {
+                    actions.push(*action);
+                }
+            }
+        }
+        actions.into_iter().map(|action| self.continuous_call(action)).collect()
     }
 
     fn continuous_call(&self, action: ActionId) -> TokenStream {

@@ -86,7 +86,8 @@ impl Cx<'_> {
         });
         let remember = self.plan.memory.last.iter().map(|id| {
             let (field, local) = (names::output_last_field(self.model, *id), names::output_local(self.model, *id));
-            let unsettle = self.unsettle_if(&quote!(self.#field != #local));
+            let changed = types::compare(&self.model.outputs[*id].ty, &quote!(self.#field), &quote!(!=), &local);
+            let unsettle = self.unsettle_if(&changed);
             quote!(#unsettle self.#field = #local;)
         });
         quote!(#(#stored)* #(#remember)* outputs)

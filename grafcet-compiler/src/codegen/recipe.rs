@@ -27,14 +27,17 @@ fn params(cx: &Cx<'_>) -> TokenStream {
     });
     let derives = types::derives(model.params.values().map(|param| &param.ty), p);
     let (vis, name, chart) = (&model.vis, &cx.names.params, &model.name);
+    let levels = types::levels(model);
     let doc = format!("The recipe of [`{chart}`]; `default()` holds the values in the chart.");
     let allow = types::many_bools(model.params.len());
     quote! {
         #[doc = #doc]
         #[derive(#derives)]
         #allow
+        #levels
         #vis struct #name { #(#fields)* }
 
+        #levels
         impl #name {
             /// The values in the chart.
             #[must_use]
@@ -66,10 +69,11 @@ fn actions(cx: &Cx<'_>) -> TokenStream {
         });
         quote!(#docs fn #name(&mut self, phase: #p::Phase, #(#params),*);)
     });
-    let (vis, name) = (&model.vis, &cx.names.actions);
+    let (vis, name, levels) = (&model.vis, &cx.names.actions, types::levels(model));
     let doc = format!("The code actions of [`{}`], carried out by the program.", model.name);
     quote! {
         #[doc = #doc]
+        #levels
         #vis trait #name { #(#methods)* }
     }
 }

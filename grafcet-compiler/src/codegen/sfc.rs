@@ -18,8 +18,7 @@ impl Cx<'_> {
             quote!(let first = #first;)
         });
         let snapshot = self.snapshot();
-        let delays = self.sample_delays();
-        let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(first)));
+        let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first)));
         let evolve = self.evolve();
         let keep = self.keep_times();
         let (commit, restart) = (self.commit(), self.restart_times());
@@ -29,7 +28,7 @@ impl Cx<'_> {
         // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
         quote! {
-            #outputs #time #first #snapshot #delays #declare_edges #edges #evolve #keep #commit #restart #settle #actions #result
+            #outputs #time #first #snapshot #declare_edges #samples #evolve #keep #commit #restart #settle #actions #result
         }
     }
 
@@ -43,7 +42,7 @@ impl Cx<'_> {
             // Nothing but the active step's own actions: its arm does it all.
             let items = source_order(self.model).map(|id| self.gather_local(id));
             let entered = source_order(self.model).map(|id| self.local_run(id, Part::Activation));
-            let rest = source_order(self.model).map(|id| self.local_run(id, Part::Rest));
+            let rest = self.part(Part::Rest);
             let all = self.in_order(items.chain(entered).chain(rest));
             return quote!(#last #resets #all #apply_resets);
         }
@@ -65,7 +64,7 @@ impl Cx<'_> {
 
     /// All runs of one part of the cycle; a target stands where its first association stands.
     fn part(&self, part: Part) -> impl Iterator<Item = Item> + '_ {
-        source_order(self.model).map(move |id| {
+        self.by_target().into_iter().map(move |id| {
             let Some(index) = self.plan.control.of_association[id.index()] else { return self.local_run(id, part) };
             let target: &Target = &self.plan.control.targets[index];
             if target.associations.first() != Some(&id) {
@@ -77,6 +76,29 @@ impl Cx<'_> {
                 Part::Rest => self.run_rest(index, target),
             })
         })
+    }
+
+    /// All associations in source order, but those that assign one output together, where the first of them stands: they
+    /// are one target (A31).
+    fn by_target(&self) -> Vec<AssociationId> {
+        let assigned = |id: AssociationId| {
+            let association = &self.model.associations[id];
+            match association.effect {
+                Effect::Assign(place, _) if is_assigned(association) => Some(place),
+                _ => None,
+            }
+        };
+        let mut order: Vec<AssociationId> = Vec::new();
+        for id in source_order(self.model) {
+            if order.contains(&id) {
+                continue;
+            }
+            order.push(id);
+            if let Some(place) = assigned(id) {
+                order.extend(source_order(self.model).filter(|other| *other != id && assigned(*other) == Some(place)));
+            }
+        }
+        order
     }
 
     /// What a boolean output or an assigned output gets from its step's arm.

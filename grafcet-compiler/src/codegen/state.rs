@@ -260,7 +260,7 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
     let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).collect();
     let derives = types::derives(types.into_iter(), p);
-    let allow = types::many_bools(fields.len());
+    let (allow, levels) = (types::many_bools(fields.len()), types::levels(model));
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
     quote! {
         #docs
@@ -268,6 +268,7 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
         #allow
         #vis struct #name { #(#declared)* #params_field }
 
+        #levels
         impl #name { #new }
 
         impl #p::core::default::Default for #name {

@@ -8,7 +8,7 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::segments::Item;
-use super::{Cx, names};
+use super::{Cx, names, types};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, TransitionId};
 use crate::plan::{is_stored, source_order};
 
@@ -72,7 +72,7 @@ impl Cx<'_> {
     pub(super) fn collected_unchanged(&self) -> Vec<TokenStream> {
         let places = self.plan.stored.collected.iter().map(|place| {
             let (next, field) = (names::collected(self.model, *place), names::place_field(self.model, *place));
-            quote!(#next == self.#field)
+            types::compare(self.model.place_ty(*place), &quote!(#next), &quote!(==), &quote!(self.#field))
         });
         let events = self.event_calls().map(|id| names::due("call", id)).map(|due| quote!(!#due));
         let clearings = self.clearing_calls().map(|id| names::due("clearing", id.index())).map(|due| quote!(!#due));

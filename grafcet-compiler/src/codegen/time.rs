@@ -5,6 +5,14 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::{Cx, names};
+use crate::model::{DelayId, EdgeId, Expr, Read};
+
+/// Something that is sampled at the begin of a cycle or an evolution.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sample {
+    Edge(EdgeId),
+    Delay(DelayId),
+}
 
 impl Cx<'_> {
     /// The time since the cycle before, added to every time that is counted. The first cycle has none.
@@ -59,44 +67,109 @@ impl Cx<'_> {
         quote!(#(#regions)*)
     }
 
-    /// The general delays, sampled once per cycle on the situation it starts from (A36).
-    pub(super) fn sample_delays(&self) -> TokenStream {
-        let delays = self.model.delays.iter().map(|(id, delay)| {
-            let (field, value) = (names::delay_field(id), self.value(&delay.of, Moment::Sample));
-            let (on, off) = (self.time(delay.on), self.time(delay.off));
-            quote! {
-                let input = #value;
-                self.#field.update(input, #on, #off, elapsed);
-            }
+    /// The general delays of a `grafcet`, sampled once per cycle on the situation it starts from (A36), with the edges
+    /// they look at.
+    pub(super) fn sample_delays(&self, none: &TokenStream) -> TokenStream {
+        let samples = self.samples();
+        let declare = samples.iter().filter_map(|sample| match sample {
+            Sample::Edge(id) => Some(*id),
+            Sample::Delay(_) => None,
         });
-        quote!(#(#delays)*)
+        let declare: Vec<_> = declare.filter(|id| self.feeds_a_delay(*id)).collect();
+        let locals = self.edge_locals(&declare);
+        let samples = samples.into_iter().map(|sample| match sample {
+            Sample::Delay(id) => self.sample_delay(id),
+            Sample::Edge(id) if declare.contains(&id) => self.look_at_edge(id, none),
+            Sample::Edge(_) => TokenStream::new(),
+        });
+        quote!(#locals #(#samples)*)
+    }
+
+    /// The delays and edges of an `sfc`, each behind those it looks at.
+    pub(super) fn sample_all(&self, none: &TokenStream) -> TokenStream {
+        let samples = self.samples().into_iter().map(|sample| match sample {
+            Sample::Delay(id) => self.sample_delay(id),
+            Sample::Edge(id) => self.sample_edge(id, none),
+        });
+        samples.collect()
     }
 
     /// The edges of this evolution: `none` says that there are none (A26).
     pub(super) fn sample_edges(&self, none: &TokenStream) -> TokenStream {
+        self.plan.memory.edges.iter().map(|(id, ..)| self.sample_edge(*id, none)).collect()
+    }
+
+    /// All edges and delays in an order in which each comes behind those in its expression.
+    fn samples(&self) -> Vec<Sample> {
+        let mut order = Vec::new();
+        let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).collect();
+        waiting.extend(self.model.delays.ids().map(Sample::Delay));
+        while let Some(next) = waiting.iter().position(|sample| !self.looks_at(*sample, &waiting)) {
+            order.push(waiting.remove(next));
+        }
+        order
+    }
+
+    fn looks_at(&self, sample: Sample, others: &[Sample]) -> bool {
+        let of = match sample {
+            Sample::Edge(id) => &self.model.edges[id].of,
+            Sample::Delay(id) => &self.model.delays[id].of,
+        };
+        of.reads.iter().any(|read| match read {
+            Read::Rising(id) | Read::Falling(id) => others.contains(&Sample::Edge(*id)),
+            Read::Delay(id) => others.contains(&Sample::Delay(*id)),
+            _ => false,
+        })
+    }
+
+    /// Whether the expression of a delay looks at the edge, directly or through other edges.
+    fn feeds_a_delay(&self, id: EdgeId) -> bool {
+        let looks = |of: &Expr| of.reads.iter().any(|read| matches!(read, Read::Rising(e) | Read::Falling(e) if *e == id));
+        self.model.delays.values().any(|delay| looks(&delay.of))
+            || self.model.edges.iter().any(|(outer, edge)| looks(&edge.of) && self.feeds_a_delay(outer))
+    }
+
+    fn sample_delay(&self, id: DelayId) -> TokenStream {
+        let delay = &self.model.delays[id];
+        let (field, value) = (names::delay_field(id), self.value(&delay.of, Moment::Sample));
+        let (on, off) = (self.time(delay.on), self.time(delay.off));
+        quote! {
+            let input = #value;
+            self.#field.update(input, #on, #off, elapsed);
+        }
+    }
+
+    /// An edge, which is used up by that.
+    fn sample_edge(&self, id: EdgeId, none: &TokenStream) -> TokenStream {
+        let (look, field) = (self.look_at_edge(id, none), names::edge_field(id));
+        quote!(#look self.#field = value;)
+    }
+
+    fn look_at_edge(&self, id: EdgeId, none: &TokenStream) -> TokenStream {
         let p = &self.p;
-        let edges = self.plan.memory.edges.iter().map(|(id, rising, falling)| {
-            let (field, value) = (names::edge_field(*id), self.value(&self.model.edges[*id].of, Moment::Sample));
-            let one = |used: bool, is_rising: bool| {
-                used.then(|| {
-                    let local = names::edge_local(*id, is_rising);
-                    let edge = if is_rising { quote!(value && !self.#field) } else { quote!(!value && self.#field) };
-                    quote!(#local = #edge && !#none;)
-                })
-            };
-            let (rising, falling) = (one(*rising, true), one(*falling, false));
-            quote!(let value: #p::bool = #value; #rising #falling self.#field = value;)
+        let (field, value) = (names::edge_field(id), self.value(&self.model.edges[id].of, Moment::Sample));
+        let used = self.plan.memory.edges.iter().find(|(other, ..)| *other == id);
+        let sides = used.into_iter().flat_map(|(_, rising, falling)| [(*rising, true), (*falling, false)]);
+        let sides = sides.filter(|(used, _)| *used).map(|(_, is_rising)| {
+            let local = names::edge_local(id, is_rising);
+            let edge = if is_rising { quote!(value && !self.#field) } else { quote!(!value && self.#field) };
+            quote!(#local = #edge && !#none;)
         });
-        quote!(#(#edges)*)
+        quote!(let value: #p::bool = #value; #(#sides)*)
     }
 
     /// The locals that hold the edges.
     pub(super) fn declare_edges(&self) -> TokenStream {
-        let edges = self.plan.memory.edges.iter().flat_map(|(id, rising, falling)| {
+        self.edge_locals(&self.model.edges.ids().collect::<Vec<_>>())
+    }
+
+    fn edge_locals(&self, wanted: &[EdgeId]) -> TokenStream {
+        let edges = self.plan.memory.edges.iter().filter(|(id, ..)| wanted.contains(id));
+        let locals = edges.flat_map(|(id, rising, falling)| {
             let rising = rising.then(|| names::edge_local(*id, true));
             rising.into_iter().chain(falling.then(|| names::edge_local(*id, false)))
         });
-        edges.map(|local| quote!(let mut #local = false;)).collect()
+        locals.map(|local| quote!(let mut #local = false;)).collect()
     }
 
     /// Keeps what edges compare with, and puts it back: an evolution that does not take place consumes no edge.

@@ -1,8 +1,9 @@
 //! The public types beside the chart: inputs, outputs, names of steps and transitions.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
-use syn::Attribute;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote, quote_spanned};
+use syn::spanned::Spanned as _;
+use syn::{Attribute, Type};
 
 use super::Cx;
 use crate::model::{Expr, Model, OutputId, Ty};
@@ -21,13 +22,14 @@ fn inputs(cx: &Cx<'_>) -> TokenStream {
         quote!(#docs pub #name: #ty,)
     });
     let derives = derives(model.inputs.values().map(|input| &input.ty), p);
-    let (vis, name) = (&model.vis, &cx.names.inputs);
+    let (vis, name, levels) = (&model.vis, &cx.names.inputs, levels(model));
     let doc = format!("The process inputs of [`{}`], sampled once per cycle.", model.name);
     let allow = many_bools(model.inputs.len());
     quote! {
         #[doc = #doc]
         #[derive(#derives, #p::core::default::Default)]
         #allow
+        #levels
         #vis struct #name { #(#fields)* }
     }
 }
@@ -40,28 +42,44 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
         quote!(#docs pub #name: #ty,)
     });
     let derives = derives(model.outputs.values().map(|output| &output.ty), p);
-    let initial = model.outputs.iter().map(|(id, output)| {
-        let (name, value) = (&output.name, initial_output(model, id, p));
-        quote!(#name: #value,)
-    });
-    let (vis, name) = (&model.vis, &cx.names.outputs);
+    let (vis, name, levels) = (&model.vis, &cx.names.outputs, levels(model));
+    let (derived, default) = default_outputs(cx);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     let allow = many_bools(model.outputs.len());
     // Processors without unaligned stores clear many single bytes through a call, words at once.
     let align = (model.outputs.len() > 8).then(|| quote!(#[repr(align(4))]));
     quote! {
         #[doc = #doc]
-        #[derive(#derives)]
+        #[derive(#derives #derived)]
         #allow
+        #levels
         #align
         #vis struct #name { #(#fields)* }
 
+        #default
+    }
+}
+
+/// The outputs before anything has acted on them: derived, unless the chart says what they are.
+fn default_outputs(cx: &Cx<'_>) -> (Option<TokenStream>, Option<TokenStream>) {
+    let Cx { model, p, .. } = cx;
+    if model.outputs.values().all(|output| output.init.is_none()) {
+        return (Some(quote!(, #p::core::default::Default)), None);
+    }
+    let initial = model.outputs.iter().map(|(id, output)| {
+        let (name, value) = (&output.name, initial_output(model, id, p));
+        quote!(#name: #value,)
+    });
+    let (name, levels) = (&cx.names.outputs, levels(model));
+    let default = quote! {
+        #levels
         impl #p::core::default::Default for #name {
             fn default() -> Self {
                 Self { #(#initial)* }
             }
         }
-    }
+    };
+    (None, Some(default))
 }
 
 /// The inputs and outputs of a plant are single signals; two-variant enums would not make them clearer.
@@ -90,7 +108,7 @@ fn transition_names(cx: &Cx<'_>) -> TokenStream {
 }
 
 fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> TokenStream {
-    let (vis, p) = (&cx.model.vis, &cx.p);
+    let (vis, p, levels) = (&cx.model.vis, &cx.p, levels(cx.model));
     quote! {
         #[doc = #doc]
         #[derive(
@@ -99,6 +117,7 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
         )]
         // The names are the chart's.
         #[allow(non_camel_case_types, clippy::enum_variant_names)]
+        #levels
         #vis enum #name { #variants }
     }
 }
@@ -133,9 +152,29 @@ fn is_known(ty: &Ty) -> bool {
 /// The declared type in Rust.
 pub(super) fn rust_type(ty: &Ty, p: &TokenStream) -> TokenStream {
     match ty {
-        Ty::Bool(rust) | Ty::Int { rust, .. } | Ty::Other(rust) => rust.to_token_stream(),
+        // What the compiler takes for a primitive type is one, whatever else has its name in the surrounding module.
+        Ty::Bool(rust) | Ty::Int { rust, .. } => primitive(rust, p),
+        Ty::Other(rust) if ty.is_float() => primitive(rust, p),
+        Ty::Other(rust) => rust.to_token_stream(),
         Ty::Time(_) => quote!(#p::Ticks),
     }
+}
+
+/// `one == other` or `one != other`. A float that is no number equals itself here: a search for stability that stores it
+/// would not end.
+pub(super) fn compare(ty: &Ty, one: &TokenStream, operator: &TokenStream, other: &TokenStream) -> TokenStream {
+    let bits = ty.is_float().then(|| quote!(.to_bits()));
+    quote!(#one #bits #operator #other #bits)
+}
+
+fn primitive(rust: &Type, p: &TokenStream) -> TokenStream {
+    quote_spanned!(Span::call_site().located_at(rust.span())=> #p::core::primitive::#rust)
+}
+
+/// The lint levels of the chart, which all its items share; an expectation is met once, at the chart itself.
+pub(super) fn levels(model: &Model) -> TokenStream {
+    let shared = |attr: &&Attribute| !attr.path().is_ident("doc") && !attr.path().is_ident("expect");
+    model.attrs.iter().filter(shared).map(ToTokens::to_token_stream).collect()
 }
 
 /// The user's doc comments and lint attributes; where there is no doc, a line that says what it is.

@@ -75,6 +75,8 @@ rules! {
     UNSTABLE = error("unstable");
     READS_CONTINUOUS = error("reads_continuous");
     COMBINATIONAL_CIRCLE = error("combinational_circle");
+    EDGE_IN_ASSIGNATION = error("edge_in_assignation");
+    EVENT_WITHOUT_EDGE = error("event_without_edge");
     MIXED_MODES = error("mixed_modes");
     WRITE_RACE = deny("write_race");
     FORCING_CIRCLE = error("forcing_circle");
@@ -100,8 +102,6 @@ const LATER: &[&str] = &[
     "overlapping_branches",
     "possible_instability",
     "level_source_transition",
-    "edge_in_assignation",
-    "event_without_edge",
     "conflicting_values",
     "set_without_reset",
     "reset_without_set",

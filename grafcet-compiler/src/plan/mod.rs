@@ -20,7 +20,7 @@ pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored, writes};
 
 use crate::analysis::{Concurrency, Stability, hierarchy};
-use crate::model::{Dialect, Effect, Model, Qualifier, Read, StepId};
+use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Ty};
 
 /// The plan for one chart.
 pub struct Plan {
@@ -64,7 +64,7 @@ impl Plan {
             has_start: has_start(model, &initial),
             stored: Stored::of(model),
             sees_reentry,
-            may_be_unstable: model.is_grafcet() && !Stability::of(model).is_certain(),
+            may_be_unstable: may_be_unstable(model),
             max_evolutions: max_evolutions(model),
             regions,
             evolution,
@@ -110,6 +110,12 @@ fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
         || !model.edges.is_empty()
         || model.uses_time()
         || initial.iter().any(|step| acts(*step))
+}
+
+/// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
+fn may_be_unstable(model: &Model) -> bool {
+    let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
+    model.is_grafcet() && (!Stability::of(model).is_certain() || Stored::of(model).collected.iter().any(compared))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

@@ -40,6 +40,11 @@ impl Stored {
                 }
             }
             if stored.collected.len() == before {
+                // What is only read needs no local.
+                let written: BTreeSet<Place> = actions.iter().flat_map(|action| writes(&action.effect)).collect();
+                let cleared: BTreeSet<Place> =
+                    model.transitions.values().flat_map(|t| &t.clearing).flat_map(writes).collect();
+                stored.collected.retain(|place| written.contains(place) || cleared.contains(place));
                 return stored;
             }
         }

@@ -24,14 +24,19 @@ pub(crate) fn smallest(project: &Project, case: &Case, outcome: &Outcome) -> Res
     let mut together: Vec<String> = Vec::new();
     let mut tried = BTreeSet::new();
     for _ in 0..ROUNDS {
-        let mut charts = std::mem::take(&mut together);
-        charts.extend(simpler(&best.0.chart));
-        charts.retain(|text| text.len() < best.0.chart.len() && !tried.contains(text) && chart::resolve(text).is_ok());
-        charts.truncate(CANDIDATES);
+        let mut charts = Vec::new();
+        for text in std::mem::take(&mut together).into_iter().chain(simpler(&best.0.chart)) {
+            let shorter = text.len() < best.0.chart.len() && tried.insert(text.clone());
+            if shorter && chart::resolve(&text).is_ok() {
+                charts.push(text);
+            }
+            if charts.len() == CANDIDATES {
+                break;
+            }
+        }
         if charts.is_empty() {
             break;
         }
-        tried.extend(charts.iter().cloned());
         let candidate = |(index, chart): (usize, &String)| Case {
             name: format!("candidate{index}"),
             chart: chart.clone(),

@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote_spanned};
 use syn::visit_mut::{self, VisitMut};
-use syn::{BinOp, ExprBinary, Lit, Member, UnOp};
+use syn::{BinOp, Lit, Member, UnOp};
 
 use super::Resolver;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Binary, Delay, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
+use crate::model::{Binary, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
 
 /// Resolves one expression of the user.
 pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
@@ -28,7 +28,7 @@ pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
 
 /// Rewrites expressions in place and takes note of what they read.
 pub(super) struct Lower<'r, 's> {
-    resolver: &'r mut Resolver<'s>,
+    pub(super) resolver: &'r mut Resolver<'s>,
     pub(super) reads: Vec<Read>,
     /// Names bound inside the expression, by `let`, a closure or a pattern.
     pub(super) locals: BTreeSet<String>,
@@ -77,17 +77,6 @@ impl<'r, 's> Lower<'r, 's> {
         }
     }
 
-    /// `Heat.T > 5` and `5/Heat`: a time has a unit.
-    fn units(&mut self, binary: &ExprBinary, left: &Tree, right: &Tree) {
-        let since = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(_) | Read::MacroSince(_)));
-        match (left, right) {
-            _ if matches!(binary.op, BinOp::Mul(_) | BinOp::Div(_)) => {}
-            (time, Tree::Int(_)) if since(time) => self.resolver.no_unit(&binary.right),
-            (Tree::Int(_), time) if since(time) => self.resolver.no_unit(&binary.left),
-            _ => {}
-        }
-    }
-
     /// The output or variable on the left of an assignment.
     pub(super) fn place(&self, expr: &syn::Expr) -> Option<Place> {
         match self.resolver.scope.get(&single_name(expr)?)? {
@@ -116,7 +105,7 @@ impl<'r, 's> Lower<'r, 's> {
     }
 
     /// Puts the placeholder of `read` in the place of `expr`.
-    fn replace(&mut self, expr: &mut syn::Expr, read: Read) -> Tree {
+    pub(super) fn replace(&mut self, expr: &mut syn::Expr, read: Read) -> Tree {
         self.note(read);
         let mark = Mark::of(&*expr);
         if let Some(name) = placeholder::ident(read, mark.start) {
@@ -137,6 +126,7 @@ impl<'r, 's> Lower<'r, 's> {
         match self.resolver.scope.get(&name) {
             Some(Meaning::Value(value)) => {
                 self.note(Read::Name(value));
+                self.join(expr, value);
                 Tree::Read(Read::Name(value))
             }
             Some(Meaning::Step(_) | Meaning::Macro(_)) if !self.locals.contains(&name.to_string()) => {
@@ -157,6 +147,24 @@ impl<'r, 's> Lower<'r, 's> {
                 self.resolver.scope.unknown_name(&name, &format!("input {name}: bool;"), self.resolver.sink);
                 Tree::Bool(true)
             }
+        }
+    }
+
+    /// A chart's names are the same whichever macro they come from: a use of one becomes what Rust takes for the
+    /// declared name.
+    fn join(&self, expr: &mut syn::Expr, value: Name) {
+        let declared = self.resolver.model.value_name(value).span();
+        match expr {
+            syn::Expr::Group(group) => self.join(&mut group.expr, value),
+            syn::Expr::Path(path) => {
+                for segment in &mut path.path.segments {
+                    // A name that the expression also binds itself may be that one.
+                    if !self.locals.contains(&segment.ident.to_string()) {
+                        segment.ident.set_span(segment.ident.span().resolved_at(declared));
+                    }
+                }
+            }
+            _ => {}
         }
     }
 
@@ -188,7 +196,7 @@ impl<'r, 's> Lower<'r, 's> {
     }
 
     /// The step a path names; `None` is reported. A declared value with a field `X` is Rust.
-    fn step(&mut self, path: &[Ident]) -> Option<Meaning> {
+    pub(super) fn step(&mut self, path: &[Ident]) -> Option<Meaning> {
         let name = path.last()?;
         if let [partial, _] = path {
             let partial = self.resolver.scope.partial(partial, self.resolver.sink)?;
@@ -242,92 +250,6 @@ impl<'r, 's> Lower<'r, 's> {
         }
     }
 
-    /// The parts of `t1/e/t2`, if this division is a delay.
-    fn delay_parts(&mut self, division: &ExprBinary) -> Option<DelayParts> {
-        if !matches!(division.op, BinOp::Div(_)) {
-            return None;
-        }
-        if let syn::Expr::Binary(inner) = &*division.left {
-            if matches!(inner.op, BinOp::Div(_)) {
-                if let Some(on) = self.resolver.time_of(&inner.left) {
-                    return Some(self.three_part_delay(on, inner, &division.right));
-                }
-            }
-        }
-        if let syn::Expr::Unary(unary) = &*division.left {
-            if self.resolver.time_of(&unary.expr).is_some() {
-                let (operator, whole) = (super::text::of(unary.op), super::text::of(division));
-                let delay = whole.strip_prefix(&operator).unwrap_or(&whole).trim().to_owned();
-                let message =
-                    format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary));
-                self.resolver.sink.notation(Mark::of(division), message);
-                return self.resolver.time_of(&unary.expr).map(|on| DelayParts {
-                    on,
-                    of: (*division.right).clone(),
-                    off: TimeRef::Ticks(0),
-                });
-            }
-        }
-        let on = match self.resolver.time_of(&division.left) {
-            Some(on) => on,
-            // `5/Heat`: a number divided by a step can only be meant as a delay.
-            None if is_number(&division.left) && self.is_step(&division.right) => {
-                self.resolver.no_unit(&division.left);
-                TimeRef::Ticks(0)
-            }
-            None => return None,
-        };
-        Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
-    }
-
-    fn is_step(&self, expr: &syn::Expr) -> bool {
-        let meaning = single_name(expr).and_then(|name| self.resolver.scope.get(&name));
-        matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)))
-    }
-
-    fn three_part_delay(&mut self, on: TimeRef, inner: &ExprBinary, last: &syn::Expr) -> DelayParts {
-        let off = self.resolver.time_of(last).unwrap_or_else(|| {
-            let message = "behind the second `/` of a delay stands a time: `3s/e/2s`".to_owned();
-            self.resolver.sink.notation(Mark::of(last), message);
-            TimeRef::Ticks(0)
-        });
-        DelayParts { on, of: (*inner.right).clone(), off }
-    }
-
-    /// `t1/e/t2`; `t/Step` needs only the step's time.
-    fn delay(&mut self, parts: DelayParts, expr: &mut syn::Expr) -> Tree {
-        let DelayParts { on, of, off } = parts;
-        let step = single_name(&of)
-            .filter(|name| matches!(self.resolver.scope.get(name), Some(Meaning::Step(_) | Meaning::Macro(_)) | None))
-            .filter(|name| !looks_like_a_variable(name) || self.resolver.scope.get(name).is_some());
-        let Some(step) = step else {
-            let of = resolve(&of, self.resolver);
-            let delay = self.resolver.delay(Delay { on, of, off });
-            return self.replace(expr, Read::Delay(delay));
-        };
-        let read = match self.step(&[step]) {
-            Some(Meaning::Step(id)) if off == TimeRef::Ticks(0) => Read::Elapsed(on, id),
-            Some(Meaning::Macro(id)) if off == TimeRef::Ticks(0) => Read::MacroElapsed(on, id),
-            Some(Meaning::Step(id)) => self.delay_of_activity(on, Read::Active(id), &of, off),
-            Some(Meaning::Macro(id)) => self.delay_of_activity(on, Read::MacroActive(id), &of, off),
-            _ => return Tree::Bool(true),
-        };
-        self.replace(expr, read)
-    }
-
-    /// `5s/Step/2s`
-    fn delay_of_activity(&mut self, on: TimeRef, active: Read, step: &syn::Expr, off: TimeRef) -> Read {
-        let mark = Mark::of(step);
-        let tokens = placeholder::ident(active, mark.start).into_token_stream();
-        let of = Expr {
-            tree: Tree::Read(active),
-            tokens: syn::Expr::Verbatim(tokens),
-            reads: vec![active],
-            text: format!("{}.X", super::text::of(step)),
-        };
-        Read::Delay(self.resolver.delay(Delay { on, of, off }))
-    }
-
     /// Inside a macro call there are only tokens: declared names are noted, step variables replaced.
     fn macro_tokens(&mut self, tokens: TokenStream) -> TokenStream {
         let mut out = Vec::new();
@@ -366,6 +288,10 @@ impl<'r, 's> Lower<'r, 's> {
         let is_field = matches!(out.last(), Some(TokenTree::Punct(p)) if p.as_char() == '.');
         if let (false, Some(Meaning::Value(value))) = (is_field, self.resolver.scope.get(name)) {
             self.note(Read::Name(value));
+            let mut name = name.clone();
+            name.set_span(name.span().resolved_at(self.resolver.model.value_name(value).span()));
+            out.push(TokenTree::Ident(name));
+            return;
         }
         out.push(TokenTree::Ident(name.clone()));
     }
@@ -387,12 +313,6 @@ impl VisitMut for Lower<'_, '_> {
         }
         self.visit_expr_mut(&mut field.expr);
     }
-}
-
-struct DelayParts {
-    on: TimeRef,
-    of: syn::Expr,
-    off: TimeRef,
 }
 
 /// The names bound by patterns inside the expression.
@@ -423,10 +343,6 @@ pub(super) fn single_name(expr: &syn::Expr) -> Option<Ident> {
     }
 }
 
-fn is_number(expr: &syn::Expr) -> bool {
-    matches!(expr, syn::Expr::Lit(lit) if matches!(literal(&lit.lit), Some(Tree::Int(_))))
-}
-
 /// `Feed` or `Production::Feed` in front of `.X`.
 fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
     let syn::Expr::Path(path) = expr else { return None };
@@ -436,11 +352,11 @@ fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
 }
 
 /// Constants, types and variants of the surrounding Rust begin with an upper-case letter.
-fn looks_like_a_variable(name: &Ident) -> bool {
+pub(super) fn looks_like_a_variable(name: &Ident) -> bool {
     !name.to_string().trim_start_matches("r#").trim_start_matches('_').starts_with(char::is_uppercase)
 }
 
-fn literal(lit: &Lit) -> Option<Tree> {
+pub(super) fn literal(lit: &Lit) -> Option<Tree> {
     match lit {
         Lit::Bool(value) => Some(Tree::Bool(value.value)),
         Lit::Int(value) => {

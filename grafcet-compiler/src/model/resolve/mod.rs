@@ -6,6 +6,7 @@ mod actions;
 mod chains;
 mod code;
 mod declare;
+mod delay;
 mod expr;
 mod misplaced;
 mod scope;

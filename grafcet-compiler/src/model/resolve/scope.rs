@@ -44,8 +44,7 @@ pub(super) struct Scope {
 }
 
 /// Qualifiers and words of the notation that would make it ambiguous.
-const NOTATION: &[&str] =
-    &["N", "S", "R", "L", "D", "P", "P1", "P0", "SD", "DS", "SL", "INIT", "X", "T", "rising", "falling"];
+const NOTATION: &[&str] = &["N", "S", "R", "L", "D", "P", "P1", "P0", "SD", "DS", "SL", "INIT", "rising", "falling"];
 
 /// What Rust gives no name, not even as `r#…`.
 const NEVER_A_NAME: &[&str] = &["self", "Self", "super", "crate", "_"];

@@ -38,11 +38,11 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         names: Names::default(),
         steps: Vec::new(),
         count: 0,
-        races: false,
+        crowded: false,
         writers: BTreeMap::new(),
         features: BTreeSet::new(),
     };
-    generator.races = generator.rng.chance(35);
+    generator.crowded = generator.rng.chance(30);
     generator.declare();
     let parts = generator.structure();
     let chart = generator.write(&parts);
@@ -59,8 +59,8 @@ struct Gen {
     steps: Vec<(Option<String>, String)>,
     /// How many names of steps and partial grafcets have been given.
     count: usize,
-    /// The chart allows `write_race`: several actions may write a place.
-    races: bool,
+    /// Several actions write a place; where they race, the compiler refuses the chart.
+    crowded: bool,
     /// How many stored actions of a `grafcet` write a place.
     writers: BTreeMap<String, usize>,
     features: BTreeSet<&'static str>,
@@ -73,11 +73,8 @@ impl Gen {
 
     /// Whether one more stored action may write a place: two that could do it in one evolution are a mistake (A7).
     fn may_write(&mut self, name: &str, most: usize) -> bool {
-        if !self.grafcet || self.races {
-            return true;
-        }
         let count = self.writers.entry(name.to_owned()).or_default();
         *count += 1;
-        *count <= most
+        !self.grafcet || *count <= most + 2 * usize::from(self.crowded)
     }
 }

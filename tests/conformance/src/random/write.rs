@@ -37,10 +37,6 @@ impl Gen {
         let mut lines = vec![format!("{} C {{", if self.grafcet { "grafcet" } else { "sfc" })];
         let allowed = ALLOWED.map(|rule| format!("grafcet::{rule}")).join(", ");
         lines.push(format!("#![allow({allowed}, grafcet::unused_param)]"));
-        if self.grafcet && self.races {
-            self.note("write_race allowed");
-            lines.push("#![allow(grafcet::write_race)]".to_owned());
-        }
         lines.append(&mut self.names.lines.clone());
         if self.grafcet && self.rng.chance(15) {
             self.note("max_evolutions");

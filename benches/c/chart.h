@@ -1,0 +1,4 @@
+// What the charts share.
+
+#include <stdbool.h>
+#include <stdint.h>

@@ -1,0 +1,31 @@
+//! `grafcet`: IEC 60848's classes of conditions: an assignation condition is a level, an event is an edge.
+
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Expr, Model, Qualifier, Read};
+use crate::plan::is_stored;
+
+pub(super) fn check(model: &Model, sink: &mut Sink) {
+    for association in model.associations.values() {
+        let scopes = [&model.steps[association.step].levels[..], &model.levels];
+        if let (Some(condition), false) = (&association.condition, is_stored(association)) {
+            if has_edge(condition) {
+                let message = "an assignation condition holds while the action does, and an edge has no duration; \
+                               write the level itself, or a stored action: `on rising(…) …`";
+                sink.rule(&rules::EDGE_IN_ASSIGNATION, &scopes, vec![(Mark::of(&condition.tokens), message.to_owned())]);
+            }
+        }
+        if let (Some(event), Qualifier::On) = (&association.event, association.qualifier) {
+            if !has_edge(event) {
+                let message = format!(
+                    "an event happens at an instant, and this is a level; write the edge that is meant: `on rising({})`",
+                    event.text
+                );
+                sink.rule(&rules::EVENT_WITHOUT_EDGE, &scopes, vec![(Mark::of(&event.tokens), message)]);
+            }
+        }
+    }
+}
+
+fn has_edge(expr: &Expr) -> bool {
+    expr.reads.iter().any(|read| matches!(read, Read::Rising(_) | Read::Falling(_)))
+}

@@ -1,0 +1,119 @@
+//! Times in expressions: `5s/Step`, `t1/e/t2`, and numbers that lack their unit.
+
+use quote::ToTokens;
+use syn::{BinOp, ExprBinary};
+
+use super::expr::{Lower, literal, looks_like_a_variable, resolve, single_name};
+use super::scope::Meaning;
+use crate::diagnostic::Mark;
+use crate::model::{Delay, Expr, Read, TimeRef, Tree, placeholder};
+
+/// What stands between the slashes.
+pub(super) struct DelayParts {
+    on: TimeRef,
+    of: syn::Expr,
+    off: TimeRef,
+}
+
+impl Lower<'_, '_> {
+    /// The parts of `t1/e/t2`, if this division is a delay.
+    pub(super) fn delay_parts(&mut self, division: &ExprBinary) -> Option<DelayParts> {
+        if !matches!(division.op, BinOp::Div(_)) {
+            return None;
+        }
+        if let syn::Expr::Binary(inner) = &*division.left {
+            if matches!(inner.op, BinOp::Div(_)) {
+                if let Some(on) = self.resolver.time_of(&inner.left) {
+                    return Some(self.three_part_delay(on, inner, &division.right));
+                }
+            }
+        }
+        if let syn::Expr::Unary(unary) = &*division.left {
+            if self.resolver.time_of(&unary.expr).is_some() {
+                let (operator, whole) = (super::text::of(unary.op), super::text::of(division));
+                let delay = whole.strip_prefix(&operator).unwrap_or(&whole).trim().to_owned();
+                let message =
+                    format!("Rust reads this as `({}) / …`; write `{operator}({delay})`", super::text::of(unary));
+                self.resolver.sink.notation(Mark::of(division), message);
+                return self.resolver.time_of(&unary.expr).map(|on| DelayParts {
+                    on,
+                    of: (*division.right).clone(),
+                    off: TimeRef::Ticks(0),
+                });
+            }
+        }
+        let on = match self.resolver.time_of(&division.left) {
+            Some(on) => on,
+            // `5/Heat`: a number divided by a step can only be meant as a delay.
+            None if is_number(&division.left) && self.is_step(&division.right) => {
+                self.resolver.no_unit(&division.left);
+                TimeRef::Ticks(0)
+            }
+            None => return None,
+        };
+        Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
+    }
+
+    fn is_step(&self, expr: &syn::Expr) -> bool {
+        let meaning = single_name(expr).and_then(|name| self.resolver.scope.get(&name));
+        matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)))
+    }
+
+    fn three_part_delay(&mut self, on: TimeRef, inner: &ExprBinary, last: &syn::Expr) -> DelayParts {
+        let off = self.resolver.time_of(last).unwrap_or_else(|| {
+            let message = "behind the second `/` of a delay stands a time: `3s/e/2s`".to_owned();
+            self.resolver.sink.notation(Mark::of(last), message);
+            TimeRef::Ticks(0)
+        });
+        DelayParts { on, of: (*inner.right).clone(), off }
+    }
+
+    /// `t1/e/t2`; `t/Step` needs only the step's time.
+    pub(super) fn delay(&mut self, parts: DelayParts, expr: &mut syn::Expr) -> Tree {
+        let DelayParts { on, of, off } = parts;
+        let step = single_name(&of)
+            .filter(|name| matches!(self.resolver.scope.get(name), Some(Meaning::Step(_) | Meaning::Macro(_)) | None))
+            .filter(|name| !looks_like_a_variable(name) || self.resolver.scope.get(name).is_some());
+        let Some(step) = step else {
+            let of = resolve(&of, self.resolver);
+            let delay = self.resolver.delay(Delay { on, of, off });
+            return self.replace(expr, Read::Delay(delay));
+        };
+        let read = match self.step(&[step]) {
+            Some(Meaning::Step(id)) if off == TimeRef::Ticks(0) => Read::Elapsed(on, id),
+            Some(Meaning::Macro(id)) if off == TimeRef::Ticks(0) => Read::MacroElapsed(on, id),
+            Some(Meaning::Step(id)) => self.delay_of_activity(on, Read::Active(id), &of, off),
+            Some(Meaning::Macro(id)) => self.delay_of_activity(on, Read::MacroActive(id), &of, off),
+            _ => return Tree::Bool(true),
+        };
+        self.replace(expr, read)
+    }
+
+    /// `5s/Step/2s`
+    fn delay_of_activity(&mut self, on: TimeRef, active: Read, step: &syn::Expr, off: TimeRef) -> Read {
+        let mark = Mark::of(step);
+        let tokens = placeholder::ident(active, mark.start).into_token_stream();
+        let of = Expr {
+            tree: Tree::Read(active),
+            tokens: syn::Expr::Verbatim(tokens),
+            reads: vec![active],
+            text: format!("{}.X", super::text::of(step)),
+        };
+        Read::Delay(self.resolver.delay(Delay { on, of, off }))
+    }
+
+    /// `Heat.T > 5` and `5/Heat`: a time has a unit.
+    pub(super) fn units(&mut self, binary: &ExprBinary, left: &Tree, right: &Tree) {
+        let since = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(_) | Read::MacroSince(_)));
+        match (left, right) {
+            _ if matches!(binary.op, BinOp::Mul(_) | BinOp::Div(_)) => {}
+            (time, Tree::Int(_)) if since(time) => self.resolver.no_unit(&binary.right),
+            (Tree::Int(_), time) if since(time) => self.resolver.no_unit(&binary.left),
+            _ => {}
+        }
+    }
+}
+
+fn is_number(expr: &syn::Expr) -> bool {
+    matches!(expr, syn::Expr::Lit(lit) if matches!(literal(&lit.lit), Some(Tree::Int(_))))
+}

@@ -1,0 +1,292 @@
+// Recorded by `cargo xtask bless`.
+
+///The process inputs of [`Line24V`], sampled once per cycle.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct Line24VInputs {
+    ///Input `b1`.
+    pub b1: ::grafcet::__private::core::primitive::bool,
+    ///Input `b2`.
+    pub b2: ::grafcet::__private::core::primitive::bool,
+    ///Input `b3`.
+    pub b3: ::grafcet::__private::core::primitive::bool,
+    ///Input `b4`.
+    pub b4: ::grafcet::__private::core::primitive::bool,
+    ///Input `b5`.
+    pub b5: ::grafcet::__private::core::primitive::bool,
+}
+///The process outputs of [`Line24V`]; `default()` holds the initial values.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+pub struct Line24VOutputs {
+    ///Output `q1`.
+    pub q1: ::grafcet::__private::core::primitive::bool,
+    ///Output `q2`.
+    pub q2: ::grafcet::__private::core::primitive::bool,
+    ///Output `q3`.
+    pub q3: ::grafcet::__private::core::primitive::bool,
+}
+///The names of the steps of [`Line24V`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[allow(non_camel_case_types, clippy::enum_variant_names)]
+pub enum Line24VStep {
+    ///Step `S1`.
+    S1,
+    ///Step `S2`.
+    S2,
+    ///Step `S3`.
+    S3,
+    ///Step `S4`.
+    S4,
+}
+///The names of the transitions of [`Line24V`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[allow(non_camel_case_types, clippy::enum_variant_names)]
+pub enum Line24VTransition {
+    ///`S1 -[b1]-> S2`
+    S1ToS2,
+    ///`S2 -[b2]-> S3`
+    S2ToS3,
+    ///`S3 -[b3]-> S4`
+    S3ToS4,
+    ///`S4 -[b4]-> S1`
+    S4ToS1,
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
+enum __Line24VState {
+    S1,
+    S2,
+    S3,
+    S4,
+    S1_UNSTABLE,
+    S2_UNSTABLE,
+    S3_UNSTABLE,
+    S4_UNSTABLE,
+}
+impl __Line24VState {
+    const fn plain(self) -> Self {
+        match self {
+            Self::S1_UNSTABLE => Self::S1,
+            Self::S2_UNSTABLE => Self::S2,
+            Self::S3_UNSTABLE => Self::S3,
+            Self::S4_UNSTABLE => Self::S4,
+            plain => plain,
+        }
+    }
+    const fn unstable(self) -> Self {
+        match self {
+            Self::S1 => Self::S1_UNSTABLE,
+            Self::S2 => Self::S2_UNSTABLE,
+            Self::S3 => Self::S3_UNSTABLE,
+            Self::S4 => Self::S4_UNSTABLE,
+            other => other,
+        }
+    }
+    const fn is_unstable(self) -> ::grafcet::__private::bool {
+        match self {
+            Self::S1_UNSTABLE
+            | Self::S2_UNSTABLE
+            | Self::S3_UNSTABLE
+            | Self::S4_UNSTABLE => true,
+            _ => false,
+        }
+    }
+}
+/// The 24 V production line.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Line24V {
+    situation: __Line24VState,
+    out_q2: ::grafcet::__private::core::primitive::bool,
+}
+impl Line24V {
+    ///A chart `Line24V` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            situation: __Line24VState::S1,
+            out_q2: false,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Line24V {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+impl Line24V {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    pub fn cycle(&mut self, inputs: &Line24VInputs) -> Line24VOutputs {
+        let mut outputs = Line24VOutputs {
+            q1: false,
+            q2: false,
+            q3: false,
+        };
+        self.situation = self.situation.plain();
+        let mut evolutions_left: ::grafcet::__private::u32 = 10;
+        let mut stable = true;
+        loop {
+            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+            let before = self.situation;
+            let after = match before {
+                __Line24VState::S1 => if inputs.b1 { __Line24VState::S2 } else { break }
+                __Line24VState::S2 => if inputs.b2 { __Line24VState::S3 } else { break }
+                __Line24VState::S3 => if inputs.b3 { __Line24VState::S4 } else { break }
+                __Line24VState::S4 => if inputs.b4 { __Line24VState::S1 } else { break }
+                _ => break,
+            };
+            if evolutions_left == 0 {
+                stable = false;
+                break;
+            }
+            evolutions_left -= 1;
+            match after {
+                __Line24VState::S2 => {
+                    self.out_q2 = true;
+                }
+                __Line24VState::S4 => {
+                    self.out_q2 = false;
+                }
+                _ => {}
+            }
+            self.situation = after;
+        }
+        let after = self.situation;
+        match after {
+            __Line24VState::S1 => {
+                outputs.q1 = true;
+            }
+            __Line24VState::S3 => {
+                if inputs.b5 {
+                    outputs.q3 = true;
+                }
+            }
+            _ => {}
+        }
+        if !stable {
+            self.situation = self.situation.unstable();
+        }
+        outputs.q2 = self.out_q2;
+        outputs
+    }
+    /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
+    /// first one.
+    pub fn init(&mut self) {
+        *self = Self::new();
+    }
+    /// Whether `step` is active.
+    #[must_use]
+    pub fn is_active(&self, step: Line24VStep) -> ::grafcet::__private::bool {
+        self.situation() == step
+    }
+    /// The active steps, in the order of their declaration; the capacity is the most that can be active.
+    #[must_use]
+    pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<Line24VStep, 1> {
+        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        let _ = steps.push(self.situation());
+        steps
+    }
+    /// The situation: which steps are active.
+    #[must_use]
+    pub const fn situation(&self) -> Line24VStep {
+        match self.situation {
+            __Line24VState::S1 => Line24VStep::S1,
+            __Line24VState::S2 => Line24VStep::S2,
+            __Line24VState::S3 => Line24VStep::S3,
+            __Line24VState::S4 => Line24VStep::S4,
+            __Line24VState::S1_UNSTABLE => Line24VStep::S1,
+            __Line24VState::S2_UNSTABLE => Line24VStep::S2,
+            __Line24VState::S3_UNSTABLE => Line24VStep::S3,
+            __Line24VState::S4_UNSTABLE => Line24VStep::S4,
+        }
+    }
+    /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
+    /// and keeps the situation it had reached (decision A30).
+    #[must_use]
+    pub const fn is_stable(&self) -> ::grafcet::__private::bool {
+        !self.situation.is_unstable()
+    }
+}
+impl ::grafcet::__private::Chart for Line24V {
+    type Inputs = Line24VInputs;
+    type Outputs = Line24VOutputs;
+    type Step = Line24VStep;
+    type Transition = Line24VTransition;
+    type Situation = Line24VStep;
+    type Actions<'a> = ();
+    const NAME: &'static ::grafcet::__private::str = "Line24V";
+    const STEPS: &'static [Line24VStep] = &[
+        Line24VStep::S1,
+        Line24VStep::S2,
+        Line24VStep::S3,
+        Line24VStep::S4,
+    ];
+    const TRANSITIONS: &'static [Line24VTransition] = &[
+        Line24VTransition::S1ToS2,
+        Line24VTransition::S2ToS3,
+        Line24VTransition::S3ToS4,
+        Line24VTransition::S4ToS1,
+    ];
+    fn scan(
+        &mut self,
+        inputs: &Line24VInputs,
+        _now: ::grafcet::__private::Ticks,
+        _actions: &mut Self::Actions<'_>,
+    ) -> Line24VOutputs {
+        self.cycle(inputs)
+    }
+    fn init(&mut self) {
+        self.init();
+    }
+    fn is_active(&self, step: Line24VStep) -> ::grafcet::__private::bool {
+        self.is_active(step)
+    }
+    fn situation(&self) -> Line24VStep {
+        self.situation()
+    }
+}

@@ -1,0 +1,109 @@
+//! Charts of IEC 60848.
+
+use grafcet::{Phase, grafcet};
+
+grafcet! {
+    /// The 24 V production line.
+    pub grafcet Line24V {
+        input b1, b2, b3, b4, b5: bool;
+        output q1, q2, q3: bool;
+
+        initial step S1 { q1; }
+        step S2 { S q2; }
+        step S3 { q3 if b5; }
+        step S4 { R q2; }
+
+        S1 -[b1]-> S2 -[b2]-> S3 -[b3]-> S4 -[b4]-> S1;
+    }
+}
+
+grafcet! {
+    /// A cell: forcing, an enclosing step, a macro-step, an action on clearing.
+    pub grafcet Cell {
+        input estop, start, part, full, clamped, auto: bool;
+        output belt, clamp, lamp, bell: bool;
+        var n: u16 = 0;
+
+        partial Safety {
+            initial step Ready;
+            step Stopped { force Production {}; lamp; }
+            Ready -[estop]-> Stopped -[!estop]-> Restart -[true]-> Ready;
+            step Restart { force Production {INIT}; }
+        }
+
+        partial Production {
+            initial step Idle;
+            step Feed { belt; }
+            macro step Clamp {
+                entry step Close { S clamp; }
+                exit step Open { R clamp; }
+                Close -[clamped]-> Open;
+            }
+            enclosing step Auto {
+                bell if Clamp.X;
+                partial Counting {
+                    linked step Count { on rising(part) n = n + 1; }
+                }
+            }
+            Idle -[start]-> Feed -[full]-> Clamp -[!clamped]-> Idle;
+            Idle -[auto && !start]-> Auto -[n >= 2 && !part => n = 0]-> Idle;
+        }
+    }
+}
+
+grafcet! {
+    /// Times, a code action in every way, a block, a delay, an unstable search.
+    pub grafcet Oven {
+        input door, start: bool;
+        output lamp, fan: bool;
+        output burner: bool;
+        output power: u8;
+        var runs: u16 = 0;
+        var hot: bool;
+        param bake: time = 10s;
+        action beep(times: u8);
+        clock 10ms;
+        max_evolutions 8;
+
+        initial step Off { P1 beep(1); lamp if door; }
+        step Bake { S burner; hot; N beep(2); power = 80; L 2s fan; P0 { runs += 1; } }
+        step Cool { R burner; D 1s fan; on falling(door) beep(3); N beep(5); }
+
+        Off -[begin: rising(start) && !door => beep(4)]-> Bake -[bake/Bake || 1s/door/200ms]-> Cool;
+        Cool -[Cool.T >= 3s && !hot]-> Off;
+    }
+}
+
+grafcet! {
+    /// Parallel branches, source and sink, forcing to a situation, macro-step times.
+    pub grafcet Belts {
+        input part, out, hold, a, b: bool;
+        output item, left: bool;
+        output count: u8;
+
+        partial Master {
+            initial step Free;
+            step Held { force Belt {*}; force Ends {Wait}; }
+            Free -[hold]-> Held -[!hold]-> Free;
+        }
+        partial Belt {
+            step Item { item; }
+            () -[rising(part)]-> Item -[out]-> ();
+        }
+        partial Ends {
+            initial step Wait;
+            macro step Both { entry step Go; step Left { left; } step Right; exit step Met; Go -[a]-> (Left, Right) -[b]-> Met; }
+            Wait -[a && !b]-> Both -[Both.T >= 1s]-> Wait;
+            step Never { P1 count = count.wrapping_add(1); }
+            Wait -[a && b]-> Never -[!b]-> Wait;
+        }
+    }
+}
+
+/// Carries out no action.
+#[derive(Clone, Copy, Debug)]
+pub struct Silent;
+
+impl OvenActions for Silent {
+    fn beep(&mut self, _: Phase, _: u8) {}
+}

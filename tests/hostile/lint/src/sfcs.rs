@@ -1,0 +1,109 @@
+//! Charts of IEC 61131-3.
+
+use grafcet::{Phase, grafcet};
+
+grafcet! {
+    /// A motor that can be switched on and off, guarded against over-temperature.
+    pub sfc Motor {
+        input on, off, over_temp: bool;
+        output relay, green, red: bool;
+
+        initial step Off { N red; }
+        step On { N relay; N green; }
+
+        Off -[on && !over_temp]-> On -[off || over_temp]-> Off;
+    }
+}
+
+grafcet! {
+    /// A batch: parallel branches, times, edges, a recipe, a code action.
+    pub sfc Batch {
+        input start, full, empty: bool;
+        input level: u16;
+        output valve, pump, lamp: bool;
+        output speed: u16 = 0;
+        var count: u16 = 0;
+        param soak: time = 5s;
+        param hot: i16 = 80;
+        action heat(setpoint: i16);
+
+        initial step Idle { lamp; }
+        step Fill { N valve; P1 count = count + 1; }
+        step Heat { N heat(hot); L 3s lamp; D 1s pump; speed = 10; }
+        step Stir { N heat(40); SD 2s pump; P0 { if count > 3 { count = 0; } } }
+        step Drain { R pump; N pump if level > 3; }
+
+        Idle -[rising(start)]-> (Fill, Heat);
+        (Fill, Heat) -[full && soak/Heat]-> Stir -[Stir.T >= 2s && 1s/empty/500ms]-> Drain -[level == 0]-> Idle;
+    }
+}
+
+grafcet! {
+    /// All eleven qualifiers, for outputs, variables, code actions, assignments and blocks.
+    pub sfc Qualifiers {
+        input go, stop, again: bool;
+        input level: u16;
+        output n, s, l, d, p, sd, ds, sl: bool;
+        output kept: bool = true;
+        output speed: u16 = 3;
+        var flag: bool;
+        var count: u16;
+        var limit: time = 2s;
+        param pause: time = 3s;
+        action beep();
+        action drum(speed: u16, limit: u16);
+        clock 1ms;
+
+        initial step Off {
+            R s; R sd; R ds; R sl; R kept; R drum(0, 0);
+            P0 beep();
+        }
+        step First {
+            N n; S s; L 1s l; D pause d; P p; SD 1s sd; DS 1s ds; SL limit sl; S kept; S flag;
+            P1 count = count + 1;
+            P+ beep();
+            N drum(45, level) if level > 2;
+        }
+        step Second {
+            L 2s l; D 2s d; N s if stop; SD 2s sd; R flag;
+            N drum(55, level);
+            N count = count + 1;
+            P- { count = 0; limit = 4s; }
+            P { if count > 7 { count -= 1; } }
+            speed = count if flag;
+        }
+        step Third { S drum(1, 2); SL 1s { count += 1; } SD 1s drum(3, 4); N beep(); }
+
+        Off -[rising(go)]-> First -[again]-> First -[falling(go) && !again]-> Second -[s && speed > 1]-> Third;
+        Second -[stop]-> Third;
+        Third -[Third.T >= limit || n]-> Off;
+    }
+}
+
+grafcet! {
+    /// Nested parallel branches, and branches that compete.
+    pub sfc Parallel {
+        input a, b, c: bool;
+        output x, y: bool;
+        initial step Start;
+        step Left; step Right { x; }
+        step Inner { y; }
+        step Outer; step Done;
+        Start -[a]-> (Left, Right);
+        Left -[b]-> (Inner, Outer);
+        (Inner, Outer, Right) -[both: c]-> Done -[a]-> Start;
+    }
+}
+
+/// Carries out no action.
+#[derive(Clone, Copy, Debug)]
+pub struct Silent;
+
+impl BatchActions for Silent {
+    fn heat(&mut self, _: Phase, _: i16) {}
+}
+
+impl QualifiersActions for Silent {
+    fn beep(&mut self, _: Phase) {}
+    fn drum(&mut self, _: Phase, _: u16, _: u16) {}
+}

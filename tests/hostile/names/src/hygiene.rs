@@ -1,0 +1,106 @@
+//! Signals that are called what the generated code might call its own variables.
+
+use grafcet::{Phase, grafcet};
+
+grafcet! {
+    /// One active step.
+    pub sfc Plain {
+        input inputs, now, actions, self_, before, after, outputs, value, first, step, elapsed, steps, again: bool;
+        output situation, stable, entered, reset, q: bool;
+        var last: bool;
+        var active: u8;
+
+        initial step Off { N situation; P1 active = active + 1; }
+        step On { N stable; S entered; R reset; N q if inputs || now && value; N last = last || step && elapsed; }
+
+        Off -[inputs && !now || actions || self_]-> On -[before || after || outputs && first]-> Off;
+        On -[rising(value) || steps && again && Off.X]-> On;
+    }
+}
+
+grafcet! {
+    /// Parallel steps, times, edges, delays, calls, blocks.
+    pub sfc Timed {
+        input inputs, now, actions, before, after, outputs, value, first, input, done, elapsed, settled, soonest: bool;
+        input since, time, ticks, duration, restart, left, flag: u16;
+        output situation, region, region_0, region_1, set, steps: bool;
+        output speed: u16;
+        var kept, edge, memory, timer: bool;
+        var count, number: u16;
+        var limit: time = 1s;
+        param params: time = 2s;
+        param hot: u16 = 1;
+        action call(phase: u16, inputs: u16);
+        action scan();
+
+        initial step Off { N situation; P0 scan(); }
+        step One { N call(since, time); L limit region; D 2s set; SD params steps; kept; R region_0; speed = ticks + hot; }
+        step Two { N call(restart, left); S region_0; P1 count = count + flag; P { number += 1; if number > hot { number = 0; } } }
+        step Three { N scan(); memory; SL 1s timer; DS 1s edge; R region_1; }
+        step Four { P1 { let inputs = count; count = inputs + 1; } S region_1; }
+
+        Off -[rising(inputs && now)]-> (One, Two);
+        (One, Two) -[falling(value) && first || params/One && 1s/before/500ms || actions]-> (Three, Four);
+        (Three, Four) -[Three.T >= limit && duration > 1 || input && done && elapsed || after]-> Off;
+        (Three, Four) -[settled && soonest && outputs]-> Off;
+    }
+}
+
+grafcet! {
+    /// The same under the rules of IEC 60848.
+    pub grafcet Search {
+        input inputs, now, actions, before, after, outputs, value, first, input, fresh, stable, evolutions_left: bool;
+        input elapsed, settled, due, active: u16;
+        output situation, region, called, set: bool;
+        output next, association: u16;
+        var kept: bool;
+        var count, number: u16;
+        param params: time = 2s;
+        action call(phase: u16, now: u16);
+        max_evolutions 5;
+
+        partial Above {
+            initial step Ready;
+            step Hold { force Below {*}; }
+            Ready -[rising(inputs) && now]-> Hold -[falling(now) || kept]-> Ready;
+        }
+        partial Below {
+            initial step Off { N situation; P0 call(elapsed, due); kept; N call(active, number); }
+            step One { L 1s region if value; S called if !first; on rising(value) count = count + 1; N call(elapsed, settled); }
+            step Two { D params set; R called if first; P1 next = elapsed; P0 { let next = settled; association = next; } }
+            macro step Both { entry step In; exit step Out; In -[first]-> Out; }
+            Off -[actions]-> (One, Two);
+            (One, Two) -[before && after || 1s/outputs/2s || fresh => number = number + 1]-> Both;
+            Both -[Both.T > 1s && input && stable]-> Off;
+            () -[rising(evolutions_left) => call(count, active)]-> Two;
+        }
+    }
+}
+
+/// Carries out no action.
+#[derive(Clone, Copy, Debug)]
+pub struct Silent;
+
+impl TimedActions for Silent {
+    fn call(&mut self, _: Phase, _: u16, _: u16) {}
+    fn scan(&mut self, _: Phase) {}
+}
+
+impl SearchActions for Silent {
+    fn call(&mut self, _: Phase, _: u16, _: u16) {}
+}
+
+#[test]
+fn runs() {
+    let mut plain = Plain::new();
+    assert!(plain.cycle(&PlainInputs::default()).situation);
+    assert!(plain.cycle(&PlainInputs { inputs: true, ..Default::default() }).q);
+    let mut timed = Timed::new();
+    assert!(timed.cycle(&TimedInputs::default(), 0, &mut Silent).situation);
+    let q = timed.cycle(&TimedInputs { inputs: true, now: true, ticks: 7, ..Default::default() }, 1, &mut Silent);
+    assert_eq!(q.speed, 8);
+    let mut search = Search::new();
+    assert!(search.cycle(&SearchInputs::default(), 0, &mut Silent).situation);
+    let q = search.cycle(&SearchInputs { actions: true, elapsed: 9, ..Default::default() }, 1, &mut Silent);
+    assert_eq!(q.next, 9);
+}

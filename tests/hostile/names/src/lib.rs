@@ -1,0 +1,8 @@
+//! Charts in unusual places, with unusual names and types.
+#![forbid(unsafe_code)]
+#![deny(warnings, clippy::all, clippy::pedantic, missing_docs, unreachable_pub)]
+
+pub mod hygiene;
+pub mod passed_on;
+pub mod places;
+pub mod types;

@@ -1,0 +1,4 @@
+//! There is no prelude beside the charts.
+#![no_implicit_prelude]
+
+::core::include!("charts.rs");

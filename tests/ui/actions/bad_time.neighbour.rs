@@ -1,0 +1,20 @@
+use grafcet::grafcet;
+
+grafcet! {
+    sfc Oven {
+        clock 10ms;
+        input start: bool;
+        param soak: time = 1h30m;
+        output burner, lamp: bool;
+
+        initial step Idle { L 5s lamp; D soak lamp; }
+        step Heat { L 500ms burner; }
+
+        Idle -[5s/Idle || Idle.T > 3s]-> Heat -[20ms/Heat]-> Idle;
+        Heat -[11000h/Heat]-> Idle;
+        Heat -[1.5h/Heat]-> Idle;
+        Heat -[soak/Heat && start]-> Idle;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,15 @@
+use grafcet::grafcet;
+
+grafcet! {
+    sfc Motor {
+        input on: bool;
+        output relay: bool;
+
+        initial step Off;
+        step On { N relay; }
+
+        Off -[on]-> On -[!on]-> Off;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,27 @@
+use grafcet::grafcet;
+
+grafcet! {
+    sfc Lamp {
+        clock 1ms;
+        max_evolutions 20;
+        clock 10ms;
+
+        initial step Dark;
+    }
+}
+
+grafcet! {
+    grafcet Cell {
+        max_evolutions 0;
+        clock 0s;
+
+        partial Feeding {
+            input part: bool;
+            clock 1ms;
+            initial step Idle;
+            partial Inner { initial step Deep; }
+        }
+    }
+}
+
+fn main() {}

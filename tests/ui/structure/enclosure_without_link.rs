@@ -1,0 +1,20 @@
+use grafcet::grafcet;
+
+grafcet! {
+    grafcet Cell {
+        input auto, part: bool;
+
+        initial step Manual;
+        enclosing step Auto {
+            partial Counting {
+                step Wait;
+                step Count;
+                Wait -[part]-> Count -[!part]-> Wait;
+            }
+        }
+
+        Manual -[auto]-> Auto -[!auto]-> Manual;
+    }
+}
+
+fn main() {}

@@ -1,0 +1,27 @@
+use grafcet::grafcet;
+
+grafcet! {
+    grafcet Cell {
+        input auto, estop, part: bool;
+
+        partial Safety {
+            initial step Ready;
+            step Stopped { force Counting {}; }
+            Ready -[estop]-> Stopped -[!estop]-> Ready;
+        }
+
+        partial Production {
+            initial step Manual;
+            enclosing step Auto {
+                partial Counting {
+                    linked step Wait;
+                    step Count;
+                    Wait -[part]-> Count -[!part]-> Wait;
+                }
+            }
+            Manual -[auto]-> Auto -[!auto]-> Manual;
+        }
+    }
+}
+
+fn main() {}

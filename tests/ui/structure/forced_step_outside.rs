@@ -1,0 +1,22 @@
+use grafcet::grafcet;
+
+grafcet! {
+    grafcet Cell {
+        input estop, part: bool;
+        output belt: bool;
+
+        partial Safety {
+            initial step Ready;
+            step Stopped { force Production {Idle, Ready}; }
+            Ready -[estop && Production::Stopped.X]-> Stopped -[!estop]-> Ready;
+        }
+
+        partial Production {
+            initial step Idle;
+            step Feed { belt; }
+            Idle -[part]-> Feed -[!part]-> Idle;
+        }
+    }
+}
+
+fn main() {}
