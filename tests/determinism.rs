@@ -40,7 +40,7 @@ fn the_other_process() {
     }
 }
 
-/// One line a chart: the seeds, all charts of `tests/ui`, broken ones too, and one with many names.
+/// One line a chart: the seeds, all charts of `tests/conformance` and `tests/ui`, broken ones too, and one with many names.
 fn expansions() -> String {
     let mut files = vec![PathBuf::from("examples/charts/motor.rs"), PathBuf::from("examples/charts/line24v.rs")];
     for group in fs::read_dir("tests/ui").expect("the folder of charts") {
@@ -50,7 +50,19 @@ fn expansions() -> String {
     files.retain(|file| file.extension().is_some_and(|extension| extension == "rs"));
     files.sort();
     let texts = files.iter().map(|file| fs::read_to_string(file).expect("a file of charts"));
-    texts.chain([many_names()]).map(|text| expand(&text)).collect()
+    let expansions = corpus().into_iter().chain(texts).chain([many_names()]).map(|text| expand(&text));
+    expansions.collect()
+}
+
+/// The charts of the conformance corpus, each as it would stand in the source.
+fn corpus() -> Vec<String> {
+    let files = fs::read_dir("tests/conformance").expect("the folder of the corpus");
+    let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "chart"));
+    files.sort();
+    let texts = files.iter().map(|file| fs::read_to_string(file).expect("a file of the corpus"));
+    let chart = |text: String| text.split_once("\n---\n").map(|(chart, _)| format!("grafcet! {{ {chart}\n}}"));
+    texts.map(|text| chart(text).expect("a chart and its timeline")).collect()
 }
 
 fn expand(text: &str) -> String {

@@ -1,4 +1,4 @@
-//! What the two charts of the source documents expand to, as a reader would like to see it.
+//! What the two charts of the source documents and one full chart per dialect expand to, as a reader would like to see it.
 //!
 //! A change of the code generator shows as a change of `tests/golden/*.rs`. `cargo xtask bless` records them anew; the test
 //! `expansion` compiles and runs what is recorded.
@@ -7,14 +7,23 @@ mod charts;
 
 use std::fs;
 
+/// The files with charts, and what the expansions of their charts are called.
+const FILES: &[(&str, &[&str])] = &[
+    ("examples/charts/motor.rs", &["motor"]),
+    ("examples/charts/line24v.rs", &["line24v"]),
+    ("tests/full.rs", &["batch", "cell"]),
+];
+
 #[test]
 fn expansions_are_as_recorded() {
-    for name in ["motor", "line24v"] {
-        let file = format!("examples/charts/{name}.rs");
-        let rust = fs::read_to_string(&file).unwrap_or_else(|error| panic!("{file}: {error}"));
-        let [chart] = &charts::charts(&rust)[..] else { panic!("{file} holds one chart") };
-        let expansion = syn::parse2(charts::expand(chart.clone())).expect("an expansion is a list of items");
-        compare(&format!("tests/golden/{name}.rs"), &prettyplease::unparse(&expansion));
+    for (file, names) in FILES {
+        let rust = fs::read_to_string(file).unwrap_or_else(|error| panic!("{file}: {error}"));
+        let charts = charts::charts(&rust);
+        assert_eq!(charts.len(), names.len(), "the charts of {file}");
+        for (chart, name) in charts.into_iter().zip(*names) {
+            let expansion = syn::parse2(charts::expand(chart)).expect("an expansion is a list of items");
+            compare(&format!("tests/golden/{name}.rs"), &prettyplease::unparse(&expansion));
+        }
     }
 }
 

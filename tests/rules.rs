@@ -61,6 +61,23 @@ fn every_rule_has_its_failing_chart_and_its_neighbour() {
     }
 }
 
+#[test]
+fn every_neighbour_is_compiled() {
+    let list = fs::read_to_string("tests/neighbours.rs").expect("the list of neighbours");
+    for group in fs::read_dir("tests/ui").expect("the folder of charts") {
+        let group = group.expect("a group");
+        let line = format!("    {}:", group.file_name().to_string_lossy());
+        let listed = list.split(&line).nth(1).and_then(|rest| rest.split(';').next()).unwrap_or_default();
+        let listed: Vec<_> = listed.split(',').map(str::trim).collect();
+        for file in fs::read_dir(group.path()).expect("a folder of charts") {
+            let name = file.expect("a file").file_name().into_string().expect("a name in UTF-8");
+            if let Some(chart) = name.strip_suffix(".neighbour.rs") {
+                assert!(listed.contains(&chart), "{name} is not compiled: name it in tests/neighbours.rs");
+            }
+        }
+    }
+}
+
 /// Whether most lines of the shorter text stand in the other, too.
 fn alike(a: &str, b: &str) -> bool {
     let lines = |text: &str| text.lines().map(str::trim).filter(|line| line.len() > 1).map(str::to_owned).collect();

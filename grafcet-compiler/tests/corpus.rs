@@ -1,6 +1,7 @@
 //! The conformance corpus against the interpreter.
 
 #[path = "../../tests/conformance/reader.rs"]
+#[allow(unreachable_pub, reason = "public in the package grafcet-conformance")]
 mod reader;
 
 use std::collections::BTreeMap;

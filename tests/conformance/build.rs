@@ -1,4 +1,5 @@
 //! Writes a module for each chart of the corpus, so that `cargo test` compiles all of them through the macro.
+#![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -31,7 +32,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let module = emit::module(chart).map_err(|error| format!("{name}: {error}"))?;
         writeln!(modules, "mod {name} {{\n{module}}}")?;
         let subject = format!("|| Box::new({name}::Compiled::default())");
-        writeln!(list, "    Entry {{ name: {name:?}, text: include_str!({path:?}), subject: {subject} }},")?;
+        let file = format!("include_str!(r\"{}\")", path.display());
+        writeln!(list, "    Entry {{ name: \"{name}\", text: {file}, subject: {subject} }},")?;
     }
     let code = format!("{modules}\n/// The corpus.\nconst CORPUS: &[Entry] = &[\n{list}];\n");
     fs::write(Path::new(&env::var("OUT_DIR")?).join("corpus.rs"), code)?;

@@ -9,6 +9,7 @@ use crate::project::{cargo, root};
 use crate::{conformance, firmware, msrv};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
+const HOSTILE: [&str; 2] = ["--manifest-path", "tests/hostile/Cargo.toml"];
 
 /// A named step of CI.
 type Step = (&'static str, fn() -> Result);
@@ -55,16 +56,18 @@ fn sum_up(outcomes: &[(&str, Duration, bool)]) -> Result {
     }
 }
 
-/// Both lock files belong to the manifests: what is tested is what a fresh clone builds.
+/// The lock files belong to the manifests: what is tested is what a fresh clone builds.
 fn lock_files() -> Result {
     let metadata = ["metadata", "--quiet", "--locked", "--format-version", "1"];
     run_command(cargo(&metadata).stdout(Stdio::null()))?;
-    run_command(cargo(&metadata).args(FIRMWARE).stdout(Stdio::null()))
+    run_command(cargo(&metadata).args(FIRMWARE).stdout(Stdio::null()))?;
+    run_command(cargo(&metadata).args(HOSTILE).stdout(Stdio::null()))
 }
 
 fn rustfmt() -> Result {
     run_command(&mut cargo(&["fmt", "--all", "--check"]))?;
-    run_command(cargo(&["fmt", "--check"]).args(FIRMWARE))
+    run_command(cargo(&["fmt", "--check"]).args(FIRMWARE))?;
+    run_command(cargo(&["fmt", "--all", "--check"]).args(HOSTILE))
 }
 
 /// The command that the README tells the newcomer.

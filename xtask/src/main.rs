@@ -8,6 +8,7 @@ mod debian;
 mod firmware;
 mod msrv;
 mod project;
+mod size;
 mod toolchain;
 
 use std::process::ExitCode;
@@ -21,6 +22,7 @@ Usage: cargo xtask <task>
             random charts, compiled through the macro, beside the interpreter
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
   msrv      check the crates that ship with the oldest supported Rust
+  size      what generated charts cost on a controller, beside hand-written ones in Rust and C
 ";
 
 fn main() -> ExitCode {
@@ -32,6 +34,7 @@ fn main() -> ExitCode {
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
         ["msrv"] => msrv::run(),
+        ["size"] => size::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{USAGE}");
             Ok(())

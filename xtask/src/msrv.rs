@@ -11,16 +11,29 @@ const MSRV: &str = env!("CARGO_PKG_RUST_VERSION");
 
 const CRATES: [&str; 4] = ["grafcet", "grafcet-core", "grafcet-macros", "grafcet-compiler"];
 
-/// Checks the libraries with rustup's toolchain of that version, else with Debian's.
+/// A crate with the charts of the source documents and charts in the full language of both dialects.
+const CONSUMER: &str = "hostile-no-std";
+
+/// Checks the libraries and a crate with charts with rustup's toolchain of that version, else with Debian's.
 ///
 /// # Errors
 /// There is neither, or a crate does not build with it.
 pub(crate) fn run() -> Result {
-    let mut command = match installed()? {
+    let toolchain = installed()?;
+    let mut command = cargo(toolchain.as_deref())?;
+    run_command(command.args(CRATES.iter().flat_map(|name| ["--package", name])))?;
+    // What the macro generates is compiled by the user's compiler.
+    let mut command = cargo(toolchain.as_deref())?;
+    run_command(command.args(["--manifest-path", "tests/hostile/Cargo.toml", "--package", CONSUMER]))
+}
+
+/// `cargo check` of the toolchain of that name, else of Debian's.
+fn cargo(toolchain: Option<&str>) -> Result<Command> {
+    let mut command = match toolchain {
         Some(toolchain) => {
             println!("msrv: rustup's toolchain {toolchain}");
             let mut command = Command::new("rustup");
-            project::forget_cargo(command.args(["run", &toolchain, "cargo"]));
+            project::forget_cargo(command.args(["run", toolchain, "cargo"]));
             command
         }
         None => debian::cargo(MSRV).map_err(|reason| {
@@ -29,9 +42,9 @@ pub(crate) fn run() -> Result {
             )
         })?,
     };
-    command.args(["check", "--locked", "--lib"]);
-    command.args(CRATES.iter().flat_map(|name| ["--package", name]));
-    run_command(command.arg("--target-dir").arg(project::target("msrv")).current_dir(project::root()))
+    command.args(["check", "--locked", "--lib", "--target-dir"]).arg(project::target("msrv"));
+    command.current_dir(project::root());
+    Ok(command)
 }
 
 /// The name of rustup's toolchain of that version, where there are both.

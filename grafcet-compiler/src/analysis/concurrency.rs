@@ -27,6 +27,7 @@ impl Concurrency {
         let mut search = Search::new(model);
         search.seed();
         search.run();
+        search.follow_enclosures();
         Self { relation: search.relation, reachable: search.reachable, unsafe_steps: search.unsafe_steps }
     }
 
@@ -143,6 +144,47 @@ impl<'m> Search<'m> {
                 }
             }
         }
+    }
+
+    /// A step inside an enclosure is active only together with its enclosing step, so it meets only what that one meets.
+    fn follow_enclosures(&mut self) {
+        if self.model.partials.values().all(|partial| partial.enclosed_by.is_none()) {
+            return;
+        }
+        let ids: Vec<_> = self.model.steps.ids().collect();
+        let outside: Vec<Vec<StepId>> = ids.iter().map(|step| self.enclosing(*step)).collect();
+        let mut relation = Relation::new(ids.len());
+        for a in &ids {
+            for b in &ids[a.index() + 1..] {
+                let meet = self.relation.contains(a.index(), b.index())
+                    && outside[a.index()].iter().all(|x| outside[b.index()].iter().all(|y| self.can_meet(*x, *y)));
+                if meet {
+                    relation.insert(a.index(), b.index());
+                }
+            }
+        }
+        self.relation = relation;
+    }
+
+    /// The step and the steps around it, outwards.
+    fn enclosing(&self, step: StepId) -> Vec<StepId> {
+        let mut chain = vec![step];
+        let mut at = step;
+        while let Some(outer) = self.model.partials[self.model.steps[at].partial].enclosed_by {
+            if chain.contains(&outer) {
+                break;
+            }
+            chain.push(outer);
+            at = outer;
+        }
+        chain
+    }
+
+    /// Whether two steps are the same, or of different partial grafcets, or can be active together.
+    fn can_meet(&self, a: StepId, b: StepId) -> bool {
+        a == b
+            || self.model.steps[a].partial != self.model.steps[b].partial
+            || self.relation.contains(a.index(), b.index())
     }
 
     fn enter_together(&mut self, steps: &[StepId]) {

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+
 use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Expr, Model, Name, OutputId, Place, Read, VarId};
+use crate::model::{Effect, Model, Name, OutputId, Place, Read, VarId};
 use crate::plan::{is_stored, writes};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -26,8 +29,8 @@ fn reads_continuous(model: &Model, sink: &mut Sink) {
             Place::Var(_) => None,
         })
         .collect();
-    for expr in expressions(model) {
-        for read in &expr.reads {
+    for (reads, tokens) in expressions(model) {
+        for read in reads {
             let Read::Name(Name::Output(id)) = read else { continue };
             if stored.contains(id) {
                 continue;
@@ -37,33 +40,35 @@ fn reads_continuous(model: &Model, sink: &mut Sink) {
                 "`{name}` is the output of a continuous action and has no value while the chart evolves; \
                  read the step instead (`Step.X`), or declare `var {name}: bool;` and assert that"
             );
-            let mark = place_of(name, expr).unwrap_or_else(|| Mark::of(&expr.tokens));
+            let mark = place_of(name, tokens.clone()).unwrap_or_else(|| Mark::of(&tokens));
             sink.rule(&rules::READS_CONTINUOUS, &[], vec![(mark, message)]);
         }
     }
 }
 
-/// All expressions whose tokens the user wrote.
-fn expressions(model: &Model) -> impl Iterator<Item = &Expr> {
-    let transitions = model.transitions.values().flat_map(|t| {
-        std::iter::once(&t.condition).chain(t.clearing.iter().flat_map(crate::model::Effect::expressions))
+/// What the user's expressions and blocks read, with their tokens.
+fn expressions(model: &Model) -> impl Iterator<Item = (&[Read], TokenStream)> {
+    let conditions = model.transitions.values().map(|t| &t.condition);
+    let of_associations = model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event));
+    let memories = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
+    let effects = model.associations.values().map(|a| &a.effect);
+    let effects = effects.chain(model.transitions.values().flat_map(|t| &t.clearing));
+    let (values, blocks) = (effects.clone().flat_map(Effect::expressions), effects);
+    let exprs = conditions.chain(of_associations).chain(memories).chain(values);
+    let blocks = blocks.filter_map(|effect| match effect {
+        Effect::Block(code) => Some((&code.reads[..], code.tokens.to_token_stream())),
+        _ => None,
     });
-    let associations =
-        model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event).chain(a.effect.expressions()));
-    let edges = model.edges.values().map(|edge| &edge.of);
-    transitions.chain(associations).chain(edges).chain(model.delays.values().map(|delay| &delay.of))
+    exprs.map(|expr| (&expr.reads[..], expr.tokens.to_token_stream())).chain(blocks)
 }
 
 /// The token of the name in the expression.
-fn place_of(name: &syn::Ident, expr: &Expr) -> Option<Mark> {
-    fn find(name: &syn::Ident, tokens: proc_macro2::TokenStream) -> Option<Mark> {
-        tokens.into_iter().find_map(|tree| match tree {
-            proc_macro2::TokenTree::Ident(ident) if ident == *name => Some(Mark::from(&ident)),
-            proc_macro2::TokenTree::Group(group) => find(name, group.stream()),
-            _ => None,
-        })
-    }
-    find(name, quote::ToTokens::to_token_stream(&expr.tokens))
+fn place_of(name: &syn::Ident, tokens: TokenStream) -> Option<Mark> {
+    tokens.into_iter().find_map(|tree| match tree {
+        TokenTree::Ident(ident) if ident == *name => Some(Mark::from(&ident)),
+        TokenTree::Group(group) => place_of(name, group.stream()),
+        _ => None,
+    })
 }
 
 /// Combinational variables that follow from each other in a circle.

@@ -11,7 +11,11 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
             if has_edge(condition) {
                 let message = "an assignation condition holds while the action does, and an edge has no duration; \
                                write the level itself, or a stored action: `on rising(…) …`";
-                sink.rule(&rules::EDGE_IN_ASSIGNATION, &scopes, vec![(Mark::of(&condition.tokens), message.to_owned())]);
+                sink.rule(
+                    &rules::EDGE_IN_ASSIGNATION,
+                    &scopes,
+                    vec![(Mark::of(&condition.tokens), message.to_owned())],
+                );
             }
         }
         if let (Some(event), Qualifier::On) = (&association.event, association.qualifier) {

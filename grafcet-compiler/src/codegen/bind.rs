@@ -1,7 +1,7 @@
 //! A user's expression in generated code: what it reads is bound to the names it uses, then its tokens follow.
 
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, quote};
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote, quote_spanned};
 
 use super::{Cx, names};
 use crate::model::{Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, placeholder};
@@ -39,7 +39,8 @@ impl Cx<'_> {
         let tokens = &expr.tokens;
         // A single input needs no binding: the user's own token names the field.
         if let ([Read::Name(Name::Input(_))], Some(name)) = (&expr.reads[..], plain_name(tokens)) {
-            return quote!(inputs.#name);
+            // Located there, so that a type error stands there.
+            return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
         }
         let bindings = self.bindings(&expr.reads, &[], is_opaque(&expr.tree), moment);
         let tokens = without_parens(tokens);
@@ -74,6 +75,7 @@ impl Cx<'_> {
                 Read::Name(name) => self.model.value_name(*name).clone(),
                 other => placeholder::ident(*other, Span::mixed_site()).unwrap_or_else(|| names::local("unnamed")),
             };
+            let value = bare(value);
             quote!(#unused let #name = #value;)
         };
         reads.iter().map(one).collect()
@@ -247,6 +249,15 @@ fn plain_name(expr: &syn::Expr) -> Option<&Ident> {
     match expr {
         syn::Expr::Path(path) => path.path.get_ident(),
         _ => None,
+    }
+}
+
+/// A term without the parentheses it has for the sake of the operators around it, where there are none.
+pub(super) fn bare(term: TokenStream) -> TokenStream {
+    let mut trees = term.clone().into_iter();
+    match (trees.next(), trees.next()) {
+        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => group.stream(),
+        _ => term,
     }
 }
 

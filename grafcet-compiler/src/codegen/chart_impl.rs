@@ -190,7 +190,7 @@ fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
         let start = cx.start();
         quote!(|| #state == #start)
     });
-    quote!((#state == #variant #starting))
+    quote!(#state == #variant #starting)
 }
 
 /// One step, where that is all a situation can be.

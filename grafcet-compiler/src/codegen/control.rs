@@ -43,13 +43,15 @@ impl Cx<'_> {
             let left = self.left(index, target, qualifier);
             quote!(let mut #left = false;)
         });
-        let numbers = (target.what == What::Runs && self.has_choice(target)).then(|| {
-            let leaving = names::target("number_p0", self.model, index, target);
-            let entering = names::target("number_p1", self.model, index, target);
-            let p = &self.p;
-            quote!(let mut #leaving: #p::u8 = 0; let mut #entering: #p::u8 = 0;)
+        let chooses = |qualifier: &&(Qualifier, &str)| {
+            target.what == What::Runs && self.has_choice(target) && target.has(self.model, qualifier.0)
+        };
+        let numbers = [(Qualifier::P0, "number_p0"), (Qualifier::P1, "number_p1")];
+        let numbers = numbers.iter().filter(chooses).map(|(_, prefix)| {
+            let (number, p) = (names::target(prefix, self.model, index, target), &self.p);
+            quote!(let mut #number: #p::u8 = 0;)
         });
-        quote!(#(#flags)* #restart #(#left)* #numbers)
+        quote!(#(#flags)* #restart #(#left)* #(#numbers)*)
     }
 
     /// What one association adds to the flags of its target.

@@ -69,6 +69,10 @@ impl Cx<'_> {
         // Inputs do not change during the search, and LLVM would read all of them in front of the loop, also those that
         // no active step asks for.
         let opaque = (!self.model.inputs.is_empty()).then(|| quote!(let inputs = #p::core::hint::black_box(inputs);));
+        // An edge is gone in the next cycle.
+        let gone = self.edge_names();
+        let gone =
+            (self.plan.memory.time && !gone.is_empty()).then(|| quote!(if #(#gone)||* { self.settled = false; }));
         // A delay is sampled once per cycle: the next one sees the new situation.
         let unsettle = (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;));
         quote! {
@@ -82,6 +86,7 @@ impl Cx<'_> {
                 #bound
                 #stored #commit_collected #commit #restart #unsettle
             }
+            #gone
         }
     }
 

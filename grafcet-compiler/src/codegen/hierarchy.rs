@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::bind::Moment;
+use super::bind::{Moment, bare};
 use super::{Cx, names};
 use crate::model::{ForceOrder, PartialId, StepId};
 
@@ -14,7 +14,7 @@ impl Cx<'_> {
         if !forces.is_empty() {
             // A11: an order that is there after the evolution shows in it.
             let orders = forces.iter().map(|force| {
-                let ordered = self.is_active(force.step, Moment::Stable);
+                let ordered = bare(self.is_active(force.step, Moment::Stable));
                 let situation = match &force.order {
                     ForceOrder::Steps(steps) => self.set_situation(partial, steps),
                     ForceOrder::Init => self.set_situation(partial, &self.marked(partial, |step| step.initial)),

@@ -195,10 +195,7 @@ impl Cx<'_> {
             });
             quote!(#before == #after #again)
         });
-        let edges = self.plan.memory.edges.iter().flat_map(|(id, rising, falling)| {
-            let rising = rising.then(|| names::edge_local(*id, true));
-            rising.into_iter().chain(falling.then(|| names::edge_local(*id, false)))
-        });
+        let edges = self.edge_names();
         quote!(self.settled = #(#regions)&&* #(&& !#edges)*;)
     }
 

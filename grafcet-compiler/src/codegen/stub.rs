@@ -13,7 +13,7 @@ pub(crate) fn stub(model: &Model, root: &TokenStream) -> TokenStream {
     let p = quote!(#root::__private);
     let names = Names::of(model);
     let records = records(model, &names, &p);
-    let enums = enums(model, &names);
+    let enums = enums(model, &names, &p);
     let methods = methods(model, &names, &p);
     let uniform = uniform(model, &names, &p);
     quote!(#records #enums #methods #uniform)
@@ -22,30 +22,38 @@ pub(crate) fn stub(model: &Model, root: &TokenStream) -> TokenStream {
 /// The chart, its inputs, outputs and recipe.
 fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, params, .. } = names;
-    let record = |name: &Ident, fields: TokenStream| {
+    let record = |name: &Ident, declared: Vec<(&Ident, &Ty)>| {
         let vis = &model.vis;
+        let derives = types::derives(declared.iter().map(|(_, ty)| *ty), p);
+        let fields = fields(declared.into_iter(), p);
         quote! {
-            #[derive(Clone, Copy)]
-            #[allow(missing_docs, dead_code)]
+            #[derive(#derives)]
+            #[allow(missing_docs, dead_code, clippy::all, clippy::pedantic)]
             #vis struct #name { #fields }
             impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
         }
     };
-    let chart = record(chart, TokenStream::new());
-    let inputs = record(inputs, fields(model.inputs.values().map(|input| (&input.name, &input.ty)), p));
-    let outputs = record(outputs, fields(model.outputs.values().map(|output| (&output.name, &output.ty)), p));
-    let params = (!model.params.is_empty())
-        .then(|| record(params, fields(model.params.values().map(|param| (&param.name, &param.ty)), p)));
+    let chart = record(chart, Vec::new());
+    let inputs = record(inputs, model.inputs.values().map(|input| (&input.name, &input.ty)).collect());
+    let outputs = record(outputs, model.outputs.values().map(|output| (&output.name, &output.ty)).collect());
+    let params = (!model.params.is_empty()).then(|| {
+        let vis = &model.vis;
+        let record = record(params, model.params.values().map(|param| (&param.name, &param.ty)).collect());
+        quote!(#record #[allow(missing_docs, dead_code)] impl #params { #vis const fn new() -> Self { loop {} } })
+    });
     quote!(#chart #inputs #outputs #params)
 }
 
 /// The names of steps and transitions.
-fn enums(model: &Model, names: &Names) -> TokenStream {
+fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let list = |name: &Ident, variants: Vec<&Ident>| {
         let vis = &model.vis;
         quote! {
-            #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-            #[allow(missing_docs, dead_code, non_camel_case_types)]
+            #[derive(
+                #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
+                #p::core::cmp::PartialOrd, #p::core::cmp::Ord, #p::core::hash::Hash, #p::core::fmt::Debug,
+            )]
+            #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
             #vis enum #name { #(#variants,)* }
         }
     };

@@ -1,6 +1,6 @@
 //! What happens to times, edges and delays at the begin of a cycle and at the end of an evolution.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::bind::Moment;
@@ -124,7 +124,8 @@ impl Cx<'_> {
 
     /// Whether the expression of a delay looks at the edge, directly or through other edges.
     fn feeds_a_delay(&self, id: EdgeId) -> bool {
-        let looks = |of: &Expr| of.reads.iter().any(|read| matches!(read, Read::Rising(e) | Read::Falling(e) if *e == id));
+        let looks =
+            |of: &Expr| of.reads.iter().any(|read| matches!(read, Read::Rising(e) | Read::Falling(e) if *e == id));
         self.model.delays.values().any(|delay| looks(&delay.of))
             || self.model.edges.iter().any(|(outer, edge)| looks(&edge.of) && self.feeds_a_delay(outer))
     }
@@ -163,13 +164,19 @@ impl Cx<'_> {
         self.edge_locals(&self.model.edges.ids().collect::<Vec<_>>())
     }
 
-    fn edge_locals(&self, wanted: &[EdgeId]) -> TokenStream {
+    /// The locals of all edges.
+    pub(super) fn edge_names(&self) -> Vec<Ident> {
+        self.names_of_edges(&self.model.edges.ids().collect::<Vec<_>>())
+    }
+
+    fn names_of_edges(&self, wanted: &[EdgeId]) -> Vec<Ident> {
         let edges = self.plan.memory.edges.iter().filter(|(id, ..)| wanted.contains(id));
-        let locals = edges.flat_map(|(id, rising, falling)| {
-            let rising = rising.then(|| names::edge_local(*id, true));
-            rising.into_iter().chain(falling.then(|| names::edge_local(*id, false)))
-        });
-        locals.map(|local| quote!(let mut #local = false;)).collect()
+        let sides = edges.flat_map(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
+        sides.filter(|(_, used, _)| *used).map(|(id, _, is_rising)| names::edge_local(id, is_rising)).collect()
+    }
+
+    fn edge_locals(&self, wanted: &[EdgeId]) -> TokenStream {
+        self.names_of_edges(wanted).into_iter().map(|local| quote!(let mut #local = false;)).collect()
     }
 
     /// Keeps what edges compare with, and puts it back: an evolution that does not take place consumes no edge.
@@ -189,6 +196,6 @@ impl Cx<'_> {
             return quote!(false);
         }
         let (field, start) = (names::region_field(0, self.plan), self.start());
-        quote!((self.#field == #start))
+        quote!(self.#field == #start)
     }
 }

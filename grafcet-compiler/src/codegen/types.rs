@@ -43,14 +43,14 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     });
     let derives = derives(model.outputs.values().map(|output| &output.ty), p);
     let (vis, name, levels) = (&model.vis, &cx.names.outputs, levels(model));
-    let (derived, default) = default_outputs(cx);
+    let (by_derive, default) = default_outputs(cx);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     let allow = many_bools(model.outputs.len());
     // Processors without unaligned stores clear many single bytes through a call, words at once.
     let align = (model.outputs.len() > 8).then(|| quote!(#[repr(align(4))]));
     quote! {
         #[doc = #doc]
-        #[derive(#derives #derived)]
+        #[derive(#derives #by_derive)]
         #allow
         #levels
         #align

@@ -24,13 +24,13 @@ pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]
             Kind::Cycle { inputs, now, .. } => (inputs, *now),
             Kind::Shows(_) => continue,
             Kind::Init => {
-                awake.init().and_then(|()| asleep.init()).map_err(|error| failure(line, 0, error, String::new()))?;
+                awake.init().and_then(|()| asleep.init()).map_err(|error| failure(line, 0, &error, ""))?;
                 last = None;
                 continue;
             }
             Kind::Params(changed) => {
                 let set = awake.set_params(changed).and_then(|()| asleep.set_params(changed));
-                set.map_err(|error| failure(line, 0, error, String::new()))?;
+                set.map_err(|error| failure(line, 0, &error, ""))?;
                 last = None;
                 continue;
             }
@@ -60,7 +60,7 @@ fn scan(
     last: &mut Option<(Values, u32)>,
     line: &Line,
 ) -> Result<(), Difference> {
-    let shown = awake.cycle(inputs, time).map_err(|error| failure(line, time, error, String::new()))?;
+    let shown = awake.cycle(inputs, time).map_err(|error| failure(line, time, &error, ""))?;
     let due = match &*last {
         None => true,
         Some((before, then)) => {
@@ -70,7 +70,7 @@ fn scan(
     };
     let found = if due {
         *last = Some((inputs.clone(), time));
-        asleep.cycle(inputs, time).map_err(|error| failure(line, time, error, String::new()))?
+        asleep.cycle(inputs, time).map_err(|error| failure(line, time, &error, ""))?
     } else {
         Shown { calls: Vec::new(), ..asleep.shown() }
     };
@@ -79,7 +79,7 @@ fn scan(
         return Ok(());
     }
     let state = format!("{found} (scanned: {due}, next deadline: {:?})", asleep.next_deadline());
-    Err(failure(line, time, expected.to_string(), state))
+    Err(failure(line, time, &expected.to_string(), &state))
 }
 
 fn without_repetitions(mut shown: Shown) -> Shown {
@@ -87,6 +87,6 @@ fn without_repetitions(mut shown: Shown) -> Shown {
     shown
 }
 
-fn failure(line: &Line, time: u32, expected: String, found: String) -> Difference {
-    Difference { line: line.number, expected: format!("at tick {time}: {expected}"), found }
+fn failure(line: &Line, time: u32, expected: &str, found: &str) -> Difference {
+    Difference { line: line.number, expected: format!("at tick {time}: {expected}"), found: found.to_owned() }
 }

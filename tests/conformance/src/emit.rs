@@ -17,10 +17,8 @@ pub fn module(text: &str) -> Result<String, String> {
     let inputs: String = model.inputs.values().map(|i| take(&i.name, "inputs")).collect();
     let outputs: Vec<_> = model.outputs.values().map(|o| o.name.to_string()).collect();
     let outputs: String = outputs.iter().map(|o| format!("(\"{}\", number(o.{o})), ", plain(o))).collect();
-    let (calls, no_calls) = match model.actions.is_empty() {
-        true => (String::new(), "()".to_owned()),
-        false => (actions(&model), "Calls::default()".to_owned()),
-    };
+    let (calls, no_calls) =
+        if model.actions.is_empty() { (String::new(), "()") } else { (actions(&model), "Calls::default()") };
     let called = if model.actions.is_empty() { "Vec::new()" } else { "calls.0" };
     let (declare, params) = params(&model);
     Ok(format!(

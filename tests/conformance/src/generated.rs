@@ -91,6 +91,7 @@ pub fn call(phase: Phase, action: &str, args: &[i128]) -> String {
 }
 
 /// The outputs that are not zero.
+#[must_use]
 pub fn outputs<const N: usize>(outputs: [(&str, i128); N]) -> Values {
     outputs.into_iter().filter(|(_, value)| *value != 0).map(|(name, value)| (name.to_owned(), value)).collect()
 }

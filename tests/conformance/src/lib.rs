@@ -3,6 +3,7 @@
 //!
 //! - the corpus: the `.chart` files of this folder, run by `cargo test`
 //! - [`random`]: well-formed charts made from a number, run by `cargo xtask conformance`
+#![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 pub mod asleep;
 pub mod batch;

@@ -1,4 +1,5 @@
 //! `cargo xtask conformance`: random charts, compiled through the macro, beside the interpreter.
+#![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 mod options;
 mod project;

@@ -76,11 +76,11 @@ impl Project {
         let root = root();
         let text = format!(
             "[package]\nname = \"grafcet-conformance-batch\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-             grafcet = {{ path = {:?} }}\ngrafcet-conformance = {{ path = {:?} }}\n\n\
+             grafcet = {{ path = '{}' }}\ngrafcet-conformance = {{ path = '{}' }}\n\n\
              [profile.dev]\ndebug = false\nincremental = false\n\n\
              [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n",
-            root,
-            root.join("tests/conformance"),
+            root.display(),
+            root.join("tests/conformance").display(),
         );
         self.write("Cargo.toml", &text)?;
         // The versions that the workspace is tested with.
@@ -114,10 +114,7 @@ impl Project {
     fn build(&self) -> Result<(), String> {
         let mut command = self.cargo(&["build", "--quiet", "--bins", "--keep-going", "--message-format", "short"]);
         let output = command.output().map_err(|error| format!("cargo: {error}"))?;
-        match output.status.success() {
-            true => Ok(()),
-            false => Err(String::from_utf8_lossy(&output.stderr).into_owned()),
-        }
+        if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
     }
 
     fn run(&self, program: usize) -> Result<Vec<Outcome>, String> {

@@ -174,9 +174,10 @@ impl Gen {
     fn block_line(&mut self) -> Option<String> {
         let block = self.block()?;
         self.note("block");
-        let qualifier = match self.grafcet {
-            true => self.event_qualifier(),
-            false => self.qualifier(&["P1", "P1", "P0", "P0", "N", "P", "L", "D", "S", "SD", "DS", "SL"]),
+        let qualifier = if self.grafcet {
+            self.event_qualifier()
+        } else {
+            self.qualifier(&["P1", "P1", "P0", "P0", "N", "P", "L", "D", "S", "SD", "DS", "SL"])
         };
         Some(format!("{qualifier}{block}"))
     }

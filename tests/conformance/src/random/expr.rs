@@ -29,7 +29,6 @@ impl Gen {
             };
         }
         match self.rng.below(24) {
-            0..=7 => self.boolean(reads),
             8..=10 => format!("!{}", self.boolean(reads)),
             11..=13 => self.comparison(reads),
             14 | 15 => format!("{}.X", self.step_path()),

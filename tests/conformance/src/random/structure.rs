@@ -39,8 +39,10 @@ struct Room {
 }
 
 impl Part {
-    fn arrow(&mut self, from: &[String], to: &[String], guard: Option<String>) {
-        self.arrows.push(Arrow { from: from.to_vec(), to: to.to_vec(), guard });
+    fn arrow(&mut self, from: &[impl AsRef<str>], to: &[impl AsRef<str>], guard: Option<String>) {
+        let from = from.iter().map(|step| step.as_ref().to_owned()).collect();
+        let to = to.iter().map(|step| step.as_ref().to_owned()).collect();
+        self.arrows.push(Arrow { from, to, guard });
     }
 
     fn names(&self) -> Vec<String> {
@@ -126,10 +128,10 @@ impl Gen {
         let mut part = Part { name, ..Part::default() };
         let count = self.rng.between(2, 4);
         let steps: Vec<String> = (0..count).map(|_| self.plain(&mut part, "")).collect();
-        part.steps[0].words = "initial ".to_owned();
+        part.steps[0].words.push_str("initial ");
         for (index, step) in steps.iter().enumerate() {
             let next = steps[(index + 1) % count].clone();
-            part.arrow(&[step.clone()], &[next], None);
+            part.arrow(&[&step], &[next], None);
         }
         part
     }
@@ -159,9 +161,9 @@ impl Gen {
         }
         if last == first {
             last = self.plain(part, "");
-            part.arrow(&[first.to_owned()], &[last.clone()], None);
+            part.arrow(&[first], &[&last], None);
         }
-        part.arrow(&[last], &[first.to_owned()], None);
+        part.arrow(&[&*last], &[first], None);
         if self.rng.chance(35) {
             self.note("jump");
             for _ in 0..self.rng.between(1, 2) {
@@ -180,12 +182,12 @@ impl Gen {
         if self.rng.chance(15) {
             self.note("source transition");
             let to = self.rng.pick(&part.names()).clone();
-            part.arrow(&[], &[to], None);
+            part.arrow(&[""; 0], &[to], None);
         }
         if self.rng.chance(15) {
             self.note("sink transition");
             let from = self.rng.pick(&part.names()).clone();
-            part.arrow(&[from], &[], None);
+            part.arrow(&[from], &[""; 0], None);
         }
     }
 
@@ -194,16 +196,16 @@ impl Gen {
         match self.rng.below(10) {
             0..=3 => {
                 let to = self.node(part, room);
-                part.arrow(&[from], &[to.clone()], None);
+                part.arrow(&[from], &[&to], None);
                 to
             }
             4..=6 => self.selection(part, &from, room),
             7 | 8 => self.parallel(part, from, room),
             _ => {
                 self.note("self-loop");
-                part.arrow(&[from.clone()], &[from.clone()], None);
+                part.arrow(&[&from], &[&from], None);
                 let to = self.node(part, room);
-                part.arrow(&[from], &[to.clone()], None);
+                part.arrow(&[from], &[&to], None);
                 to
             }
         }
@@ -216,12 +218,14 @@ impl Gen {
         let mut ends = Vec::new();
         for guard in &guards {
             let step = self.node(part, room);
-            part.arrow(&[from.to_owned()], &[step.clone()], exclusive.then(|| (*guard).to_owned()));
+            part.arrow(&[from], &[&step], exclusive.then(|| (*guard).to_owned()));
             let end = if room.steps > 1 && self.rng.chance(30) { self.grow(part, step, room) } else { step };
             ends.push(end);
         }
         let join = self.node(part, room);
-        ends.iter().for_each(|end| part.arrow(&[end.clone()], &[join.clone()], None));
+        for end in &ends {
+            part.arrow(&[end], &[&join], None);
+        }
         join
     }
 
@@ -250,11 +254,11 @@ impl Gen {
         if self.rng.chance(30) {
             self.note("AND-convergence with alternatives");
             let other = self.node(part, room);
-            part.arrow(&ends, &[join.clone()], None);
-            part.arrow(&ends, &[other.clone()], None);
-            part.arrow(&[other], &[join.clone()], None);
+            part.arrow(&ends, &[&join], None);
+            part.arrow(&ends, &[&other], None);
+            part.arrow(&[other], &[&join], None);
         } else {
-            part.arrow(&ends, &[join.clone()], None);
+            part.arrow(&ends, &[&join], None);
         }
         join
     }
@@ -290,7 +294,7 @@ impl Gen {
             last = self.grow(&mut body, last, &mut inner);
         }
         let exit = self.plain(&mut body, "exit ");
-        body.arrow(&[last], &[exit.clone()], None);
+        body.arrow(&[last], &[&exit], None);
         if self.rng.chance(25) {
             body.arrow(&[exit], &[entry], None);
         }

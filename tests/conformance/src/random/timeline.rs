@@ -27,8 +27,12 @@ impl Gen {
             }
             let named = bools.iter().zip(&on).filter(|(_, on)| **on).map(|(name, _)| format!("{name} "));
             text.extend(named);
-            bytes.iter().for_each(|name| _ = write!(text, "{name}={byte} "));
-            ints.iter().for_each(|name| _ = write!(text, "{name}={} ", i32::try_from(int).unwrap_or_default() - 8));
+            for name in &bytes {
+                _ = write!(text, "{name}={byte} ");
+            }
+            for name in &ints {
+                _ = write!(text, "{name}={} ", i32::try_from(int).unwrap_or_default() - 8);
+            }
             now = now.wrapping_add(self.pause());
             _ = writeln!(text, "@{now} | |");
         }

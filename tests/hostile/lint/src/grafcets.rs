@@ -107,3 +107,10 @@ pub struct Silent;
 impl OvenActions for Silent {
     fn beep(&mut self, _: Phase, _: u8) {}
 }
+
+#[test]
+fn runs() {
+    let mut line = Line24V::new();
+    assert!(line.cycle(&Line24VInputs::default()).q1);
+    assert_eq!(Oven::new().cycle(&OvenInputs::default(), 0, &mut Silent).power, 0);
+}

@@ -107,3 +107,10 @@ impl QualifiersActions for Silent {
     fn beep(&mut self, _: Phase) {}
     fn drum(&mut self, _: Phase, _: u16, _: u16) {}
 }
+
+#[test]
+fn runs() {
+    let mut motor = Motor::new();
+    assert!(motor.cycle(&MotorInputs::default()).red);
+    assert!(!Qualifiers::new().cycle(&QualifiersInputs::default(), 0, &mut Silent).n);
+}

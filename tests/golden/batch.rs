@@ -1,0 +1,746 @@
+// Recorded by `cargo xtask bless`.
+
+///The process inputs of [`Batch`], sampled once per cycle.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct BatchInputs {
+    ///Input `start`.
+    pub start: ::grafcet::__private::core::primitive::bool,
+    ///Input `full`.
+    pub full: ::grafcet::__private::core::primitive::bool,
+    ///Input `empty`.
+    pub empty: ::grafcet::__private::core::primitive::bool,
+    ///Input `level`.
+    pub level: ::grafcet::__private::core::primitive::u16,
+}
+///The process outputs of [`Batch`]; `default()` holds the initial values.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct BatchOutputs {
+    ///Output `valve`.
+    pub valve: ::grafcet::__private::core::primitive::bool,
+    ///Output `pump`.
+    pub pump: ::grafcet::__private::core::primitive::bool,
+    ///Output `lamp`.
+    pub lamp: ::grafcet::__private::core::primitive::bool,
+    ///Output `speed`.
+    pub speed: ::grafcet::__private::core::primitive::u16,
+}
+impl ::grafcet::__private::core::default::Default for BatchOutputs {
+    fn default() -> Self {
+        Self {
+            valve: false,
+            pump: false,
+            lamp: false,
+            speed: 0,
+        }
+    }
+}
+///The names of the steps of [`Batch`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[allow(non_camel_case_types, clippy::enum_variant_names)]
+pub enum BatchStep {
+    ///Step `Idle`.
+    Idle,
+    ///Step `Fill`.
+    Fill,
+    ///Step `Heat`.
+    Heat,
+    ///Step `Stir`.
+    Stir,
+    ///Step `Drain`.
+    Drain,
+}
+///The names of the transitions of [`Batch`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[allow(non_camel_case_types, clippy::enum_variant_names)]
+pub enum BatchTransition {
+    ///`Idle -[rising(start)]-> (Fill, Heat)`
+    IdleToFillAndHeat,
+    ///`(Fill, Heat) -[full && soak/Heat]-> Stir`
+    FillAndHeatToStir,
+    ///`Stir -[Stir.T >= 2s && 1s/empty/500ms]-> Drain`
+    StirToDrain,
+    ///`Drain -[level == 0]-> Idle`
+    DrainToIdle,
+}
+///The recipe of [`Batch`]; `default()` holds the values in the chart.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct BatchParams {
+    ///Parameter `soak`.
+    pub soak: ::grafcet::__private::Ticks,
+    ///Parameter `hot`.
+    pub hot: ::grafcet::__private::core::primitive::i16,
+}
+impl BatchParams {
+    /// The values in the chart.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            soak: {
+                let ticks_5000 = ::grafcet::__private::Ticks::new(5000u32);
+                ticks_5000
+            },
+            hot: 80,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for BatchParams {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+///The code actions of [`Batch`], carried out by the program.
+pub trait BatchActions {
+    ///Action `heat`; `phase` tells which call this is.
+    fn heat(
+        &mut self,
+        phase: ::grafcet::__private::Phase,
+        setpoint: ::grafcet::__private::core::primitive::i16,
+    );
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
+enum __BatchRegion0 {
+    Idle,
+    Fill,
+    Stir,
+    Drain,
+    NONE,
+    INIT,
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
+enum __BatchRegion1 {
+    Heat,
+    NONE,
+}
+///The chart `Batch`.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct Batch {
+    region_0: __BatchRegion0,
+    region_1: __BatchRegion1,
+    var_count: ::grafcet::__private::core::primitive::u16,
+    edge_0: ::grafcet::__private::bool,
+    now: ::grafcet::__private::Ticks,
+    settled: ::grafcet::__private::bool,
+    since_0: ::grafcet::__private::Ticks,
+    since_1: ::grafcet::__private::Ticks,
+    delay_0: ::grafcet::__private::Delay,
+    timer_flag_l_lamp: ::grafcet::__private::OnDelay,
+    kept_q_heat: ::grafcet::__private::bool,
+    association_heat: ::grafcet::__private::u8,
+    timer_flag_d_pump: ::grafcet::__private::OnDelay,
+    memory_flag_sd_pump: ::grafcet::__private::bool,
+    timer_flag_sd_pump: ::grafcet::__private::OnDelay,
+    params: BatchParams,
+}
+impl Batch {
+    ///A chart `Batch` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self::with_params(BatchParams::new())
+    }
+    ///A chart `Batch` in its initial situation, with this recipe.
+    #[must_use]
+    pub const fn with_params(params: BatchParams) -> Self {
+        Self {
+            region_0: __BatchRegion0::INIT,
+            region_1: __BatchRegion1::NONE,
+            var_count: 0,
+            edge_0: false,
+            now: ::grafcet::__private::Ticks::ZERO,
+            settled: false,
+            since_0: ::grafcet::__private::Ticks::ZERO,
+            since_1: ::grafcet::__private::Ticks::ZERO,
+            delay_0: ::grafcet::__private::Delay::new(),
+            timer_flag_l_lamp: ::grafcet::__private::OnDelay::new(),
+            kept_q_heat: false,
+            association_heat: 0,
+            timer_flag_d_pump: ::grafcet::__private::OnDelay::new(),
+            memory_flag_sd_pump: false,
+            timer_flag_sd_pump: ::grafcet::__private::OnDelay::new(),
+            params,
+        }
+    }
+    /// The recipe in use.
+    #[must_use]
+    pub const fn params(&self) -> &BatchParams {
+        &self.params
+    }
+    /// Exchanges the recipe; the next cycle uses the new one.
+    pub fn set_params(&mut self, params: BatchParams) {
+        self.params = params;
+    }
+}
+impl ::grafcet::__private::core::default::Default for Batch {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+///A situation of [`Batch`]: which steps are active.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct BatchSituation {
+    region_0: __BatchRegion0,
+    region_1: __BatchRegion1,
+}
+impl BatchSituation {
+    /// Whether `step` is active in this situation.
+    #[must_use]
+    pub fn is_active(&self, step: BatchStep) -> ::grafcet::__private::bool {
+        match step {
+            BatchStep::Idle => self.region_0 == __BatchRegion0::Idle,
+            BatchStep::Fill => self.region_0 == __BatchRegion0::Fill,
+            BatchStep::Heat => self.region_1 == __BatchRegion1::Heat,
+            BatchStep::Stir => self.region_0 == __BatchRegion0::Stir,
+            BatchStep::Drain => self.region_0 == __BatchRegion0::Drain,
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Debug for BatchSituation {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        let mut set = f.debug_set();
+        for step in <Batch as ::grafcet::__private::Chart>::STEPS {
+            if self.is_active(*step) {
+                let _ = set.entry(step);
+            }
+        }
+        set.finish()
+    }
+}
+impl Batch {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    pub fn cycle(
+        &mut self,
+        inputs: &BatchInputs,
+        now: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
+        actions: &mut (impl BatchActions + ?::grafcet::__private::core::marker::Sized),
+    ) -> BatchOutputs {
+        let now: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
+            now,
+        );
+        let mut outputs = BatchOutputs {
+            valve: false,
+            pump: false,
+            lamp: false,
+            speed: 0,
+        };
+        let elapsed = if self.region_0 == __BatchRegion0::INIT {
+            ::grafcet::__private::Ticks::ZERO
+        } else {
+            now.since(self.now)
+        };
+        self.now = now;
+        self.since_0 = self.since_0 + elapsed;
+        self.since_1 = self.since_1 + elapsed;
+        let first = self.region_0 == __BatchRegion0::INIT;
+        let before_0 = self.region_0;
+        let before_1 = self.region_1;
+        let mut after_0 = before_0;
+        let mut after_1 = before_1;
+        let mut rising_now_0 = false;
+        let value: ::grafcet::__private::bool = inputs.start;
+        rising_now_0 = value && !self.edge_0 && !first;
+        self.edge_0 = value;
+        let input = inputs.empty;
+        self.delay_0
+            .update(
+                input,
+                ::grafcet::__private::Ticks::new(1000u32),
+                ::grafcet::__private::Ticks::new(500u32),
+                elapsed,
+            );
+        if before_0 == __BatchRegion0::INIT {
+            after_0 = __BatchRegion0::Idle;
+            after_1 = __BatchRegion1::NONE;
+        } else {
+            match before_0 {
+                __BatchRegion0::Idle => {
+                    if {
+                        let rising_0 = rising_now_0;
+                        rising_0
+                    } {
+                        after_0 = __BatchRegion0::Fill;
+                        after_1 = __BatchRegion1::Heat;
+                    }
+                }
+                __BatchRegion0::Fill => {
+                    if (before_1 == __BatchRegion1::Heat)
+                        && {
+                            let full = inputs.full;
+                            let elapsed_param_0_2 = (before_1 == __BatchRegion1::Heat)
+                                && (if before_1 == __BatchRegion1::Heat {
+                                    self.since_1
+                                } else {
+                                    ::grafcet::__private::Ticks::ZERO
+                                }) >= self.params.soak;
+                            full && elapsed_param_0_2
+                        }
+                    {
+                        after_1 = __BatchRegion1::NONE;
+                        after_0 = __BatchRegion0::Stir;
+                    }
+                }
+                __BatchRegion0::Stir => {
+                    if {
+                        let since_3 = if before_0 == __BatchRegion0::Stir {
+                            self.since_0
+                        } else {
+                            ::grafcet::__private::Ticks::ZERO
+                        };
+                        let ticks_2000 = ::grafcet::__private::Ticks::new(2000u32);
+                        let delay_0 = self.delay_0.output();
+                        since_3 >= ticks_2000 && delay_0
+                    } {
+                        after_0 = __BatchRegion0::Drain;
+                    }
+                }
+                __BatchRegion0::Drain => {
+                    if {
+                        let level = inputs.level;
+                        level == 0
+                    } {
+                        after_0 = __BatchRegion0::Idle;
+                    }
+                }
+                _ => {}
+            }
+        }
+        let since_before_0 = self.since_0;
+        let since_before_1 = self.since_1;
+        self.region_0 = after_0;
+        self.region_1 = after_1;
+        if after_0 != before_0 {
+            self.since_0 = ::grafcet::__private::Ticks::ZERO;
+        }
+        if after_1 != before_1 {
+            self.since_1 = ::grafcet::__private::Ticks::ZERO;
+        }
+        self.settled = before_0 == after_0 && before_1 == after_1 && !rising_now_0;
+        match after_0 {
+            __BatchRegion0::Fill => {
+                outputs.valve = true;
+            }
+            _ => {}
+        }
+        let mut flag_n_lamp = false;
+        let mut flag_l_lamp = false;
+        let mut flag_n_heat = false;
+        let mut left_flag_n_heat = false;
+        let mut flag_n_pump = false;
+        let mut flag_r_pump = false;
+        let mut flag_d_pump = false;
+        let mut flag_sd_pump = false;
+        match after_0 {
+            __BatchRegion0::Idle => {
+                flag_n_lamp = true;
+            }
+            _ => {}
+        }
+        match after_1 {
+            __BatchRegion1::Heat => {
+                flag_n_heat = true;
+                self.association_heat = 0u8;
+                flag_l_lamp = true;
+                flag_d_pump = true;
+            }
+            _ => {}
+        }
+        match after_0 {
+            __BatchRegion0::Stir => {
+                flag_n_heat = true;
+                self.association_heat = 1u8;
+                flag_sd_pump = true;
+            }
+            __BatchRegion0::Drain => {
+                flag_r_pump = true;
+                if {
+                    let level = inputs.level;
+                    level > 3
+                } {
+                    flag_n_pump = true;
+                }
+            }
+            _ => {}
+        }
+        let done_flag_l_lamp = self
+            .timer_flag_l_lamp
+            .update(
+                flag_l_lamp,
+                false,
+                ::grafcet::__private::Ticks::new(3000u32),
+                elapsed,
+            );
+        let q_lamp = !false && (flag_n_lamp || flag_l_lamp && !done_flag_l_lamp);
+        let q_heat = !false && (flag_n_heat);
+        let done_flag_d_pump = self
+            .timer_flag_d_pump
+            .update(
+                flag_d_pump,
+                false,
+                ::grafcet::__private::Ticks::new(1000u32),
+                elapsed,
+            );
+        self.memory_flag_sd_pump = (self.memory_flag_sd_pump || flag_sd_pump)
+            && !flag_r_pump;
+        let done_flag_sd_pump = self
+            .timer_flag_sd_pump
+            .update(
+                self.memory_flag_sd_pump,
+                false,
+                ::grafcet::__private::Ticks::new(2000u32),
+                elapsed,
+            );
+        let q_pump = !flag_r_pump
+            && (flag_n_pump || done_flag_d_pump || done_flag_sd_pump);
+        match before_1 {
+            __BatchRegion1::Heat => {
+                if after_1 != __BatchRegion1::Heat {
+                    left_flag_n_heat = true;
+                }
+            }
+            _ => {}
+        }
+        match before_0 {
+            __BatchRegion0::Stir => {
+                if after_0 != __BatchRegion0::Stir {
+                    left_flag_n_heat = true;
+                }
+            }
+            _ => {}
+        }
+        if self.kept_q_heat && !q_heat && ((left_flag_n_heat && !(flag_n_heat))) {
+            self.settled = false;
+            match self.association_heat {
+                0u8 => {
+                    actions
+                        .heat(
+                            ::grafcet::__private::Phase::Final,
+                            {
+                                let hot = self.params.hot;
+                                hot
+                            },
+                        );
+                }
+                _ => {
+                    actions.heat(::grafcet::__private::Phase::Final, 40);
+                }
+            }
+        }
+        match before_0 {
+            __BatchRegion0::Stir => {
+                if after_0 != __BatchRegion0::Stir {
+                    self.settled = false;
+                    {
+                        #[allow(unused_mut, unused_variables)]
+                        let mut count = self.var_count;
+                        #[allow(unused_braces)]
+                        {
+                            if count > 3 {
+                                count = 0;
+                            }
+                        }
+                        self.var_count = count;
+                    }
+                }
+            }
+            _ => {}
+        }
+        match after_0 {
+            __BatchRegion0::Fill => {
+                if before_0 != __BatchRegion0::Fill {
+                    self.settled = false;
+                    self.var_count = {
+                        let count = self.var_count;
+                        count + 1
+                    };
+                }
+            }
+            _ => {}
+        }
+        outputs.lamp = q_lamp;
+        if q_heat {
+            if self.kept_q_heat {
+                self.settled = false;
+                match self.association_heat {
+                    0u8 => {
+                        actions
+                            .heat(
+                                ::grafcet::__private::Phase::Repeated,
+                                {
+                                    let hot = self.params.hot;
+                                    hot
+                                },
+                            );
+                    }
+                    _ => {
+                        actions.heat(::grafcet::__private::Phase::Repeated, 40);
+                    }
+                }
+            } else {
+                self.settled = false;
+                match self.association_heat {
+                    0u8 => {
+                        actions
+                            .heat(
+                                ::grafcet::__private::Phase::First,
+                                {
+                                    let hot = self.params.hot;
+                                    hot
+                                },
+                            );
+                    }
+                    _ => {
+                        actions.heat(::grafcet::__private::Phase::First, 40);
+                    }
+                }
+            }
+        } else if self.kept_q_heat && !q_heat && !((left_flag_n_heat && !(flag_n_heat)))
+        {
+            self.settled = false;
+            match self.association_heat {
+                0u8 => {
+                    actions
+                        .heat(
+                            ::grafcet::__private::Phase::Final,
+                            {
+                                let hot = self.params.hot;
+                                hot
+                            },
+                        );
+                }
+                _ => {
+                    actions.heat(::grafcet::__private::Phase::Final, 40);
+                }
+            }
+        }
+        self.kept_q_heat = q_heat;
+        outputs.pump = q_pump;
+        match after_1 {
+            __BatchRegion1::Heat => {
+                outputs.speed = 10;
+            }
+            _ => {}
+        }
+        outputs
+    }
+    /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
+    /// first one.
+    pub fn init(&mut self) {
+        *self = Self::with_params(self.params);
+    }
+    /// Whether `step` is active.
+    #[must_use]
+    pub fn is_active(&self, step: BatchStep) -> ::grafcet::__private::bool {
+        match step {
+            BatchStep::Idle => {
+                self.region_0 == __BatchRegion0::Idle
+                    || self.region_0 == __BatchRegion0::INIT
+            }
+            BatchStep::Fill => self.region_0 == __BatchRegion0::Fill,
+            BatchStep::Heat => self.region_1 == __BatchRegion1::Heat,
+            BatchStep::Stir => self.region_0 == __BatchRegion0::Stir,
+            BatchStep::Drain => self.region_0 == __BatchRegion0::Drain,
+        }
+    }
+    /// The active steps, in the order of their declaration; the capacity is the most that can be active.
+    #[must_use]
+    pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<BatchStep, 2> {
+        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        if self.region_0 == __BatchRegion0::Idle || self.region_0 == __BatchRegion0::INIT
+        {
+            let _ = steps.push(BatchStep::Idle);
+        }
+        if self.region_0 == __BatchRegion0::Fill {
+            let _ = steps.push(BatchStep::Fill);
+        }
+        if self.region_1 == __BatchRegion1::Heat {
+            let _ = steps.push(BatchStep::Heat);
+        }
+        if self.region_0 == __BatchRegion0::Stir {
+            let _ = steps.push(BatchStep::Stir);
+        }
+        if self.region_0 == __BatchRegion0::Drain {
+            let _ = steps.push(BatchStep::Drain);
+        }
+        steps
+    }
+    /// The situation: which steps are active.
+    #[must_use]
+    pub const fn situation(&self) -> BatchSituation {
+        BatchSituation {
+            region_0: match self.region_0 {
+                __BatchRegion0::INIT => __BatchRegion0::Idle,
+                entered => entered,
+            },
+            region_1: self.region_1,
+        }
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    pub fn next_deadline(
+        &self,
+    ) -> ::grafcet::__private::Option<::grafcet::__private::Ticks> {
+        if !self.settled {
+            return ::grafcet::__private::Option::Some(self.now);
+        }
+        let mut soonest = ::grafcet::__private::Option::None;
+        if self.region_1 == __BatchRegion1::Heat {
+            soonest = ::grafcet::__private::sooner(
+                soonest,
+                ::grafcet::__private::until(self.since_1, self.params.soak),
+            );
+        }
+        if self.region_0 == __BatchRegion0::Stir {
+            soonest = ::grafcet::__private::sooner(
+                soonest,
+                ::grafcet::__private::until(
+                    self.since_0,
+                    ::grafcet::__private::Ticks::new(2000u32),
+                ),
+            );
+        }
+        soonest = ::grafcet::__private::sooner(
+            soonest,
+            self
+                .delay_0
+                .remaining(
+                    ::grafcet::__private::Ticks::new(1000u32),
+                    ::grafcet::__private::Ticks::new(500u32),
+                ),
+        );
+        soonest = ::grafcet::__private::sooner(
+            soonest,
+            self.timer_flag_l_lamp.remaining(::grafcet::__private::Ticks::new(3000u32)),
+        );
+        soonest = ::grafcet::__private::sooner(
+            soonest,
+            self.timer_flag_d_pump.remaining(::grafcet::__private::Ticks::new(1000u32)),
+        );
+        soonest = ::grafcet::__private::sooner(
+            soonest,
+            self.timer_flag_sd_pump.remaining(::grafcet::__private::Ticks::new(2000u32)),
+        );
+        match soonest {
+            ::grafcet::__private::Option::Some(time) => {
+                ::grafcet::__private::Option::Some(self.now.after(time))
+            }
+            ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
+        }
+    }
+    /// A duration in the chart's clock unit, rounded up.
+    #[must_use]
+    pub const fn ticks(
+        duration: ::grafcet::__private::core::time::Duration,
+    ) -> ::grafcet::__private::Ticks {
+        ::grafcet::__private::Ticks::from_duration(duration, 1000000)
+    }
+}
+impl ::grafcet::__private::Chart for Batch {
+    type Inputs = BatchInputs;
+    type Outputs = BatchOutputs;
+    type Step = BatchStep;
+    type Transition = BatchTransition;
+    type Situation = BatchSituation;
+    type Actions<'a> = dyn BatchActions + 'a;
+    const NAME: &'static ::grafcet::__private::str = "Batch";
+    const STEPS: &'static [BatchStep] = &[
+        BatchStep::Idle,
+        BatchStep::Fill,
+        BatchStep::Heat,
+        BatchStep::Stir,
+        BatchStep::Drain,
+    ];
+    const TRANSITIONS: &'static [BatchTransition] = &[
+        BatchTransition::IdleToFillAndHeat,
+        BatchTransition::FillAndHeatToStir,
+        BatchTransition::StirToDrain,
+        BatchTransition::DrainToIdle,
+    ];
+    fn scan(
+        &mut self,
+        inputs: &BatchInputs,
+        now: ::grafcet::__private::Ticks,
+        actions: &mut Self::Actions<'_>,
+    ) -> BatchOutputs {
+        self.cycle(inputs, now, actions)
+    }
+    fn init(&mut self) {
+        self.init();
+    }
+    fn is_active(&self, step: BatchStep) -> ::grafcet::__private::bool {
+        self.is_active(step)
+    }
+    fn situation(&self) -> BatchSituation {
+        self.situation()
+    }
+}

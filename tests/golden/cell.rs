@@ -1,0 +1,567 @@
+// Recorded by `cargo xtask bless`.
+
+///The process inputs of [`Cell`], sampled once per cycle.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct CellInputs {
+    ///Input `estop`.
+    pub estop: ::grafcet::__private::core::primitive::bool,
+    ///Input `start`.
+    pub start: ::grafcet::__private::core::primitive::bool,
+    ///Input `part`.
+    pub part: ::grafcet::__private::core::primitive::bool,
+    ///Input `full`.
+    pub full: ::grafcet::__private::core::primitive::bool,
+    ///Input `clamped`.
+    pub clamped: ::grafcet::__private::core::primitive::bool,
+    ///Input `auto`.
+    pub auto: ::grafcet::__private::core::primitive::bool,
+}
+///The process outputs of [`Cell`]; `default()` holds the initial values.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct CellOutputs {
+    ///Output `belt`.
+    pub belt: ::grafcet::__private::core::primitive::bool,
+    ///Output `clamp`.
+    pub clamp: ::grafcet::__private::core::primitive::bool,
+    ///Output `lamp`.
+    pub lamp: ::grafcet::__private::core::primitive::bool,
+    ///Output `bell`.
+    pub bell: ::grafcet::__private::core::primitive::bool,
+}
+///The names of the steps of [`Cell`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[allow(non_camel_case_types, clippy::enum_variant_names)]
+pub enum CellStep {
+    ///Step `Ready`.
+    Ready,
+    ///Step `Stopped`.
+    Stopped,
+    ///Step `Restart`.
+    Restart,
+    ///Step `Idle`.
+    Idle,
+    ///Step `Feed`.
+    Feed,
+    ///Step `Close`.
+    Close,
+    ///Step `Open`.
+    Open,
+    ///Step `Auto`.
+    Auto,
+    ///Step `Count`.
+    Count,
+}
+///The names of the transitions of [`Cell`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[allow(non_camel_case_types, clippy::enum_variant_names)]
+pub enum CellTransition {
+    ///`Ready -[estop]-> Stopped`
+    ReadyToStopped,
+    ///`Stopped -[!estop]-> Restart`
+    StoppedToRestart,
+    ///`Restart -[true]-> Ready`
+    RestartToReady,
+    ///`Close -[clamped]-> Open`
+    CloseToOpen,
+    ///`Idle -[start]-> Feed`
+    IdleToFeed,
+    ///`Feed -[full]-> Close`
+    FeedToClose,
+    ///`Open -[!clamped]-> Idle`
+    OpenToIdle,
+    ///`Idle -[auto && !start]-> Auto`
+    IdleToAuto,
+    ///`Auto -[n >= 2 && !part]-> Idle`
+    AutoToIdle,
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
+enum __CellRegion0 {
+    Ready,
+    Stopped,
+    Restart,
+    INIT,
+    Ready_UNSTABLE,
+    Stopped_UNSTABLE,
+    Restart_UNSTABLE,
+}
+impl __CellRegion0 {
+    const fn plain(self) -> Self {
+        match self {
+            Self::Ready_UNSTABLE => Self::Ready,
+            Self::Stopped_UNSTABLE => Self::Stopped,
+            Self::Restart_UNSTABLE => Self::Restart,
+            plain => plain,
+        }
+    }
+    const fn unstable(self) -> Self {
+        match self {
+            Self::Ready => Self::Ready_UNSTABLE,
+            Self::Stopped => Self::Stopped_UNSTABLE,
+            Self::Restart => Self::Restart_UNSTABLE,
+            other => other,
+        }
+    }
+    const fn is_unstable(self) -> ::grafcet::__private::bool {
+        match self {
+            Self::Ready_UNSTABLE | Self::Stopped_UNSTABLE | Self::Restart_UNSTABLE => {
+                true
+            }
+            _ => false,
+        }
+    }
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
+enum __CellRegion1 {
+    Idle,
+    Feed,
+    Close,
+    Open,
+    Auto,
+    NONE,
+}
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
+enum __CellRegion2 {
+    Count,
+    NONE,
+}
+///The chart `Cell`.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+#[allow(clippy::struct_excessive_bools)]
+pub struct Cell {
+    region_0: __CellRegion0,
+    region_1: __CellRegion1,
+    region_2: __CellRegion2,
+    out_clamp: ::grafcet::__private::core::primitive::bool,
+    var_n: ::grafcet::__private::core::primitive::u16,
+    edge_0: ::grafcet::__private::bool,
+}
+impl Cell {
+    ///A chart `Cell` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            region_0: __CellRegion0::INIT,
+            region_1: __CellRegion1::Idle,
+            region_2: __CellRegion2::NONE,
+            out_clamp: false,
+            var_n: 0,
+            edge_0: false,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Cell {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+///A situation of [`Cell`]: which steps are active.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct CellSituation {
+    region_0: __CellRegion0,
+    region_1: __CellRegion1,
+    region_2: __CellRegion2,
+}
+impl CellSituation {
+    /// Whether `step` is active in this situation.
+    #[must_use]
+    pub fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
+        match step {
+            CellStep::Ready => self.region_0 == __CellRegion0::Ready,
+            CellStep::Stopped => self.region_0 == __CellRegion0::Stopped,
+            CellStep::Restart => self.region_0 == __CellRegion0::Restart,
+            CellStep::Idle => self.region_1 == __CellRegion1::Idle,
+            CellStep::Feed => self.region_1 == __CellRegion1::Feed,
+            CellStep::Close => self.region_1 == __CellRegion1::Close,
+            CellStep::Open => self.region_1 == __CellRegion1::Open,
+            CellStep::Auto => self.region_1 == __CellRegion1::Auto,
+            CellStep::Count => self.region_2 == __CellRegion2::Count,
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Debug for CellSituation {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        let mut set = f.debug_set();
+        for step in <Cell as ::grafcet::__private::Chart>::STEPS {
+            if self.is_active(*step) {
+                let _ = set.entry(step);
+            }
+        }
+        set.finish()
+    }
+}
+impl Cell {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    pub fn cycle(&mut self, inputs: &CellInputs) -> CellOutputs {
+        let mut outputs = CellOutputs {
+            belt: false,
+            clamp: false,
+            lamp: false,
+            bell: false,
+        };
+        self.region_0 = self.region_0.plain();
+        let mut fresh = self.region_0 == __CellRegion0::INIT;
+        if self.region_0 == __CellRegion0::INIT {
+            self.region_0 = __CellRegion0::Ready;
+        }
+        let mut evolutions_left: ::grafcet::__private::u32 = 20;
+        let mut stable = true;
+        let mut rising_now_0 = false;
+        loop {
+            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+            let before_0 = self.region_0;
+            let before_1 = self.region_1;
+            let before_2 = self.region_2;
+            let mut after_0 = before_0;
+            let mut after_1 = before_1;
+            let mut after_2 = before_2;
+            let edge_before_0 = self.edge_0;
+            let value: ::grafcet::__private::bool = inputs.part;
+            rising_now_0 = value && !self.edge_0 && !fresh;
+            self.edge_0 = value;
+            fresh = false;
+            let mut next_n = self.var_n;
+            match before_0 {
+                __CellRegion0::Ready => {
+                    if inputs.estop {
+                        after_0 = __CellRegion0::Stopped;
+                    }
+                }
+                __CellRegion0::Stopped => {
+                    if {
+                        let estop = inputs.estop;
+                        !estop
+                    } {
+                        after_0 = __CellRegion0::Restart;
+                    }
+                }
+                __CellRegion0::Restart => {
+                    after_0 = __CellRegion0::Ready;
+                }
+                _ => {}
+            }
+            if after_0 == __CellRegion0::Stopped {
+                after_1 = __CellRegion1::NONE;
+            } else if after_0 == __CellRegion0::Restart {
+                after_1 = __CellRegion1::Idle;
+            } else if !((before_0 == __CellRegion0::Stopped)
+                || (before_0 == __CellRegion0::Restart))
+            {
+                match before_1 {
+                    __CellRegion1::Idle => {
+                        if inputs.start {
+                            after_1 = __CellRegion1::Feed;
+                        } else if {
+                            let auto = inputs.auto;
+                            let start = inputs.start;
+                            auto && !start
+                        } {
+                            after_1 = __CellRegion1::Auto;
+                        }
+                    }
+                    __CellRegion1::Feed => {
+                        if inputs.full {
+                            after_1 = __CellRegion1::Close;
+                        }
+                    }
+                    __CellRegion1::Close => {
+                        if inputs.clamped {
+                            after_1 = __CellRegion1::Open;
+                        }
+                    }
+                    __CellRegion1::Open => {
+                        if {
+                            let clamped = inputs.clamped;
+                            !clamped
+                        } {
+                            after_1 = __CellRegion1::Idle;
+                        }
+                    }
+                    __CellRegion1::Auto => {
+                        if {
+                            let n = self.var_n;
+                            let part = inputs.part;
+                            n >= 2 && !part
+                        } {
+                            next_n = 0;
+                            after_1 = __CellRegion1::Idle;
+                        }
+                    }
+                    _ => {}
+                }
+            }
+            if !(after_1 == __CellRegion1::Auto) {
+                after_2 = __CellRegion2::NONE;
+            } else if !(before_1 == __CellRegion1::Auto) {
+                after_2 = __CellRegion2::Count;
+            } else {}
+            match before_2 {
+                __CellRegion2::Count => {
+                    if {
+                        let rising_0 = rising_now_0;
+                        rising_0
+                    } {
+                        next_n = {
+                            let n = self.var_n;
+                            n + 1
+                        };
+                    }
+                }
+                _ => {}
+            }
+            if after_0 == before_0 && after_1 == before_1 && after_2 == before_2
+                && next_n == self.var_n
+            {
+                break;
+            }
+            if evolutions_left == 0 {
+                stable = false;
+                self.edge_0 = edge_before_0;
+                break;
+            }
+            evolutions_left -= 1;
+            match after_1 {
+                __CellRegion1::Close => {
+                    if before_1 != __CellRegion1::Close {
+                        self.out_clamp = true;
+                    }
+                }
+                __CellRegion1::Open => {
+                    if before_1 != __CellRegion1::Open {
+                        self.out_clamp = false;
+                    }
+                }
+                _ => {}
+            }
+            self.var_n = next_n;
+            self.region_0 = after_0;
+            self.region_1 = after_1;
+            self.region_2 = after_2;
+        }
+        let after_0 = self.region_0;
+        let after_1 = self.region_1;
+        let after_2 = self.region_2;
+        match after_0 {
+            __CellRegion0::Stopped => {
+                outputs.lamp = true;
+            }
+            _ => {}
+        }
+        match after_1 {
+            __CellRegion1::Feed => {
+                outputs.belt = true;
+            }
+            __CellRegion1::Auto => {
+                if {
+                    let macro_active_0 = (after_1 == __CellRegion1::Close)
+                        || (after_1 == __CellRegion1::Open);
+                    macro_active_0
+                } {
+                    outputs.bell = true;
+                }
+            }
+            _ => {}
+        }
+        if !stable {
+            self.region_0 = self.region_0.unstable();
+        }
+        outputs.clamp = self.out_clamp;
+        outputs
+    }
+    /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
+    /// first one.
+    pub fn init(&mut self) {
+        *self = Self::new();
+    }
+    /// Whether `step` is active.
+    #[must_use]
+    pub fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
+        match step {
+            CellStep::Ready => {
+                self.region_0.plain() == __CellRegion0::Ready
+                    || self.region_0.plain() == __CellRegion0::INIT
+            }
+            CellStep::Stopped => self.region_0.plain() == __CellRegion0::Stopped,
+            CellStep::Restart => self.region_0.plain() == __CellRegion0::Restart,
+            CellStep::Idle => self.region_1 == __CellRegion1::Idle,
+            CellStep::Feed => self.region_1 == __CellRegion1::Feed,
+            CellStep::Close => self.region_1 == __CellRegion1::Close,
+            CellStep::Open => self.region_1 == __CellRegion1::Open,
+            CellStep::Auto => self.region_1 == __CellRegion1::Auto,
+            CellStep::Count => self.region_2 == __CellRegion2::Count,
+        }
+    }
+    /// The active steps, in the order of their declaration; the capacity is the most that can be active.
+    #[must_use]
+    pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
+        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        if self.region_0.plain() == __CellRegion0::Ready
+            || self.region_0.plain() == __CellRegion0::INIT
+        {
+            let _ = steps.push(CellStep::Ready);
+        }
+        if self.region_0.plain() == __CellRegion0::Stopped {
+            let _ = steps.push(CellStep::Stopped);
+        }
+        if self.region_0.plain() == __CellRegion0::Restart {
+            let _ = steps.push(CellStep::Restart);
+        }
+        if self.region_1 == __CellRegion1::Idle {
+            let _ = steps.push(CellStep::Idle);
+        }
+        if self.region_1 == __CellRegion1::Feed {
+            let _ = steps.push(CellStep::Feed);
+        }
+        if self.region_1 == __CellRegion1::Close {
+            let _ = steps.push(CellStep::Close);
+        }
+        if self.region_1 == __CellRegion1::Open {
+            let _ = steps.push(CellStep::Open);
+        }
+        if self.region_1 == __CellRegion1::Auto {
+            let _ = steps.push(CellStep::Auto);
+        }
+        if self.region_2 == __CellRegion2::Count {
+            let _ = steps.push(CellStep::Count);
+        }
+        steps
+    }
+    /// The situation: which steps are active.
+    #[must_use]
+    pub const fn situation(&self) -> CellSituation {
+        CellSituation {
+            region_0: match self.region_0.plain() {
+                __CellRegion0::INIT => __CellRegion0::Ready,
+                entered => entered,
+            },
+            region_1: self.region_1,
+            region_2: self.region_2,
+        }
+    }
+    /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
+    /// and keeps the situation it had reached (decision A30).
+    #[must_use]
+    pub const fn is_stable(&self) -> ::grafcet::__private::bool {
+        !self.region_0.is_unstable()
+    }
+}
+impl ::grafcet::__private::Chart for Cell {
+    type Inputs = CellInputs;
+    type Outputs = CellOutputs;
+    type Step = CellStep;
+    type Transition = CellTransition;
+    type Situation = CellSituation;
+    type Actions<'a> = ();
+    const NAME: &'static ::grafcet::__private::str = "Cell";
+    const STEPS: &'static [CellStep] = &[
+        CellStep::Ready,
+        CellStep::Stopped,
+        CellStep::Restart,
+        CellStep::Idle,
+        CellStep::Feed,
+        CellStep::Close,
+        CellStep::Open,
+        CellStep::Auto,
+        CellStep::Count,
+    ];
+    const TRANSITIONS: &'static [CellTransition] = &[
+        CellTransition::ReadyToStopped,
+        CellTransition::StoppedToRestart,
+        CellTransition::RestartToReady,
+        CellTransition::CloseToOpen,
+        CellTransition::IdleToFeed,
+        CellTransition::FeedToClose,
+        CellTransition::OpenToIdle,
+        CellTransition::IdleToAuto,
+        CellTransition::AutoToIdle,
+    ];
+    fn scan(
+        &mut self,
+        inputs: &CellInputs,
+        _now: ::grafcet::__private::Ticks,
+        _actions: &mut Self::Actions<'_>,
+    ) -> CellOutputs {
+        self.cycle(inputs)
+    }
+    fn init(&mut self) {
+        self.init();
+    }
+    fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
+        self.is_active(step)
+    }
+    fn situation(&self) -> CellSituation {
+        self.situation()
+    }
+}

@@ -1,0 +1,31 @@
+//! The neighbours of the charts in `tests/ui`: nearly the same, and right. All are compiled here, and their `main` is run;
+//! the test `rules` sees to it that none is missing in the list.
+
+/// A module a file, a test a module.
+macro_rules! neighbours {
+    ($($group:ident: $($chart:ident),*;)*) => {
+        $($(
+            mod $chart {
+                include!(concat!("ui/", stringify!($group), "/", stringify!($chart), ".neighbour.rs"));
+
+                #[test]
+                fn $group() {
+                    main();
+                }
+            }
+        )*)*
+    };
+}
+
+neighbours! {
+    actions: bad_time, clearing_action, mixed_modes, write_race, wrong_target;
+    conditions: combinational_circle, edge_in_assignation, event_without_edge, reads_continuous, unstable;
+    drawing:
+        duplicate_name, duplicate_transition, isolated_step, no_initial_step, repeated_step, reserved_name,
+        several_initial_steps, sink_transition, source_transition, steps_without_transition,
+        transitions_without_step, unknown_name, unknown_partial, unknown_step;
+    levels: allow;
+    structure:
+        enclosure_without_link, forced_enclosure, forced_step_outside, forcing_circle, init_without_initial,
+        macro_entry_exit, two_masters;
+}

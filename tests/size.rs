@@ -1,0 +1,170 @@
+//! The state of a chart holds what the chart needs, and nothing else.
+
+use grafcet::grafcet;
+
+grafcet! {
+    /// One step at a time: a plain enum.
+    sfc Motor {
+        input on, off, over_temp: bool;
+        output relay, green, red: bool;
+        initial step Off { N red; }
+        step On { N relay; N green; }
+        Off -[on && !over_temp]-> On -[off || over_temp]-> Off;
+    }
+}
+
+grafcet! {
+    /// One stored output.
+    grafcet Line24V {
+        input b1, b2, b3, b4, b5: bool;
+        output q1, q2, q3: bool;
+        initial step S1 { q1; }
+        step S2 { S q2; }
+        step S3 { q3 if b5; }
+        step S4 { R q2; }
+        S1 -[b1]-> S2 -[b2]-> S3 -[b3]-> S4 -[b4]-> S1;
+    }
+}
+
+grafcet! {
+    /// Three branches beside each other.
+    sfc Parallel {
+        input go, done: bool;
+        output a, b, c: bool;
+        initial step Start;
+        step A { a; }
+        step B { b; }
+        step C { c; }
+        Start -[go]-> (A, B, C);
+        (A, B, C) -[done]-> Start;
+    }
+}
+
+#[test]
+fn situation() {
+    assert_eq!(size_of::<Motor>(), 1);
+    assert_eq!(size_of::<Line24V>(), 2, "one byte for the situation, one for q2");
+    assert_eq!(size_of::<Parallel>(), 3, "one byte per branch");
+    // Whether the first cycle has run and whether a search was stable need no bytes: nor do names and outputs.
+    assert_eq!(size_of::<Option<Motor>>(), 1);
+    assert_eq!(size_of::<MotorStep>(), 1);
+    assert_eq!(size_of::<ParallelSituation>(), 3);
+    assert_eq!(size_of::<MotorInputs>(), 3);
+}
+
+/// The chart `$name` with what makes it larger.
+macro_rules! chart {
+    ($dialect:ident $name:ident { $($tokens:tt)* }) => {
+        grafcet! {
+            $dialect $name {
+                input a, b: bool;
+                input level: u16;
+                initial step First;
+                First -[a]-> Second -[b]-> First;
+                $($tokens)*
+            }
+        }
+    };
+}
+
+chart! { sfc Continuous { output speed: u16; output q: bool; step Second { speed = level; q if b; } } }
+chart! { sfc Stored { output q: bool; step Second { S q; } Second -[b && a]-> Third; step Third { R q; } Third -[b]-> First; } }
+chart! { sfc StoredWord { output speed: u16; step Second { P1 speed = level; } } }
+chart! { sfc Read { output q: bool; step Second { q; } Second -[q]-> First; } }
+chart! { sfc Edge { step Second; Second -[rising(a)]-> First; } }
+chart! { sfc OneEdge { step Second; Second -[rising(a)]-> First; Second -[falling(a)]-> First; } }
+chart! { sfc TwoEdges { step Second; Second -[rising(a)]-> First; Second -[rising(b)]-> First; } }
+chart! { grafcet Variables { var n: u16; var x: bool; step Second { P1 n = n + 1; P1 x = b; } } }
+chart! { grafcet Combinational { var x: bool; step Second { x; } Second -[x && a]-> First; } }
+chart! { sfc Recipe { param limit: u16 = 3; step Second; Second -[level > limit]-> First; } }
+chart! { sfc Call { action call(); step Second { P1 call(); } } }
+chart! { sfc Calls { action call(); step Second { N call(); } } }
+
+#[test]
+fn memory_follows_from_use() {
+    assert_eq!(size_of::<Continuous>(), 1, "continuous outputs are not remembered");
+    assert_eq!(size_of::<Stored>(), 1 + 1);
+    assert_eq!(size_of::<StoredWord>(), 2 + 2, "the situation, aligned, and the output");
+    assert_eq!(size_of::<Read>(), 1 + 1, "an output that is read is the one of the cycle before");
+    assert_eq!(size_of::<Edge>(), 1 + 1);
+    assert_eq!(size_of::<OneEdge>(), 1 + 1, "both edges of one signal compare with one value");
+    assert_eq!(size_of::<TwoEdges>(), 1 + 2);
+    assert_eq!(size_of::<Variables>(), 1 + 1 + 2);
+    assert_eq!(size_of::<Combinational>(), 1, "what follows from the situation is not remembered");
+    assert_eq!(size_of::<Recipe>(), 2 + 2);
+    assert_eq!(size_of::<Call>(), 1);
+    assert_eq!(size_of::<Calls>(), 1 + 1, "whether the next call is a first one");
+}
+
+chart! { sfc Timed { step Second; Second -[5s/Second]-> First; } }
+chart! { grafcet TimedOnce { step Second; Second -[5s/Second || Second.T > 1s && b]-> First; } }
+chart! { sfc Limited { output q: bool; step Second { L 2s q; } } }
+chart! { sfc Kept { output q: bool; step Second { SL 2s q; } } }
+chart! { sfc Delayed { step Second; Second -[1s/b/2s]-> First; } }
+chart! { sfc TimedRecipe { param soak: time = 5s; step Second; Second -[soak/Second]-> First; } }
+
+#[test]
+fn time() {
+    // The reading of the clock; and of the single bytes: the situation, and whether anything is due at once.
+    let with = |words: usize, bytes: usize| (4 * (1 + words) + 2 + bytes).next_multiple_of(4);
+    assert_eq!(size_of::<Timed>(), with(1, 0), "the time of the active step");
+    assert_eq!(size_of::<TimedOnce>(), with(1, 0), "one time, however often it is looked at");
+    assert_eq!(size_of::<Limited>(), with(2, 0), "a timer: its time, and the input of the cycle before");
+    assert_eq!(size_of::<Kept>(), with(2, 1), "a timer and a flip-flop");
+    assert_eq!(size_of::<Delayed>(), with(2, 0), "a delay: its time, and input and output of the cycle before");
+    assert_eq!(size_of::<TimedRecipe>(), with(2, 0));
+}
+
+/// A sequence of these steps.
+macro_rules! sequence {
+    ($name:ident: $first:ident $($step:ident)*) => {
+        grafcet! {
+            sfc $name {
+                input go: bool;
+                initial step $first;
+                $(step $step;)*
+                $first $(-[go]-> $step)* -[go]-> $first;
+            }
+        }
+    };
+}
+
+/// A sequence of two hundred steps and more.
+macro_rules! long {
+    ($name:ident: $($more:ident)*) => {
+        sequence! { $name:
+            S000 S001 S002 S003 S004 S005 S006 S007 S008 S009 S010 S011 S012 S013 S014 S015 S016 S017 S018 S019
+            S020 S021 S022 S023 S024 S025 S026 S027 S028 S029 S030 S031 S032 S033 S034 S035 S036 S037 S038 S039
+            S040 S041 S042 S043 S044 S045 S046 S047 S048 S049 S050 S051 S052 S053 S054 S055 S056 S057 S058 S059
+            S060 S061 S062 S063 S064 S065 S066 S067 S068 S069 S070 S071 S072 S073 S074 S075 S076 S077 S078 S079
+            S080 S081 S082 S083 S084 S085 S086 S087 S088 S089 S090 S091 S092 S093 S094 S095 S096 S097 S098 S099
+            S100 S101 S102 S103 S104 S105 S106 S107 S108 S109 S110 S111 S112 S113 S114 S115 S116 S117 S118 S119
+            S120 S121 S122 S123 S124 S125 S126 S127 S128 S129 S130 S131 S132 S133 S134 S135 S136 S137 S138 S139
+            S140 S141 S142 S143 S144 S145 S146 S147 S148 S149 S150 S151 S152 S153 S154 S155 S156 S157 S158 S159
+            S160 S161 S162 S163 S164 S165 S166 S167 S168 S169 S170 S171 S172 S173 S174 S175 S176 S177 S178 S179
+            S180 S181 S182 S183 S184 S185 S186 S187 S188 S189 S190 S191 S192 S193 S194 S195 S196 S197 S198 S199
+            $($more)*
+        }
+    };
+}
+
+long! { TwoHundred: }
+long! {
+    ThreeHundred:
+    S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S210 S211 S212 S213 S214 S215 S216 S217 S218 S219
+    S220 S221 S222 S223 S224 S225 S226 S227 S228 S229 S230 S231 S232 S233 S234 S235 S236 S237 S238 S239
+    S240 S241 S242 S243 S244 S245 S246 S247 S248 S249 S250 S251 S252 S253 S254 S255 S256 S257 S258 S259
+    S260 S261 S262 S263 S264 S265 S266 S267 S268 S269 S270 S271 S272 S273 S274 S275 S276 S277 S278 S279
+    S280 S281 S282 S283 S284 S285 S286 S287 S288 S289 S290 S291 S292 S293 S294 S295 S296 S297 S298 S299
+}
+
+#[test]
+fn long_sequences() {
+    assert_eq!(size_of::<TwoHundred>(), 1);
+    assert_eq!(size_of::<ThreeHundred>(), 2, "more states than a byte has values");
+    let mut chart = ThreeHundred::new();
+    for _ in 0..300 {
+        chart.cycle(&ThreeHundredInputs { go: true });
+    }
+    assert!(chart.is_active(ThreeHundredStep::S299));
+}
