@@ -32,6 +32,13 @@ pub trait Inputs: Copy {
     fn from_word(word: u32) -> Self;
 }
 
+/// Takes the lowest bit.
+fn next_bit(bits: &mut u32) -> bool {
+    let bit = *bits & 1 != 0;
+    *bits >>= 1;
+    bit
+}
+
 /// Outputs that can be compared with those of another implementation.
 pub trait Outputs: Copy + Default {
     fn to_word(&self) -> u32;

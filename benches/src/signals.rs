@@ -27,14 +27,8 @@ macro_rules! words {
             use $signals::{ChartInputs, ChartOutputs};
 
             impl crate::Inputs for ChartInputs {
-                fn from_word(word: u32) -> Self {
-                    let mut bits = word;
-                    let mut bit = || {
-                        let bit = bits & 1 != 0;
-                        bits >>= 1;
-                        bit
-                    };
-                    $(let $input = bit();)*
+                fn from_word(mut bits: u32) -> Self {
+                    $(let $input = crate::next_bit(&mut bits);)*
                     Self { $($input,)* $($extra: ($value)(bits))? }
                 }
             }

@@ -36,15 +36,21 @@ impl Moment {
 impl Cx<'_> {
     /// The value of `expr`.
     pub(super) fn value(&self, expr: &Expr, moment: Moment) -> TokenStream {
-        let tokens = &expr.tokens;
+        let tokens = without_parens(&expr.tokens);
         // A single input needs no binding: the user's own token names the field.
         if let ([Read::Name(Name::Input(_))], Some(name)) = (&expr.reads[..], plain_name(tokens)) {
             // Located there, so that a type error stands there.
             return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
         }
         let bindings = self.bindings(&expr.reads, &[], is_opaque(&expr.tree), moment);
-        let tokens = without_parens(tokens);
-        if bindings.is_empty() { tokens } else { quote!({ #bindings #tokens }) }
+        if bindings.is_empty() && is_term(tokens) {
+            return tokens.to_token_stream();
+        }
+        if begins_with_block(tokens) {
+            // Rust would take the block for a statement.
+            return quote!({ #bindings let value = #tokens; value });
+        }
+        quote!({ #bindings #tokens })
     }
 
     /// A block of the user: what it may write is a copy, which `commit` takes over.
@@ -272,10 +278,33 @@ fn is_opaque(tree: &Tree) -> bool {
 }
 
 /// `if (a)` would be an `unused_parens` at the user's tokens, also where a macro has passed `(a)` on as one token.
-fn without_parens(expr: &syn::Expr) -> TokenStream {
+fn without_parens(expr: &syn::Expr) -> &syn::Expr {
     match expr {
         syn::Expr::Paren(paren) => without_parens(&paren.expr),
         syn::Expr::Group(group) => without_parens(&group.expr),
-        other => other.to_token_stream(),
+        other => other,
     }
+}
+
+/// Whether an expression means the same beside any operator.
+fn is_term(expr: &syn::Expr) -> bool {
+    use syn::Expr::{Array, Block, Call, Field, Index, Lit, Macro, MethodCall, Path, Tuple};
+    matches!(
+        expr,
+        Array(_) | Block(_) | Call(_) | Field(_) | Index(_) | Lit(_) | Macro(_) | MethodCall(_) | Path(_) | Tuple(_)
+    )
+}
+
+/// Whether an expression goes on behind a block at its beginning: `{ … } && a`, `match x { … } > 3`.
+fn begins_with_block(expr: &syn::Expr) -> bool {
+    let first = match expr {
+        syn::Expr::Binary(binary) => &binary.left,
+        syn::Expr::Call(call) => &call.func,
+        syn::Expr::Cast(cast) => &cast.expr,
+        syn::Expr::Index(index) => &index.expr,
+        syn::Expr::Field(field) => &field.base,
+        syn::Expr::MethodCall(call) => &call.receiver,
+        _ => return false,
+    };
+    matches!(**first, syn::Expr::Block(_) | syn::Expr::If(_) | syn::Expr::Match(_)) || begins_with_block(first)
 }

@@ -90,8 +90,60 @@ impl SearchActions for Silent {
     fn call(&mut self, _: Phase, _: u16, _: u16) {}
 }
 
+grafcet! {
+    /// Names that an expression binds itself.
+    pub sfc Bound {
+        input count, limit: u16;
+        input counts: [u16; 4];
+        input mode: Option<u16>;
+        output found: bool;
+        output sum: u16;
+        var total: u16;
+        initial step Off { sum = counts.iter().fold(count, |sum, count| sum + count); }
+        step On {
+            found;
+            P1 { let total_of = |count: u16| count + limit; total = total_of(1); }
+            P0 { for count in counts { total += count; } }
+        }
+        Off -[counts.iter().any(|count| *count == limit)]-> On;
+        On -[matches!(mode, Some(limit) if limit > 3)]-> Off;
+        On -[if let Some(count) = mode { count > limit } else { false }]-> Off;
+        On -[{ let limit = 3; counts.contains(&limit) } && total > 0]-> Off;
+    }
+}
+
+const LOW: bool = false;
+const HIGH: bool = true;
+
+grafcet! {
+    /// Conditions that read nothing, beside those of several steps.
+    pub sfc Constant {
+        input go: bool;
+        output done: bool;
+        initial step Start;
+        step A;
+        step B;
+        step C;
+        step End { done; }
+        Start -[LOW || HIGH]-> (A, B);
+        B -[go]-> C;
+        (A, C) -[LOW || HIGH]-> End;
+    }
+}
+
 #[test]
 fn runs() {
+    let mut constant = Constant::new();
+    for _ in 0..3 {
+        assert!(!constant.cycle(&ConstantInputs::default()).done, "`C` is not active");
+    }
+    constant.cycle(&ConstantInputs { go: true });
+    assert!(constant.cycle(&ConstantInputs::default()).done);
+    let mut bound = Bound::new();
+    let inputs = BoundInputs { count: 1, limit: 4, counts: [4, 1, 1, 1], mode: Some(4) };
+    assert_eq!(bound.cycle(&inputs).sum, 8);
+    assert!(bound.cycle(&inputs).found);
+    assert!(!bound.cycle(&inputs).found);
     let mut plain = Plain::new();
     assert!(plain.cycle(&PlainInputs::default()).situation);
     assert!(plain.cycle(&PlainInputs { inputs: true, ..Default::default() }).q);

@@ -39,6 +39,25 @@ parts! {
     pub Parts, sensor: u16, motor, Running, 3, ENOUGH > 10, "text", 2s, { let twice = ENOUGH * 2; let _ = twice; }, (stop)
 }
 
+/// Visibility, types, times, edges and steps from outside.
+macro_rules! timed {
+    ($vis:vis $name:ident($ty:ty) $time:literal $edge:expr; $($step:ident [$output:ident]),+; $last:ident) => {
+        grafcet! {
+            /// A timed chart.
+            $vis grafcet $name {
+                input button: $ty;
+                $(output $output: $ty;)+
+                var pressed: $ty = false;
+                initial step $last { pressed; }
+                $(step $step { $output; D $time pressed; })+
+                $last $(-[$edge && $time/$last]-> $step)+ -[$edge]-> $last;
+            }
+        }
+    };
+}
+
+timed! { Timed(bool) 2s rising(button); Waiting [lamp], r#loop [r#in]; Last }
+
 /// A sequence of any length.
 macro_rules! sequence {
     ($name:ident: $first:ident $(-[$input:ident]-> $step:ident)*) => {
@@ -110,6 +129,10 @@ fn runs() {
     sequence.cycle(&SequenceInputs::default());
     sequence.cycle(&SequenceInputs { a: true, ..Default::default() });
     assert_eq!(sequence.situation(), SequenceStep::B);
+    let mut timed = Timed::new();
+    timed.cycle(&TimedInputs { button: false }, 0);
+    timed.cycle(&TimedInputs { button: true }, 2000);
+    assert_eq!(timed.situation(), TimedStep::Waiting);
     assert!(Whole::new().cycle(&WholeInputs { x: true }, 0).lamp);
     assert!(Mixed::new().cycle(&MixedInputs::default()).first);
 }

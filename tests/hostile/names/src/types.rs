@@ -127,12 +127,32 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// A chart that is called like a module, with signals called like types.
+    #[allow(non_camel_case_types, non_snake_case)]
+    pub sfc line_1 {
+        input START, Stop: bool;
+        output Q1: bool;
+        var Count: u8;
+        param Limit: time = 1s;
+        action Report(Value: u8);
+        initial step idle;
+        step busy { N Q1; N Report(Count); P1 { Count += 1; } }
+        idle -[rising(START) && !Stop]-> busy -[Limit/busy || Count == 9]-> idle;
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;
 
 impl ValuesActions for Silent {
     fn report(&mut self, _: Phase, _: Mode, _: f32, _: &'static str) {}
+}
+
+#[allow(non_snake_case)]
+impl line_1Actions for Silent {
+    fn Report(&mut self, _: Phase, _: u8) {}
 }
 
 impl NamesActions for Silent {
