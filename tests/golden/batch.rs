@@ -9,7 +9,6 @@
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct BatchInputs {
     ///Input `start`.
     pub start: ::grafcet::__private::core::primitive::bool,
@@ -28,7 +27,6 @@ pub struct BatchInputs {
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct BatchOutputs {
     ///Output `valve`.
     pub valve: ::grafcet::__private::core::primitive::bool,
@@ -60,7 +58,6 @@ impl ::grafcet::__private::core::default::Default for BatchOutputs {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum BatchStep {
     ///Step `Idle`.
     Idle,
@@ -84,7 +81,6 @@ pub enum BatchStep {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum BatchTransition {
     ///`Idle -[rising(start)]-> (Fill, Heat)`
     IdleToFillAndHeat,
@@ -144,7 +140,6 @@ pub trait BatchActions {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __BatchRegion0 {
     Idle,
     Fill,
@@ -161,7 +156,6 @@ enum __BatchRegion0 {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __BatchRegion1 {
     Heat,
     NONE,
@@ -174,7 +168,6 @@ enum __BatchRegion1 {
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct Batch {
     region_0: __BatchRegion0,
     region_1: __BatchRegion1,

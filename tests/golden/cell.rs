@@ -9,7 +9,6 @@
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct CellInputs {
     ///Input `estop`.
     pub estop: ::grafcet::__private::core::primitive::bool,
@@ -33,7 +32,6 @@ pub struct CellInputs {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct CellOutputs {
     ///Output `belt`.
     pub belt: ::grafcet::__private::core::primitive::bool,
@@ -55,7 +53,6 @@ pub struct CellOutputs {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum CellStep {
     ///Step `Ready`.
     Ready,
@@ -87,7 +84,6 @@ pub enum CellStep {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum CellTransition {
     ///`Ready -[estop]-> Stopped`
     ReadyToStopped,
@@ -116,38 +112,35 @@ pub enum CellTransition {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __CellRegion0 {
     Ready,
     Stopped,
     Restart,
     INIT,
-    Ready_UNSTABLE,
-    Stopped_UNSTABLE,
-    Restart_UNSTABLE,
+    ReadyUnstable,
+    StoppedUnstable,
+    RestartUnstable,
 }
 impl __CellRegion0 {
     const fn plain(self) -> Self {
         match self {
-            Self::Ready_UNSTABLE => Self::Ready,
-            Self::Stopped_UNSTABLE => Self::Stopped,
-            Self::Restart_UNSTABLE => Self::Restart,
+            Self::ReadyUnstable => Self::Ready,
+            Self::StoppedUnstable => Self::Stopped,
+            Self::RestartUnstable => Self::Restart,
             plain => plain,
         }
     }
     const fn unstable(self) -> Self {
         match self {
-            Self::Ready => Self::Ready_UNSTABLE,
-            Self::Stopped => Self::Stopped_UNSTABLE,
-            Self::Restart => Self::Restart_UNSTABLE,
+            Self::Ready => Self::ReadyUnstable,
+            Self::Stopped => Self::StoppedUnstable,
+            Self::Restart => Self::RestartUnstable,
             other => other,
         }
     }
     const fn is_unstable(self) -> ::grafcet::__private::bool {
         match self {
-            Self::Ready_UNSTABLE | Self::Stopped_UNSTABLE | Self::Restart_UNSTABLE => {
-                true
-            }
+            Self::ReadyUnstable | Self::StoppedUnstable | Self::RestartUnstable => true,
             _ => false,
         }
     }
@@ -160,7 +153,6 @@ impl __CellRegion0 {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __CellRegion1 {
     Idle,
     Feed,
@@ -177,7 +169,6 @@ enum __CellRegion1 {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __CellRegion2 {
     Count,
     NONE,
@@ -190,7 +181,6 @@ enum __CellRegion2 {
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct Cell {
     region_0: __CellRegion0,
     region_1: __CellRegion1,

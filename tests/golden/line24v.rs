@@ -9,7 +9,6 @@
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::default::Default
 )]
-#[allow(clippy::struct_excessive_bools)]
 pub struct Line24VInputs {
     ///Input `b1`.
     pub b1: ::grafcet::__private::core::primitive::bool,
@@ -50,7 +49,6 @@ pub struct Line24VOutputs {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum Line24VStep {
     ///Step `S1`.
     S1,
@@ -72,7 +70,6 @@ pub enum Line24VStep {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum Line24VTransition {
     ///`S1 -[b1]-> S2`
     S1ToS2,
@@ -91,42 +88,40 @@ pub enum Line24VTransition {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __Line24VState {
     S1,
     S2,
     S3,
     S4,
-    S1_UNSTABLE,
-    S2_UNSTABLE,
-    S3_UNSTABLE,
-    S4_UNSTABLE,
+    S1Unstable,
+    S2Unstable,
+    S3Unstable,
+    S4Unstable,
 }
 impl __Line24VState {
     const fn plain(self) -> Self {
         match self {
-            Self::S1_UNSTABLE => Self::S1,
-            Self::S2_UNSTABLE => Self::S2,
-            Self::S3_UNSTABLE => Self::S3,
-            Self::S4_UNSTABLE => Self::S4,
+            Self::S1Unstable => Self::S1,
+            Self::S2Unstable => Self::S2,
+            Self::S3Unstable => Self::S3,
+            Self::S4Unstable => Self::S4,
             plain => plain,
         }
     }
     const fn unstable(self) -> Self {
         match self {
-            Self::S1 => Self::S1_UNSTABLE,
-            Self::S2 => Self::S2_UNSTABLE,
-            Self::S3 => Self::S3_UNSTABLE,
-            Self::S4 => Self::S4_UNSTABLE,
+            Self::S1 => Self::S1Unstable,
+            Self::S2 => Self::S2Unstable,
+            Self::S3 => Self::S3Unstable,
+            Self::S4 => Self::S4Unstable,
             other => other,
         }
     }
     const fn is_unstable(self) -> ::grafcet::__private::bool {
         match self {
-            Self::S1_UNSTABLE
-            | Self::S2_UNSTABLE
-            | Self::S3_UNSTABLE
-            | Self::S4_UNSTABLE => true,
+            Self::S1Unstable | Self::S2Unstable | Self::S3Unstable | Self::S4Unstable => {
+                true
+            }
             _ => false,
         }
     }
@@ -196,6 +191,9 @@ impl Line24V {
             }
             self.situation = after;
         }
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
         let after = self.situation;
         match after {
             __Line24VState::S1 => {
@@ -239,10 +237,10 @@ impl Line24V {
             __Line24VState::S2 => Line24VStep::S2,
             __Line24VState::S3 => Line24VStep::S3,
             __Line24VState::S4 => Line24VStep::S4,
-            __Line24VState::S1_UNSTABLE => Line24VStep::S1,
-            __Line24VState::S2_UNSTABLE => Line24VStep::S2,
-            __Line24VState::S3_UNSTABLE => Line24VStep::S3,
-            __Line24VState::S4_UNSTABLE => Line24VStep::S4,
+            __Line24VState::S1Unstable => Line24VStep::S1,
+            __Line24VState::S2Unstable => Line24VStep::S2,
+            __Line24VState::S3Unstable => Line24VStep::S3,
+            __Line24VState::S4Unstable => Line24VStep::S4,
         }
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make

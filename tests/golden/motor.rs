@@ -45,7 +45,6 @@ pub struct MotorOutputs {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum MotorStep {
     ///Step `Off`.
     Off,
@@ -63,7 +62,6 @@ pub enum MotorStep {
     ::grafcet::__private::core::hash::Hash,
     ::grafcet::__private::core::fmt::Debug,
 )]
-#[allow(non_camel_case_types, clippy::enum_variant_names)]
 pub enum MotorTransition {
     ///`Off -[on && !over_temp]-> On`
     OffToOn,
@@ -78,7 +76,6 @@ pub enum MotorTransition {
     ::grafcet::__private::core::fmt::Debug,
 )]
 #[doc(hidden)]
-#[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
 enum __MotorState {
     Off,
     On,

@@ -11,6 +11,12 @@ use crate::toolchain::BareMetal;
 /// The target of the emulated board.
 const BOARD: &str = "thumbv7m-none-eabi";
 
+/// The manifest of the examples for the board, and the folder of its build results.
+const EXAMPLES_CRATE: (&str, &str) = ("examples/firmware/Cargo.toml", "firmware");
+
+/// The same of the conformance corpus.
+const CORPUS_CRATE: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
+
 /// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
 const BUILT: [(&str, &str); 3] =
     [("thumbv6m-none-eabi", "--bins"), ("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
@@ -29,19 +35,29 @@ const SHOWN: usize = 20;
 /// # Errors
 /// A toolchain or QEMU is missing, a build fails, the image fails or hangs, or it answers other than the host.
 pub(crate) fn run() -> Result {
-    build(BOARD, "--bins")?;
+    build(EXAMPLES_CRATE, BOARD, "--bins")?;
     let host = host_lines()?;
-    compare(&host, &board_lines()?)?;
+    compare(&host, &board_lines("firmware")?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
-    BUILT.iter().try_for_each(|(target, what)| build(target, what))
+    BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))?;
+    corpus()
 }
 
-fn build(target: &str, what: &str) -> Result {
+/// The conformance corpus on the board: the image fails where a chart shows something else than its file expects.
+fn corpus() -> Result {
+    build(CORPUS_CRATE, BOARD, "--bins")?;
+    let printed = board_lines("corpus")?;
+    println!("firmware: the conformance corpus on the board: {}", printed.trim_end());
+    Ok(())
+}
+
+fn build(of: (&str, &str), target: &str, what: &str) -> Result {
+    let (manifest, folder) = of;
     let toolchain = BareMetal::find(target)?;
-    println!("firmware: {target}, {}", toolchain.describe());
+    println!("firmware: {manifest}, {target}, {}", toolchain.describe());
     let mut command = toolchain.cargo("build", target);
-    command.args(["--quiet", "--release", "--manifest-path", "examples/firmware/Cargo.toml", what, "--target-dir"]);
-    run_command(command.arg(project::target("firmware")))
+    command.args(["--quiet", "--release", "--manifest-path", manifest, what, "--target-dir"]);
+    run_command(command.arg(project::target(folder)))
 }
 
 /// What the examples print on the host, below the headings that the firmware prints.
@@ -60,10 +76,10 @@ fn host_lines() -> Result<String> {
         .collect()
 }
 
-fn board_lines() -> Result<String> {
+fn board_lines(folder: &str) -> Result<String> {
     let qemu = find("qemu-system-arm")
         .ok_or("qemu-system-arm is not in the PATH; on Debian `apt-get install qemu-system-arm`")?;
-    let image = project::target("firmware").join(BOARD).join("release/lm3s6965evb");
+    let image = project::target(folder).join(BOARD).join("release/lm3s6965evb");
     capture_within(&mut emulator(&qemu, &image), LIMIT)
 }
 

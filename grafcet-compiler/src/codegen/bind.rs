@@ -286,13 +286,11 @@ fn without_parens(expr: &syn::Expr) -> &syn::Expr {
     }
 }
 
-/// Whether an expression means the same beside any operator.
+/// Whether an expression means the same beside any operator that generated code puts there.
 fn is_term(expr: &syn::Expr) -> bool {
-    use syn::Expr::{Array, Block, Call, Field, Index, Lit, Macro, MethodCall, Path, Tuple};
-    matches!(
-        expr,
-        Array(_) | Block(_) | Call(_) | Field(_) | Index(_) | Lit(_) | Macro(_) | MethodCall(_) | Path(_) | Tuple(_)
-    )
+    use syn::Expr::{Array, Block, Call, Field, Index, Lit, Macro, MethodCall, Path, Tuple, Unary};
+    let lists = matches!(expr, Array(_) | Block(_) | Call(_) | Macro(_) | MethodCall(_) | Tuple(_));
+    lists || matches!(expr, Field(_) | Index(_) | Lit(_) | Path(_) | Unary(_))
 }
 
 /// Whether an expression goes on behind a block at its beginning: `{ … } && a`, `match x { … } > 3`.

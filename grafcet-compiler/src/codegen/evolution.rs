@@ -71,7 +71,8 @@ impl Cx<'_> {
                 let (variant, next) = (self.variant(*step), self.next_step(*step));
                 quote!(#variant => #next,)
             });
-            return quote!(let #after = match #before { #(#arms)* #rest };);
+            let stop = (!self.breaks_out()).then(|| quote!(if #after == #before { break; }));
+            return quote!(let #after = match #before { #(#arms)* #rest }; #stop);
         }
         let arms = self.plan.regions.all()[0].steps.iter().map(|step| {
             let (variant, next) = (self.variant(*step), self.next_step(*step));
@@ -97,9 +98,19 @@ impl Cx<'_> {
                 None => return quote!({ #chain { #clear } }),
             }
         }
-        // In a search, a step that is not left is the end of it.
-        let stay = if self.model.is_grafcet() { quote!(break) } else { self.variant(step) };
+        let stay = self.stay(step);
         if chain.is_empty() { stay } else { quote!({ #chain { #stay } }) }
+    }
+
+    /// A path on which nothing clears: in a search it is the end of it.
+    fn stay(&self, step: StepId) -> TokenStream {
+        if self.breaks_out() { quote!(break) } else { self.variant(step) }
+    }
+
+    /// Whether the paths of a search that clear nothing leave it with `break`. That is the faster code; in a longer chart
+    /// paths that all end in a state are the smaller one.
+    pub(super) fn breaks_out(&self) -> bool {
+        self.model.is_grafcet() && self.is_one_match() && self.model.steps.len() <= 24
     }
 
     /// What clearing does beside the situation, and the step it leads to.
@@ -107,7 +118,7 @@ impl Cx<'_> {
         let transition = &self.model.transitions[id];
         if self.model.is_grafcet() && transition.sources == transition.targets {
             // A4g: nothing happens to a step that is left and entered at once.
-            return quote!(break);
+            return transition.sources.iter().map(|step| self.stay(*step)).collect();
         }
         let actions = self.clearing_actions(id);
         let again = (self.plan.sees_reentry[0] && transition.sources == transition.targets).then(|| {

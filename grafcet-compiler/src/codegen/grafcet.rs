@@ -69,6 +69,11 @@ impl Cx<'_> {
         // Inputs do not change during the search, and LLVM would read all of them in front of the loop, also those that
         // no active step asks for.
         let opaque = (!self.model.inputs.is_empty()).then(|| quote!(let inputs = #p::core::hint::black_box(inputs);));
+        // No instruction: it keeps LLVM from copying the actions of the steps into the search.
+        let fence = self.breaks_out().then(|| {
+            let atomic = quote!(#p::core::sync::atomic);
+            quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
+        });
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
         let gone =
@@ -87,6 +92,7 @@ impl Cx<'_> {
                 #stored #commit_collected #commit #restart #unsettle
             }
             #gone
+            #fence
         }
     }
 

@@ -254,7 +254,7 @@ pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
 
 /// The variant of a state after an unstable search.
 pub(super) fn unstable_twin(model: &Model, state: &Ident) -> Ident {
-    fresh(model, &format!("{}_UNSTABLE", state.to_string().trim_start_matches("r#")))
+    fresh(model, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
 }
 
 /// A name of ours that no token of the user can mean.

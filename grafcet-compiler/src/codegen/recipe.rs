@@ -29,11 +29,9 @@ fn params(cx: &Cx<'_>) -> TokenStream {
     let (vis, name, chart) = (&model.vis, &cx.names.params, &model.name);
     let levels = types::levels(model);
     let doc = format!("The recipe of [`{chart}`]; `default()` holds the values in the chart.");
-    let allow = types::many_bools(model.params.len());
     quote! {
         #[doc = #doc]
         #[derive(#derives)]
-        #allow
         #levels
         #vis struct #name { #(#fields)* }
 

@@ -29,7 +29,6 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
             #p::core::fmt::Debug,
         )]
         #[doc(hidden)]
-        #[allow(non_camel_case_types, clippy::enum_variant_names, clippy::upper_case_acronyms)]
         enum #name { #(#variants,)* #twins }
 
         #twin_methods
@@ -260,12 +259,11 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
     let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).collect();
     let derives = types::derives(types.into_iter(), p);
-    let (allow, levels) = (types::many_bools(fields.len()), types::levels(model));
+    let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
     quote! {
         #docs
         #[derive(#derives)]
-        #allow
         #vis struct #name { #(#declared)* #params_field }
 
         #levels

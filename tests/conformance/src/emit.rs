@@ -100,7 +100,7 @@ fn params(model: &Model) -> (String, String) {
     (format!("params: {}Params", model.name), set)
 }
 
-fn rust(ty: &Ty) -> String {
+pub(crate) fn rust(ty: &Ty) -> String {
     match ty {
         Ty::Time(_) => "Ticks".to_owned(),
         Ty::Bool(ty) | Ty::Int { rust: ty, .. } | Ty::Other(ty) => quote::quote!(#ty).to_string(),

@@ -7,6 +7,7 @@
 
 pub mod asleep;
 pub mod batch;
+pub mod board;
 pub mod chart;
 pub mod emit;
 pub mod generated;

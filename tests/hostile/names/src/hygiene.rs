@@ -102,10 +102,10 @@ grafcet! {
         initial step Off { sum = counts.iter().fold(count, |sum, count| sum + count); }
         step On {
             found;
-            P1 { let total_of = |count: u16| count + limit; total = total_of(1); }
+            P1 { let limit_of = |count: u16| count + limit; total = limit_of(1) + limit_of(2); }
             P0 { for count in counts { total += count; } }
         }
-        Off -[counts.iter().any(|count| *count == limit)]-> On;
+        Off -[counts.iter().any(|count| *count >= limit)]-> On;
         On -[matches!(mode, Some(limit) if limit > 3)]-> Off;
         On -[if let Some(count) = mode { count > limit } else { false }]-> Off;
         On -[{ let limit = 3; counts.contains(&limit) } && total > 0]-> Off;

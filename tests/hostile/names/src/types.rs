@@ -91,17 +91,30 @@ grafcet! {
     pub grafcet NoNumber {
         input go: bool;
         input level: f32;
-        input both: Pair<f32, f32>;
         output seen: bool;
         var one, other: f32;
-        var pair: Pair<f32, f32> = Pair(0.0, 0.0);
-        var count: u8;
 
         initial step Idle;
-        step First { P1 one = level; P1 pair = both; P0 other = one; seen; }
-        step Second { P1 one = other; on rising(pair.0 > 1.0) count = count + 1; }
+        step First { P1 one = level; P0 other = one; seen; }
+        step Second { P1 one = other; }
 
-        Idle -[go && count == 0]-> First -[!go]-> Second -[go && level < 0.0]-> Idle;
+        Idle -[go]-> First -[!go]-> Second -[go && level < 0.0]-> Idle;
+    }
+}
+
+grafcet! {
+    /// The same in a type of the program.
+    pub grafcet NoNumbers {
+        input go: bool;
+        input both: Pair<f32, f32>;
+        output seen: bool;
+        var one, other: Pair<f32, f32> = Pair(0.0, 0.0);
+
+        initial step Idle;
+        step First { P1 one = both; P0 other = one; seen; }
+        step Second { P1 one = other; }
+
+        Idle -[go]-> First -[!go]-> Second -[go && both.0 < 0.0]-> Idle;
     }
 }
 
@@ -175,8 +188,10 @@ fn runs() {
     assert_eq!(q.shown, Mode::Automatic);
 
     let (nan, mut search) = (f32::NAN, NoNumber::new());
-    let q = search.cycle(&NoNumberInputs { go: true, level: nan, both: Pair(nan, nan) });
+    let q = search.cycle(&NoNumberInputs { go: true, level: nan });
     assert!(q.seen, "the search ends");
+    let mut search = NoNumbers::new();
+    assert!(search.cycle(&NoNumbersInputs { go: true, both: Pair(nan, nan) }).seen, "the search ends");
 
     let mut names = Names::new();
     assert!(names.cycle(&NamesInputs::default(), 0, &mut Silent).r#match);
