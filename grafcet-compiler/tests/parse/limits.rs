@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 use std::thread;
-use std::time::{Duration, Instant};
 
 use grafcet_compiler::ast::Chart;
 use grafcet_compiler::diagnostic::Sink;
@@ -189,35 +188,28 @@ fn large(steps: usize, one_chain: bool) -> String {
     text + " -[true]-> S0;\n}"
 }
 
-/// The shortest of some runs, since a machine may be busy, and the chart and the number of messages.
-fn timed(text: &str) -> (Duration, Option<Chart>, usize) {
-    let run = || {
-        let tokens = text.parse().expect("tokens");
-        let mut sink = Sink::new();
-        let start = Instant::now();
-        let chart = parse::chart(tokens, &mut sink);
-        (start.elapsed(), chart, sink.finish().len())
-    };
-    (0..3).map(|_| run()).min_by_key(|(took, ..)| *took).expect("a run")
+/// The chart and the number of messages.
+fn parsed(text: &str) -> (Option<Chart>, usize) {
+    let tokens = text.parse().expect("tokens");
+    let mut sink = Sink::new();
+    let chart = parse::chart(tokens, &mut sink);
+    (chart, sink.finish().len())
 }
 
 #[test]
-fn a_thousand_steps_parse_fast() {
+fn a_thousand_steps_parse() {
     for one_chain in [false, true] {
-        let (took, chart, messages) = timed(&large(1000, one_chain));
+        let (chart, messages) = parsed(&large(1000, one_chain));
         assert!(chart.is_some_and(|chart| !chart.incomplete));
         assert_eq!(messages, 0);
-        // The target for 2,000 lines is 0.2 s, and this has twice as many; something quadratic would take far longer.
-        assert!(took < Duration::from_secs(1), "{took:?}");
     }
 }
 
 #[test]
-fn a_thousand_mistakes_are_found_fast() {
+fn a_thousand_mistakes_are_all_found() {
     let (inputs, lines, chains) = ("input a: bool\n", "N q\n", "A -[x y]-> B\n");
     let body = format!("{} step A {{ {} }} {}", inputs.repeat(1000), lines.repeat(1000), chains.repeat(1000));
-    let (took, chart, messages) = timed(&format!("sfc M {{ {body} }}"));
+    let (chart, messages) = parsed(&format!("sfc M {{ {body} }}"));
     assert!(chart.is_some_and(|chart| chart.incomplete));
     assert_eq!(messages, 4000);
-    assert!(took < Duration::from_secs(2), "{took:?}");
 }
