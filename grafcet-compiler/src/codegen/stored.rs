@@ -101,8 +101,11 @@ impl Cx<'_> {
             quote!(#(#places)*)
         });
         let commit = collects.then(|| self.commit_collected());
+        // Before the activation no step asserts them.
+        let combinational = self.plan.memory.combinational.iter().map(|var| names::combinational(self.model, *var));
+        let combinational = combinational.map(|local| quote!(let #local = false;));
         let actions = actions.iter().map(|association| self.conditional(association, Moment::Start));
-        quote!(#declare #(#actions)* #commit)
+        quote!(#(#combinational)* #declare #(#actions)* #commit)
     }
 
     /// The actions on clearing that write, and the flag of those that call.
