@@ -28,7 +28,7 @@ impl Line {
     #[allow(dead_code, reason = "not every runner prints lines")]
     pub fn text(&self) -> String {
         let named = |values: &BTreeMap<String, i128>| {
-            values.iter().map(|(name, value)| format!("{name}={value} ")).collect::<String>()
+            values.iter().map(|(name, value)| format!("{name}={value} ")).collect::<Vec<_>>().concat()
         };
         match &self.kind {
             Kind::Cycle { inputs, now, .. } => format!("{}@{now}", named(inputs)),

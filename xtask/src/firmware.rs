@@ -14,9 +14,6 @@ const BOARD: &str = "thumbv7m-none-eabi";
 /// The manifest of the examples for the board, and the folder of its build results.
 const EXAMPLES_CRATE: (&str, &str) = ("examples/firmware/Cargo.toml", "firmware");
 
-/// The same of the conformance corpus.
-const CORPUS_CRATE: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
-
 /// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
 const BUILT: [(&str, &str); 3] =
     [("thumbv6m-none-eabi", "--bins"), ("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
@@ -39,16 +36,7 @@ pub(crate) fn run() -> Result {
     let host = host_lines()?;
     compare(&host, &board_lines("firmware")?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
-    BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))?;
-    corpus()
-}
-
-/// The conformance corpus on the board: the image fails where a chart shows something else than its file expects.
-fn corpus() -> Result {
-    build(CORPUS_CRATE, BOARD, "--bins")?;
-    let printed = board_lines("corpus")?;
-    println!("firmware: the conformance corpus on the board: {}", printed.trim_end());
-    Ok(())
+    BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))
 }
 
 fn build(of: (&str, &str), target: &str, what: &str) -> Result {

@@ -41,18 +41,22 @@ fn run(options: &Options) -> Result<(), String> {
 
 fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize, String> {
     let name = if grafcet { "grafcet" } else { "sfc" };
-    let (mut number, mut refused, mut accepted, mut differing) = (options.first(), 0, 0, 0);
-    let mut features = BTreeMap::<&str, usize>::new();
+    let (mut number, mut accepted, mut differing) = (options.first(), 0, 0);
+    let (mut features, mut refused) = (Counts::new(), Counts::new());
     while accepted < options.charts {
         let mut batch = Vec::new();
         while batch.len() < BATCH.min(options.charts - accepted) {
             let made = random::chart(number, grafcet, options.cycles);
-            if chart::resolve(&made.chart).is_ok() {
-                made.features.iter().for_each(|feature| *features.entry(feature).or_default() += 1);
-                let name = format!("{}{number}", &name[..1]);
-                batch.push(Case { name, chart: made.chart, timeline: made.timeline });
-            } else {
-                refused += 1;
+            match chart::resolve(&made.chart) {
+                Ok(_) => {
+                    made.features.iter().for_each(|feature| *features.entry((*feature).to_owned()).or_default() += 1);
+                    let name = format!("{}{number}", &name[..1]);
+                    batch.push(Case { name, chart: made.chart, timeline: made.timeline });
+                }
+                Err(message) => {
+                    let rule = message.split("grafcet::").nth(1).and_then(|rest| rest.split(']').next());
+                    *refused.entry(rule.unwrap_or("notation").to_owned()).or_default() += 1;
+                }
             }
             number += 1;
         }
@@ -60,7 +64,7 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
         differing += play(project, &batch, options)?;
         println!("{name}: {accepted} charts x {} cycles, {differing} differ", options.cycles);
     }
-    table(name, accepted, refused, &features);
+    table(name, accepted, &refused, &features);
     Ok(differing)
 }
 
@@ -78,9 +82,17 @@ fn play(project: &Project, batch: &[Case], options: &Options) -> Result<usize, S
     Ok(differing.len())
 }
 
-/// How many charts had what of the language.
-fn table(dialect: &str, accepted: usize, refused: usize, features: &BTreeMap<&str, usize>) {
-    let mut text = format!("{dialect}: {accepted} charts, {refused} more refused by the compiler; of them with\n");
+/// How many charts had something.
+type Counts = BTreeMap<String, usize>;
+
+/// How many charts had what of the language, and by which rules others were refused.
+fn table(dialect: &str, accepted: usize, refused: &Counts, features: &Counts) {
+    let sum: usize = refused.values().sum();
+    let mut text = format!("{dialect}: {accepted} charts, {sum} more refused by the compiler, first because of\n");
+    for (rule, count) in refused {
+        _ = writeln!(text, "  {count:6}  {rule}");
+    }
+    text.push_str("of those accepted with\n");
     for (feature, count) in features {
         _ = writeln!(text, "  {count:6}  {feature}");
     }
