@@ -31,7 +31,7 @@ grafcet! {
         var count: u16 = 0;
         initial step Always {
             many if count > 100;
-            on rising(pulse) && !rising(clear) count = count + 1;
+            on rising(pulse) && !rising(clear) count = (count + 1) % 1000;
             on rising(clear) count = 0;
         }
     }

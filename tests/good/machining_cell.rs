@@ -83,7 +83,7 @@ grafcet! {
             step Carried;
             step Probe { probe; }
             step Lay;
-            step Scrap { P1 scrap = scrap.saturating_add(1); }
+            step Scrap { P1 scrap = (scrap + 1) % 10_000; }
             step Drop { R grip; }
             step Back { to_home; }
 
@@ -133,7 +133,7 @@ grafcet! {
             step OutTake;
             step Label { label; }
             step OutWait { out_stop; }
-            step OutRun { out_belt; P1 parts = parts.wrapping_add(1); }
+            step OutRun { out_belt; P1 parts = (parts + 1) % 10_000; }
             step Full { out_stop; siren if parts > 1000 && scrap > 10; }
 
             OutFree -[Robot::Lay.X]-> OutTake -[Robot::Back.X]-> Label -[400ms/Label]-> OutWait;

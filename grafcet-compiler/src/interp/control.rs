@@ -71,7 +71,7 @@ pub(super) fn inputs(change: &Change, leaving: &View<'_>, view: &View<'_>) -> Re
 }
 
 /// The flip-flops and timers of one target.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct ActionControl {
     /// In source order.
     pub(super) associations: Vec<AssociationId>,

@@ -3,21 +3,21 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::continuous::{self, asserts};
-use super::hierarchy::{self, Evolution};
+use super::hierarchy;
 use super::state::State;
 use super::stored::{self, Outcome};
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
-use super::{Call, Phase, arguments};
-use crate::model::{ActionId, AssociationId, Effect, Id, Model, Place, TransitionId};
+use super::{Call, Evolution, Phase, arguments};
+use crate::model::{ActionId, AssociationId, Effect, Id, Model, Place};
 
 /// What `grafcet` remembers beside the state: whether the continuous calls were active on the last stable situation.
-#[derive(Clone, Default, Debug)]
+#[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Grafcet {
     calls: BTreeMap<ActionId, Continuous>,
 }
 
-#[derive(Clone, Copy, Default, Debug)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 struct Continuous {
     active: bool,
     /// A31: the association active last.
@@ -30,6 +30,8 @@ pub(super) struct Search {
     pub(super) stable: bool,
     /// The evolutions that changed something; the activation of the initial situation is before the search and not counted.
     pub(super) evolutions: u32,
+    /// Every evolution that was looked at; the last one has not taken place.
+    pub(super) seen: Vec<Evolution>,
 }
 
 impl Grafcet {
@@ -43,7 +45,7 @@ impl Grafcet {
         max_evolutions: u32,
     ) -> Result<Search, Error> {
         let delays = state.sample_delays(model, inputs, params, elapsed)?;
-        let mut search = Search { calls: Vec::new(), stable: false, evolutions: 0 };
+        let mut search = Search { calls: Vec::new(), stable: false, evolutions: 0, seen: Vec::new() };
         if state.first {
             let outcome = activate(&state.view(model, inputs, params, &delays))?;
             search.calls.extend(outcome.calls);
@@ -61,6 +63,7 @@ impl Grafcet {
             };
             let (evolution, outcome) = evolve(&view)?;
             search.stable = is_stable(&evolution, &outcome, &view);
+            search.seen.push(evolution.clone());
             if search.stable || search.evolutions == max_evolutions {
                 let (calls, outputs) =
                     (self.continuous_calls(&view)?, continuous_outputs(&view, &state.initial_outputs)?);
@@ -131,13 +134,16 @@ fn activate(view: &View<'_>) -> Result<Outcome, Error> {
 
 /// One evolution: what clears on the snapshot, and what the stored actions do.
 fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
-    let mut fireable = BTreeSet::<TransitionId>::new();
+    let mut evolution = Evolution { before: view.situation.clone(), ..Evolution::default() };
     for (id, transition) in view.model.transitions.iter() {
-        if hierarchy::is_enabled(id, view.situation, view.model) && view.holds(&transition.condition.tree)? {
-            fireable.insert(id);
+        if hierarchy::is_enabled(id, view.situation, view.model) {
+            evolution.enabled.insert(id);
+            if view.holds(&transition.condition.tree)? {
+                evolution.fireable.insert(id);
+            }
         }
     }
-    let evolution = hierarchy::evolve(view.situation, &fireable, view.model)?;
+    hierarchy::evolve(&mut evolution, view.model)?;
     let outcome = stored::actions(view, &evolution.after, &evolution.cleared)?;
     Ok((evolution, outcome))
 }

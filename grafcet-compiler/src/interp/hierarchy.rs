@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::Evolution;
 use super::value::Error;
 use super::view::Situation;
 use crate::model::{Force, ForceOrder, Model, Partial, PartialId, StepId, TransitionId};
@@ -67,30 +68,20 @@ pub(super) fn initial_situation(model: &Model) -> Result<Situation, Error> {
     Ok(situation)
 }
 
-/// What one evolution does to the situation.
-pub(super) struct Evolution {
-    /// The transitions cleared.
-    pub(super) cleared: BTreeSet<TransitionId>,
-    /// The situation after it.
-    pub(super) after: Situation,
-}
-
-/// One evolution of the whole chart.
-///
-/// `cleared` must hold the transitions that are enabled in `before` and whose condition holds (rule 4); those that the
-/// hierarchy stops are taken out of it.
-pub(super) fn evolve(before: &Situation, fireable: &BTreeSet<TransitionId>, model: &Model) -> Result<Evolution, Error> {
-    let mut evolution = Evolution { cleared: BTreeSet::new(), after: Situation::new() };
+/// One evolution of the whole chart, whose situation before and fireable transitions (rule 4) are known. Those that the
+/// hierarchy stops do not clear.
+pub(super) fn evolve(evolution: &mut Evolution, model: &Model) -> Result<(), Error> {
     for id in top_down(model)? {
         let partial = &model.partials[id];
+        let before = &evolution.before;
         let here: Situation = partial.steps.iter().copied().filter(|step| before.contains(step)).collect();
         let after = match forced_to(partial, id, &here, before, &evolution.after, model) {
             Some(after) => after,
-            None => clear(id, &here, fireable, model, &mut evolution.cleared),
+            None => clear(id, &here, &evolution.fireable, model, &mut evolution.cleared),
         };
         evolution.after.extend(after);
     }
-    Ok(evolution)
+    Ok(())
 }
 
 /// Rule 5: `X' = (X − sources(F)) ∪ targets(F)`, activation wins.

@@ -30,7 +30,7 @@ use self::state::State;
 pub use self::value::{Error, Value};
 pub use self::view::Situation;
 use self::view::View;
-use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, Ty};
+use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Ty};
 
 /// Which call of a code action this is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -68,6 +68,24 @@ pub struct Cycle {
     /// `grafcet`: the evolutions of the search that changed something; the activation of the initial situation is not
     /// counted. `sfc`: one where a transition was cleared.
     pub evolutions: u32,
+    /// Every evolution that was looked at, in their order. In `grafcet` the last one has not taken place: it changed nothing,
+    /// or the bound stopped it. The activation of the initial situation is none.
+    pub seen: Vec<Evolution>,
+}
+
+/// What one evolution looked at and did.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Evolution {
+    /// The situation before it.
+    pub before: Situation,
+    /// The transitions enabled in it (A17; frozen ones are not).
+    pub enabled: BTreeSet<TransitionId>,
+    /// Those of them whose condition held.
+    pub fireable: BTreeSet<TransitionId>,
+    /// Those of them that cleared: neither the priority of another branch (A28) nor the hierarchy (A11, A19) was against it.
+    pub cleared: BTreeSet<TransitionId>,
+    /// The situation after it.
+    pub after: Situation,
 }
 
 /// A chart that is being executed.
@@ -75,12 +93,19 @@ pub struct Cycle {
 pub struct Interpreter<'m> {
     model: &'m Model,
     params: Vec<Value>,
-    state: State,
-    machine: Machine,
+    memory: Memory,
     max_evolutions: u32,
 }
 
-#[derive(Clone)]
+/// Everything that a running chart remembers between two cycles, its parameters excepted: with equal memories it
+/// does the same for ever.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Memory {
+    state: State,
+    machine: Machine,
+}
+
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Machine {
     Sfc(Sfc),
     Grafcet(Grafcet),
@@ -96,14 +121,13 @@ impl<'m> Interpreter<'m> {
         check::types(model)?;
         check::targets(model)?;
         check::combinational_circles(model)?;
-        let state = State::initial(model)?;
+        let memory = Memory::initial(model)?;
         // A30: twice the number of steps plus two.
         let default = u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2);
         Ok(Self {
             model,
             params: state::constants(model.params.values().map(|p| (&p.ty, &p.init)), model)?,
-            machine: Machine::new(model, &state),
-            state,
+            memory,
             max_evolutions: model.max_evolutions.unwrap_or(default),
         })
     }
@@ -130,8 +154,7 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// Those of [`Interpreter::new`] about initial values.
     pub fn init(&mut self) -> Result<(), Error> {
-        self.state = State::initial(self.model)?;
-        self.machine = Machine::new(self.model, &self.state);
+        self.memory = Memory::initial(self.model)?;
         Ok(())
     }
 
@@ -143,33 +166,54 @@ impl<'m> Interpreter<'m> {
     /// interpreter is then somewhere inside the cycle and of no further use.
     pub fn cycle(&mut self, inputs: &[Value], now: u32) -> Result<Cycle, Error> {
         accept_all(inputs, self.model.inputs.values().map(|i| &i.ty))?;
-        let elapsed = self.state.advance(now);
+        let Memory { state, machine } = &mut self.memory;
+        let elapsed = state.advance(now);
         let given = (inputs, &self.params[..]);
-        let (calls, stable, evolutions) = match &mut self.machine {
+        let (calls, stable, evolutions, seen) = match machine {
             Machine::Sfc(sfc) => {
-                let scan = sfc.cycle(self.model, &mut self.state, given, elapsed)?;
-                (scan.calls, true, u32::from(scan.evolved))
+                let scan = sfc.cycle(self.model, state, given, elapsed)?;
+                let evolved = scan.evolution.as_ref().is_some_and(|evolution| !evolution.cleared.is_empty());
+                (scan.calls, true, u32::from(evolved), scan.evolution.into_iter().collect())
             }
             Machine::Grafcet(grafcet) => {
-                let search = grafcet.cycle(self.model, &mut self.state, given, elapsed, self.max_evolutions)?;
-                (search.calls, search.stable, search.evolutions)
+                let search = grafcet.cycle(self.model, state, given, elapsed, self.max_evolutions)?;
+                (search.calls, search.stable, search.evolutions, search.seen)
             }
         };
-        self.state.first = false;
-        let (outputs, active) = (self.state.outputs.clone(), self.state.situation.clone());
-        Ok(Cycle { outputs, active, calls, stable, evolutions })
+        state.first = false;
+        let (outputs, active) = (state.outputs.clone(), state.situation.clone());
+        Ok(Cycle { outputs, active, calls, stable, evolutions, seen })
+    }
+
+    /// What the chart remembers now.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// Goes on from what the same chart remembered once.
+    pub fn resume(&mut self, memory: Memory) {
+        self.memory = memory;
     }
 
     /// The active steps; before the first cycle and after `init` the initial ones (A1).
     #[must_use]
     pub fn situation(&self) -> &Situation {
-        &self.state.situation
+        &self.memory.state.situation
     }
 
     /// The outputs of the last cycle; before the first one and after `init` the initial values.
     #[must_use]
     pub fn outputs(&self) -> &[Value] {
-        &self.state.outputs
+        &self.memory.state.outputs
+    }
+}
+
+impl Memory {
+    /// A1: the initial situation with the initial values.
+    fn initial(model: &Model) -> Result<Self, Error> {
+        let state = State::initial(model)?;
+        Ok(Self { machine: Machine::new(model, &state), state })
     }
 }
 

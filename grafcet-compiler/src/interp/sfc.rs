@@ -6,11 +6,11 @@ use super::control::{ActionControl, Change, Target, Verdict, inputs, target_of};
 use super::state::State;
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
-use super::{Call, Phase, arguments, statements};
-use crate::model::{AssociationId, Effect, Id, Model, OutputId, Place, Qualifier, StepId};
+use super::{Call, Evolution, Phase, arguments, statements};
+use crate::model::{AssociationId, Effect, Id, Model, OutputId, Place, Qualifier};
 
 /// The action controls of a chart.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Sfc {
     controls: BTreeMap<Target, ActionControl>,
 }
@@ -19,8 +19,8 @@ pub(super) struct Sfc {
 pub(super) struct Done {
     /// In the order in which they were made.
     pub(super) calls: Vec<Call>,
-    /// Whether a transition was cleared.
-    pub(super) evolved: bool,
+    /// The evolution; a first cycle has none.
+    pub(super) evolution: Option<Evolution>,
 }
 
 impl Sfc {
@@ -51,12 +51,12 @@ impl Sfc {
         let before = std::mem::replace(&mut state.edges, edges.clone());
         let edges = Edges { before: &before, now: Some(&edges) };
 
-        let change = if state.first {
-            first(&state.situation)
+        let (change, evolution) = if state.first {
+            (first(&state.situation), None)
         } else {
-            evolve(&View { edges, ..state.view(model, inputs, params, &delays) })?
+            let (change, evolution) = evolve(&View { edges, ..state.view(model, inputs, params, &delays) })?;
+            (change, Some(evolution))
         };
-        let evolved = !(state.first || change.left.is_empty() && change.entered.is_empty());
         state.situation.clone_from(&change.after);
         let outputs = state.outputs.clone();
         let mut scan = Scan {
@@ -79,7 +79,7 @@ impl Sfc {
         let Scan { vars, next, calls, change, acting, .. } = scan;
         (state.vars, state.outputs, state.times) = (vars, next, acting);
         state.times.enter(model, &change.after);
-        Ok(Done { calls, evolved })
+        Ok(Done { calls, evolution })
     }
 
     /// Rule 4 and 5: every action control is scanned, then the actions run in their order (A29).
@@ -118,20 +118,34 @@ fn first(initial: &Situation) -> Change {
 /// Rule 2: transitions in source order; one is cleared if all its source steps are active, its condition holds, and none
 /// of its source steps is already left by an earlier one of this cycle (A28). Rule 3, A4s: a step left and re-entered is
 /// in both sets.
-fn evolve(view: &View<'_>) -> Result<Change, Error> {
+fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
     let mut left = Situation::new();
     let mut targets = Situation::new();
-    for transition in view.model.transitions.values() {
-        let free = |step: &StepId| view.situation.contains(step) && !left.contains(step);
-        if transition.sources.iter().all(free) && view.holds(&transition.condition.tree)? {
+    let mut evolution = Evolution { before: view.situation.clone(), ..Evolution::default() };
+    for (id, transition) in view.model.transitions.iter() {
+        if !transition.sources.iter().all(|step| view.situation.contains(step)) {
+            continue;
+        }
+        evolution.enabled.insert(id);
+        let free = transition.sources.iter().all(|step| !left.contains(step));
+        match view.holds(&transition.condition.tree) {
+            Ok(true) => evolution.fireable.insert(id),
+            Ok(false) => continue,
+            Err(error) if free => return Err(error),
+            // Nobody needs what an earlier branch has decided.
+            Err(_) => continue,
+        };
+        if free {
+            evolution.cleared.insert(id);
             left.extend(&transition.sources);
             targets.extend(&transition.targets);
         }
     }
     let stayed: Situation = view.situation.difference(&left).copied().collect();
     let entered = targets.difference(&stayed).copied().collect();
-    let after = stayed.union(&targets).copied().collect();
-    Ok(Change { left, entered, after })
+    let after: Situation = stayed.union(&targets).copied().collect();
+    evolution.after.clone_from(&after);
+    Ok((Change { left, entered, after }, evolution))
 }
 
 /// A34: the time a step left had reached, zero for a step entered.

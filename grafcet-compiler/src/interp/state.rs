@@ -9,7 +9,7 @@ use super::view::{Edges, Situation, Times, View};
 use crate::model::{DelayId, EdgeId, Expr, Model, Ty};
 
 /// The memory of a running chart.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct State {
     /// The next cycle is a first one.
     pub(super) first: bool,

@@ -7,7 +7,7 @@ use super::view::View;
 use crate::model::{AssociationId, DelayId, Expr, Model, Name, Place, Read, TimeRef};
 
 /// How long a signal has had a value. The time between two cycles counts if the signal had it in both.
-#[derive(Clone, Copy, Default, Debug)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Stopwatch {
     running: bool,
     elapsed: u32,
@@ -27,7 +27,7 @@ impl Stopwatch {
 }
 
 /// `t1/e/t2`: true once `e` has been true for `t1`, false once it has been false for `t2`.
-#[derive(Clone, Copy, Default, Debug)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Delayed {
     on: Stopwatch,
     off: Stopwatch,

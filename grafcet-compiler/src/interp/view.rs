@@ -12,7 +12,7 @@ use crate::model::{
 pub type Situation = BTreeSet<StepId>;
 
 /// How long the active steps and macro-steps have been active; the others are missing and count as zero.
-#[derive(Clone, Default, Debug)]
+#[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Times {
     pub(super) steps: BTreeMap<StepId, u32>,
     pub(super) macros: BTreeMap<MacroId, u32>,

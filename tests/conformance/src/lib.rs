@@ -8,6 +8,7 @@
 pub mod asleep;
 pub mod batch;
 pub mod board;
+pub mod brute;
 pub mod chart;
 pub mod emit;
 pub mod generated;
@@ -16,6 +17,7 @@ pub mod play;
 pub mod random;
 #[path = "../reader.rs"]
 pub mod reader;
+pub mod simpler;
 
 use std::collections::BTreeMap;
 

@@ -1,0 +1,166 @@
+//! A naive exploration: from every state, one cycle with every valuation of the inputs.
+//!
+//! Time is taken in leaps: from one cycle to the next none passes, or half of all the time that there is. What happens so can
+//! happen; not everything that can happen does so.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::interp::{Evolution, Interpreter, Memory, Situation, Value};
+use grafcet_compiler::model::{Model, TransitionId, Tree, Ty};
+
+/// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.
+const LEAP: u32 = 1 << 31;
+
+/// All that can happen in a chart without time; in one with time, a part of it.
+pub struct Graph {
+    /// What can be at the end of a cycle; the first is what is before the first cycle.
+    pub states: Vec<State>,
+    /// The inputs of each valuation, in the order of declaration.
+    pub valuations: Vec<Vec<Value>>,
+}
+
+/// What a chart remembers between two cycles.
+pub struct State {
+    /// The active steps.
+    pub situation: Situation,
+    /// The cycle that led here ended in a stable situation (A30).
+    pub stable: bool,
+    /// One cycle for each valuation; in a chart with time these without and then with a leap.
+    pub cycles: Vec<Edge>,
+}
+
+/// One cycle.
+pub struct Edge {
+    /// The state behind it.
+    pub to: usize,
+    /// Its evolutions; in `grafcet` the last one has not taken place.
+    pub evolutions: Vec<Evolution>,
+    /// What it returned, in the order of declaration.
+    pub outputs: Vec<Value>,
+}
+
+impl Edge {
+    /// What was cleared.
+    pub fn cleared<'a>(&'a self, model: &Model) -> impl Iterator<Item = TransitionId> + 'a {
+        self.done(model).iter().flat_map(|evolution| evolution.cleared.iter().copied())
+    }
+
+    /// The evolutions that took place. In a stable `grafcet` the last one, that did not, cleared at most what leads to the
+    /// same situation (A4g): a self-loop turns all the same.
+    #[must_use]
+    pub fn done(&self, model: &Model) -> &[Evolution] {
+        match self.evolutions.split_last() {
+            Some((last, before)) if model.is_grafcet() && last.before != last.after => before,
+            _ => &self.evolutions,
+        }
+    }
+}
+
+impl Graph {
+    /// Explores a chart; `None` if that takes more cycles than `most`.
+    ///
+    /// # Errors
+    /// The interpreter does not understand the chart, or its arithmetic fails.
+    pub fn of(model: &Model, most: usize) -> Result<Option<Self>, String> {
+        let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
+        let Some(valuations) = valuations(model, most) else { return Ok(None) };
+        let mut numbers = BTreeMap::from([(machine.memory().clone(), 0)]);
+        let mut memories: Vec<Memory> = vec![machine.memory().clone()];
+        let mut graph = Self { states: vec![State::new(machine.situation(), true)], valuations };
+        let times: &[u32] = if model.uses_time() { &[0, LEAP] } else { &[0] };
+        let mut nows = vec![0_u32];
+        let mut next = 0;
+        while next < memories.len() {
+            if memories.len() * graph.valuations.len() * times.len() > most {
+                return Ok(None);
+            }
+            for index in 0..graph.valuations.len() * times.len() {
+                let now = nows[next].wrapping_add(times[index / graph.valuations.len()]);
+                let inputs = &graph.valuations[index % graph.valuations.len()];
+                machine.resume(memories[next].clone());
+                let cycle = machine.cycle(inputs, now).map_err(|error| error.to_string())?;
+                let to = *numbers.entry(machine.memory().clone()).or_insert_with(|| {
+                    memories.push(machine.memory().clone());
+                    nows.push(now);
+                    graph.states.push(State::new(&cycle.active, cycle.stable));
+                    memories.len() - 1
+                });
+                let edge = Edge { to, evolutions: cycle.seen, outputs: cycle.outputs };
+                graph.states[next].cycles.push(edge);
+            }
+            next += 1;
+        }
+        Ok(Some(graph))
+    }
+
+    /// All cycles with the states they start from.
+    pub fn cycles(&self) -> impl Iterator<Item = (usize, &Edge)> {
+        self.states.iter().enumerate().flat_map(|(from, state)| state.cycles.iter().map(move |edge| (from, edge)))
+    }
+
+    /// For each state, whether a cycle of which `good` is true can still come.
+    pub fn can_still(&self, good: impl Fn(&Edge) -> bool) -> Vec<bool> {
+        let mut can: Vec<bool> = self.states.iter().map(|state| state.cycles.iter().any(&good)).collect();
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for from in (0..self.states.len()).rev() {
+                if !can[from] && self.states[from].cycles.iter().any(|edge| can[edge.to]) {
+                    can[from] = true;
+                    changed = true;
+                }
+            }
+        }
+        can
+    }
+}
+
+impl State {
+    fn new(situation: &Situation, stable: bool) -> Self {
+        Self { situation: situation.clone(), stable, cycles: Vec::new() }
+    }
+}
+
+/// Both values of every boolean, and of a number those around each constant it could be compared with; `None` if these are
+/// more than `most`, or there is an input of another type.
+fn valuations(model: &Model, most: usize) -> Option<Vec<Vec<Value>>> {
+    let mut all = vec![Vec::new()];
+    for input in model.inputs.values() {
+        let values: Vec<Value> = match input.ty {
+            Ty::Bool(_) => vec![Value::Bool(false), Value::Bool(true)],
+            Ty::Int { signed, bits, .. } => representatives(model, signed, bits),
+            Ty::Time(_) | Ty::Other(_) => return None,
+        };
+        if all.len() * values.len() > most {
+            return None;
+        }
+        let longer = |start: Vec<Value>| values.iter().map(move |value| [&start[..], &[*value]].concat()).collect();
+        all = all.into_iter().flat_map(|start| -> Vec<Vec<Value>> { longer(start) }).collect();
+    }
+    Some(all)
+}
+
+fn representatives(model: &Model, signed: bool, bits: u32) -> Vec<Value> {
+    let (first, last) = if signed { (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) } else { (0, (1_i128 << bits) - 1) };
+    let mut values = BTreeSet::from([first, last]);
+    let conditions = model.transitions.values().map(|transition| &transition.condition.tree);
+    let edges = model.edges.values().map(|edge| &edge.of.tree);
+    let others = model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event)).map(|expr| &expr.tree);
+    let assigned = model.associations.values().flat_map(|a| a.effect.expressions()).map(|expr| &expr.tree);
+    for tree in conditions.chain(edges).chain(others).chain(assigned) {
+        constants(tree, &mut |constant| values.extend([constant - 1, constant, constant + 1]));
+    }
+    values.into_iter().filter(|value| (first..=last).contains(value)).map(Value::Int).collect()
+}
+
+fn constants(tree: &Tree, found: &mut impl FnMut(i128)) {
+    match tree {
+        Tree::Int(value) => found(*value),
+        Tree::Unary(_, operand) => constants(operand, found),
+        Tree::Binary(_, left, right) => {
+            constants(left, found);
+            constants(right, found);
+        }
+        _ => {}
+    }
+}

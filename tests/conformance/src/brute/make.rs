@@ -1,0 +1,78 @@
+//! Small random charts, right and wrong ones, without time: the same number is the same chart on every machine.
+
+use std::fmt::Write as _;
+
+use super::hierarchy::Body;
+use super::words::Words;
+use crate::random::Rng;
+
+/// The lints: random charts are not sensible ones.
+const ALLOWED: &str = "\
+    several_initial_steps unreachable_step dead_transition unsafe_step stuck_join deadlock never_true always_true \
+    shadowed_branch overlapping_branches level_source_transition conflicting_values write_race set_without_reset \
+    reset_without_set timed_contention unused_input undriven_output unused_variable unused_action unused_param";
+
+/// How a chart is made.
+pub(super) struct Maker {
+    pub(super) rng: Rng,
+    pub(super) grafcet: bool,
+    /// How many steps have been named.
+    pub(super) steps: usize,
+    /// How many partial grafcets have been named.
+    pub(super) partials: usize,
+}
+
+/// The text of a chart: one declaration, association or transition a line, so that a line can be left out.
+#[must_use]
+pub fn chart(number: u64, grafcet: bool) -> String {
+    let mut maker = Maker { rng: Rng::new(number ^ 0x5eed), grafcet, steps: 0, partials: 0 };
+    let bodies = maker.bodies();
+    let mut words = Words::new(&mut maker, &bodies);
+    let allowed: Vec<String> = ALLOWED.split_whitespace().map(|rule| format!("grafcet::{rule}")).collect();
+    let mut lines =
+        vec![format!("{} C {{", if grafcet { "grafcet" } else { "sfc" }), format!("#![allow({})]", allowed.join(", "))];
+    let mut inside = Vec::new();
+    bodies.iter().for_each(|body| maker.write(body, &mut words, &mut inside));
+    lines.append(&mut words.declarations());
+    lines.append(&mut inside);
+    lines.push("}".to_owned());
+    let mut text = String::new();
+    for line in lines {
+        _ = writeln!(text, "{line}");
+    }
+    text
+}
+
+impl Maker {
+    fn write(&mut self, body: &Body, words: &mut Words, lines: &mut Vec<String>) {
+        if let Some(name) = &body.name {
+            lines.push(format!("partial {name} {{"));
+        }
+        for (index, step) in body.steps.iter().enumerate() {
+            lines.push(format!("{}step {} {{", step.words, step.name));
+            step.forces.iter().for_each(|force| lines.push(force.clone()));
+            if !step.words.contains("macro") {
+                lines.append(&mut words.actions(self, step));
+            }
+            for inner in &step.inner {
+                self.write(inner, words, lines);
+            }
+            lines.push("}".to_owned());
+            _ = index;
+        }
+        for arrow in &body.arrows {
+            let condition = words.condition(self, arrow);
+            lines.push(format!("{} -[{condition}]-> {};", list(&arrow.from), list(&arrow.to)));
+        }
+        if body.name.is_some() {
+            lines.push("}".to_owned());
+        }
+    }
+}
+
+fn list(steps: &[String]) -> String {
+    match steps {
+        [one] => one.clone(),
+        many => format!("({})", many.join(", ")),
+    }
+}

@@ -1,0 +1,105 @@
+//! What the states of a chart say about its steps, transitions, joins and deadlocks.
+
+use std::collections::BTreeSet;
+
+use grafcet_compiler::interp::Evolution;
+use grafcet_compiler::model::{Model, PartialId, StepId, TransitionId};
+
+use super::graph::{Edge, Graph};
+
+/// The verdicts of the naive exploration.
+#[derive(Default, PartialEq, Eq, Debug)]
+pub struct Verdicts {
+    /// Steps that some situation contains, transient ones included.
+    pub reachable: BTreeSet<StepId>,
+    /// Transitions that some situation enables.
+    pub enabled: BTreeSet<TransitionId>,
+    /// Transitions whose condition holds in some situation that enables them.
+    pub fireable: BTreeSet<TransitionId>,
+    /// Transitions that clear.
+    pub cleared: BTreeSet<TransitionId>,
+    /// Pairs of transitions with a common source whose conditions hold in one situation that enables both.
+    pub overlapping: BTreeSet<(TransitionId, TransitionId)>,
+    /// Steps that an evolution activates while they are active and does not leave.
+    pub unsafe_steps: BTreeSet<StepId>,
+    /// Partial grafcets with a stable situation in which they stay for ever; those without any transition, empty
+    /// situations, forced ones and those with a final step are none.
+    pub deadlocks: BTreeSet<PartialId>,
+    /// AND-convergences with an active source that is never left any more while the convergence is never enabled.
+    pub stuck: BTreeSet<(TransitionId, StepId)>,
+}
+
+impl Verdicts {
+    /// The verdicts on an explored chart.
+    #[must_use]
+    pub fn of(model: &Model, graph: &Graph) -> Self {
+        let mut verdicts = Self::default();
+        for state in &graph.states {
+            verdicts.reachable.extend(&state.situation);
+        }
+        for (_, edge) in graph.cycles() {
+            edge.evolutions.iter().for_each(|evolution| verdicts.evaluated(evolution, model));
+            edge.done(model).iter().for_each(|evolution| verdicts.done(evolution, model));
+        }
+        for partial in model.partials.ids().filter(|id| !model.partials[*id].transitions.is_empty()) {
+            if deadlock(partial, model, graph) {
+                verdicts.deadlocks.insert(partial);
+            }
+        }
+        for (id, transition) in model.transitions.iter().filter(|(_, t)| t.sources.len() > 1) {
+            let stuck = transition.sources.iter().filter(|source| stuck(id, **source, model, graph));
+            verdicts.stuck.extend(stuck.map(|source| (id, *source)));
+        }
+        verdicts
+    }
+
+    fn evaluated(&mut self, evolution: &Evolution, model: &Model) {
+        self.enabled.extend(&evolution.enabled);
+        self.fireable.extend(&evolution.fireable);
+        let sources = |id: &TransitionId| &model.transitions[*id].sources;
+        for a in &evolution.fireable {
+            let beside = evolution.fireable.range(..a).filter(|b| sources(b).iter().any(|s| sources(a).contains(s)));
+            self.overlapping.extend(beside.map(|b| (*b, *a)));
+        }
+    }
+
+    fn done(&mut self, evolution: &Evolution, model: &Model) {
+        self.reachable.extend(&evolution.after);
+        self.cleared.extend(&evolution.cleared);
+        let left = |step: &StepId| evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(step));
+        let entered = evolution.cleared.iter().flat_map(|id| &model.transitions[*id].targets);
+        self.unsafe_steps.extend(entered.filter(|step| evolution.before.contains(step) && !left(step)));
+    }
+}
+
+/// Whether a partial grafcet can come into a situation from which it has no way on.
+fn deadlock(id: PartialId, model: &Model, graph: &Graph) -> bool {
+    let partial = &model.partials[id];
+    let moves = |edge: &Edge| {
+        edge.done(model).iter().any(|evolution| {
+            let changed = |step: &StepId| evolution.before.contains(step) != evolution.after.contains(step);
+            let cleared = |transition: &TransitionId| evolution.cleared.contains(transition);
+            partial.transitions.iter().any(cleared) || partial.steps.iter().any(changed)
+        })
+    };
+    let alive = graph.can_still(moves);
+    graph.states.iter().zip(alive).any(|(state, alive)| {
+        let here: Vec<&StepId> = partial.steps.iter().filter(|step| state.situation.contains(step)).collect();
+        let ends = here.iter().any(|step| model.steps[**step].is_final);
+        let forced = model.forces.values().any(|force| force.target == id && state.situation.contains(&force.step));
+        !alive && state.stable && !here.is_empty() && !ends && !forced
+    })
+}
+
+/// Whether a source of a convergence can come to wait for ever.
+fn stuck(join: TransitionId, source: StepId, model: &Model, graph: &Graph) -> bool {
+    let leaves = |evolution: &Evolution| {
+        evolution.before.contains(&source) && !evolution.after.contains(&source)
+            || evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(&source))
+    };
+    let ends = |edge: &Edge| {
+        edge.evolutions.iter().any(|evolution| evolution.enabled.contains(&join)) || edge.done(model).iter().any(leaves)
+    };
+    let hope = graph.can_still(ends);
+    graph.states.iter().zip(hope).any(|(state, hope)| !hope && state.situation.contains(&source))
+}
