@@ -2,6 +2,7 @@
 
 pub mod combinational;
 mod concurrency;
+pub mod explore;
 pub mod hierarchy;
 mod logic;
 mod relation;

@@ -1,0 +1,185 @@
+//! Ways through a chart, as the verdicts show them.
+
+use crate::model::{Binary, Model, Name, PartialId, Read, StepId, TimeRef, TransitionId, Tree, Unary};
+
+/// A sequence of cycles from the initial situation on.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Path {
+    /// Active before the first of the cycles.
+    pub start: Vec<StepId>,
+    /// In their order; the very first cycle of a chart, in which nothing can happen, is left out.
+    pub cycles: Vec<PathCycle>,
+}
+
+/// One cycle.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct PathCycle {
+    /// What must be so in this cycle for it to go this way.
+    pub given: Vec<Given>,
+    /// The transitions cleared, in the order of the evolutions.
+    pub cleared: Vec<TransitionId>,
+    /// The active steps at its end.
+    pub active: Vec<StepId>,
+}
+
+/// A demand on something that conditions read: an input, a number, a time.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Given {
+    /// What.
+    pub what: Tree,
+    /// What is demanded of it.
+    pub demand: Demand,
+}
+
+/// What is demanded.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Demand {
+    /// A boolean value.
+    Is(bool),
+    /// From the first to the last, where these are bounds.
+    Within(Option<i128>, Option<i128>),
+}
+
+/// A step activated while it is active.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Activation {
+    /// Its last cycle activates the step.
+    pub path: Path,
+    /// The transition that activates it.
+    pub by: TransitionId,
+}
+
+/// A situation without a way on.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Deadlock {
+    /// The partial grafcet that does not go on.
+    pub partial: PartialId,
+    /// Its active steps.
+    pub steps: Vec<StepId>,
+    /// How one gets there.
+    pub path: Path,
+}
+
+/// An AND-convergence that waits forever.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct StuckJoin {
+    /// The convergence.
+    pub join: TransitionId,
+    /// The source that is active.
+    pub waiting: StepId,
+    /// The transition by which the branch that is missing was left, or by which it was never entered.
+    pub culprit: Option<TransitionId>,
+    /// How one gets there.
+    pub path: Path,
+}
+
+impl Path {
+    /// `Start → Fill → Heat`, several steps as `(A, B)`.
+    #[must_use]
+    pub fn text(&self, model: &Model) -> String {
+        let situations = std::iter::once(&self.start).chain(self.cycles.iter().map(|cycle| &cycle.active));
+        let mut names: Vec<String> = situations.map(|steps| situation(model, steps)).collect();
+        names.dedup();
+        names.join(" → ")
+    }
+}
+
+/// `A`, `(A, B)`, `()`.
+#[must_use]
+pub fn situation(model: &Model, steps: &[StepId]) -> String {
+    let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+    match &names[..] {
+        [one] => one.clone(),
+        _ => format!("({})", names.join(", ")),
+    }
+}
+
+impl Given {
+    /// `start`, `!stop`, `level >= 10`.
+    #[must_use]
+    pub fn text(&self, model: &Model) -> String {
+        let what = text(model, &self.what);
+        match self.demand {
+            Demand::Is(true) => what,
+            Demand::Is(false) if what.contains(' ') => format!("!({what})"),
+            Demand::Is(false) => format!("!{what}"),
+            Demand::Within(Some(low), Some(high)) if low == high => format!("{what} == {low}"),
+            Demand::Within(Some(low), Some(high)) => format!("{what} in {low}..={high}"),
+            Demand::Within(Some(low), None) => format!("{what} >= {low}"),
+            Demand::Within(None, Some(high)) => format!("{what} <= {high}"),
+            Demand::Within(None, None) => what,
+        }
+    }
+}
+
+/// An expression as the user would write it.
+fn text(model: &Model, tree: &Tree) -> String {
+    match tree {
+        Tree::Bool(value) => value.to_string(),
+        Tree::Int(value) => value.to_string(),
+        Tree::Read(read) => read_text(model, *read),
+        Tree::Elapsed(time, step) => read_text(model, Read::Elapsed(*time, *step)),
+        Tree::MacroElapsed(time, id) => read_text(model, Read::MacroElapsed(*time, *id)),
+        Tree::Unary(Unary::Not, inner) => format!("!{}", text(model, inner)),
+        Tree::Unary(Unary::Neg, inner) => format!("-{}", text(model, inner)),
+        Tree::Binary(operator, a, b) => {
+            let part = |tree: &Tree| match tree {
+                Tree::Binary(..) => format!("({})", text(model, tree)),
+                _ => text(model, tree),
+            };
+            format!("{} {} {}", part(a), symbol(*operator), part(b))
+        }
+        Tree::Opaque { text, .. } => text.clone(),
+    }
+}
+
+fn read_text(model: &Model, read: Read) -> String {
+    let step = |id: StepId| model.steps[id].name.to_string();
+    match read {
+        Read::Name(name) => model.value_name(name).to_string(),
+        Read::Active(id) => format!("{}.X", step(id)),
+        Read::Since(id) => format!("{}.T", step(id)),
+        Read::MacroActive(id) => format!("{}.X", model.macros[id].name),
+        Read::MacroSince(id) => format!("{}.T", model.macros[id].name),
+        Read::Rising(id) => format!("rising({})", model.edges[id].of.text),
+        Read::Falling(id) => format!("falling({})", model.edges[id].of.text),
+        Read::Delay(id) => {
+            let delay = &model.delays[id];
+            format!("{}/({})/{}", time(model, delay.on), delay.of.text, time(model, delay.off))
+        }
+        Read::Ticks(ticks) => ticks.to_string(),
+        Read::Elapsed(at, id) => format!("{}/{}", time(model, at), step(id)),
+        Read::MacroElapsed(at, id) => format!("{}/{}", time(model, at), model.macros[id].name),
+    }
+}
+
+fn time(model: &Model, time: TimeRef) -> String {
+    match time {
+        TimeRef::Ticks(ticks) => ticks.to_string(),
+        TimeRef::Param(id) => model.value_name(Name::Param(id)).to_string(),
+        TimeRef::Var(id) => model.value_name(Name::Var(id)).to_string(),
+    }
+}
+
+fn symbol(operator: Binary) -> &'static str {
+    match operator {
+        Binary::And => "&&",
+        Binary::Or => "||",
+        Binary::BitAnd => "&",
+        Binary::BitOr => "|",
+        Binary::BitXor => "^",
+        Binary::Eq => "==",
+        Binary::Ne => "!=",
+        Binary::Lt => "<",
+        Binary::Le => "<=",
+        Binary::Gt => ">",
+        Binary::Ge => ">=",
+        Binary::Add => "+",
+        Binary::Sub => "-",
+        Binary::Mul => "*",
+        Binary::Div => "/",
+        Binary::Rem => "%",
+        Binary::Shl => "<<",
+        Binary::Shr => ">>",
+    }
+}
