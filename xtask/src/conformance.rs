@@ -13,6 +13,15 @@ pub(crate) fn run(arguments: &[&str]) -> Result {
     run_command(cargo(&program).args(arguments))
 }
 
+/// The checker beside a naive exploration of random charts.
+///
+/// # Errors
+/// A chart differs.
+pub(crate) fn brute(arguments: &[&str]) -> Result {
+    let program = ["run", "--quiet", "--release", "--package", "grafcet-conformance", "--bin", "brute", "--"];
+    run_command(cargo(&program).args(arguments))
+}
+
 /// What CI runs: always the same charts.
 ///
 /// # Errors

@@ -16,6 +16,8 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 Usage: cargo xtask <task>
 
+  brute [--charts N] [--first N] [--cycles N] [--shrink N]
+            what the checker says about random charts, beside a naive exploration
   bless     record the expansions and messages anew that the tests compare with
   ci        every check that CI runs, with a summary
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
@@ -30,6 +32,7 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
         ["bless"] => bless::run(),
+        ["brute", ref rest @ ..] => conformance::brute(rest),
         ["ci"] => ci::run(),
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),

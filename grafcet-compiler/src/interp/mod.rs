@@ -22,7 +22,7 @@ mod time;
 mod value;
 mod view;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use self::grafcet::Grafcet;
 use self::sfc::Sfc;
@@ -30,7 +30,7 @@ use self::state::State;
 pub use self::value::{Error, Value};
 pub use self::view::Situation;
 use self::view::View;
-use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Ty};
+use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Tree, Ty};
 
 /// Which call of a code action this is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -183,6 +183,14 @@ impl<'m> Interpreter<'m> {
         state.first = false;
         let (outputs, active) = (state.outputs.clone(), state.situation.clone());
         Ok(Cycle { outputs, active, calls, stable, evolutions, seen })
+    }
+
+    /// Whether an expression over inputs, outputs and steps holds at the end of the last cycle, whose inputs are given.
+    ///
+    /// # Errors
+    /// The expression is not understood, or would panic in Rust.
+    pub fn holds(&self, tree: &Tree, inputs: &[Value]) -> Result<bool, Error> {
+        self.memory.state.view(self.model, inputs, &self.params, &BTreeMap::new()).holds(tree)
     }
 
     /// What the chart remembers now.

@@ -130,10 +130,9 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
         let free = transition.sources.iter().all(|step| !left.contains(step));
         match view.holds(&transition.condition.tree) {
             Ok(true) => evolution.fireable.insert(id),
-            Ok(false) => continue,
             Err(error) if free => return Err(error),
-            // Nobody needs what an earlier branch has decided.
-            Err(_) => continue,
+            // An error of a condition that nobody needs, since an earlier branch has decided, is none.
+            Ok(false) | Err(_) => continue,
         };
         if free {
             evolution.cleared.insert(id);

@@ -66,7 +66,9 @@ impl Maker {
             let ends: Vec<&str> = ends.iter().map(String::as_str).collect();
             arrow(&ends, &[&join], arrows);
         } else {
-            starts.iter().for_each(|start| arrow(&[from], &[start], arrows));
+            for start in &starts {
+                arrow(&[from], &[start], arrows);
+            }
             for end in arms(self, rest, arrows) {
                 arrow(&[&end], &[&join], arrows);
             }

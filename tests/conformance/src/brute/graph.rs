@@ -25,6 +25,8 @@ pub struct State {
     pub situation: Situation,
     /// The cycle that led here ended in a stable situation (A30).
     pub stable: bool,
+    /// All of it.
+    memory: Memory,
     /// One cycle for each valuation; in a chart with time these without and then with a leap.
     pub cycles: Vec<Edge>,
 }
@@ -35,8 +37,8 @@ pub struct Edge {
     pub to: usize,
     /// Its evolutions; in `grafcet` the last one has not taken place.
     pub evolutions: Vec<Evolution>,
-    /// What it returned, in the order of declaration.
-    pub outputs: Vec<Value>,
+    /// The number of its inputs among the valuations.
+    pub valuation: usize,
 }
 
 impl Edge {
@@ -65,27 +67,26 @@ impl Graph {
         let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
         let Some(valuations) = valuations(model, most) else { return Ok(None) };
         let mut numbers = BTreeMap::from([(machine.memory().clone(), 0)]);
-        let mut memories: Vec<Memory> = vec![machine.memory().clone()];
-        let mut graph = Self { states: vec![State::new(machine.situation(), true)], valuations };
+        let mut graph = Self { states: vec![State::new(&machine, true)], valuations };
         let times: &[u32] = if model.uses_time() { &[0, LEAP] } else { &[0] };
         let mut nows = vec![0_u32];
         let mut next = 0;
-        while next < memories.len() {
-            if memories.len() * graph.valuations.len() * times.len() > most {
+        while next < graph.states.len() {
+            if graph.states.len() * graph.valuations.len() * times.len() > most {
                 return Ok(None);
             }
             for index in 0..graph.valuations.len() * times.len() {
                 let now = nows[next].wrapping_add(times[index / graph.valuations.len()]);
                 let inputs = &graph.valuations[index % graph.valuations.len()];
-                machine.resume(memories[next].clone());
+                machine.resume(graph.states[next].memory.clone());
                 let cycle = machine.cycle(inputs, now).map_err(|error| error.to_string())?;
                 let to = *numbers.entry(machine.memory().clone()).or_insert_with(|| {
-                    memories.push(machine.memory().clone());
                     nows.push(now);
-                    graph.states.push(State::new(&cycle.active, cycle.stable));
-                    memories.len() - 1
+                    graph.states.push(State::new(&machine, cycle.stable));
+                    graph.states.len() - 1
                 });
-                let edge = Edge { to, evolutions: cycle.seen, outputs: cycle.outputs };
+                let valuation = index % graph.valuations.len();
+                let edge = Edge { to, evolutions: cycle.seen, valuation };
                 graph.states[next].cycles.push(edge);
             }
             next += 1;
@@ -96,6 +97,30 @@ impl Graph {
     /// All cycles with the states they start from.
     pub fn cycles(&self) -> impl Iterator<Item = (usize, &Edge)> {
         self.states.iter().enumerate().flat_map(|(from, state)| state.cycles.iter().map(move |edge| (from, edge)))
+    }
+
+    /// Whether an expression can hold at the end of a cycle, on its inputs, outputs and situation.
+    ///
+    /// # Errors
+    /// The interpreter does not understand it.
+    pub fn can_hold(&self, model: &Model, tree: &Tree) -> Result<bool, String> {
+        let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
+        for (_, edge) in self.cycles() {
+            machine.resume(self.states[edge.to].memory.clone());
+            let inputs = &self.valuations[edge.valuation];
+            if machine.holds(tree, inputs).map_err(|error| error.to_string())? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether the end of some cycle has no way back to the end of one in exactly this situation.
+    #[must_use]
+    pub fn can_miss(&self, home: &Situation) -> bool {
+        let back = self.can_still(|edge| self.states[edge.to].situation == *home);
+        let missed = |(state, back): (&State, bool)| !back && state.situation != *home;
+        self.states.iter().zip(back).skip(1).any(missed)
     }
 
     /// For each state, whether a cycle of which `good` is true can still come.
@@ -116,8 +141,9 @@ impl Graph {
 }
 
 impl State {
-    fn new(situation: &Situation, stable: bool) -> Self {
-        Self { situation: situation.clone(), stable, cycles: Vec::new() }
+    fn new(machine: &Interpreter<'_>, stable: bool) -> Self {
+        let (situation, memory) = (machine.situation().clone(), machine.memory().clone());
+        Self { situation, stable, memory, cycles: Vec::new() }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Small random charts, right and wrong ones, without time: the same number is the same chart on every machine.
+//! Small random charts, right and wrong ones: the same number is the same chart on every machine.
 
 use std::fmt::Write as _;
 
@@ -16,6 +16,8 @@ const ALLOWED: &str = "\
 pub(super) struct Maker {
     pub(super) rng: Rng,
     pub(super) grafcet: bool,
+    /// Whether conditions read times.
+    pub(super) timed: bool,
     /// How many steps have been named.
     pub(super) steps: usize,
     /// How many partial grafcets have been named.
@@ -24,15 +26,17 @@ pub(super) struct Maker {
 
 /// The text of a chart: one declaration, association or transition a line, so that a line can be left out.
 #[must_use]
-pub fn chart(number: u64, grafcet: bool) -> String {
-    let mut maker = Maker { rng: Rng::new(number ^ 0x5eed), grafcet, steps: 0, partials: 0 };
+pub fn chart(number: u64, grafcet: bool, timed: bool) -> String {
+    let mut maker = Maker { rng: Rng::new(number ^ 0x5eed), grafcet, timed, steps: 0, partials: 0 };
     let bodies = maker.bodies();
     let mut words = Words::new(&mut maker, &bodies);
     let allowed: Vec<String> = ALLOWED.split_whitespace().map(|rule| format!("grafcet::{rule}")).collect();
     let mut lines =
         vec![format!("{} C {{", if grafcet { "grafcet" } else { "sfc" }), format!("#![allow({})]", allowed.join(", "))];
     let mut inside = Vec::new();
-    bodies.iter().for_each(|body| maker.write(body, &mut words, &mut inside));
+    for body in &bodies {
+        maker.write(body, &mut words, &mut inside);
+    }
     lines.append(&mut words.declarations());
     lines.append(&mut inside);
     lines.push("}".to_owned());
@@ -48,7 +52,7 @@ impl Maker {
         if let Some(name) = &body.name {
             lines.push(format!("partial {name} {{"));
         }
-        for (index, step) in body.steps.iter().enumerate() {
+        for step in &body.steps {
             lines.push(format!("{}step {} {{", step.words, step.name));
             step.forces.iter().for_each(|force| lines.push(force.clone()));
             if !step.words.contains("macro") {
@@ -58,7 +62,6 @@ impl Maker {
                 self.write(inner, words, lines);
             }
             lines.push("}".to_owned());
-            _ = index;
         }
         for arrow in &body.arrows {
             let condition = words.condition(self, arrow);

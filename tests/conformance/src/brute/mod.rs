@@ -1,13 +1,18 @@
 //! The checker against brute force: what it says about small charts beside what a naive exploration of all inputs finds.
 //!
-//! - [`graph`]: every state that the interpreter can reach, with every valuation of the inputs
-//! - [`verdicts`]: what the states say about steps, transitions, joins and deadlocks
-//! - [`make`]: small random charts, broken ones included
+//! - `graph`: every state that the interpreter can reach, with every valuation of the inputs
+//! - `verdicts`: what the states say about steps, transitions, joins and deadlocks
+//! - `compare`, `replay`: the checker's answers and ways beside these
+//! - `make`: small random charts, broken ones included
+//! - `run`: one after the other, and the smallest form of one that differs
 
+pub mod compare;
 mod draw;
 pub mod graph;
 mod hierarchy;
 pub mod make;
+mod replay;
+pub mod run;
 pub mod verdicts;
 mod words;
 

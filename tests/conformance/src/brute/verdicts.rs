@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use grafcet_compiler::interp::Evolution;
+use grafcet_compiler::interp::{Evolution, Situation};
 use grafcet_compiler::model::{Model, PartialId, StepId, TransitionId};
 
 use super::graph::{Edge, Graph};
@@ -22,9 +22,11 @@ pub struct Verdicts {
     pub overlapping: BTreeSet<(TransitionId, TransitionId)>,
     /// Steps that an evolution activates while they are active and does not leave.
     pub unsafe_steps: BTreeSet<StepId>,
-    /// Partial grafcets with a stable situation in which they stay for ever; those without any transition, empty
-    /// situations, forced ones and those with a final step are none.
-    pub deadlocks: BTreeSet<PartialId>,
+    /// Pairs of different steps that some situation contains, transient ones included, the smaller first.
+    pub together: BTreeSet<(StepId, StepId)>,
+    /// Stable situations of a partial grafcet in which it stays for ever; those of one without any transition, empty
+    /// ones, forced ones and those with a final step are none.
+    pub deadlocks: BTreeSet<(PartialId, BTreeSet<StepId>)>,
     /// AND-convergences with an active source that is never left any more while the convergence is never enabled.
     pub stuck: BTreeSet<(TransitionId, StepId)>,
 }
@@ -35,22 +37,28 @@ impl Verdicts {
     pub fn of(model: &Model, graph: &Graph) -> Self {
         let mut verdicts = Self::default();
         for state in &graph.states {
-            verdicts.reachable.extend(&state.situation);
+            verdicts.seen(&state.situation);
         }
         for (_, edge) in graph.cycles() {
             edge.evolutions.iter().for_each(|evolution| verdicts.evaluated(evolution, model));
             edge.done(model).iter().for_each(|evolution| verdicts.done(evolution, model));
         }
         for partial in model.partials.ids().filter(|id| !model.partials[*id].transitions.is_empty()) {
-            if deadlock(partial, model, graph) {
-                verdicts.deadlocks.insert(partial);
-            }
+            let ends = deadlocks(partial, model, graph).into_iter().map(|steps| (partial, steps));
+            verdicts.deadlocks.extend(ends);
         }
         for (id, transition) in model.transitions.iter().filter(|(_, t)| t.sources.len() > 1) {
             let stuck = transition.sources.iter().filter(|source| stuck(id, **source, model, graph));
             verdicts.stuck.extend(stuck.map(|source| (id, *source)));
         }
         verdicts
+    }
+
+    fn seen(&mut self, situation: &Situation) {
+        self.reachable.extend(situation);
+        for step in situation {
+            self.together.extend(situation.range(..step).map(|other| (*other, *step)));
+        }
     }
 
     fn evaluated(&mut self, evolution: &Evolution, model: &Model) {
@@ -64,7 +72,7 @@ impl Verdicts {
     }
 
     fn done(&mut self, evolution: &Evolution, model: &Model) {
-        self.reachable.extend(&evolution.after);
+        self.seen(&evolution.after);
         self.cleared.extend(&evolution.cleared);
         let left = |step: &StepId| evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(step));
         let entered = evolution.cleared.iter().flat_map(|id| &model.transitions[*id].targets);
@@ -72,8 +80,8 @@ impl Verdicts {
     }
 }
 
-/// Whether a partial grafcet can come into a situation from which it has no way on.
-fn deadlock(id: PartialId, model: &Model, graph: &Graph) -> bool {
+/// The situations of a partial grafcet from which it has no way on.
+fn deadlocks(id: PartialId, model: &Model, graph: &Graph) -> BTreeSet<BTreeSet<StepId>> {
     let partial = &model.partials[id];
     let moves = |edge: &Edge| {
         edge.done(model).iter().any(|evolution| {
@@ -82,13 +90,16 @@ fn deadlock(id: PartialId, model: &Model, graph: &Graph) -> bool {
             partial.transitions.iter().any(cleared) || partial.steps.iter().any(changed)
         })
     };
-    let alive = graph.can_still(moves);
-    graph.states.iter().zip(alive).any(|(state, alive)| {
-        let here: Vec<&StepId> = partial.steps.iter().filter(|step| state.situation.contains(step)).collect();
-        let ends = here.iter().any(|step| model.steps[**step].is_final);
+    let mut found = BTreeSet::new();
+    for (state, alive) in graph.states.iter().zip(graph.can_still(moves)) {
+        let here: BTreeSet<StepId> = partial.steps.iter().copied().filter(|s| state.situation.contains(s)).collect();
+        let ends = here.iter().any(|step| model.steps[*step].is_final);
         let forced = model.forces.values().any(|force| force.target == id && state.situation.contains(&force.step));
-        !alive && state.stable && !here.is_empty() && !ends && !forced
-    })
+        if !alive && state.stable && !here.is_empty() && !ends && !forced {
+            found.insert(here);
+        }
+    }
+    found
 }
 
 /// Whether a source of a convergence can come to wait for ever.

@@ -48,7 +48,9 @@ impl Words {
             vars.push(Var { name: format!("v{index}"), mode, output, initial });
         }
         let mut steps = Vec::new();
-        bodies.iter().for_each(|body| collect(body, &mut steps));
+        for body in bodies {
+            collect(body, &mut steps);
+        }
         Self { inputs, number: rng.chance(20), vars, steps, edges: rng.chance(40) }
     }
 
@@ -88,6 +90,9 @@ impl Words {
                 _ => format!("({left} ^ {right})"),
             };
         }
+        if maker.timed && maker.rng.chance(25) {
+            return self.time(maker);
+        }
         let not = if maker.rng.chance(30) { "!" } else { "" };
         match maker.rng.below(20) {
             0 => format!("{not}{}.X", maker.rng.pick(&self.steps)),
@@ -107,6 +112,18 @@ impl Words {
                 format!("{word}({of})")
             }
             _ => format!("{not}{}", maker.rng.pick(&self.inputs)),
+        }
+    }
+
+    fn time(&self, maker: &mut Maker) -> String {
+        let step = maker.rng.pick(&self.steps).clone();
+        let time = *maker.rng.pick(&["1s", "5s", "1m"]);
+        let input = maker.rng.pick(&self.inputs).clone();
+        match maker.rng.below(6) {
+            0..=2 => format!("({time}/{step})"),
+            3 => format!("({step}.T < {time})"),
+            4 => format!("({step}.T >= {time})"),
+            _ => format!("({time}/{input}/1s)"),
         }
     }
 

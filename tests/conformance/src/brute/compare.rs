@@ -1,0 +1,161 @@
+//! The verdicts of the checker beside those of the naive exploration.
+
+use std::collections::BTreeSet;
+
+use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits};
+use grafcet_compiler::model::{Model, StepId, Tree};
+
+use super::graph::Graph;
+use super::replay;
+use super::verdicts::Verdicts;
+
+/// Something that both do not say.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Difference {
+    /// Of what kind it is: charts are made smaller as long as it stays.
+    pub kind: String,
+    /// In the words of the chart.
+    pub text: String,
+}
+
+/// What both say about one chart.
+pub struct Comparison {
+    /// Empty where both agree.
+    pub differences: Vec<Difference>,
+    /// The checker took nothing as unknown, so that both have to say the same.
+    pub exact: bool,
+}
+
+/// Compares a chart. `watched` are expressions over inputs, outputs and steps, `home` are situations.
+///
+/// # Errors
+/// The interpreter does not understand an expression.
+pub fn compare(model: &Model, graph: &Graph, watched: &[Tree], home: &[StepId]) -> Result<Comparison, String> {
+    let verdicts = Verdicts::of(model, graph);
+    let explored = Exploration::watching(model, &Limits::situations(1_000_000), &watched.iter().collect::<Vec<_>>());
+    let exact = explored.is_exact() && !model.uses_time();
+    let mut both = Both { model, graph, verdicts, explored, exact, differences: Vec::new() };
+    both.steps();
+    both.transitions();
+    both.pairs();
+    both.properties(watched, home)?;
+    if exact {
+        both.ends();
+        let paths = replay::check(model, graph, &both.explored);
+        both.differences.extend(paths);
+    }
+    Ok(Comparison { differences: both.differences, exact })
+}
+
+struct Both<'m> {
+    model: &'m Model,
+    graph: &'m Graph,
+    verdicts: Verdicts,
+    explored: Exploration,
+    exact: bool,
+    differences: Vec<Difference>,
+}
+
+impl Both<'_> {
+    /// What happens must have been seen; what was seen must happen where nothing was taken as unknown.
+    fn same(&mut self, kind: &str, what: impl Fn() -> String, naive: bool, explored: bool) {
+        if naive != explored && (naive || self.exact) {
+            let by = if naive { "brute force" } else { "the checker" };
+            self.differ(&format!("{kind} by {by} alone"), what());
+        }
+    }
+
+    fn differ(&mut self, kind: &str, text: String) {
+        self.differences.push(Difference { kind: kind.to_owned(), text });
+    }
+
+    fn steps(&mut self) {
+        let model = self.model;
+        for step in model.steps.ids() {
+            let name = || model.steps[step].name.to_string();
+            let (naive, explored) = (self.verdicts.reachable.contains(&step), self.explored.reachable(step));
+            self.same("reachable", name, naive, explored);
+            let (naive, explored) =
+                (self.verdicts.unsafe_steps.contains(&step), self.explored.unsafe_step(step).is_some());
+            if self.explored.is_complete() {
+                self.same("unsafe", name, naive, explored);
+            }
+        }
+    }
+
+    fn transitions(&mut self) {
+        let model = self.model;
+        for id in model.transitions.ids() {
+            let name = || replay::arrow(model, id);
+            let (naive, explored) = (self.verdicts.enabled.contains(&id), self.explored.is_enabled(id));
+            self.same("enabled", name, naive, explored);
+            let (naive, explored) = (self.verdicts.fireable.contains(&id), self.explored.can_clear(id));
+            self.same("can clear", name, naive, explored);
+        }
+    }
+
+    fn pairs(&mut self) {
+        let model = self.model;
+        for a in model.steps.ids() {
+            for b in model.steps.ids().filter(|b| a < *b) {
+                let naive = self.verdicts.together.contains(&(a, b));
+                let explored = self.explored.together(a, b);
+                let names = || format!("{}, {}", model.steps[a].name, model.steps[b].name);
+                self.same("together", names, naive, explored);
+            }
+        }
+        let most = self.graph.states.iter().map(|state| state.situation.len()).max().unwrap_or_default();
+        match self.explored.max_active() {
+            Some(explored) if explored < most || self.exact && explored > most => {
+                self.differ("most active steps", format!("{most} by brute force, {explored} by the checker"));
+            }
+            None if self.exact => self.differ("most active steps", "not known".to_owned()),
+            _ => {}
+        }
+    }
+
+    fn properties(&mut self, watched: &[Tree], home: &[StepId]) -> Result<(), String> {
+        for (index, tree) in watched.iter().enumerate() {
+            let naive = self.graph.can_hold(self.model, tree)?;
+            let answer = self.explored.watched(index);
+            self.answer("property", &format!("{tree:?}"), naive, &answer);
+        }
+        let home: BTreeSet<StepId> = home.iter().copied().collect();
+        let naive = self.graph.can_miss(&home);
+        let answer = self.explored.away_from(&home.iter().copied().collect::<Vec<_>>());
+        // With something unknown there may be fewer ways back, or more.
+        if self.exact {
+            self.answer("home", &replay::names(self.model, &home).join(", "), naive, &answer);
+        }
+        Ok(())
+    }
+
+    fn answer(&mut self, kind: &str, what: &str, naive: bool, answer: &Answer) {
+        match answer {
+            Answer::Never => self.same(kind, || what.to_owned(), naive, false),
+            Answer::Possible(_) => self.same(kind, || what.to_owned(), naive, true),
+            Answer::Unknown if self.exact => self.differ(&format!("{kind} not answered"), what.to_owned()),
+            Answer::Unknown => {}
+        }
+    }
+
+    /// Deadlocks and stuck convergences.
+    fn ends(&mut self) {
+        let model = self.model;
+        let explored = self.explored.deadlocks().iter();
+        let explored: BTreeSet<_> =
+            explored.map(|deadlock| (deadlock.partial, deadlock.steps.iter().copied().collect())).collect();
+        for (partial, steps) in self.verdicts.deadlocks.clone().union(&explored) {
+            let key = (*partial, steps.clone());
+            let (naive, explored) = (self.verdicts.deadlocks.contains(&key), explored.contains(&key));
+            self.same("deadlock", || replay::names(model, steps).join(", "), naive, explored);
+        }
+        let explored = self.explored.stuck_joins().iter();
+        let explored: BTreeSet<_> = explored.map(|stuck| (stuck.join, stuck.waiting)).collect();
+        for key in self.verdicts.stuck.clone().union(&explored) {
+            let what = || format!("{} waits in {}", replay::arrow(model, key.0), model.steps[key.1].name);
+            let (naive, explored) = (self.verdicts.stuck.contains(key), explored.contains(key));
+            self.same("stuck", what, naive, explored);
+        }
+    }
+}

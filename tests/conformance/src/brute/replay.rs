@@ -1,0 +1,143 @@
+//! The ways that the checker shows must exist, and be the shortest.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::analysis::explore::{Demand, Exploration, Given, Path, PathCycle};
+use grafcet_compiler::interp::Value;
+use grafcet_compiler::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
+
+use super::compare::Difference;
+use super::graph::{Edge, Graph};
+
+/// What is wrong with the ways of an exploration.
+#[must_use]
+pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec<Difference> {
+    let depths = graph.depths();
+    let mut wrong = Vec::new();
+    for step in model.steps.ids() {
+        let Some(activation) = explored.unsafe_step(step) else { continue };
+        let name = &model.steps[step].name;
+        let activates = |edge: &Edge| {
+            edge.done(model).iter().any(|evolution| {
+                let left = evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(&step));
+                let by = evolution.cleared.contains(&activation.by);
+                by && model.transitions[activation.by].targets.contains(&step)
+                    && evolution.before.contains(&step)
+                    && !left
+            })
+        };
+        let entered = |edge: &Edge| {
+            edge.done(model).iter().any(|evolution| {
+                let cleared = || evolution.cleared.iter().map(|id| &model.transitions[*id]);
+                let left = cleared().any(|transition| transition.sources.contains(&step));
+                cleared().any(|transition| transition.targets.contains(&step))
+                    && evolution.before.contains(&step)
+                    && !left
+            })
+        };
+        let shortest = graph.cycles().filter(|(_, edge)| entered(edge)).map(|(from, _)| depths[&from] + 1).min();
+        let found = way(model, graph, &activation.path, activates);
+        wrong.extend(judge(&format!("{name} unsafe"), model, &activation.path, found, shortest));
+    }
+    for deadlock in explored.deadlocks() {
+        let steps: BTreeSet<StepId> = deadlock.steps.iter().copied().collect();
+        let found = way(model, graph, &deadlock.path, |edge| steps.is_subset(&graph.states[edge.to].situation));
+        wrong.extend(judge(&format!("deadlock in {:?}", names(model, &steps)), model, &deadlock.path, found, None));
+    }
+    wrong
+}
+
+fn judge(what: &str, model: &Model, path: &Path, found: bool, shortest: Option<usize>) -> Option<Difference> {
+    let shown = || {
+        let cycle = |cycle: &PathCycle| {
+            let given: Vec<String> = cycle.given.iter().map(|given| given.text(model)).collect();
+            let cleared: Vec<String> = cycle.cleared.iter().map(|id| arrow(model, *id)).collect();
+            let active = cycle.active.iter().copied().collect();
+            format!("\n    {} | {} | {:?}", given.join(", "), cleared.join("; "), names(model, &active))
+        };
+        path.cycles.iter().map(cycle).collect::<String>()
+    };
+    if !found {
+        return Some(Difference { kind: "no such way".to_owned(), text: format!("{what}{}", shown()) });
+    }
+    let length = path.cycles.len();
+    match shortest {
+        // The first cycle is left out where nothing happens in it.
+        Some(shortest) if shortest != length && shortest != length + 1 => {
+            let text = format!("{what}: {length} cycles, the shortest {shortest} with the first{}", shown());
+            Some(Difference { kind: "not the shortest way".to_owned(), text })
+        }
+        _ => None,
+    }
+}
+
+/// Whether a way exists: from the start, or from what can be there after the first cycle.
+fn way(model: &Model, graph: &Graph, path: &Path, last: impl Fn(&Edge) -> bool) -> bool {
+    let Some((end, before)) = path.cycles.split_last() else { return true };
+    let afterwards = graph.states[0].cycles.iter().map(|edge| edge.to).collect();
+    [BTreeSet::from([0]), afterwards].into_iter().any(|start: BTreeSet<usize>| {
+        let mut here = start;
+        for cycle in before {
+            let edges = here.iter().flat_map(|state| going(model, graph, *state, cycle));
+            here = edges.map(|edge| edge.to).collect();
+        }
+        here.iter().flat_map(|state| going(model, graph, *state, end)).any(&last)
+    })
+}
+
+/// The cycles from a state that are like one of a way.
+fn going<'g>(model: &'g Model, graph: &'g Graph, state: usize, cycle: &'g PathCycle) -> impl Iterator<Item = &'g Edge> {
+    let edges = graph.states[state].cycles.iter().enumerate();
+    let matching = edges.filter(move |(index, edge)| {
+        let inputs = &graph.valuations[index % graph.valuations.len()];
+        let active: BTreeSet<StepId> = cycle.active.iter().copied().collect();
+        let cleared: BTreeSet<TransitionId> = cycle.cleared.iter().copied().collect();
+        cycle.given.iter().all(|given| holds(given, inputs))
+            && active == graph.states[edge.to].situation
+            && cleared == edge.cleared(model).collect()
+    });
+    matching.map(|(_, edge)| edge)
+}
+
+/// Whether inputs are as demanded; what is demanded of anything else is not looked at.
+fn holds(given: &Given, inputs: &[Value]) -> bool {
+    let Tree::Read(Read::Name(Name::Input(id))) = given.what else { return true };
+    match (inputs[id.index()], given.demand) {
+        (Value::Bool(value), Demand::Is(wanted)) => value == wanted,
+        (Value::Int(value), Demand::Within(low, high)) => {
+            low.is_none_or(|low| low <= value) && high.is_none_or(|high| value <= high)
+        }
+        _ => false,
+    }
+}
+
+/// `A, B -[x]-> C`
+#[must_use]
+pub(super) fn arrow(model: &Model, id: TransitionId) -> String {
+    let transition = &model.transitions[id];
+    let list = |steps: &[StepId]| {
+        let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+        names.join(", ")
+    };
+    format!("{} -[{}]-> {}", list(&transition.sources), transition.condition.text, list(&transition.targets))
+}
+
+/// The names of steps.
+#[must_use]
+pub(super) fn names(model: &Model, steps: &BTreeSet<StepId>) -> Vec<String> {
+    steps.iter().map(|step| model.steps[*step].name.to_string()).collect()
+}
+
+impl Graph {
+    /// How many cycles it takes to come to each state.
+    #[must_use]
+    pub fn depths(&self) -> BTreeMap<usize, usize> {
+        let mut depths = BTreeMap::from([(0, 0)]);
+        // The states are numbered as they were found, breadth first.
+        for (from, edge) in self.cycles() {
+            let depth = depths[&from] + 1;
+            depths.entry(edge.to).or_insert(depth);
+        }
+        depths
+    }
+}

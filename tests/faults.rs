@@ -1,0 +1,155 @@
+//! Two large charts of the folder of good ones, each with one fault put in: the rule that must find it, and the names that its
+//! message must hold.
+
+mod charts;
+
+const CELL: &str = include_str!("good/machining_cell.rs");
+const LINE: &str = include_str!("good/packaging_line.rs");
+
+/// One fault: what is replaced by what, which rule speaks, and what it has to name.
+struct Fault {
+    what: &'static str,
+    chart: &'static str,
+    replace: &'static [(&'static str, &'static str)],
+    rule: &'static str,
+    names: &'static [&'static str],
+}
+
+const FAULTS: &[Fault] = &[
+    Fault {
+        what: "an arc was forgotten, and the transition is a source",
+        chart: CELL,
+        replace: &[(
+            "InTaken -[!at_stop && Robot::ToMill.X]-> InEmpty;",
+            "() -[!at_stop && Robot::ToMill.X]-> InEmpty;",
+        )],
+        rule: "level_source_transition",
+        names: &["InEmpty"],
+    },
+    Fault {
+        what: "nothing leads to a step",
+        chart: CELL,
+        replace: &[("Probe -[measured && !good]-> Scrap -[200ms/Scrap]-> Drop;", "Scrap -[200ms/Scrap]-> Drop;")],
+        rule: "unreachable_step",
+        names: &["Scrap"],
+    },
+    Fault {
+        what: "parallel branches that come together one by one",
+        chart: CELL,
+        replace: &[("(Turned, Carried) -[true]-> Probe;", "Turned -[true]-> Probe; Carried -[true]-> Probe;")],
+        rule: "unsafe_step",
+        names: &["Probe"],
+    },
+    Fault {
+        what: "the same inside a macro-step",
+        chart: CELL,
+        replace: &[(
+            "(Spin, Wet) -[at_speed && wide]-> Rough;\n                (Spin, Wet) -[at_speed && !wide]-> Fine;",
+            "Spin -[at_speed && wide]-> Rough; Spin -[at_speed && !wide]-> Fine; Wet -[at_speed]-> Fine;",
+        )],
+        rule: "unsafe_step",
+        names: &["Fine"],
+    },
+    Fault {
+        what: "one initial step too many",
+        chart: CELL,
+        replace: &[("            step OutWait {", "            initial step OutWait {")],
+        rule: "unsafe_step",
+        names: &["OutWait"],
+    },
+    Fault {
+        what: "the variable of another step than was meant, which is never active then",
+        chart: CELL,
+        replace: &[("InOffer -[Robot::PickUp.X]-> InTaken", "InOffer -[Infeed::InStop.X]-> InTaken")],
+        rule: "dead_transition",
+        names: &["InOffer", "InTaken"],
+    },
+    Fault {
+        what: "a convergence waits for a step of another branch",
+        chart: CELL,
+        replace: &[(
+            "Carry -[at_outfeed && !at_mill]-> Carried;",
+            "Carry -[at_outfeed && !at_mill]-> Carried -[measured]-> Lay;",
+        )],
+        rule: "stuck_join",
+        names: &["Turned"],
+    },
+    Fault {
+        what: "an arc was forgotten, and the transition is a source",
+        chart: LINE,
+        replace: &[("NoPallet -[pallet]-> Place", "() -[pallet]-> Place")],
+        rule: "level_source_transition",
+        names: &["Place"],
+    },
+    Fault {
+        what: "nothing leads to a step",
+        chart: LINE,
+        replace: &[("Scan -[scanned && !readable]-> Rejected -[", "Rejected -[")],
+        rule: "unreachable_step",
+        names: &["Rejected"],
+    },
+    Fault {
+        what: "parallel branches that come together one by one",
+        chart: LINE,
+        replace: &[("(LeftDry, RightDry) -[true]-> Upright", "LeftDry -[true]-> Upright; RightDry -[true]-> Upright")],
+        rule: "unsafe_step",
+        names: &["Upright"],
+    },
+    Fault {
+        what: "a parallel branch that is left by a jump",
+        chart: LINE,
+        replace: &[("Fold1 -[flap1]-> Folded1;", "Fold1 -[flap1]-> Folded1; Folded1 -[taped && !pressed]-> Take;")],
+        rule: "unsafe_step",
+        names: &["Fold2"],
+    },
+    Fault {
+        what: "one initial step too many",
+        chart: LINE,
+        replace: &[("            step Warming {", "            initial step Warming {")],
+        rule: "unsafe_step",
+        names: &["Warming"],
+    },
+    Fault {
+        what: "the variable of another step than was meant, which is never active then",
+        chart: LINE,
+        replace: &[("Layer -[Lifting::Shifted.X]-> Counted", "Layer -[Palletiser::Counted.X]-> Counted")],
+        rule: "dead_transition",
+        names: &["Layer", "Counted"],
+    },
+    Fault {
+        what: "no way on",
+        chart: LINE,
+        replace: &[("Truck -[rising(quit) || 30s/Truck]-> NoPallet", "Truck")],
+        rule: "deadlock",
+        names: &["Truck"],
+    },
+];
+
+/// The messages of a rule about the chart in a piece of Rust.
+fn messages(rust: &str, rule: &str) -> Vec<String> {
+    let mark = format!("[grafcet::{rule}]");
+    let code: String = charts::charts(rust).into_iter().map(|chart| charts::expand(chart).to_string()).collect();
+    code.split('"').filter(|literal| literal.ends_with(&mark)).map(str::to_owned).collect()
+}
+
+#[test]
+fn each_fault_is_found_by_its_rule_and_named() {
+    let mut missed = String::new();
+    for fault in FAULTS {
+        let mut rust = fault.chart.to_owned();
+        for (old, new) in fault.replace {
+            assert_eq!(rust.matches(old).count(), 1, "{}: {old}", fault.what);
+            rust = rust.replace(old, new);
+        }
+        assert!(messages(fault.chart, fault.rule).is_empty(), "the good chart has the fault already");
+        let said = messages(&rust, fault.rule);
+        let named = |message: &String| fault.names.iter().all(|name| message.contains(&format!("`{name}`")));
+        if !said.iter().any(named) {
+            missed.push_str(&format!(
+                "{} ({}): {} should name {:?}, says {said:?}\n",
+                fault.what, fault.replace[0].1, fault.rule, fault.names
+            ));
+        }
+    }
+    assert!(missed.is_empty(), "\n{missed}");
+}
