@@ -1,5 +1,7 @@
 //! The checker against brute force, on a few hundred small random charts; `cargo xtask brute` takes thousands.
 
+use std::fmt::Write as _;
+
 use grafcet_conformance::brute::run::{Kind, Outcome, number};
 
 /// Each chart of a kind, and all differences at once. So many of them have to be compared exactly, so that the test is one.
@@ -10,7 +12,7 @@ fn agree(kind: Kind, exactly: usize) {
         let Outcome::Compared(comparison) = outcome else { continue };
         exact += usize::from(comparison.exact);
         for difference in comparison.differences {
-            differences.push_str(&format!("chart {index}: {}: {}\n{text}\n", difference.kind, difference.text));
+            _ = writeln!(differences, "chart {index}: {}: {}\n{text}", difference.kind, difference.text);
         }
     }
     assert!(differences.is_empty(), "{differences}\n`cargo xtask brute` makes them smaller");
@@ -37,4 +39,74 @@ fn sfc_with_times() {
 #[test]
 fn grafcet_with_times() {
     agree(Kind { grafcet: true, timed: true, cycles: FAST }, 0);
+}
+
+/// The verdicts of brute force on charts that were thought through by hand.
+mod by_hand {
+    use std::collections::BTreeSet;
+
+    use grafcet_conformance::brute::graph::Graph;
+    use grafcet_conformance::brute::resolve;
+    use grafcet_conformance::brute::verdicts::Verdicts;
+
+    /// The names of unreachable and unsafe steps, of the steps of deadlocks, and of those that wait for ever.
+    fn verdicts(dialect: &str, chart: &str) -> [String; 4] {
+        let allow = "#![allow(grafcet::unsafe_step, grafcet::deadlock, grafcet::stuck_join, grafcet::unreachable_step, \
+                     grafcet::dead_transition, grafcet::overlapping_branches)]";
+        let model = resolve(&format!("{dialect} C {{ {allow} input a, b: bool; {chart} }}")).expect("a chart");
+        let graph = Graph::of(&model, 10_000).expect("understood").expect("small");
+        let verdicts = Verdicts::of(&model, &graph);
+        let names = |steps: BTreeSet<_>| {
+            steps.into_iter().map(|id| model.steps[id].name.to_string()).collect::<Vec<_>>().join(" ")
+        };
+        let unreachable = model.steps.ids().filter(|id| !verdicts.reachable.contains(id)).collect();
+        let dead = verdicts.deadlocks.iter().flat_map(|(_, steps)| steps.iter().copied()).collect();
+        let stuck = verdicts.stuck.iter().map(|(_, step)| *step).collect();
+        [names(unreachable), names(verdicts.unsafe_steps.clone()), names(dead), names(stuck)]
+    }
+
+    #[test]
+    fn a_sound_parallel_branch() {
+        let chart = "initial step A; step B; step C; A -[a]-> (B, C); (B, C) -[b]-> A;";
+        assert_eq!(verdicts("sfc", chart), ["", "", "", ""]);
+        assert_eq!(verdicts("grafcet", chart), ["", "", "", ""]);
+    }
+
+    #[test]
+    fn branches_that_come_together_one_by_one() {
+        let chart = "initial step A; step B; step C; A -[a]-> (B, C); B -[b]-> A; C -[a && b]-> A;";
+        // B leads back to A, A starts C again while it is active, and C leads to A while it is active.
+        assert_eq!(verdicts("sfc", chart), ["", "A B C", "", ""]);
+    }
+
+    #[test]
+    fn a_convergence_behind_a_selection() {
+        let chart = "initial step A; step B; step C; A -[a]-> B; A -[!a]-> C; (B, C) -[b]-> A;";
+        assert_eq!(verdicts("sfc", chart), ["", "", "B C", "B C"]);
+    }
+
+    #[test]
+    fn a_final_step_is_no_deadlock() {
+        let chart = "initial step A; step B; final step C; A -[a]-> B; A -[b && !a]-> C;";
+        assert_eq!(verdicts("sfc", chart), ["", "", "B", ""]);
+    }
+
+    #[test]
+    fn a_condition_that_cannot_hold_there() {
+        let chart = "initial step A; step B; step C; A -[a]-> B -[A.X]-> C -[b]-> A;";
+        assert_eq!(verdicts("sfc", chart), ["C", "", "B", ""]);
+    }
+
+    #[test]
+    fn a_transient_step_is_reachable() {
+        let chart = "initial step A; step B; step C; A -[a]-> B -[true]-> C -[!a]-> A;";
+        assert_eq!(verdicts("grafcet", chart), ["", "", "", ""]);
+    }
+
+    #[test]
+    fn both_branches_of_a_grafcet_clear() {
+        let chart = "initial step A; step B; step C; A -[a]-> B -[!a]-> A; A -[a]-> C -[!a && b]-> A;";
+        assert_eq!(verdicts("grafcet", chart), ["", "A C", "", ""]);
+        assert_eq!(verdicts("sfc", chart), ["C", "", "", ""]);
+    }
 }

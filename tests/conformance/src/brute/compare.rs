@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits};
 use grafcet_compiler::model::{Model, StepId, Tree};
 
+use super::facts;
 use super::graph::Graph;
 use super::replay;
 use super::verdicts::Verdicts;
@@ -35,6 +36,7 @@ pub fn compare(model: &Model, graph: &Graph, watched: &[Tree], home: &[StepId]) 
     let explored = Exploration::watching(model, &Limits::situations(1_000_000), &watched.iter().collect::<Vec<_>>());
     let exact = explored.is_exact() && !model.uses_time();
     let mut both = Both { model, graph, verdicts, explored, exact, differences: Vec::new() };
+    both.differences.extend(facts::check(model, graph, &both.verdicts));
     both.steps();
     both.transitions();
     both.pairs();

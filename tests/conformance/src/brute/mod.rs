@@ -3,11 +3,13 @@
 //! - `graph`: every state that the interpreter can reach, with every valuation of the inputs
 //! - `verdicts`: what the states say about steps, transitions, joins and deadlocks
 //! - `compare`, `replay`: the checker's answers and ways beside these
+//! - `facts`: what the rest of the compiler takes for granted, beside what happens
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
 
 pub mod compare;
 mod draw;
+mod facts;
 pub mod graph;
 mod hierarchy;
 pub mod make;

@@ -1,0 +1,98 @@
+//! What the compiler takes for granted about a chart must be true of all that brute force sees.
+
+use std::collections::BTreeSet;
+
+use grafcet_compiler::analysis::{Concurrency, Logic, Stability};
+use grafcet_compiler::interp::Evolution;
+use grafcet_compiler::model::{Effect, Model, Place, Qualifier, StepId, TransitionId};
+
+use super::compare::Difference;
+use super::graph::Graph;
+use super::replay;
+use super::verdicts::Verdicts;
+
+/// Which facts are none.
+#[must_use]
+pub(super) fn check(model: &Model, graph: &Graph, verdicts: &Verdicts) -> Vec<Difference> {
+    let mut wrong = Facts { model, wrong: Vec::new() };
+    wrong.concurrency(verdicts);
+    wrong.logic(verdicts);
+    wrong.stability(graph);
+    wrong.wrong
+}
+
+struct Facts<'m> {
+    model: &'m Model,
+    wrong: Vec<Difference>,
+}
+
+impl Facts<'_> {
+    fn report(&mut self, kind: &str, text: String) {
+        self.wrong.push(Difference { kind: format!("not a fact: {kind}"), text });
+    }
+
+    fn concurrency(&mut self, verdicts: &Verdicts) {
+        let (model, concurrency) = (self.model, Concurrency::of(self.model));
+        let name = |step: &StepId| model.steps[*step].name.to_string();
+        for step in verdicts.reachable.iter().filter(|step| !concurrency.reachable(**step)) {
+            self.report("never active", name(step));
+        }
+        for (a, b) in verdicts.together.iter().filter(|(a, b)| !concurrency.together(*a, *b)) {
+            self.report("never together", format!("{}, {}", name(a), name(b)));
+        }
+        for step in verdicts.unsafe_steps.iter().filter(|step| !concurrency.activated_while_active(**step)) {
+            self.report("never activated while active", name(step));
+        }
+    }
+
+    fn logic(&mut self, verdicts: &Verdicts) {
+        let (model, logic) = (self.model, Logic::new(self.model));
+        let condition = |id: TransitionId| &model.transitions[id].condition;
+        for id in verdicts.fireable.iter().filter(|id| logic.never(condition(**id))) {
+            self.report("never true", replay::arrow(model, *id));
+        }
+        for (a, b) in &verdicts.overlapping {
+            if logic.exclusive(&condition(*a).tree, &condition(*b).tree) {
+                self.report("exclusive", format!("{}; {}", replay::arrow(model, *a), replay::arrow(model, *b)));
+            }
+        }
+    }
+
+    /// Every search of a chart that is certain to become stable does so.
+    fn stability(&mut self, graph: &Graph) {
+        let model = self.model;
+        if model.is_grafcet() && Stability::of(model).is_certain() {
+            if let Some(state) = graph.states.iter().find(|state| !state.stable) {
+                self.report("stable", replay::names(model, &state.situation).join(", "));
+            }
+        }
+    }
+}
+
+/// The places that two stored actions behind S, R, P1 or P0 write in one evolution of a `grafcet`.
+#[must_use]
+pub(super) fn races(model: &Model, graph: &Graph) -> BTreeSet<Place> {
+    let mut races = BTreeSet::new();
+    if model.is_grafcet() {
+        for (_, edge) in graph.cycles() {
+            edge.done(model).iter().for_each(|evolution| race(model, evolution, &mut races));
+        }
+    }
+    races
+}
+
+fn race(model: &Model, evolution: &Evolution, races: &mut BTreeSet<Place>) {
+    let mut written = BTreeSet::new();
+    for association in model.associations.values().filter(|association| association.condition.is_none()) {
+        let (was, is) = (evolution.before.contains(&association.step), evolution.after.contains(&association.step));
+        let occurs = match association.qualifier {
+            Qualifier::S | Qualifier::R | Qualifier::P1 => !was && is,
+            Qualifier::P0 => was && !is,
+            _ => false,
+        };
+        let (Effect::Control(place) | Effect::Assign(place, _)) = &association.effect else { continue };
+        if occurs && !written.insert(*place) {
+            races.insert(*place);
+        }
+    }
+}
