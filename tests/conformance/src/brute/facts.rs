@@ -1,10 +1,10 @@
 //! What the compiler takes for granted about a chart must be true of all that brute force sees.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::{Concurrency, Logic, Stability};
 use grafcet_compiler::interp::Evolution;
-use grafcet_compiler::model::{Effect, Model, Place, Qualifier, StepId, TransitionId};
+use grafcet_compiler::model::{Effect, Expr, Model, Place, Qualifier, StepId, TransitionId, Tree};
 
 use super::compare::Difference;
 use super::graph::Graph;
@@ -62,14 +62,14 @@ impl Facts<'_> {
     fn stability(&mut self, graph: &Graph) {
         let model = self.model;
         if model.is_grafcet() && Stability::of(model).is_certain() {
-            if let Some(state) = graph.states.iter().find(|state| !state.stable) {
-                self.report("stable", replay::names(model, &state.situation).join(", "));
+            if let Some((_, edge)) = graph.cycles().find(|(_, edge)| !edge.stable) {
+                self.report("stable", replay::names(model, &graph.states[edge.to].situation).join(", "));
             }
         }
     }
 }
 
-/// The places that two stored actions behind S, R, P1 or P0 write in one evolution of a `grafcet`.
+/// The places to which two stored actions behind S, R, P1 or P0 give different values in one evolution of a `grafcet`.
 #[must_use]
 pub(super) fn races(model: &Model, graph: &Graph) -> BTreeSet<Place> {
     let mut races = BTreeSet::new();
@@ -82,7 +82,7 @@ pub(super) fn races(model: &Model, graph: &Graph) -> BTreeSet<Place> {
 }
 
 fn race(model: &Model, evolution: &Evolution, races: &mut BTreeSet<Place>) {
-    let mut written = BTreeSet::new();
+    let mut written = BTreeMap::new();
     for association in model.associations.values().filter(|association| association.condition.is_none()) {
         let (was, is) = (evolution.before.contains(&association.step), evolution.after.contains(&association.step));
         let occurs = match association.qualifier {
@@ -90,9 +90,13 @@ fn race(model: &Model, evolution: &Evolution, races: &mut BTreeSet<Place>) {
             Qualifier::P0 => was && !is,
             _ => false,
         };
-        let (Effect::Control(place) | Effect::Assign(place, _)) = &association.effect else { continue };
-        if occurs && !written.insert(*place) {
-            races.insert(*place);
+        let (place, value) = match &association.effect {
+            Effect::Control(place) => (*place, association.qualifier == Qualifier::S),
+            Effect::Assign(place, Expr { tree: Tree::Bool(value), .. }) => (*place, *value),
+            _ => continue,
+        };
+        if occurs && written.insert(place, value).is_some_and(|other| other != value) {
+            races.insert(place);
         }
     }
 }

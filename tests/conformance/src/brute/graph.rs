@@ -23,8 +23,6 @@ pub struct Graph {
 pub struct State {
     /// The active steps.
     pub situation: Situation,
-    /// The cycle that led here ended in a stable situation (A30).
-    pub stable: bool,
     /// All of it.
     memory: Memory,
     /// One cycle for each valuation; in a chart with time these without and then with a leap.
@@ -37,6 +35,8 @@ pub struct Edge {
     pub to: usize,
     /// Its evolutions; in `grafcet` the last one has not taken place.
     pub evolutions: Vec<Evolution>,
+    /// It ended in a stable situation (A30).
+    pub stable: bool,
     /// The number of its inputs among the valuations.
     pub valuation: usize,
 }
@@ -67,7 +67,7 @@ impl Graph {
         let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
         let Some(valuations) = valuations(model, most) else { return Ok(None) };
         let mut numbers = BTreeMap::from([(machine.memory().clone(), 0)]);
-        let mut graph = Self { states: vec![State::new(&machine, true)], valuations };
+        let mut graph = Self { states: vec![State::new(&machine)], valuations };
         let times: &[u32] = if model.uses_time() { &[0, LEAP] } else { &[0] };
         let mut nows = vec![0_u32];
         let mut next = 0;
@@ -82,11 +82,11 @@ impl Graph {
                 let cycle = machine.cycle(inputs, now).map_err(|error| error.to_string())?;
                 let to = *numbers.entry(machine.memory().clone()).or_insert_with(|| {
                     nows.push(now);
-                    graph.states.push(State::new(&machine, cycle.stable));
+                    graph.states.push(State::new(&machine));
                     graph.states.len() - 1
                 });
                 let valuation = index % graph.valuations.len();
-                let edge = Edge { to, evolutions: cycle.seen, valuation };
+                let edge = Edge { to, evolutions: cycle.seen, stable: cycle.stable, valuation };
                 graph.states[next].cycles.push(edge);
             }
             next += 1;
@@ -141,9 +141,9 @@ impl Graph {
 }
 
 impl State {
-    fn new(machine: &Interpreter<'_>, stable: bool) -> Self {
+    fn new(machine: &Interpreter<'_>) -> Self {
         let (situation, memory) = (machine.situation().clone(), machine.memory().clone());
-        Self { situation, stable, memory, cycles: Vec::new() }
+        Self { situation, memory, cycles: Vec::new() }
     }
 }
 

@@ -4,6 +4,7 @@
 //! - `verdicts`: what the states say about steps, transitions, joins and deadlocks
 //! - `compare`, `replay`: the checker's answers and ways beside these
 //! - `facts`: what the rest of the compiler takes for granted, beside what happens
+//! - `rules`: what is reported beside what happens
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
 
@@ -14,41 +15,56 @@ pub mod graph;
 mod hierarchy;
 pub mod make;
 mod replay;
+mod rules;
 pub mod run;
 pub mod verdicts;
 mod words;
 
-use grafcet_compiler::diagnostic::{Severity, Sink};
+use std::collections::BTreeSet;
+
+use grafcet_compiler::diagnostic::{Diagnostic, Severity, Sink};
 use grafcet_compiler::model::Model;
 use grafcet_compiler::{check, model, parse};
 use proc_macro2::TokenStream;
 
-/// The model of a chart whose lints are allowed; everything that is left are errors.
+/// The model of a chart whose lints are allowed. One that is only `unstable` is a chart, too.
 ///
 /// # Errors
 /// The first rule, or message of notation, that refuses the chart.
 pub fn resolve(text: &str) -> Result<Model, String> {
-    let tokens: TokenStream = text.parse().map_err(|error| format!("tokens: {error}"))?;
+    let (model, diagnostics) = look(text);
+    let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Deny);
+    for error in errors {
+        match error.rule {
+            Some(rule) if rule.name == "unstable" => {}
+            Some(rule) => return Err(rule.name.to_owned()),
+            None => {
+                return Err(error
+                    .notes
+                    .first()
+                    .map_or_else(String::new, |(_, message)| format!("notation: {message}")));
+            }
+        }
+    }
+    model.ok_or_else(String::new)
+}
+
+/// The rules that report something where no lint is allowed.
+fn reported(text: &str) -> BTreeSet<&'static str> {
+    let strict: String = text.lines().filter(|line| !line.starts_with("#![")).map(|line| format!("{line}\n")).collect();
+    look(&strict).1.iter().filter_map(|diagnostic| Some(diagnostic.rule?.name)).collect()
+}
+
+/// What the compiler does before it generates code.
+fn look(text: &str) -> (Option<Model>, Vec<Diagnostic>) {
     let mut sink = Sink::new();
-    let Some(chart) = parse::chart(tokens, &mut sink) else { return Err(refused(sink)) };
+    let Ok(tokens) = text.parse::<TokenStream>() else { return (None, Vec::new()) };
+    let Some(chart) = parse::chart(tokens, &mut sink) else { return (None, sink.finish()) };
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     if complete && !sink.has_errors() {
         check::evolution(&model, &mut sink);
     }
-    if !complete || sink.has_errors() {
-        return Err(refused(sink));
-    }
-    _ = sink.finish();
-    Ok(model)
-}
-
-fn refused(sink: Sink) -> String {
-    let all = sink.finish();
-    let first = all.iter().find(|diagnostic| diagnostic.severity == Severity::Deny);
-    first.map_or_else(String::new, |diagnostic| match diagnostic.rule {
-        Some(rule) => rule.name.to_owned(),
-        None => diagnostic.notes.first().map_or_else(String::new, |(_, message)| format!("notation: {message}")),
-    })
+    (complete.then_some(model), sink.finish())
 }

@@ -4,7 +4,7 @@ use grafcet_compiler::model::{Binary, Id, Model, Name, Read, StepId, Tree, Ty, U
 
 use super::compare::{Comparison, Difference, compare};
 use super::graph::Graph;
-use super::{make, resolve};
+use super::{make, resolve, rules};
 use crate::random::Rng;
 use crate::simpler::simpler;
 
@@ -52,7 +52,9 @@ pub fn chart(text: &str, cycles: usize) -> Result<Outcome, String> {
     let mut rng = Rng::new(0x9ab5);
     let watched: Vec<Tree> = (0..4).map(|_| property(&model, &mut rng, 2)).collect();
     let initial: Vec<StepId> = model.steps.iter().filter(|(_, step)| step.initial).map(|(id, _)| id).collect();
-    compare(&model, &graph, &watched, &initial).map(Outcome::Compared)
+    let mut comparison = compare(&model, &graph, &watched, &initial)?;
+    comparison.differences.extend(rules::check(&model, &graph, text, comparison.exact));
+    Ok(Outcome::Compared(comparison))
 }
 
 /// The smallest chart found with a difference of the same kind, and that difference.

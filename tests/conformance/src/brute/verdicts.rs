@@ -24,7 +24,7 @@ pub struct Verdicts {
     pub unsafe_steps: BTreeSet<StepId>,
     /// Pairs of different steps that some situation contains, transient ones included, the smaller first.
     pub together: BTreeSet<(StepId, StepId)>,
-    /// Stable situations of a partial grafcet in which it stays for ever; those of one without any transition, empty
+    /// Situations of a partial grafcet in which it stays for ever; those of one without any transition, empty
     /// ones, forced ones and those with a final step are none.
     pub deadlocks: BTreeSet<(PartialId, BTreeSet<StepId>)>,
     /// AND-convergences with an active source that is never left any more while the convergence is never enabled.
@@ -95,7 +95,7 @@ fn deadlocks(id: PartialId, model: &Model, graph: &Graph) -> BTreeSet<BTreeSet<S
         let here: BTreeSet<StepId> = partial.steps.iter().copied().filter(|s| state.situation.contains(s)).collect();
         let ends = here.iter().any(|step| model.steps[*step].is_final);
         let forced = model.forces.values().any(|force| force.target == id && state.situation.contains(&force.step));
-        if !alive && state.stable && !here.is_empty() && !ends && !forced {
+        if !alive && !here.is_empty() && !ends && !forced {
             found.insert(here);
         }
     }
