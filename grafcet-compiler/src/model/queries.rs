@@ -1,6 +1,6 @@
 //! Questions that several passes ask of a model.
 
-use super::{Effect, Expr, Model, Name, Place, Read, Ty};
+use super::{Effect, Expr, Model, Name, Place, Read, Tree, Ty};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
@@ -89,5 +89,17 @@ impl Effect {
             Effect::Block(code) => (Some(&code.reads), &[]),
         };
         one.into_iter().chain(many.iter().map(|arg| &arg.reads[..]))
+    }
+}
+
+impl Effect {
+    /// If the effect acts on `place` as a continuous action can: the value it assigns, or none where it asserts.
+    #[must_use]
+    pub fn continuous_value(&self, place: Place) -> Option<Option<&Tree>> {
+        match self {
+            Effect::Control(at) if *at == place => Some(None),
+            Effect::Assign(at, value) if *at == place => Some(Some(&value.tree)),
+            _ => None,
+        }
     }
 }

@@ -9,11 +9,33 @@
 //! - `sfc`, `grafcet`, `hierarchy`, `writes`: what a cycle does
 //! - `search`, `graph`, `verdicts`: from situation to situation, and what follows
 
+mod actions;
+mod compile;
+mod cycle;
+mod formula;
+mod graph;
+mod grafcet;
+mod hierarchy;
+mod knowledge;
+mod net;
 mod path;
+mod scene;
+mod search;
+mod sfc;
+mod slots;
+mod units;
+mod verdicts;
 
-pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
+use std::collections::BTreeMap;
 
-use crate::model::{Model, StepId, TransitionId, Tree};
+pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
+
+use self::graph::Future;
+use self::net::Net;
+use self::search::{Graph, Search, Seen};
+use self::verdicts::Report;
+use super::{Concurrency, Relation};
+use crate::model::{Id, Model, StepId, TransitionId, Tree};
 
 /// How much is explored before the search gives up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -48,95 +70,222 @@ pub enum Answer {
 }
 
 /// The reachable situations of a chart.
-#[derive(Debug)]
 pub struct Exploration {
-    complete: bool,
+    net: Net,
+    seen: Seen,
+    /// The whole chart, as far as the budget sufficed.
+    whole: Graph,
+    /// Per piece of the chart: everything it can do was seen.
+    covered: Vec<bool>,
+    /// What the structure tells, where something is not covered.
+    structure: Option<Concurrency>,
+    sources: Vec<Vec<StepId>>,
+    unsafe_steps: BTreeMap<StepId, Activation>,
+    deadlocks: Vec<Deadlock>,
+    stuck_joins: Vec<StuckJoin>,
+    /// The most active steps, where all is covered.
+    max_active: Option<usize>,
+    work: u64,
 }
 
 impl Exploration {
     /// Explores a chart.
     #[must_use]
     pub fn of(model: &Model, limits: &Limits) -> Self {
-        Self::watching(model, limits, &[])
+        Self::watching(model, limits, &[], &[])
     }
 
     /// Explores a chart, and evaluates boolean expressions at the end of each cycle, on its inputs, outputs and situation.
+    /// Inputs for which one of `assumed_never` holds are left out.
     #[must_use]
-    pub fn watching(_model: &Model, _limits: &Limits, _watched: &[&Tree]) -> Self {
-        Self { complete: false }
+    pub fn watching(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        let net = Net::of(model, watched, assumed_never);
+        let mut seen = Seen::nothing(&net);
+        // A long chart has many situations without being complicated.
+        let limit = limits.work.saturating_add(40 * (net.leaving.len() + net.arcs.len()) as u64);
+        let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
+        let share = if several { limit / 2 } else { limit };
+        let (whole, mut work) = Search::new(&net, None, share, &mut seen).run();
+        let mut covered = vec![whole.complete; net.units];
+        let mut pieces = Vec::new();
+        if !whole.complete && several {
+            for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {
+                let left = limit.saturating_sub(work);
+                let (graph, spent) = Search::new(&net, Some(unit), left, &mut seen).run();
+                work += spent;
+                covered[unit] = graph.complete;
+                pieces.push(graph);
+            }
+        }
+        let structure = (!covered.iter().all(|covered| *covered)).then(|| Concurrency::of(model));
+        let mut exploration = Self {
+            sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
+            unsafe_steps: BTreeMap::new(),
+            deadlocks: Vec::new(),
+            stuck_joins: Vec::new(),
+            max_active: None,
+            net,
+            seen,
+            whole,
+            covered,
+            structure,
+            work,
+        };
+        exploration.judge(&pieces);
+        exploration
+    }
+
+    fn judge(&mut self, pieces: &[Graph]) {
+        for graph in std::iter::once(&self.whole).chain(pieces) {
+            let report = Report { net: &self.net, graph };
+            for (step, activation) in report.activations() {
+                self.unsafe_steps.entry(step).or_insert(activation);
+            }
+            if graph.complete {
+                let future = Future::of(&self.net, graph);
+                self.deadlocks.extend(report.deadlocks(&future));
+                self.stuck_joins.extend(report.stuck_joins(&future));
+            }
+        }
+        let most = |graph: &Graph| graph.states.iter().map(|state| state.active.len()).max().unwrap_or(0);
+        if self.whole.complete {
+            self.max_active = Some(most(&self.whole));
+        }
     }
 
     /// The budget sufficed: what is said never to happen never does, and everything that can happen was seen.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.complete
+        self.whole.complete
     }
 
     /// Complete, and nothing was taken as unknown: what is said to happen really can.
     #[must_use]
     pub fn is_exact(&self) -> bool {
-        self.complete
+        self.whole.complete && !self.net.approximate
+    }
+
+    /// The units of work it took.
+    #[must_use]
+    pub fn work(&self) -> u64 {
+        self.work
+    }
+
+    /// How many states were found: situations, with the followed variables and what edges compare with.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        self.whole.states.len()
     }
 
     /// Whether some situation contains the step, transient ones included; `true` also where that could not be excluded.
     #[must_use]
-    pub fn reachable(&self, _step: StepId) -> bool {
-        true
+    pub fn reachable(&self, step: StepId) -> bool {
+        let may_be = |structure: &Concurrency| structure.reachable(step);
+        self.seen.reachable[step.index()]
+            || !self.covered[self.net.unit_of[step.index()]] && self.structure.as_ref().is_some_and(may_be)
     }
 
     /// Whether some situation enables the transition, or that could not be excluded.
     #[must_use]
-    pub fn is_enabled(&self, _transition: TransitionId) -> bool {
-        true
+    pub fn is_enabled(&self, transition: TransitionId) -> bool {
+        self.seen.enabled[transition.index()] || self.may_be_enabled(transition)
     }
 
     /// Whether the condition of the transition can hold while it is enabled (`sfc`: also where an earlier branch takes
     /// precedence), or that could not be excluded.
     #[must_use]
-    pub fn can_clear(&self, _transition: TransitionId) -> bool {
-        true
+    pub fn can_clear(&self, transition: TransitionId) -> bool {
+        self.seen.able[transition.index()] || self.may_be_enabled(transition)
+    }
+
+    /// Whether the structure lets the transition be enabled, where its piece of the chart is not covered.
+    fn may_be_enabled(&self, transition: TransitionId) -> bool {
+        let Some(structure) = &self.structure else { return false };
+        let sources = &self.sources[transition.index()];
+        !self.covered[self.net.unit_of_arc(transition.index())]
+            && sources.iter().all(|source| structure.reachable(*source))
+            && sources.iter().enumerate().all(|(i, a)| sources[i + 1..].iter().all(|b| structure.together(*a, *b)))
     }
 
     /// The shortest way to an evolution that activates the step while it is active and not left by that evolution.
     #[must_use]
-    pub fn unsafe_step(&self, _step: StepId) -> Option<&Activation> {
-        None
+    pub fn unsafe_step(&self, step: StepId) -> Option<&Activation> {
+        self.unsafe_steps.get(&step)
     }
 
     /// Situations at the end of a cycle from which a partial grafcet never goes on, those with a final step excepted;
     /// one for each set of its steps.
     #[must_use]
     pub fn deadlocks(&self) -> &[Deadlock] {
-        &[]
+        &self.deadlocks
     }
 
     /// AND-convergences that wait forever, one for each of their sources that waits.
     #[must_use]
     pub fn stuck_joins(&self) -> &[StuckJoin] {
-        &[]
+        &self.stuck_joins
     }
 
-    /// Whether two different steps can be active together, or that could not be excluded.
+    /// Which steps are active together at the end of some cycle; `None` if not everything was seen.
     #[must_use]
-    pub fn together(&self, _a: StepId, _b: StepId) -> bool {
-        true
+    pub fn together(&self) -> Option<Relation> {
+        if !self.whole.complete {
+            return None;
+        }
+        let mut relation = Relation::new(self.net.leaving.len());
+        for state in &self.whole.states {
+            for (i, a) in state.active.iter().enumerate() {
+                for b in &state.active[i + 1..] {
+                    relation.insert(*a, *b);
+                }
+            }
+        }
+        Some(relation)
     }
 
-    /// The most steps that are ever active at the end of a cycle; `None` if that is not known.
+    /// The most steps that are ever active at the end of a cycle; `None` if not everything was seen.
     #[must_use]
     pub fn max_active(&self) -> Option<usize> {
-        None
+        self.max_active
     }
 
     /// Whether the watched expression can hold at the end of a cycle.
     #[must_use]
-    pub fn watched(&self, _index: usize) -> Answer {
-        Answer::Unknown
+    pub fn watched(&self, index: usize) -> Answer {
+        match &self.whole.watched[index] {
+            Some((from, cycle, end)) => {
+                let report = Report { net: &self.net, graph: &self.whole };
+                Answer::Possible(report.path_beyond(*from, cycle, &end.active))
+            }
+            None if self.whole.complete => Answer::Never,
+            None => Answer::Unknown,
+        }
     }
 
     /// Whether a situation can be reached from which there is no way to exactly `home` (at the end of a cycle).
     #[must_use]
-    pub fn away_from(&self, _home: &[StepId]) -> Answer {
-        Answer::Unknown
+    pub fn away_from(&self, home: &[StepId]) -> Answer {
+        if !self.whole.complete {
+            return Answer::Unknown;
+        }
+        let mut home: Vec<usize> = home.iter().map(|step| step.index()).collect();
+        home.sort_unstable();
+        let states = &self.whole.states;
+        let mut back: Vec<Vec<usize>> = vec![Vec::new(); states.len()];
+        for (from, edges) in self.whole.edges.iter().enumerate() {
+            edges.iter().for_each(|edge| back[edge.to].push(from));
+        }
+        let is_home = |state: &usize| !states[*state].first && *states[*state].active == home[..];
+        let mut work: Vec<usize> = (0..states.len()).filter(is_home).collect();
+        let mut returns = vec![false; states.len()];
+        while let Some(state) = work.pop() {
+            if !std::mem::replace(&mut returns[state], true) {
+                work.extend(&back[state]);
+            }
+        }
+        match returns.iter().position(|returns| !returns) {
+            Some(state) => Answer::Possible(Report { net: &self.net, graph: &self.whole }.path_to(state)),
+            None => Answer::Never,
+        }
     }
 }

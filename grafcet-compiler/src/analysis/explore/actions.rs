@@ -1,0 +1,274 @@
+//! The actions that write what is followed from cycle to cycle.
+
+use std::collections::BTreeMap;
+
+use super::compile::Compiler;
+use super::formula::Formula;
+use super::slots::{Bit, Slots, written};
+use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
+
+/// An action with the conditions under which it runs.
+pub(super) struct Action {
+    /// Its place in the source.
+    pub(super) position: usize,
+    pub(super) qualifier: Qualifier,
+    pub(super) step: usize,
+    pub(super) event: Option<Formula>,
+    pub(super) condition: Option<Formula>,
+    pub(super) program: Vec<Command>,
+    /// Beside what is followed it does something that counts as a change (A25): a call, or a value that is not followed.
+    pub(super) more: bool,
+}
+
+/// A statement of an action.
+pub(super) enum Command {
+    Set(usize, Formula),
+    If(Formula, Vec<Command>, Vec<Command>),
+}
+
+/// `sfc`: what associations are combined for (A31).
+pub(super) enum Target {
+    /// `N q`, `S q`, `R q`, `P q`
+    Control { slot: usize, flip_flop: Option<usize>, by: Vec<Action> },
+    /// `speed = …` on an output: the initial value while no association is active (A35).
+    Assigned { slot: usize, initial: Bit, by: Vec<Action> },
+    /// A block or a stored assignment.
+    Own(Action),
+}
+
+/// All actions of a chart that write what is followed.
+#[derive(Default)]
+pub(super) struct Actions {
+    /// `grafcet`: the stored actions, in source order, and those of each step.
+    pub(super) stored: Vec<Action>,
+    pub(super) stored_of: BTreeMap<usize, Vec<usize>>,
+    /// `grafcet`: the actions on clearing of each transition.
+    pub(super) clearing: BTreeMap<usize, Vec<Action>>,
+    /// `sfc`: the targets in the order in which they first stand in the source, and those of each step.
+    pub(super) targets: Vec<Target>,
+    pub(super) targets_of: BTreeMap<usize, Vec<usize>>,
+    /// `sfc`: which slots are outputs; these are read as the previous cycle returned them.
+    pub(super) is_output: Vec<bool>,
+}
+
+impl Actions {
+    /// Whether nothing is followed.
+    pub(super) fn is_empty(&self) -> bool {
+        self.stored.is_empty() && self.clearing.is_empty() && self.targets.is_empty()
+    }
+
+    /// The formulas that the actions of each step evaluate.
+    pub(super) fn formulas(&self) -> impl Iterator<Item = (usize, Vec<&Formula>)> {
+        let targets = self.targets.iter().flat_map(|target| match target {
+            Target::Control { by, .. } | Target::Assigned { by, .. } => by.iter(),
+            Target::Own(action) => std::slice::from_ref(action).iter(),
+        });
+        self.stored.iter().chain(targets).map(|action| {
+            let mut formulas: Vec<&Formula> = action.event.iter().chain(&action.condition).collect();
+            collect(&action.program, &mut formulas);
+            (action.step, formulas)
+        })
+    }
+}
+
+impl Actions {
+    /// The formulas that the actions on clearing of each transition evaluate.
+    pub(super) fn clearing_formulas(&self) -> impl Iterator<Item = (usize, Vec<&Formula>)> {
+        self.clearing.iter().map(|(transition, actions)| {
+            let mut formulas = Vec::new();
+            actions.iter().for_each(|action| collect(&action.program, &mut formulas));
+            (*transition, formulas)
+        })
+    }
+
+    /// Which slots are written by an action of which step, or on the clearing of which transition.
+    pub(super) fn writers(&self) -> Vec<(usize, (Option<usize>, Option<usize>))> {
+        let mut writers = Vec::new();
+        for action in &self.stored {
+            slots_of(&action.program, &mut |slot| writers.push((slot, (Some(action.step), None))));
+        }
+        for (transition, actions) in &self.clearing {
+            for action in actions {
+                slots_of(&action.program, &mut |slot| writers.push((slot, (None, Some(*transition)))));
+            }
+        }
+        writers
+    }
+}
+
+fn slots_of(program: &[Command], found: &mut dyn FnMut(usize)) {
+    for command in program {
+        match command {
+            Command::Set(slot, _) => found(*slot),
+            Command::If(_, then, otherwise) => {
+                slots_of(then, found);
+                slots_of(otherwise, found);
+            }
+        }
+    }
+}
+
+fn collect<'a>(program: &'a [Command], formulas: &mut Vec<&'a Formula>) {
+    for command in program {
+        match command {
+            Command::Set(_, value) => formulas.push(value),
+            Command::If(condition, then, otherwise) => {
+                formulas.push(condition);
+                collect(then, formulas);
+                collect(otherwise, formulas);
+            }
+        }
+    }
+}
+
+pub(super) fn compile(model: &Model, slots: &Slots, compiler: &mut Compiler<'_>) -> Actions {
+    let mut actions = Actions { is_output: vec![false; slots.initial.len()], ..Actions::default() };
+    for (place, slot) in slots.numbers.iter().chain(&slots.flip_flops) {
+        actions.is_output[*slot] = matches!(place, Place::Output(_));
+    }
+    let mut compile = Compile { slots, compiler };
+    if model.is_grafcet() {
+        compile.stored(model, &mut actions);
+    } else {
+        compile.targets(model, &mut actions);
+    }
+    actions
+}
+
+struct Compile<'c, 'm> {
+    slots: &'c Slots,
+    compiler: &'c mut Compiler<'m>,
+}
+
+impl Compile<'_, '_> {
+    fn stored(&mut self, model: &Model, actions: &mut Actions) {
+        for (id, association) in model.associations.iter() {
+            let stored = matches!(
+                association.qualifier,
+                Qualifier::S | Qualifier::R | Qualifier::P1 | Qualifier::P0 | Qualifier::On
+            );
+            let on = association.qualifier == Qualifier::On;
+            if stored && (on || self.is_followed(&association.effect)) {
+                actions.stored_of.entry(association.step.index()).or_default().push(actions.stored.len());
+                actions.stored.push(self.action(id.index(), association));
+            }
+        }
+        for (id, transition) in model.transitions.iter() {
+            if transition.clearing.is_empty() {
+                continue;
+            }
+            let clearing = transition.clearing.iter().map(|effect| Action {
+                position: id.index(),
+                qualifier: Qualifier::On,
+                step: usize::MAX,
+                event: None,
+                condition: None,
+                program: self.program(effect, None),
+                more: self.does_more(effect),
+            });
+            actions.clearing.insert(id.index(), clearing.collect());
+        }
+    }
+
+    fn targets(&mut self, model: &Model, actions: &mut Actions) {
+        let mut numbers: BTreeMap<Place, usize> = BTreeMap::new();
+        for (id, association) in model.associations.iter() {
+            if !self.is_followed(&association.effect) {
+                continue;
+            }
+            let action = self.action(id.index(), association);
+            let place = match &association.effect {
+                Effect::Control(place) => Some(*place),
+                Effect::Assign(place @ Place::Output(_), _) if association.qualifier == Qualifier::N => Some(*place),
+                _ => None,
+            };
+            let known = place.and_then(|place| numbers.get(&place).copied());
+            let number = known.unwrap_or(actions.targets.len());
+            match (known, place) {
+                (Some(known), _) => {
+                    if let Target::Control { by, .. } | Target::Assigned { by, .. } = &mut actions.targets[known] {
+                        by.push(action);
+                    }
+                }
+                (None, Some(place)) => {
+                    numbers.insert(place, number);
+                    actions.targets.push(self.target(place, &association.effect, action));
+                }
+                (None, None) => actions.targets.push(Target::Own(action)),
+            }
+            let of_step = actions.targets_of.entry(association.step.index()).or_default();
+            if !of_step.contains(&number) {
+                of_step.push(number);
+            }
+        }
+    }
+
+    fn target(&self, place: Place, effect: &Effect, action: Action) -> Target {
+        let slot = self.slots.numbers[&place];
+        let by = vec![action];
+        match effect {
+            Effect::Control(_) => {
+                // Where only S and R control the place, it is its own flip-flop.
+                let flip_flop = self.slots.flip_flops.get(&place).copied();
+                Target::Control { slot, flip_flop, by }
+            }
+            _ => Target::Assigned { slot, initial: self.slots.initial[slot], by },
+        }
+    }
+
+    fn is_followed(&self, effect: &Effect) -> bool {
+        written(effect).any(|place| self.slots.numbers.contains_key(&place))
+    }
+
+    fn does_more(&self, effect: &Effect) -> bool {
+        matches!(effect, Effect::Call(..)) || written(effect).any(|place| !self.slots.numbers.contains_key(&place))
+    }
+
+    fn action(&mut self, position: usize, association: &Association) -> Action {
+        let value = match (association.qualifier, &association.effect) {
+            (Qualifier::S, Effect::Control(_)) => Some(true),
+            (Qualifier::R, Effect::Control(_)) => Some(false),
+            _ => None,
+        };
+        Action {
+            position,
+            qualifier: association.qualifier,
+            step: association.step.index(),
+            event: association.event.as_ref().map(|expr| self.compiler.formula(&expr.tree)),
+            condition: association.condition.as_ref().map(|expr| self.compiler.formula(&expr.tree)),
+            program: self.program(&association.effect, value),
+            more: self.does_more(&association.effect),
+        }
+    }
+
+    fn program(&mut self, effect: &Effect, control: Option<bool>) -> Vec<Command> {
+        match effect {
+            Effect::Control(place) => match (self.slots.numbers.get(place), control) {
+                (Some(slot), Some(value)) => vec![Command::Set(*slot, Formula::Const(value))],
+                _ => Vec::new(),
+            },
+            Effect::Assign(place, value) => self.set(*place, &value.tree).into_iter().collect(),
+            Effect::Call(..) => Vec::new(),
+            Effect::Block(code) => code.statements.as_deref().map_or_else(Vec::new, |all| self.commands(all)),
+        }
+    }
+
+    fn commands(&mut self, statements: &[Statement]) -> Vec<Command> {
+        let mut commands = Vec::new();
+        for statement in statements {
+            match statement {
+                Statement::Assign(place, value) => commands.extend(self.set(*place, value)),
+                Statement::If(condition, then, otherwise) => {
+                    let condition = self.compiler.formula(condition);
+                    commands.push(Command::If(condition, self.commands(then), self.commands(otherwise)));
+                }
+            }
+        }
+        commands
+    }
+
+    fn set(&mut self, place: Place, value: &Tree) -> Option<Command> {
+        let slot = *self.slots.numbers.get(&place)?;
+        Some(Command::Set(slot, self.compiler.formula(value)))
+    }
+}

@@ -1,0 +1,378 @@
+//! Expression trees become formulas over numbered atoms.
+
+use std::collections::BTreeMap;
+
+use super::formula::{Atom, Formula, Kind};
+use crate::analysis::combinational;
+use crate::model::{Binary, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId};
+
+/// Numbers the atoms of a chart.
+pub(super) struct Compiler<'m> {
+    model: &'m Model,
+    /// The number of each place that is followed from cycle to cycle.
+    slots: &'m BTreeMap<Place, usize>,
+    pub(super) atoms: Vec<Atom>,
+    numbers: BTreeMap<Tree, usize>,
+    /// What the edges look at, where they are used.
+    pub(super) edges: Vec<Option<Formula>>,
+    pub(super) shared: Vec<Formula>,
+    combinational: BTreeMap<Place, Option<usize>>,
+    /// Inside the expression of an edge.
+    in_edge: bool,
+    /// Something is taken as unknown that is not, or only partly.
+    pub(super) approximate: bool,
+}
+
+const TICKS: (i128, i128) = (0, u32::MAX as i128);
+
+impl<'m> Compiler<'m> {
+    pub(super) fn new(model: &'m Model, slots: &'m BTreeMap<Place, usize>) -> Self {
+        Self {
+            model,
+            slots,
+            atoms: Vec::new(),
+            numbers: BTreeMap::new(),
+            edges: model.edges.ids().map(|_| None).collect(),
+            shared: Vec::new(),
+            combinational: BTreeMap::new(),
+            in_edge: false,
+            approximate: false,
+        }
+    }
+
+    /// A boolean expression.
+    pub(super) fn formula(&mut self, tree: &Tree) -> Formula {
+        match tree {
+            Tree::Bool(value) => Formula::Const(*value),
+            Tree::Unary(Unary::Not, inner) => self.formula(inner).negate(),
+            Tree::Binary(operator, a, b) => self.binary(tree, *operator, a, b),
+            Tree::Elapsed(time, step) => {
+                let since = Tree::Read(Read::Since(*step));
+                let active = Formula::Is(self.atom(&Tree::Read(Read::Active(*step)), Kind::Step(step.index())));
+                let elapsed = self.elapsed(tree, *time, &since, Kind::Since(step.index()));
+                active.and(elapsed)
+            }
+            Tree::MacroElapsed(time, id) => {
+                let since = Tree::Read(Read::MacroSince(*id));
+                let active = Formula::Is(self.atom(&Tree::Read(Read::MacroActive(*id)), Kind::Macro(id.index())));
+                let elapsed = self.elapsed(tree, *time, &since, Kind::MacroSince(id.index()));
+                active.and(elapsed)
+            }
+            Tree::Read(read) => self.read(tree, *read),
+            Tree::Int(_) | Tree::Unary(..) | Tree::Opaque { .. } => self.unknown(tree),
+        }
+    }
+
+    fn elapsed(&mut self, tree: &Tree, time: TimeRef, since: &Tree, kind: Kind) -> Formula {
+        self.approximate = true;
+        match time {
+            TimeRef::Ticks(ticks) => Formula::Below(self.atom(since, kind), i128::from(ticks)).negate(),
+            TimeRef::Param(_) | TimeRef::Var(_) => self.unknown(tree),
+        }
+    }
+
+    fn binary(&mut self, tree: &Tree, operator: Binary, a: &Tree, b: &Tree) -> Formula {
+        match operator {
+            Binary::And => return self.formula(a).and(self.formula(b)),
+            Binary::Or => return self.formula(a).or(self.formula(b)),
+            _ => {}
+        }
+        if self.is_boolean(a) && self.is_boolean(b) {
+            match operator {
+                Binary::BitAnd => return self.formula(a).and(self.formula(b)),
+                Binary::BitOr => return self.formula(a).or(self.formula(b)),
+                Binary::Eq => return self.formula(a).same(self.formula(b)),
+                Binary::BitXor | Binary::Ne => return self.formula(a).same(self.formula(b)).negate(),
+                _ => {}
+            }
+        }
+        self.comparison(operator, a, b).unwrap_or_else(|| self.unknown(tree))
+    }
+
+    /// A comparison of a number with a constant, or of two numbers, whose difference then is the number.
+    fn comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
+        let flipped = match operator {
+            Binary::Eq | Binary::Ne => operator,
+            Binary::Lt => Binary::Gt,
+            Binary::Le => Binary::Ge,
+            Binary::Gt => Binary::Lt,
+            Binary::Ge => Binary::Le,
+            _ => return None,
+        };
+        let (number, operator, bound) = match (constant(a), constant(b)) {
+            (Some(a), Some(b)) => return Some(Formula::Const(compare(operator, a, b))),
+            (None, Some(bound)) => (self.number(a)?, operator, bound),
+            (Some(bound), None) => (self.number(b)?, flipped, bound),
+            (None, None) => {
+                if !self.is_number(a) || !self.is_number(b) {
+                    return None;
+                }
+                self.approximate = true;
+                let ((a, b), operator) = if a <= b { ((a, b), operator) } else { ((b, a), flipped) };
+                let difference = Tree::Binary(Binary::Sub, Box::new(a.clone()), Box::new(b.clone()));
+                (self.atom(&difference, Kind::Number(i128::MIN, i128::MAX)), operator, 0)
+            }
+        };
+        let below = |bound| Formula::Below(number, bound);
+        Some(match operator {
+            Binary::Eq => Formula::Equals(number, bound),
+            Binary::Ne => Formula::Equals(number, bound).negate(),
+            Binary::Lt => below(bound),
+            Binary::Le => below(bound.saturating_add(1)),
+            Binary::Gt => below(bound.saturating_add(1)).negate(),
+            _ => below(bound).negate(),
+        })
+    }
+
+    /// The atom of a number.
+    fn number(&mut self, tree: &Tree) -> Option<usize> {
+        let kind = match tree {
+            Tree::Read(Read::Since(step)) => Kind::Since(step.index()),
+            Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(id.index()),
+            _ if !self.is_number(tree) => return None,
+            _ => {
+                let (low, high) = self.range(tree).unwrap_or((i128::MIN, i128::MAX));
+                Kind::Number(low, high)
+            }
+        };
+        self.approximate |= !matches!(tree, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
+        Some(self.atom(tree, kind))
+    }
+
+    /// Whether the tree is an integer or a time, so that its comparisons with constants exclude each other.
+    fn is_number(&self, tree: &Tree) -> bool {
+        match tree {
+            Tree::Int(_) => true,
+            Tree::Read(_) => self.range(tree).is_some(),
+            Tree::Unary(_, inner) => self.is_number(inner),
+            Tree::Binary(Binary::Shl | Binary::Shr, a, _) => self.is_number(a),
+            Tree::Binary(operator, a, b) => {
+                let arithmetic = matches!(
+                    operator,
+                    Binary::Add
+                        | Binary::Sub
+                        | Binary::Mul
+                        | Binary::Div
+                        | Binary::Rem
+                        | Binary::BitAnd
+                        | Binary::BitOr
+                        | Binary::BitXor
+                );
+                arithmetic && self.is_number(a) && self.is_number(b)
+            }
+            _ => false,
+        }
+    }
+
+    /// The values that the type of a number has: in Rust, the operands of arithmetic have one type.
+    fn range(&self, tree: &Tree) -> Option<(i128, i128)> {
+        let ty = match tree {
+            Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)) => return Some(TICKS),
+            Tree::Read(Read::Name(name)) => self.ty(*name),
+            Tree::Unary(_, inner) => return self.range(inner),
+            Tree::Binary(_, a, b) => return self.range(a).or_else(|| self.range(b)),
+            _ => return None,
+        };
+        match ty {
+            Ty::Int { signed: false, bits, .. } if *bits < 127 => Some((0, (1 << bits) - 1)),
+            Ty::Int { signed: false, .. } => Some((0, i128::MAX)),
+            Ty::Int { signed: true, bits, .. } if *bits < 128 => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
+            Ty::Int { .. } => Some((i128::MIN, i128::MAX)),
+            Ty::Time(_) => Some(TICKS),
+            Ty::Bool(_) | Ty::Other(_) => None,
+        }
+    }
+
+    fn ty(&self, name: Name) -> &'m Ty {
+        match name {
+            Name::Input(id) => &self.model.inputs[id].ty,
+            Name::Output(id) => &self.model.outputs[id].ty,
+            Name::Var(id) => &self.model.vars[id].ty,
+            Name::Param(id) => &self.model.params[id].ty,
+        }
+    }
+
+    fn read(&mut self, tree: &Tree, read: Read) -> Formula {
+        match read {
+            Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step.index()))),
+            Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id.index()))),
+            Read::Name(Name::Input(_) | Name::Param(_)) => Formula::Is(self.atom(tree, Kind::Free)),
+            Read::Name(Name::Var(id)) => self.place(tree, Place::Var(id)),
+            Read::Name(Name::Output(id)) => self.place(tree, Place::Output(id)),
+            Read::Rising(id) => self.edge(tree, id, Formula::Rising),
+            Read::Falling(id) => self.edge(tree, id, Formula::Falling),
+            _ => self.unknown(tree),
+        }
+    }
+
+    fn edge(&mut self, tree: &Tree, id: EdgeId, edge: fn(usize) -> Formula) -> Formula {
+        if self.in_edge {
+            // What an edge of an edge looks at lies two cycles back.
+            return self.unknown(tree);
+        }
+        if self.edges[id.index()].is_none() {
+            self.in_edge = true;
+            let of = self.formula(&self.model.edges[id].of.tree);
+            self.in_edge = false;
+            self.edges[id.index()] = Some(of);
+        }
+        edge(id.index())
+    }
+
+    fn place(&mut self, tree: &Tree, place: Place) -> Formula {
+        if let Some(slot) = self.slots.get(&place) {
+            return Formula::Is(self.atom(tree, Kind::Slot(*slot)));
+        }
+        let shared = match self.combinational.get(&place) {
+            Some(shared) => *shared,
+            None => {
+                // While it is being compiled it is unknown to itself: a circle is refused elsewhere.
+                self.combinational.insert(place, None);
+                let formula = self.continuous(place);
+                let shared = formula.map(|formula| {
+                    self.shared.push(formula);
+                    self.shared.len() - 1
+                });
+                self.combinational.insert(place, shared);
+                shared
+            }
+        };
+        shared.map_or_else(|| self.unknown(tree), Formula::Shared)
+    }
+
+    /// What continuous actions of a `grafcet` make of a boolean variable (A22) or output (A9, A10, A35).
+    fn continuous(&mut self, place: Place) -> Option<Formula> {
+        let model = self.model;
+        if !model.is_grafcet() {
+            return None;
+        }
+        let (init, boolean) = match place {
+            Place::Var(id) => (&model.vars[id].init, var_is_continuous(model, id)),
+            Place::Output(id) => (&model.outputs[id].init, output_is_continuous(model, id)),
+        };
+        if !boolean {
+            return None;
+        }
+        let mut value = match init.as_ref().map(|init| &init.tree) {
+            None => Formula::Const(false),
+            Some(Tree::Bool(value)) => Formula::Const(*value),
+            Some(other) => self.unknown(other),
+        };
+        for association in model.associations.values() {
+            let when = match association.qualifier {
+                Qualifier::N | Qualifier::L | Qualifier::D => association.effect.continuous_value(place),
+                _ => None,
+            };
+            let Some(assigned) = when else { continue };
+            let active = Tree::Read(Read::Active(association.step));
+            let mut asserts = self.formula(&active);
+            if let Some(time) = association.time {
+                let elapsed = self.formula(&Tree::Elapsed(time, association.step));
+                let limit = association.qualifier == Qualifier::L;
+                asserts = asserts.and(if limit { elapsed.negate() } else { elapsed });
+            }
+            if let Some(condition) = &association.condition {
+                asserts = asserts.and(self.formula(&condition.tree));
+            }
+            value = match assigned {
+                None => value.or(asserts),
+                Some(tree) => {
+                    // The last in the source wins: `asserts && tree || !asserts && value`.
+                    let index = self.shared.len();
+                    self.shared.push(asserts);
+                    let on = Formula::Shared(index).and(self.formula(tree));
+                    on.or(Formula::Shared(index).negate().and(value))
+                }
+            };
+        }
+        Some(value)
+    }
+
+    /// A boolean about which nothing is known.
+    fn unknown(&mut self, tree: &Tree) -> Formula {
+        self.approximate = true;
+        Formula::Is(self.atom(tree, Kind::Free))
+    }
+
+    fn atom(&mut self, tree: &Tree, kind: Kind) -> usize {
+        if let Some(number) = self.numbers.get(tree) {
+            return *number;
+        }
+        let number = self.atoms.len();
+        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree) });
+        self.numbers.insert(tree.clone(), number);
+        number
+    }
+
+    fn is_boolean(&self, tree: &Tree) -> bool {
+        match tree {
+            Tree::Bool(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => true,
+            Tree::Read(Read::Name(name)) => matches!(self.ty(*name), Ty::Bool(_)),
+            Tree::Read(read) => !matches!(read, Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)),
+            Tree::Unary(operator, inner) => *operator == Unary::Not && self.is_boolean(inner),
+            Tree::Binary(Binary::BitAnd | Binary::BitOr | Binary::BitXor, a, b) => {
+                self.is_boolean(a) && self.is_boolean(b)
+            }
+            Tree::Binary(operator, ..) => matches!(
+                operator,
+                Binary::And
+                    | Binary::Or
+                    | Binary::Eq
+                    | Binary::Ne
+                    | Binary::Lt
+                    | Binary::Le
+                    | Binary::Gt
+                    | Binary::Ge
+            ),
+            Tree::Int(_) | Tree::Opaque { .. } => false,
+        }
+    }
+}
+
+fn var_is_continuous(model: &Model, id: VarId) -> bool {
+    combinational::asserted(model, id).next().is_some()
+}
+
+fn output_is_continuous(model: &Model, id: OutputId) -> bool {
+    let continuous = |qualifier| matches!(qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
+    let mut of_place =
+        model.associations.values().filter(|a| a.effect.continuous_value(Place::Output(id)).is_some()).peekable();
+    matches!(model.outputs[id].ty, Ty::Bool(_))
+        && of_place.peek().is_some()
+        && of_place.all(|association| continuous(association.qualifier))
+}
+
+/// Whether actions that are not followed can change the value within a cycle.
+fn is_volatile(tree: &Tree) -> bool {
+    let volatile = |read: &Read| matches!(read, Read::Name(Name::Var(_) | Name::Output(_)));
+    match tree {
+        Tree::Read(read) => volatile(read),
+        Tree::Unary(_, inner) => is_volatile(inner),
+        Tree::Binary(_, a, b) => is_volatile(a) || is_volatile(b),
+        Tree::Opaque { reads, .. } => reads.iter().any(volatile),
+        Tree::Bool(_) | Tree::Int(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => false,
+    }
+}
+
+fn constant(tree: &Tree) -> Option<i128> {
+    match tree {
+        Tree::Int(value) => Some(*value),
+        Tree::Read(Read::Ticks(ticks)) => Some(i128::from(*ticks)),
+        Tree::Unary(Unary::Neg, inner) => constant(inner)?.checked_neg(),
+        Tree::Binary(Binary::Add, a, b) => constant(a)?.checked_add(constant(b)?),
+        Tree::Binary(Binary::Sub, a, b) => constant(a)?.checked_sub(constant(b)?),
+        Tree::Binary(Binary::Mul, a, b) => constant(a)?.checked_mul(constant(b)?),
+        _ => None,
+    }
+}
+
+fn compare(operator: Binary, a: i128, b: i128) -> bool {
+    match operator {
+        Binary::Eq => a == b,
+        Binary::Ne => a != b,
+        Binary::Lt => a < b,
+        Binary::Le => a <= b,
+        Binary::Gt => a > b,
+        _ => a >= b,
+    }
+}

@@ -1,0 +1,104 @@
+//! What one cycle does, in both dialects, as far as it matters to the situations.
+
+use super::net::Net;
+use super::scene::{Scene, Snapshot, State, When};
+use super::{grafcet, sfc};
+
+/// What happened in one run of a cycle.
+#[derive(Default, Debug)]
+pub(super) struct Done {
+    /// The transitions cleared, evolution by evolution.
+    pub(super) cleared: Vec<usize>,
+    /// Transitions whose condition held while they were enabled.
+    pub(super) able: Vec<usize>,
+    /// Transitions enabled in some evolution; in the first they can be seen from the situation.
+    pub(super) enabled_later: Vec<usize>,
+    /// Situations between the first and the last of the cycle.
+    pub(super) transient: Vec<usize>,
+    /// A step activated while it was active and not left, and the transition that did it.
+    pub(super) doubled: Vec<(usize, usize)>,
+    /// The search for stability was stopped by its bound.
+    pub(super) unstable: bool,
+}
+
+/// The transitions that are enabled in a situation, in source order.
+pub(super) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<usize> {
+    let has = |step: &usize| active.binary_search(step).is_ok();
+    let mut enabled = Vec::new();
+    for step in active {
+        for transition in &net.leaving[*step] {
+            let sources = &net.arcs[*transition].sources;
+            if sources[0] == *step && sources.iter().all(has) {
+                enabled.push(*transition);
+            }
+        }
+    }
+    for transition in &net.sourceless {
+        let target = net.arcs[*transition].targets.first();
+        if unit.is_none() || unit == target.map(|step| net.unit_of[*step]) {
+            enabled.push(*transition);
+        }
+    }
+    if unit.is_none() && !net.hierarchy.is_empty() {
+        // A13, A17: frozen by an order, or inside an enclosing step that is not active.
+        enabled.retain(|transition| {
+            let part = net.arcs[*transition].partial;
+            net.parts[part].enclosed_by.as_ref().is_none_or(has) && net.order(part, active).is_none()
+        });
+    }
+    enabled.sort_unstable();
+    enabled
+}
+
+/// Runs one cycle from `state`; the transitions in `still` do not clear.
+pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize], still: &[usize]) -> (State, Done) {
+    scene.begin(state);
+    let mut done = Done::default();
+    let when = if scene.net.grafcet {
+        grafcet::cycle(scene, state, enabled, still, &mut done)
+    } else {
+        sfc::cycle(scene, state, enabled, still, &mut done)
+    };
+    let before = scene.sample(when).into_boxed_slice();
+    let Snapshot { active, slots } = &scene.now;
+    let next = State {
+        first: false,
+        active: active.clone().into_boxed_slice(),
+        slots: slots.clone().into_boxed_slice(),
+        before,
+    };
+    (next, done)
+}
+
+/// `(active − left) ∪ targets`, ascending.
+pub(super) fn evolve(active: &[usize], left: &[usize], targets: &[usize]) -> Vec<usize> {
+    let mut after: Vec<usize> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().collect();
+    after.sort_unstable();
+    after.dedup();
+    after
+}
+
+/// Notes the steps among the targets of the cleared transitions that are active and not left.
+pub(super) fn note_doubled(net: &Net, active: &[usize], left: &[usize], cleared: &[usize], done: &mut Done) {
+    for transition in cleared {
+        for target in &net.arcs[*transition].targets {
+            if active.binary_search(target).is_ok() && !left.contains(target) {
+                done.doubled.push((*target, *transition));
+            }
+        }
+    }
+}
+
+/// Whether the transition clears in this run, as far as its condition goes.
+pub(super) fn holds(scene: &mut Scene<'_>, transition: usize, still: &[usize]) -> bool {
+    let net = scene.net;
+    let arc = &net.arcs[transition];
+    if !still.is_empty() {
+        if still.contains(&transition) {
+            return false;
+        }
+        // What stands still could change what this one reads.
+        scene.spoilt |= !arc.plain;
+    }
+    scene.decide(&arc.condition, When::Now)
+}

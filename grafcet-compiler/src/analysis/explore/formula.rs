@@ -1,0 +1,83 @@
+//! Conditions over numbered atoms.
+
+use crate::model::Tree;
+
+/// A condition.
+#[derive(Debug)]
+pub(super) enum Formula {
+    Const(bool),
+    /// A boolean atom.
+    Is(usize),
+    /// A number is below a constant.
+    Below(usize, i128),
+    /// A number is a constant.
+    Equals(usize, i128),
+    Not(Box<Formula>),
+    And(Box<Formula>, Box<Formula>),
+    Or(Box<Formula>, Box<Formula>),
+    Same(Box<Formula>, Box<Formula>),
+    /// By the number of the edge.
+    Rising(usize),
+    Falling(usize),
+    /// A combinational variable (A22), by its number among the shared formulas.
+    Shared(usize),
+}
+
+impl Formula {
+    pub(super) fn negate(self) -> Self {
+        match self {
+            Self::Const(value) => Self::Const(!value),
+            Self::Not(inner) => *inner,
+            other => Self::Not(Box::new(other)),
+        }
+    }
+
+    pub(super) fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Const(true), other) | (other, Self::Const(true)) => other,
+            (Self::Const(false), _) | (_, Self::Const(false)) => Self::Const(false),
+            (a, b) => Self::And(Box::new(a), Box::new(b)),
+        }
+    }
+
+    pub(super) fn or(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Const(false), other) | (other, Self::Const(false)) => other,
+            (Self::Const(true), _) | (_, Self::Const(true)) => Self::Const(true),
+            (a, b) => Self::Or(Box::new(a), Box::new(b)),
+        }
+    }
+
+    pub(super) fn same(self, other: Self) -> Self {
+        Self::Same(Box::new(self), Box::new(other))
+    }
+}
+
+/// Something that conditions read.
+#[derive(Debug)]
+pub(super) struct Atom {
+    pub(super) kind: Kind,
+    /// As the user wrote it.
+    pub(super) what: Tree,
+    /// Written by actions that are not followed, so that it may change within a cycle.
+    pub(super) volatile: bool,
+}
+
+/// How the value of an atom is found.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    /// Any boolean value, once per cycle.
+    Free,
+    /// Any number of a range, once per cycle.
+    Number(i128, i128),
+    /// Whether the step is active.
+    Step(usize),
+    /// Whether a step of the macro-step's expansion is active.
+    Macro(usize),
+    /// A boolean that is followed from cycle to cycle.
+    Slot(usize),
+    /// How long the step has been active; zero if it is not.
+    Since(usize),
+    /// The same of a macro-step.
+    MacroSince(usize),
+}

@@ -1,0 +1,187 @@
+//! The cycle of `grafcet`: the search for stability.
+
+use super::actions::Action;
+use super::cycle::{self, Done, evolve, holds, note_doubled};
+use super::hierarchy;
+use super::scene::{Scene, Snapshot, State, When};
+use super::sfc::perform;
+use super::slots::Bit;
+use crate::model::Qualifier;
+
+/// What the stored actions of one evolution do together.
+struct Outcome {
+    writes: Vec<(usize, Bit)>,
+    /// A call is due, or a value changes that is not followed (A25).
+    more: bool,
+}
+
+pub(super) fn cycle(
+    scene: &mut Scene<'_>,
+    state: &State,
+    enabled: &[usize],
+    still: &[usize],
+    done: &mut Done,
+) -> When {
+    let net = scene.net;
+    if state.first {
+        activate(scene);
+    }
+    let mut fireable: Vec<usize> = Vec::new();
+    let mut evolutions = 0;
+    let mut anchor: Option<Anchor> = None;
+    loop {
+        let later;
+        let enabled = if evolutions == 0 {
+            enabled
+        } else {
+            later = cycle::enabled(net, scene.unit, &scene.now.active);
+            done.enabled_later.extend(&later);
+            &later
+        };
+        fireable.clear();
+        for transition in enabled {
+            if holds(scene, *transition, still) {
+                fireable.push(*transition);
+            }
+        }
+        done.able.extend(&fireable);
+        let (after, cleared) = step(scene, &fireable, done);
+        let outcome = actions(scene, &after, &cleared, !still.is_empty());
+        let changes = outcome.more
+            || after != scene.now.active
+            || outcome.writes.iter().any(|(slot, bit)| scene.now.slots[*slot] != *bit);
+        if !changes {
+            done.cleared.extend(cleared);
+            return When::Sample;
+        }
+        if evolutions >= net.max_evolutions {
+            done.unstable = true;
+            return When::Before;
+        }
+        evolutions += 1;
+        done.cleared.extend(cleared);
+        commit(scene, after, outcome.writes);
+        done.transient.extend(&scene.now.active);
+        evolutions = skip(scene, evolutions, &mut anchor);
+    }
+}
+
+/// A37: the activation of the initial situation is an evolution of its own, before which no step is active.
+fn activate(scene: &mut Scene<'_>) {
+    let after = std::mem::take(&mut scene.now.active);
+    let outcome = actions(scene, &after, &[], false);
+    scene.now.active = after;
+    outcome.writes.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
+}
+
+/// The situation after the evolution, and the transitions cleared in it.
+fn step(scene: &Scene<'_>, fireable: &[usize], done: &mut Done) -> (Vec<usize>, Vec<usize>) {
+    let net = scene.net;
+    if scene.unit.is_none() && !net.hierarchy.is_empty() {
+        return hierarchy::evolve(net, &scene.now.active, fireable, done);
+    }
+    let (mut left, mut targets) = (Vec::new(), Vec::new());
+    for transition in fireable {
+        left.extend(&net.arcs[*transition].sources);
+        targets.extend(&net.arcs[*transition].targets);
+    }
+    note_doubled(net, &scene.now.active, &left, fireable, done);
+    (evolve(&scene.now.active, &left, &targets), fireable.to_vec())
+}
+
+fn commit(scene: &mut Scene<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {
+    let before = scene.now.clone();
+    scene.fresh.retain(|step| after.binary_search(step).is_ok());
+    let entered = after.iter().filter(|step| before.active.binary_search(step).is_err());
+    scene.fresh.extend(entered);
+    scene.now.active = after;
+    writes.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
+    scene.previous = Some(before);
+    scene.edgeless = false;
+}
+
+/// An evolution with which a later one is compared.
+struct Anchor {
+    evolution: usize,
+    asked: usize,
+    now: Snapshot,
+    previous: Option<Snapshot>,
+}
+
+/// Where the search turns in a circle without asking anything new, it turns until the bound: whole turns are left out.
+fn skip(scene: &mut Scene<'_>, evolution: usize, anchor: &mut Option<Anchor>) -> usize {
+    if evolution < 8 {
+        return evolution;
+    }
+    if let Some(known) = anchor {
+        let same = known.now == scene.now && known.previous == scene.previous && known.asked == scene.tape.asked();
+        if same {
+            let period = evolution - known.evolution;
+            let bound = scene.net.max_evolutions.max(evolution);
+            return bound - (bound - evolution) % period;
+        }
+    }
+    if evolution.is_power_of_two() {
+        let (now, previous) = (scene.now.clone(), scene.previous.clone());
+        *anchor = Some(Anchor { evolution, asked: scene.tape.asked(), now, previous });
+    }
+    evolution
+}
+
+/// The stored actions of an evolution to `after`: all see the values from before it (A5).
+fn actions(scene: &mut Scene<'_>, after: &[usize], cleared: &[usize], separate: bool) -> Outcome {
+    let mut outcome = Outcome { writes: Vec::new(), more: false };
+    let net = scene.net;
+    if net.actions.is_empty() {
+        return outcome;
+    }
+    let before = scene.now.active.clone();
+    let mut due: Vec<usize> = Vec::new();
+    let steps = before.iter().chain(after.iter().filter(|step| before.binary_search(step).is_err()));
+    for step in steps.filter_map(|step| net.actions.stored_of.get(step)) {
+        due.extend(step);
+    }
+    due.sort_unstable();
+    for number in due {
+        let action = &net.actions.stored[number];
+        if occurs(scene, action, &before, after, separate) {
+            run(scene, action, separate, &mut outcome);
+        }
+    }
+    for transition in cleared {
+        for action in net.actions.clearing.get(transition).into_iter().flatten() {
+            run(scene, action, separate, &mut outcome);
+        }
+    }
+    outcome
+}
+
+fn run(scene: &mut Scene<'_>, action: &Action, separate: bool, outcome: &mut Outcome) {
+    scene.own.clear();
+    perform(scene, &action.program, separate);
+    let written = std::mem::take(&mut scene.own);
+    // The last in the source wins.
+    outcome.writes.retain(|(slot, _)| written.iter().all(|(other, _)| other != slot));
+    for (slot, bit) in written {
+        outcome.writes.retain(|(other, _)| *other != slot);
+        outcome.writes.push((slot, bit));
+    }
+    outcome.more |= action.more;
+}
+
+/// Whether the event of a stored action occurs in this evolution, and its condition holds.
+fn occurs(scene: &mut Scene<'_>, action: &Action, before: &[usize], after: &[usize], separate: bool) -> bool {
+    let was = before.binary_search(&action.step).is_ok();
+    let is = after.binary_search(&action.step).is_ok();
+    let occurs = match action.qualifier {
+        Qualifier::P0 => was && !is,
+        Qualifier::On => was,
+        _ => !was && is,
+    };
+    if !occurs {
+        return false;
+    }
+    scene.spoilt |= separate && (action.event.is_some() || action.condition.is_some());
+    let event = action.event.as_ref().is_none_or(|event| scene.decide(event, When::Now));
+    event && action.condition.as_ref().is_none_or(|condition| scene.decide(condition, When::Now))
+}

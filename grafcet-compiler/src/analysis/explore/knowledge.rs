@@ -1,0 +1,93 @@
+//! What is known of the atoms, and the choices by which it became known.
+
+/// What is known of an atom's value.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Known {
+    /// Nothing has been asked.
+    Unknown,
+    Bool(bool),
+    /// A number from the first to the last.
+    Range(i128, i128),
+}
+
+/// What is known of each atom, by number. Clearing costs what was learnt, not the number of atoms.
+#[derive(Debug)]
+pub(super) struct Knowledge {
+    values: Vec<Known>,
+    learnt: Vec<usize>,
+}
+
+impl Knowledge {
+    pub(super) fn new(atoms: usize) -> Self {
+        Self { values: vec![Known::Unknown; atoms], learnt: Vec::new() }
+    }
+
+    pub(super) fn get(&self, atom: usize) -> Known {
+        self.values[atom]
+    }
+
+    pub(super) fn learn(&mut self, atom: usize, known: Known) {
+        if self.values[atom] == Known::Unknown {
+            self.learnt.push(atom);
+        }
+        self.values[atom] = known;
+    }
+
+    pub(super) fn forget(&mut self, atom: usize) {
+        self.values[atom] = Known::Unknown;
+    }
+
+    pub(super) fn clear(&mut self) {
+        while let Some(atom) = self.learnt.pop() {
+            self.values[atom] = Known::Unknown;
+        }
+    }
+
+    /// The atoms something was learnt about; one that was forgotten in between may come twice.
+    pub(super) fn learnt(&self) -> &[usize] {
+        &self.learnt
+    }
+}
+
+/// The answers of one run, in the order of the questions. Runs that follow each other take all possible answers.
+#[derive(Debug, Default)]
+pub(super) struct Tape {
+    /// The answer and how many there are.
+    answers: Vec<(usize, usize)>,
+    at: usize,
+}
+
+impl Tape {
+    /// An answer from 0 to below `count`.
+    pub(super) fn choose(&mut self, count: usize) -> usize {
+        if self.at == self.answers.len() {
+            self.answers.push((0, count));
+        }
+        let answer = self.answers[self.at].0;
+        self.at += 1;
+        answer
+    }
+
+    /// How many questions there were so far.
+    pub(super) fn asked(&self) -> usize {
+        self.at
+    }
+
+    /// Goes to the next sequence of answers; `false` if this was the last.
+    pub(super) fn advance(&mut self) -> bool {
+        self.answers.truncate(self.at);
+        self.at = 0;
+        while let Some((answer, count)) = self.answers.pop() {
+            if answer + 1 < count {
+                self.answers.push((answer + 1, count));
+                return true;
+            }
+        }
+        false
+    }
+
+    pub(super) fn restart(&mut self) {
+        self.answers.clear();
+        self.at = 0;
+    }
+}

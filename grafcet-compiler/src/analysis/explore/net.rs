@@ -1,0 +1,265 @@
+//! A chart made ready to be run: everything by number, conditions compiled.
+
+use std::collections::BTreeMap;
+
+use super::actions::{self, Actions};
+use super::compile::Compiler;
+use super::formula::{Atom, Formula, Kind};
+use super::slots::{Bit, Slots};
+use super::units;
+use crate::model::{ForceOrder, Id, Model, Step, Tree};
+
+/// A transition.
+pub(super) struct Arc {
+    pub(super) sources: Vec<usize>,
+    pub(super) targets: Vec<usize>,
+    pub(super) condition: Formula,
+    pub(super) partial: usize,
+    /// The atoms of the condition.
+    pub(super) atoms: Vec<usize>,
+    /// The condition reads nothing that another transition can change: inputs, and the time of its own sources.
+    pub(super) plain: bool,
+    /// The atoms that the edges in its condition look at.
+    pub(super) edge_atoms: Vec<usize>,
+}
+
+/// A partial grafcet, as forcing and enclosing see it.
+pub(super) struct Part {
+    pub(super) enclosed_by: Option<usize>,
+    pub(super) initial: Vec<usize>,
+    pub(super) linked: Vec<usize>,
+    /// The orders it may get: from which step, and which.
+    pub(super) orders: Vec<(usize, Order)>,
+}
+
+/// A forcing order.
+pub(super) enum Order {
+    To(Vec<usize>),
+    Hold,
+}
+
+/// A chart.
+pub(super) struct Net {
+    pub(super) grafcet: bool,
+    pub(super) arcs: Vec<Arc>,
+    /// Per step the transitions that leave it.
+    pub(super) leaving: Vec<Vec<usize>>,
+    pub(super) sourceless: Vec<usize>,
+    pub(super) atoms: Vec<Atom>,
+    pub(super) edges: Vec<Option<Formula>>,
+    pub(super) shared: Vec<Formula>,
+    pub(super) actions: Actions,
+    pub(super) initial_slots: Vec<Bit>,
+    /// Steps active before the first cycle.
+    pub(super) initial: Vec<usize>,
+    pub(super) parts: Vec<Part>,
+    /// From top to bottom; empty where no partial grafcet acts on another.
+    pub(super) hierarchy: Vec<usize>,
+    pub(super) part_of: Vec<usize>,
+    /// The connected piece of its partial grafcet to which each step belongs, and how many there are.
+    pub(super) unit_of: Vec<usize>,
+    pub(super) units: usize,
+    /// Whether the piece has transitions.
+    pub(super) has_arcs: Vec<bool>,
+    pub(super) is_final: Vec<bool>,
+    pub(super) macros: Vec<Vec<usize>>,
+    /// Per step the atoms that edges in its transitions and actions look at.
+    pub(super) edge_atoms: Vec<Vec<usize>>,
+    /// Transitions that share a source, and not all of them.
+    pub(super) asymmetric: bool,
+    pub(super) watched: Vec<Formula>,
+    pub(super) assumed_never: Vec<Formula>,
+    /// Something is taken as unknown.
+    pub(super) approximate: bool,
+    pub(super) max_evolutions: usize,
+}
+
+impl Net {
+    pub(super) fn of(model: &Model, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        let slots = Slots::of(model, watched);
+        let mut compiler = Compiler::new(model, &slots.numbers);
+        let conditions: Vec<Formula> =
+            model.transitions.values().map(|t| compiler.formula(&t.condition.tree)).collect();
+        let actions = actions::compile(model, &slots, &mut compiler);
+        let watched = watched.iter().map(|tree| compiler.formula(tree)).collect();
+        let approximate = compiler.approximate;
+        let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();
+        let Compiler { atoms, edges, shared, .. } = compiler;
+        let (unit_of, units) = units::of(model);
+        let mut net = Self {
+            grafcet: model.is_grafcet(),
+            arcs: Vec::new(),
+            leaving: vec![Vec::new(); model.steps.len()],
+            sourceless: Vec::new(),
+            atoms,
+            edges,
+            shared,
+            actions,
+            initial_slots: slots.initial,
+            initial: super::super::hierarchy::initial_situation(model).iter().map(|step| step.index()).collect(),
+            parts: parts(model),
+            hierarchy: Vec::new(),
+            part_of: model.steps.values().map(|step| step.partial.index()).collect(),
+            has_arcs: vec![false; units],
+            unit_of,
+            units,
+            is_final: model.steps.values().map(|step| step.is_final).collect(),
+            macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).collect()).collect(),
+            edge_atoms: vec![Vec::new(); model.steps.len()],
+            asymmetric: false,
+            watched,
+            assumed_never,
+            approximate,
+            max_evolutions: model.max_evolutions.map_or(2 * model.steps.len() + 2, |n| n as usize),
+        };
+        if net.parts.iter().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
+            net.hierarchy = super::super::hierarchy::top_down(model).iter().map(|id| id.index()).collect();
+        }
+        net.draw(model, conditions);
+        net.note_edges();
+        net
+    }
+
+    fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
+        for (index, (transition, condition)) in model.transitions.values().zip(conditions).enumerate() {
+            let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+            sources.iter().for_each(|source| self.leaving[*source].push(index));
+            if sources.is_empty() {
+                self.sourceless.push(index);
+            }
+            let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
+            self.collect(&condition, &mut atoms, &mut edge_atoms);
+            let own = |atom: &usize| match self.atoms[*atom].kind {
+                Kind::Free | Kind::Number(..) => true,
+                Kind::Step(step) | Kind::Since(step) => sources.contains(&step),
+                Kind::Macro(_) | Kind::MacroSince(_) | Kind::Slot(_) => false,
+            };
+            for step in transition.sources.iter().chain(&transition.targets) {
+                self.has_arcs[self.unit_of[step.index()]] = true;
+            }
+            let plain = edge_atoms.is_empty() && atoms.iter().all(own);
+            let targets = transition.targets.iter().map(|step| step.index()).collect();
+            let partial = transition.partial.index();
+            self.arcs.push(Arc { sources, targets, condition, partial, atoms, plain, edge_atoms });
+        }
+        self.asymmetric = self.leaving.iter().any(|leaving| {
+            let same = |t: &usize| self.arcs[*t].sources == self.arcs[leaving[0]].sources;
+            !leaving.iter().all(same)
+        });
+    }
+
+    /// The atoms of a condition, those of its edges beside.
+    fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
+        match formula {
+            Formula::Const(_) => {}
+            Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => add(atoms, *atom),
+            Formula::Not(inner) => self.collect(inner, atoms, edge_atoms),
+            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
+                self.collect(a, atoms, edge_atoms);
+                self.collect(b, atoms, edge_atoms);
+            }
+            Formula::Rising(edge) | Formula::Falling(edge) => {
+                if let Some(of) = &self.edges[*edge] {
+                    let (mut inside, mut nested) = (Vec::new(), Vec::new());
+                    self.collect(of, &mut inside, &mut nested);
+                    for atom in inside {
+                        add(atoms, atom);
+                        add(edge_atoms, atom);
+                    }
+                }
+            }
+            Formula::Shared(index) => self.collect(&self.shared[*index], atoms, edge_atoms),
+        }
+    }
+
+    /// Which atoms' values must be remembered while a step is active, because an edge may be asked for in the next cycle.
+    fn note_edges(&mut self) {
+        for arc in &self.arcs {
+            for source in &arc.sources {
+                arc.edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[*source], *atom));
+            }
+        }
+        for (step, formulas) in self.actions.formulas() {
+            let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
+            formulas.iter().for_each(|formula| self.collect(formula, &mut atoms, &mut edge_atoms));
+            edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[step], *atom));
+        }
+        for (transition, formulas) in self.actions.clearing_formulas() {
+            let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
+            formulas.iter().for_each(|formula| self.collect(formula, &mut atoms, &mut edge_atoms));
+            for source in self.arcs[transition].sources.clone() {
+                edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[source], *atom));
+            }
+        }
+        self.edge_atoms.iter_mut().for_each(|atoms| atoms.sort_unstable());
+    }
+
+    /// The piece of a transition.
+    pub(super) fn unit_of_arc(&self, transition: usize) -> usize {
+        let arc = &self.arcs[transition];
+        arc.sources.first().or(arc.targets.first()).map_or(0, |step| self.unit_of[*step])
+    }
+
+    /// The values a number can have.
+    pub(super) fn range(&self, atom: usize) -> (i128, i128) {
+        match self.atoms[atom].kind {
+            Kind::Number(low, high) => (low, high),
+            _ => (0, i128::from(u32::MAX)),
+        }
+    }
+
+    /// The slots that actions of other pieces than this one write.
+    pub(super) fn foreign_slots(&self, unit: usize) -> Vec<usize> {
+        let writers = self.actions.writers();
+        let foreign = |(step, arc): (Option<usize>, Option<usize>)| {
+            let unit_of = step.map(|step| self.unit_of[step]).or_else(|| arc.map(|arc| self.unit_of_arc(arc)));
+            unit_of != Some(unit)
+        };
+        let slots = writers.into_iter().filter(|(_, by)| foreign(*by)).map(|(slot, _)| slot);
+        let mut slots: Vec<usize> = slots.collect();
+        slots.sort_unstable();
+        slots.dedup();
+        slots
+    }
+
+    /// The order that a situation gives to a partial grafcet; A14 leaves at most one.
+    pub(super) fn order(&self, part: usize, active: &[usize]) -> Option<&Order> {
+        let orders = self.parts[part].orders.iter().rev();
+        orders.filter(|(step, _)| active.binary_search(step).is_ok()).map(|(_, order)| order).next()
+    }
+}
+
+fn add(atoms: &mut Vec<usize>, atom: usize) {
+    if !atoms.contains(&atom) {
+        atoms.push(atom);
+    }
+}
+
+fn parts(model: &Model) -> Vec<Part> {
+    let mut orders: BTreeMap<usize, Vec<(usize, Order)>> = BTreeMap::new();
+    let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<usize> {
+        let mut steps: Vec<usize> =
+            part.steps.iter().filter(|step| wanted(&model.steps[**step])).map(|step| step.index()).collect();
+        steps.sort_unstable();
+        steps
+    };
+    for force in model.forces.values() {
+        let order = match &force.order {
+            ForceOrder::Steps(steps) => {
+                let mut steps: Vec<usize> = steps.iter().map(|step| step.index()).collect();
+                steps.sort_unstable();
+                Order::To(steps)
+            }
+            ForceOrder::Init => Order::To(pick(&model.partials[force.target], |step| step.initial)),
+            ForceOrder::Hold => Order::Hold,
+        };
+        orders.entry(force.target.index()).or_default().push((force.step.index(), order));
+    }
+    let part = |(id, partial): (crate::model::PartialId, &crate::model::Partial)| Part {
+        enclosed_by: partial.enclosed_by.map(|step| step.index()),
+        initial: pick(partial, |step| step.initial),
+        linked: pick(partial, |step| step.linked),
+        orders: orders.remove(&id.index()).unwrap_or_default(),
+    };
+    model.partials.iter().map(part).collect()
+}

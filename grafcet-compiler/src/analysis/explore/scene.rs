@@ -1,0 +1,383 @@
+//! One cycle's valuation, as far as it has been asked for.
+
+use super::formula::{Formula, Kind};
+use super::knowledge::{Known, Knowledge, Tape};
+use super::net::Net;
+use super::slots::Bit;
+
+/// A situation at the end of a cycle, with what the next one remembers of it.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) struct State {
+    /// Before the first cycle.
+    pub(super) first: bool,
+    /// Active steps, ascending.
+    pub(super) active: Box<[usize]>,
+    pub(super) slots: Box<[Bit]>,
+    /// What edges compare with: the atoms' values in the last snapshot, as far as they were decided. All values that
+    /// agree with this are possible.
+    pub(super) before: Box<[(usize, Known)]>,
+}
+
+/// Situation and followed values at one moment.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub(super) struct Snapshot {
+    /// Ascending.
+    pub(super) active: Vec<usize>,
+    pub(super) slots: Vec<Bit>,
+}
+
+/// Which snapshot a formula is about.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum When {
+    Now,
+    /// The one that edges count as present.
+    Sample,
+    /// The one that edges compare it with.
+    Before,
+}
+
+pub(super) struct Scene<'n> {
+    pub(super) net: &'n Net,
+    /// The piece that is explored alone; none is the whole chart.
+    pub(super) unit: Option<usize>,
+    pub(super) tape: Tape,
+    /// Of this cycle.
+    given: Knowledge,
+    /// Of the cycle before.
+    recorded: Knowledge,
+    pub(super) now: Snapshot,
+    /// `sfc`: the snapshot the cycle started from, while its actions run.
+    pub(super) start: Option<Snapshot>,
+    /// `grafcet`: the evolution before, in all but the first of a cycle.
+    pub(super) previous: Option<Snapshot>,
+    /// The snapshot has no predecessor: no edges (A26).
+    pub(super) edgeless: bool,
+    /// Steps entered in this cycle: their time is zero.
+    pub(super) fresh: Vec<usize>,
+    /// What the running block has written.
+    pub(super) own: Vec<(usize, Bit)>,
+    /// Atoms of transitions that stand still in this run; asking for one spoils it.
+    reserved: Vec<bool>,
+    /// This run is not independent of what stands still in it.
+    pub(super) spoilt: bool,
+    /// Units of work done.
+    pub(super) work: u64,
+}
+
+impl<'n> Scene<'n> {
+    pub(super) fn new(net: &'n Net, unit: Option<usize>) -> Self {
+        let atoms = net.atoms.len();
+        Self {
+            net,
+            unit,
+            tape: Tape::default(),
+            given: Knowledge::new(atoms),
+            recorded: Knowledge::new(atoms),
+            now: Snapshot::default(),
+            start: None,
+            previous: None,
+            edgeless: false,
+            fresh: Vec::new(),
+            own: Vec::new(),
+            reserved: vec![false; atoms],
+            spoilt: false,
+            work: 0,
+        }
+    }
+
+    /// Begins a cycle.
+    pub(super) fn begin(&mut self, state: &State) {
+        self.work += 2;
+        self.given.clear();
+        self.recorded.clear();
+        state.before.iter().for_each(|(atom, known)| self.recorded.learn(*atom, *known));
+        self.now.active.clear();
+        self.now.active.extend(&state.active[..]);
+        self.now.slots.clear();
+        self.now.slots.extend(&state.slots[..]);
+        self.start = None;
+        self.previous = None;
+        self.edgeless = state.first;
+        self.fresh.clear();
+        if state.first {
+            self.fresh.extend(&state.active[..]);
+        }
+        self.own.clear();
+        self.spoilt = false;
+    }
+
+    pub(super) fn reserve(&mut self, atoms: &[usize], reserved: bool) {
+        atoms.iter().for_each(|atom| self.reserved[*atom] = reserved);
+    }
+
+    /// Whether the formula holds; what is not decided yet is decided now.
+    pub(super) fn decide(&mut self, formula: &Formula, when: When) -> bool {
+        if let Some(value) = self.known(formula, when) {
+            return value;
+        }
+        match formula {
+            Formula::Const(value) => *value,
+            Formula::Is(atom) => self.ask(*atom, when),
+            Formula::Below(atom, bound) => self.ask_below(*atom, *bound, when),
+            Formula::Equals(atom, bound) => self.ask_equal(*atom, *bound, when),
+            Formula::Not(inner) => !self.decide(inner, when),
+            Formula::And(a, b) => self.decide(a, when) && self.decide(b, when),
+            Formula::Or(a, b) => self.decide(a, when) || self.decide(b, when),
+            Formula::Same(a, b) => self.decide(a, when) == self.decide(b, when),
+            Formula::Rising(edge) => match &self.net.edges[*edge] {
+                Some(of) => self.decide(of, When::Sample) && !self.decide(of, When::Before),
+                None => false,
+            },
+            Formula::Falling(edge) => match &self.net.edges[*edge] {
+                Some(of) => !self.decide(of, When::Sample) && self.decide(of, When::Before),
+                None => false,
+            },
+            Formula::Shared(index) => self.decide(&self.net.shared[*index], when),
+        }
+    }
+
+    /// Whether the formula holds, as far as that follows from what has been decided.
+    fn known(&mut self, formula: &Formula, when: When) -> Option<bool> {
+        self.work += 1;
+        match formula {
+            Formula::Const(value) => Some(*value),
+            Formula::Is(atom) => match self.value(*atom, when) {
+                Known::Bool(value) => Some(value),
+                _ => None,
+            },
+            Formula::Below(atom, bound) => match self.value(*atom, when) {
+                Known::Range(_, high) if high < *bound => Some(true),
+                Known::Range(low, _) if low >= *bound => Some(false),
+                _ => None,
+            },
+            Formula::Equals(atom, bound) => match self.value(*atom, when) {
+                Known::Range(low, high) if low == *bound && high == *bound => Some(true),
+                Known::Range(low, high) if *bound < low || *bound > high => Some(false),
+                _ => None,
+            },
+            Formula::Not(inner) => self.known(inner, when).map(|value| !value),
+            Formula::And(a, b) => match self.known(a, when) {
+                Some(false) => Some(false),
+                Some(true) => self.known(b, when),
+                None => self.known(b, when).filter(|b| !b),
+            },
+            Formula::Or(a, b) => match self.known(a, when) {
+                Some(true) => Some(true),
+                Some(false) => self.known(b, when),
+                None => self.known(b, when).filter(|b| *b),
+            },
+            Formula::Same(a, b) => Some(self.known(a, when)? == self.known(b, when)?),
+            Formula::Rising(edge) => self.known_edge(*edge, true),
+            Formula::Falling(edge) => self.known_edge(*edge, false),
+            Formula::Shared(index) => self.known(&self.net.shared[*index], when),
+        }
+    }
+
+    fn known_edge(&mut self, edge: usize, to: bool) -> Option<bool> {
+        if self.edgeless {
+            return Some(false);
+        }
+        let net = self.net;
+        let Some(of) = &net.edges[edge] else { return Some(false) };
+        let now = self.known(of, When::Sample);
+        if now == Some(!to) {
+            return Some(false);
+        }
+        match self.known(of, When::Before) {
+            Some(before) if before == to => Some(false),
+            Some(_) => now.map(|now| now == to),
+            None => None,
+        }
+    }
+
+    /// What is known of an atom.
+    fn value(&mut self, atom: usize, when: When) -> Known {
+        if self.reserved[atom] {
+            self.spoilt = true;
+        }
+        let net = self.net;
+        let kind = net.atoms[atom].kind;
+        if when == When::Before && self.previous.is_none() {
+            return self.recorded_value(atom, kind);
+        }
+        match kind {
+            Kind::Free => self.given.get(atom),
+            Kind::Number(low, high) => match self.given.get(atom) {
+                Known::Unknown => Known::Range(low, high),
+                known => known,
+            },
+            Kind::Step(step) if self.is_own(step) => Known::Bool(self.at(when).active.binary_search(&step).is_ok()),
+            Kind::Macro(id) if self.owns(id) => Known::Bool(self.any_active(id, when)),
+            Kind::Step(_) | Kind::Macro(_) => self.given.get(atom),
+            Kind::Slot(slot) => self.slot(slot, when),
+            Kind::Since(step) => {
+                let active = self.at(when).active.binary_search(&step).is_ok();
+                let zero = self.is_own(step) && (!active || self.fresh.contains(&step));
+                self.time(atom, zero)
+            }
+            Kind::MacroSince(id) => {
+                let zero = self.owns(id) && !self.any_active(id, when);
+                self.time(atom, zero)
+            }
+        }
+    }
+
+    fn recorded_value(&self, atom: usize, kind: Kind) -> Known {
+        match (self.recorded.get(atom), kind) {
+            (Known::Unknown, Kind::Number(low, high)) => Known::Range(low, high),
+            (Known::Unknown, Kind::Since(_) | Kind::MacroSince(_)) => Known::Range(0, i128::from(u32::MAX)),
+            (known, _) => known,
+        }
+    }
+
+    fn slot(&self, slot: usize, when: When) -> Known {
+        let own = self.own.iter().rev().find(|(written, _)| *written == slot);
+        let bit = match own {
+            Some((_, bit)) if when == When::Now => *bit,
+            _ => self.at(when).slots[slot],
+        };
+        match bit {
+            Bit::False => Known::Bool(false),
+            Bit::True => Known::Bool(true),
+            Bit::Any => Known::Unknown,
+        }
+    }
+
+    fn time(&self, atom: usize, zero: bool) -> Known {
+        match self.given.get(atom) {
+            _ if zero => Known::Range(0, 0),
+            Known::Unknown => Known::Range(0, i128::from(u32::MAX)),
+            known => known,
+        }
+    }
+
+    fn at(&self, when: When) -> &Snapshot {
+        match when {
+            When::Now => &self.now,
+            When::Sample => self.start.as_ref().unwrap_or(&self.now),
+            When::Before => self.previous.as_ref().unwrap_or(&self.now),
+        }
+    }
+
+    /// Whether the step belongs to what is explored.
+    fn is_own(&self, step: usize) -> bool {
+        self.unit.is_none_or(|unit| self.net.unit_of[step] == unit)
+    }
+
+    fn owns(&self, id: usize) -> bool {
+        self.net.macros[id].first().is_none_or(|step| self.is_own(*step))
+    }
+
+    fn any_active(&self, id: usize, when: When) -> bool {
+        let active = &self.at(when).active;
+        self.net.macros[id].iter().any(|step| active.binary_search(step).is_ok())
+    }
+
+    fn ask(&mut self, atom: usize, when: When) -> bool {
+        let value = self.tape.choose(2) == 1;
+        self.learn(atom, when, Known::Bool(value));
+        value
+    }
+
+    fn ask_below(&mut self, atom: usize, bound: i128, when: When) -> bool {
+        let Known::Range(low, high) = self.value(atom, when) else { return false };
+        let below = self.tape.choose(2) == 1;
+        let known = if below { Known::Range(low, bound - 1) } else { Known::Range(bound, high) };
+        self.learn(atom, when, known);
+        below
+    }
+
+    fn ask_equal(&mut self, atom: usize, bound: i128, when: When) -> bool {
+        let Known::Range(low, high) = self.value(atom, when) else { return false };
+        let mut parts = vec![(bound, bound)];
+        if low < bound {
+            parts.push((low, bound - 1));
+        }
+        if high > bound {
+            parts.push((bound + 1, high));
+        }
+        let part = self.tape.choose(parts.len());
+        self.learn(atom, when, Known::Range(parts[part].0, parts[part].1));
+        part == 0
+    }
+
+    fn learn(&mut self, atom: usize, when: When, known: Known) {
+        if when == When::Before && self.previous.is_none() {
+            self.recorded.learn(atom, known);
+            return;
+        }
+        if let (Kind::Slot(slot), Known::Bool(value)) = (self.net.atoms[atom].kind, known) {
+            // A value that could be either is one of the two from now on.
+            let snapshot = match when {
+                When::Now => &mut self.now,
+                When::Sample => self.start.as_mut().unwrap_or(&mut self.now),
+                When::Before => self.previous.as_mut().unwrap_or(&mut self.now),
+            };
+            snapshot.slots[slot] = Bit::from(value);
+            return;
+        }
+        self.given.learn(atom, known);
+    }
+
+    /// Actions that are not followed may have changed what is known of variables.
+    pub(super) fn forget_volatile(&mut self) {
+        for atom in self.given.learnt().to_vec() {
+            if self.net.atoms[atom].volatile {
+                self.given.forget(atom);
+            }
+        }
+    }
+
+    /// What was decided about this cycle, and about the moment before it.
+    pub(super) fn decided(&self) -> Vec<(usize, Known)> {
+        let mut decided: Vec<(usize, Known)> =
+            self.given.learnt().iter().map(|atom| (*atom, self.given.get(*atom))).collect();
+        decided.retain(|(_, known)| *known != Known::Unknown);
+        decided.sort_unstable();
+        decided.dedup();
+        decided
+    }
+
+    /// Whether something is known of an atom of the formula.
+    pub(super) fn touches(&self, formula: &Formula) -> bool {
+        match formula {
+            Formula::Const(_) => false,
+            Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
+                self.given.get(*atom) != Known::Unknown
+            }
+            Formula::Not(inner) => self.touches(inner),
+            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => self.touches(a) || self.touches(b),
+            Formula::Rising(edge) | Formula::Falling(edge) => {
+                self.net.edges[*edge].as_ref().is_some_and(|of| self.touches(of))
+            }
+            Formula::Shared(index) => self.touches(&self.net.shared[*index]),
+        }
+    }
+
+    /// What the edges that may be asked for in the next cycle compare with.
+    pub(super) fn sample(&mut self, when: When) -> Vec<(usize, Known)> {
+        let net = self.net;
+        let mut atoms: Vec<usize> = Vec::new();
+        for step in &self.now.active {
+            atoms.extend(&net.edge_atoms[*step]);
+        }
+        for transition in &net.sourceless {
+            atoms.extend(&net.arcs[*transition].edge_atoms);
+        }
+        atoms.sort_unstable();
+        atoms.dedup();
+        let mut sampled = Vec::new();
+        for atom in atoms {
+            let known = self.value(atom, when);
+            let said = match net.atoms[atom].kind {
+                Kind::Number(low, high) => known != Known::Range(low, high),
+                Kind::Since(_) | Kind::MacroSince(_) => known != Known::Range(0, i128::from(u32::MAX)),
+                _ => known != Known::Unknown,
+            };
+            if said {
+                sampled.push((atom, known));
+            }
+        }
+        sampled
+    }
+}

@@ -1,0 +1,356 @@
+//! From situation to situation.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use super::cycle::{self, Done};
+use super::knowledge::Known;
+use super::net::Net;
+use super::scene::{Scene, State, When};
+use super::slots::Bit;
+use super::units::Union;
+
+/// What was seen on the way, in any part of the chart.
+#[derive(Debug)]
+pub(super) struct Seen {
+    /// Steps that were active, transient situations included.
+    pub(super) reachable: Vec<bool>,
+    pub(super) enabled: Vec<bool>,
+    pub(super) able: Vec<bool>,
+}
+
+impl Seen {
+    pub(super) fn nothing(net: &Net) -> Self {
+        let arcs = net.arcs.len();
+        Self { reachable: vec![false; net.leaving.len()], enabled: vec![false; arcs], able: vec![false; arcs] }
+    }
+}
+
+/// How a state was reached first.
+#[derive(Debug)]
+pub(super) struct Origin {
+    pub(super) from: usize,
+    pub(super) cycle: Cycle,
+}
+
+/// One cycle.
+#[derive(Clone, Debug)]
+pub(super) struct Cycle {
+    pub(super) given: Vec<(usize, Known)>,
+    pub(super) cleared: Vec<usize>,
+}
+
+/// A cycle from one state to another; those that differ in their inputs only are one.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) struct Edge {
+    pub(super) to: usize,
+    pub(super) cleared: Box<[usize]>,
+    /// AND-convergences enabled by a situation inside the cycle.
+    pub(super) joins: Box<[usize]>,
+}
+
+/// The states of a chart, or of a piece of it.
+#[derive(Debug)]
+pub(super) struct Graph {
+    pub(super) unit: Option<usize>,
+    pub(super) states: Vec<Rc<State>>,
+    pub(super) origins: Vec<Option<Origin>>,
+    pub(super) edges: Vec<Vec<Edge>>,
+    /// States that stand for what another part of the chart does to this one.
+    pub(super) entries: Vec<usize>,
+    /// Step, the transition that activates it while it is active, and the cycle in which it does, from that state.
+    pub(super) doubled: BTreeMap<usize, (usize, usize, Cycle)>,
+    /// Per watched expression: from which state on which cycle ends with it holding, and the state at its end.
+    pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
+    /// All of it was explored.
+    pub(super) complete: bool,
+}
+
+/// The outcome of one run.
+struct Leaf {
+    next: State,
+    done: Done,
+    given: Vec<(usize, Known)>,
+    watched: Vec<usize>,
+}
+
+/// Explores one piece of a chart, or all of it.
+pub(super) struct Search<'n, 's> {
+    scene: Scene<'n>,
+    graph: Graph,
+    index: BTreeMap<Rc<State>, usize>,
+    seen: &'s mut Seen,
+    limit: u64,
+    /// Slots that other pieces write, too.
+    foreign: Vec<usize>,
+    /// Orders or an enclosing step can hold the piece as it is.
+    commanded: bool,
+}
+
+impl<'n, 's> Search<'n, 's> {
+    pub(super) fn new(net: &'n Net, unit: Option<usize>, limit: u64, seen: &'s mut Seen) -> Self {
+        let foreign = unit.map_or_else(Vec::new, |unit| net.foreign_slots(unit));
+        let graph = Graph {
+            unit,
+            states: Vec::new(),
+            origins: Vec::new(),
+            edges: Vec::new(),
+            entries: Vec::new(),
+            doubled: BTreeMap::new(),
+            watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
+            complete: false,
+        };
+        Self { scene: Scene::new(net, unit), graph, index: BTreeMap::new(), seen, limit, foreign, commanded: false }
+    }
+
+    /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
+    /// Returns the units of work it took.
+    pub(super) fn run(mut self) -> (Graph, u64) {
+        self.roots();
+        let mut next = 0;
+        while next < self.graph.states.len() {
+            if !self.expand(next) {
+                return (self.graph, self.scene.work);
+            }
+            next += 1;
+        }
+        self.graph.complete = true;
+        (self.graph, self.scene.work)
+    }
+
+    fn roots(&mut self) {
+        let net = self.scene.net;
+        let Some(unit) = self.scene.unit else {
+            self.root(true, net.initial.clone());
+            return;
+        };
+        let own = |steps: &[usize]| -> Vec<usize> {
+            steps.iter().filter(|step| net.unit_of[**step] == unit).copied().collect()
+        };
+        let initial = own(&net.initial);
+        let sourceless = net.sourceless.iter().any(|t| net.arcs[*t].targets.iter().any(|s| net.unit_of[*s] == unit));
+        if !initial.is_empty() || sourceless {
+            self.root(true, initial);
+        }
+        let Some(part) = net.unit_of.iter().position(|of| *of == unit).map(|step| &net.parts[net.part_of[step]]) else {
+            return;
+        };
+        self.commanded = part.enclosed_by.is_some() || !part.orders.is_empty();
+        let orders = part.orders.iter().filter_map(|(_, order)| match order {
+            super::net::Order::To(steps) => Some(own(steps)),
+            super::net::Order::Hold => None,
+        });
+        let starts: Vec<Vec<usize>> = orders.chain([own(&part.linked)]).collect();
+        for start in starts {
+            if !start.is_empty() || sourceless && self.commanded {
+                let entry = self.root(false, start);
+                self.graph.entries.push(entry);
+            }
+        }
+    }
+
+    fn root(&mut self, first: bool, active: Vec<usize>) -> usize {
+        let mut slots = self.scene.net.initial_slots.clone();
+        if first {
+            self.foreign.iter().for_each(|slot| slots[*slot] = Bit::Any);
+        } else {
+            slots.fill(Bit::Any);
+        }
+        active.iter().for_each(|step| self.seen.reachable[*step] = true);
+        let state = State { first, active: active.into(), slots: slots.into(), before: Box::default() };
+        self.insert(state, None)
+    }
+
+    /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
+    fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
+        if !state.before.is_empty() {
+            let general = State { before: Box::default(), ..state.clone() };
+            if let Some(known) = self.index.get(&general) {
+                return *known;
+            }
+        }
+        if let Some(known) = self.index.get(&state) {
+            return *known;
+        }
+        let (number, state) = (self.graph.states.len(), Rc::new(state));
+        self.index.insert(Rc::clone(&state), number);
+        self.graph.states.push(state);
+        self.graph.origins.push(origin);
+        self.graph.edges.push(Vec::new());
+        number
+    }
+
+    /// Runs all cycles from a state; `false` if the budget ran out.
+    fn expand(&mut self, number: usize) -> bool {
+        let net = self.scene.net;
+        let state = Rc::clone(&self.graph.states[number]);
+        let enabled = cycle::enabled(net, self.scene.unit, &state.active);
+        if !(state.first && !net.grafcet) {
+            enabled.iter().for_each(|transition| self.seen.enabled[*transition] = true);
+        }
+        let apart = if enabled.len() > 1 && !state.first { self.apart(&state, &enabled) } else { None };
+        let leaves = match apart {
+            Some(leaves) => leaves,
+            None => match self.runs(&state, &enabled, &[]) {
+                Some(leaves) => leaves,
+                None => return false,
+            },
+        };
+        leaves.into_iter().for_each(|leaf| self.commit(number, leaf));
+        if self.commanded && !state.before.is_empty() {
+            let held = State { before: Box::default(), first: false, ..(*state).clone() };
+            let cycle = Cycle { given: Vec::new(), cleared: Vec::new() };
+            let to = self.insert(held, Some(Origin { from: number, cycle }));
+            self.graph.edges[number].push(Edge { to, cleared: Box::default(), joins: Box::default() });
+        }
+        self.graph.edges[number].sort_unstable();
+        self.graph.edges[number].dedup();
+        if !state.first && !net.grafcet {
+            self.probe(&state, &enabled);
+        }
+        self.scene.work < self.limit
+    }
+
+    /// Runs the cycle under all valuations. None if the budget ran out or the runs turned out to depend on what stands
+    /// still.
+    fn runs(&mut self, state: &State, enabled: &[usize], still: &[usize]) -> Option<Vec<Leaf>> {
+        let mut leaves = Vec::new();
+        self.scene.tape.restart();
+        loop {
+            let (mut next, done) = cycle::run(&mut self.scene, state, enabled, still);
+            self.foreign.iter().for_each(|slot| next.slots[*slot] = Bit::Any);
+            let mut watched = Vec::new();
+            self.scene.forget_volatile();
+            for index in 0..self.graph.watched.len() {
+                if self.graph.watched[index].is_none() && self.scene.decide(&self.scene.net.watched[index], When::Now) {
+                    watched.push(index);
+                }
+            }
+            let assumed = self.is_assumed();
+            if self.scene.spoilt && !still.is_empty() {
+                return None;
+            }
+            if assumed {
+                leaves.push(Leaf { next, done, given: self.scene.decided(), watched });
+            }
+            if self.scene.work >= self.limit {
+                return None;
+            }
+            if !self.scene.tape.advance() {
+                return Some(leaves);
+            }
+        }
+    }
+
+    /// Whether the run is one that the assumptions allow.
+    fn is_assumed(&mut self) -> bool {
+        let net = self.scene.net;
+        let mut open: Vec<usize> = (0..net.assumed_never.len()).collect();
+        loop {
+            // Only assumptions about something that matters in this run are decided.
+            let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index]));
+            let Some(touched) = touched else { return true };
+            let index = open.remove(touched);
+            if self.scene.decide(&net.assumed_never[index], When::Now) {
+                return false;
+            }
+        }
+    }
+
+    /// Where several transitions are enabled that have nothing to do with each other, and each may as well wait, one after
+    /// the other leads to the same situations as all combinations. None where that is not so.
+    fn apart(&mut self, state: &State, enabled: &[usize]) -> Option<Vec<Leaf>> {
+        let net = self.scene.net;
+        if enabled.iter().any(|transition| !net.arcs[*transition].plain) || net.grafcet && net.asymmetric {
+            return None;
+        }
+        let clusters = clusters(net, enabled);
+        if clusters.len() < 2 {
+            return None;
+        }
+        let mut leaves = Vec::new();
+        for cluster in &clusters {
+            let still: Vec<usize> = enabled.iter().filter(|t| !cluster.contains(t)).copied().collect();
+            for transition in &still {
+                self.scene.reserve(&net.arcs[*transition].atoms, true);
+            }
+            let runs = self.runs(state, enabled, &still);
+            for transition in &still {
+                self.scene.reserve(&net.arcs[*transition].atoms, false);
+            }
+            let runs = runs?;
+            if !runs.iter().any(|leaf| leaf.done.cleared.is_empty() && leaf.next.active == state.active) {
+                return None;
+            }
+            leaves.extend(runs);
+        }
+        Some(leaves)
+    }
+
+    fn commit(&mut self, from: usize, leaf: Leaf) {
+        let net = self.scene.net;
+        let Leaf { next, done, given, watched } = leaf;
+        next.active.iter().chain(&done.transient).for_each(|step| self.seen.reachable[*step] = true);
+        done.able.iter().for_each(|transition| self.seen.able[*transition] = true);
+        done.enabled_later.iter().for_each(|transition| self.seen.enabled[*transition] = true);
+        let cycle = Cycle { given, cleared: done.cleared };
+        for (step, by) in done.doubled {
+            self.graph.doubled.entry(step).or_insert_with(|| (from, by, cycle.clone()));
+        }
+        for index in watched {
+            if self.graph.watched[index].is_none() {
+                self.graph.watched[index] = Some((from, cycle.clone(), Rc::new(next.clone())));
+            }
+        }
+        let mut joins: Vec<usize> = done.enabled_later;
+        joins.retain(|transition| net.arcs[*transition].sources.len() > 1);
+        joins.sort_unstable();
+        joins.dedup();
+        let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
+        let to = self.insert(next, Some(Origin { from, cycle }));
+        self.graph.edges[from].push(Edge { to, cleared, joins });
+    }
+
+    /// `sfc`: whether the conditions of the enabled transitions that never cleared so far can hold at all.
+    fn probe(&mut self, state: &State, enabled: &[usize]) {
+        let net = self.scene.net;
+        for transition in enabled {
+            if self.seen.able[*transition] {
+                continue;
+            }
+            self.scene.tape.restart();
+            loop {
+                self.scene.begin(state);
+                if self.scene.decide(&net.arcs[*transition].condition, When::Now) && self.is_assumed() {
+                    self.seen.able[*transition] = true;
+                    break;
+                }
+                if !self.scene.tape.advance() || self.scene.work >= self.limit {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// The enabled transitions in groups that share neither sources nor atoms.
+fn clusters(net: &Net, enabled: &[usize]) -> Vec<Vec<usize>> {
+    let mut uses: Vec<(bool, usize, usize)> = Vec::new();
+    for (position, transition) in enabled.iter().enumerate() {
+        let arc = &net.arcs[*transition];
+        uses.extend(arc.sources.iter().map(|step| (false, *step, position)));
+        uses.extend(arc.atoms.iter().map(|atom| (true, *atom, position)));
+    }
+    uses.sort_unstable();
+    let mut union = Union::new(enabled.len());
+    for pair in uses.windows(2) {
+        if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
+            union.join(pair[0].2, pair[1].2);
+        }
+    }
+    let mut clusters: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (position, transition) in enabled.iter().enumerate() {
+        clusters.entry(union.root(position)).or_default().push(*transition);
+    }
+    clusters.into_values().collect()
+}

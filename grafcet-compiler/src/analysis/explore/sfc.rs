@@ -1,0 +1,206 @@
+//! The cycle of `sfc`: one evolution, then the actions.
+
+use super::actions::{Action, Command, Target};
+use super::cycle::{Done, evolve, holds, note_doubled};
+use super::formula::Formula;
+use super::scene::{Scene, State, When};
+use super::slots::Bit;
+use crate::model::Qualifier;
+
+/// How the evolution changed the situation.
+struct Change {
+    left: Vec<usize>,
+    entered: Vec<usize>,
+    before: Vec<usize>,
+}
+
+/// A29: where in the cycle an action runs.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Moment {
+    Leaving,
+    Entering,
+    Rest,
+}
+
+/// What an action does to the followed values.
+enum Effect<'n> {
+    Put(usize, Bit),
+    Run(&'n [Command]),
+}
+
+pub(super) fn cycle(
+    scene: &mut Scene<'_>,
+    state: &State,
+    enabled: &[usize],
+    still: &[usize],
+    done: &mut Done,
+) -> When {
+    let net = scene.net;
+    let (mut left, mut targets): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+    if !state.first {
+        for transition in enabled {
+            let arc = &net.arcs[*transition];
+            // A28: a step is left by the first transition in the source.
+            let free = arc.sources.iter().all(|source| !left.contains(source));
+            if free && holds(scene, *transition, still) {
+                done.able.push(*transition);
+                done.cleared.push(*transition);
+                left.extend(&arc.sources);
+                targets.extend(&arc.targets);
+            }
+        }
+        let cleared = done.cleared.clone();
+        note_doubled(net, &state.active, &left, &cleared, done);
+    }
+    if net.actions.is_empty() {
+        // Nothing reads the situation before the evolution any more but edges, which look at the sample.
+        let after = evolve(&state.active, &left, &targets);
+        scene.start = Some(scene.now.clone());
+        scene.now.active = after;
+        return When::Sample;
+    }
+    let stayed: Vec<usize> = state.active.iter().filter(|step| !left.contains(step)).copied().collect();
+    let entered = if state.first {
+        state.active.to_vec()
+    } else {
+        targets.iter().filter(|step| !stayed.contains(step)).copied().collect()
+    };
+    let after = evolve(&state.active, &left, &targets);
+    scene.start = Some(scene.now.clone());
+    scene.now.active = after;
+    scene.forget_volatile();
+    scene.fresh.extend(&entered);
+    let before = if state.first { Vec::new() } else { state.active.to_vec() };
+    act(scene, &Change { left, entered, before }, !still.is_empty());
+    When::Sample
+}
+
+/// Rules 4 and 5: every action control, then the actions in their order.
+fn act(scene: &mut Scene<'_>, change: &Change, separate: bool) {
+    let net = scene.net;
+    let steps = change.before.iter().chain(&scene.now.active);
+    let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();
+    for number in numbers {
+        match &net.actions.targets[number] {
+            Target::Control { slot, flip_flop, by } => {
+                control(scene, change, separate, (*slot, *flip_flop), by, &mut runs);
+            }
+            Target::Assigned { slot, initial, by } => {
+                let active = by.iter().filter(|action| is_on(scene, change, separate, action)).next_back();
+                let effect = match active {
+                    Some(action) => Effect::Run(&action.program),
+                    None => Effect::Put(*slot, *initial),
+                };
+                runs.push((Moment::Rest, by[0].position, effect));
+            }
+            Target::Own(action) => {
+                let on = is_on(scene, change, separate, action);
+                let moment = match action.qualifier {
+                    Qualifier::P0 if on => Moment::Leaving,
+                    Qualifier::P1 if on => Moment::Entering,
+                    Qualifier::N if on => Moment::Rest,
+                    // The final scan.
+                    Qualifier::N if change.before.contains(&action.step) => Moment::Leaving,
+                    _ => continue,
+                };
+                runs.push((moment, action.position, Effect::Run(&action.program)));
+            }
+        }
+    }
+    runs.sort_by_key(|(moment, position, _)| (*moment, *position));
+    // Outputs are read as the previous cycle returned them.
+    let mut outputs: Vec<(usize, Bit)> = Vec::new();
+    for (_, _, effect) in runs {
+        match effect {
+            Effect::Put(slot, bit) => write(scene, slot, bit, &mut outputs),
+            Effect::Run(program) => {
+                scene.own.clear();
+                perform(scene, program, separate);
+                let written = std::mem::take(&mut scene.own);
+                written.into_iter().for_each(|(slot, bit)| write(scene, slot, bit, &mut outputs));
+            }
+        }
+    }
+    outputs.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
+}
+
+fn write(scene: &mut Scene<'_>, slot: usize, bit: Bit, outputs: &mut Vec<(usize, Bit)>) {
+    if scene.net.actions.is_output[slot] {
+        outputs.push((slot, bit));
+    } else {
+        scene.now.slots[slot] = bit;
+    }
+}
+
+/// `Q = !R && (N || S_FF || P)`
+fn control<'n>(
+    scene: &mut Scene<'_>,
+    change: &Change,
+    separate: bool,
+    (slot, flip_flop): (usize, Option<usize>),
+    by: &'n [Action],
+    runs: &mut Vec<(Moment, usize, Effect<'n>)>,
+) {
+    let (mut set, mut reset, mut held) = (false, false, false);
+    for action in by {
+        if is_on(scene, change, separate, action) {
+            match action.qualifier {
+                Qualifier::S => set = true,
+                Qualifier::R => reset = true,
+                _ => held = true,
+            }
+        }
+    }
+    let stored = by.iter().all(|action| matches!(action.qualifier, Qualifier::S | Qualifier::R));
+    let was = if stored { scene.now.slots[slot] } else { flip_flop.map_or(Bit::False, |slot| scene.now.slots[slot]) };
+    let stays = match (reset, set) {
+        (true, _) => Bit::False,
+        (false, true) => Bit::True,
+        (false, false) => was,
+    };
+    if let Some(flip_flop) = flip_flop {
+        scene.now.slots[flip_flop] = stays;
+    }
+    let q = match stays {
+        _ if reset => Bit::False,
+        _ if held => Bit::True,
+        stays => stays,
+    };
+    runs.push((Moment::Rest, by[0].position, Effect::Put(slot, q)));
+}
+
+/// Whether the step flag or the event of an association is true, and its condition.
+fn is_on(scene: &mut Scene<'_>, change: &Change, separate: bool, action: &Action) -> bool {
+    let steps = match action.qualifier {
+        Qualifier::P | Qualifier::P1 => &change.entered,
+        Qualifier::P0 => &change.left,
+        _ => &scene.now.active,
+    };
+    steps.contains(&action.step)
+        && action.condition.as_ref().is_none_or(|condition| evaluate(scene, condition, separate))
+}
+
+fn evaluate(scene: &mut Scene<'_>, formula: &Formula, separate: bool) -> bool {
+    // An action that depends on anything may depend on what stands still in this run.
+    scene.spoilt |= separate && !matches!(formula, Formula::Const(_));
+    scene.decide(formula, When::Now)
+}
+
+/// Runs a program; what it writes stands in `scene.own`.
+pub(super) fn perform(scene: &mut Scene<'_>, program: &[Command], separate: bool) {
+    for command in program {
+        match command {
+            Command::Set(slot, value) => {
+                let value = evaluate(scene, value, separate);
+                scene.own.push((*slot, Bit::from(value)));
+            }
+            Command::If(condition, then, otherwise) => {
+                let branch = if evaluate(scene, condition, separate) { then } else { otherwise };
+                perform(scene, branch, separate);
+            }
+        }
+    }
+}

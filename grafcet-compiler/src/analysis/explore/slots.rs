@@ -1,0 +1,194 @@
+//! Which boolean variables and outputs are followed from cycle to cycle: those that conditions read and whose writes are
+//! all understood.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Tree, Ty};
+
+/// A value that is followed.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Bit {
+    False,
+    True,
+    /// Either.
+    Any,
+}
+
+impl From<bool> for Bit {
+    fn from(value: bool) -> Self {
+        if value { Self::True } else { Self::False }
+    }
+}
+
+/// The places that are followed, numbered.
+pub(super) struct Slots {
+    pub(super) numbers: BTreeMap<Place, usize>,
+    /// `sfc`: the flip-flop of S and R where other qualifiers control the place, too.
+    pub(super) flip_flops: BTreeMap<Place, usize>,
+    pub(super) initial: Vec<Bit>,
+}
+
+impl Slots {
+    pub(super) fn of(model: &Model, watched: &[&Tree]) -> Self {
+        let mut slots = Self { numbers: BTreeMap::new(), flip_flops: BTreeMap::new(), initial: Vec::new() };
+        let writers = Writers::of(model);
+        for place in needed(model, &writers, watched) {
+            if !writers.can_be_followed(model, place) {
+                continue;
+            }
+            slots.numbers.insert(place, slots.initial.len());
+            slots.initial.push(initial(model, place));
+            if !model.is_grafcet() && writers.needs_flip_flop(model, place) {
+                slots.flip_flops.insert(place, slots.initial.len());
+                slots.initial.push(Bit::False);
+            }
+        }
+        slots
+    }
+}
+
+fn initial(model: &Model, place: Place) -> Bit {
+    let init = match place {
+        Place::Var(id) => &model.vars[id].init,
+        Place::Output(id) => &model.outputs[id].init,
+    };
+    match init.as_ref().map(|init| &init.tree) {
+        None => Bit::False,
+        Some(Tree::Bool(value)) => Bit::from(*value),
+        Some(_) => Bit::Any,
+    }
+}
+
+/// The places that conditions read, directly or because a place that they read depends on them.
+fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> BTreeSet<Place> {
+    let mut needed = BTreeSet::new();
+    let mut reads: Vec<Read> = model.transitions.values().flat_map(|t| t.condition.reads.iter().copied()).collect();
+    watched.iter().for_each(|tree| reads_of(tree, &mut reads));
+    let mut edges = BTreeSet::new();
+    while let Some(read) = reads.pop() {
+        let place = match read {
+            Read::Rising(id) | Read::Falling(id) => {
+                if edges.insert(id) {
+                    reads.extend(&model.edges[id].of.reads);
+                }
+                continue;
+            }
+            Read::Name(Name::Var(id)) => Place::Var(id),
+            Read::Name(Name::Output(id)) => Place::Output(id),
+            _ => continue,
+        };
+        if needed.insert(place) {
+            for effect in writers.effects(place) {
+                reads.extend(effect.reads().flatten());
+            }
+            for association in writers.associations(model, place) {
+                let conditions = association.condition.iter().chain(&association.event);
+                reads.extend(conditions.flat_map(|expr: &Expr| &expr.reads));
+            }
+        }
+    }
+    needed
+}
+
+/// What a tree reads.
+fn reads_of(tree: &Tree, reads: &mut Vec<Read>) {
+    match tree {
+        Tree::Read(read) => reads.push(*read),
+        Tree::Unary(_, inner) => reads_of(inner, reads),
+        Tree::Binary(_, a, b) => {
+            reads_of(a, reads);
+            reads_of(b, reads);
+        }
+        Tree::Opaque { reads: inside, .. } => reads.extend(inside),
+        Tree::Bool(_) | Tree::Int(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => {}
+    }
+}
+
+/// Who writes each place.
+struct Writers<'m> {
+    associations: BTreeMap<Place, Vec<AssociationId>>,
+    effects: BTreeMap<Place, Vec<&'m Effect>>,
+}
+
+impl<'m> Writers<'m> {
+    fn of(model: &'m Model) -> Self {
+        let mut writers = Self { associations: BTreeMap::new(), effects: BTreeMap::new() };
+        for (id, association) in model.associations.iter() {
+            for place in written(&association.effect) {
+                writers.associations.entry(place).or_default().push(id);
+                writers.effects.entry(place).or_default().push(&association.effect);
+            }
+        }
+        for effect in model.transitions.values().flat_map(|t| &t.clearing) {
+            for place in written(effect) {
+                writers.effects.entry(place).or_default().push(effect);
+            }
+        }
+        writers
+    }
+
+    fn associations<'a>(&'a self, model: &'a Model, place: Place) -> impl Iterator<Item = &'a Association> {
+        self.associations.get(&place).into_iter().flatten().map(|id| &model.associations[*id])
+    }
+
+    fn effects(&self, place: Place) -> impl Iterator<Item = &'m Effect> {
+        self.effects.get(&place).into_iter().flatten().copied()
+    }
+
+    fn can_be_followed(&self, model: &Model, place: Place) -> bool {
+        let understood = self.effects(place).all(|effect| match effect {
+            Effect::Block(code) => code.statements.is_some(),
+            _ => true,
+        });
+        let boolean = matches!(model.place_ty(place), Ty::Bool(_));
+        let fits = |a: &Association| if model.is_grafcet() { fits_grafcet(a) } else { fits_sfc(a, place) };
+        boolean && understood && self.associations(model, place).all(fits) && self.one_kind(model, place)
+    }
+
+    /// `sfc`: a place is controlled, assigned or written, not two of these.
+    fn one_kind(&self, model: &Model, place: Place) -> bool {
+        let kind = |a: &Association| match (&a.effect, a.qualifier) {
+            (Effect::Control(_), _) => 0,
+            (Effect::Assign(Place::Output(_), _), Qualifier::N) => 1,
+            _ => 2,
+        };
+        let kinds: BTreeSet<i32> = self.associations(model, place).map(kind).collect();
+        model.is_grafcet() || kinds.len() < 2
+    }
+
+    fn needs_flip_flop(&self, model: &Model, place: Place) -> bool {
+        let with = |wanted: fn(Qualifier) -> bool| self.associations(model, place).any(|a| wanted(a.qualifier));
+        with(|q| q == Qualifier::S) && with(|q| !matches!(q, Qualifier::S | Qualifier::R))
+    }
+}
+
+/// The places an effect may write.
+pub(super) fn written(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
+    let (one, many): (Option<Place>, &[Place]) = match effect {
+        Effect::Control(place) | Effect::Assign(place, _) => (Some(*place), &[]),
+        Effect::Call(..) => (None, &[]),
+        Effect::Block(code) => (None, &code.writes),
+    };
+    one.into_iter().chain(many.iter().copied())
+}
+
+fn fits_grafcet(association: &Association) -> bool {
+    match association.qualifier {
+        Qualifier::S | Qualifier::R => matches!(association.effect, Effect::Control(_)),
+        Qualifier::P1 | Qualifier::P0 | Qualifier::On => !matches!(association.effect, Effect::Control(_)),
+        _ => false,
+    }
+}
+
+fn fits_sfc(association: &Association, place: Place) -> bool {
+    match (&association.effect, association.qualifier) {
+        (Effect::Control(_), qualifier) => {
+            matches!(qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P)
+        }
+        (_, Qualifier::P1 | Qualifier::P0) => true,
+        (Effect::Assign(..), Qualifier::N) if matches!(place, Place::Output(_)) => true,
+        // Whether it was active in the cycle before decides about its final scan.
+        (_, Qualifier::N) => association.condition.is_none(),
+        _ => false,
+    }
+}

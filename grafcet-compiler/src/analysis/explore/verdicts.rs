@@ -1,0 +1,162 @@
+//! Deadlocks and AND-convergences that wait forever, found in the graph of states.
+
+use std::collections::BTreeSet;
+
+use super::graph::Future;
+use super::net::Net;
+use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
+use super::knowledge::Known;
+use super::search::{Cycle, Graph};
+use crate::model::{Id, PartialId, StepId, TransitionId};
+
+/// Turns numbers back into names.
+pub(super) struct Report<'n> {
+    pub(super) net: &'n Net,
+    pub(super) graph: &'n Graph,
+}
+
+impl Report<'_> {
+    /// The shortest way to a state.
+    pub(super) fn path_to(&self, state: usize) -> Path {
+        let mut way = Vec::new();
+        let mut at = state;
+        while let Some(origin) = &self.graph.origins[at] {
+            way.push((origin.from, &origin.cycle, at));
+            at = origin.from;
+        }
+        let mut path = Path { start: steps(&self.graph.states[at].active), cycles: Vec::new() };
+        for (from, cycle, to) in way.into_iter().rev() {
+            // The cycle that only enters the initial situation shows nothing.
+            let entering = self.graph.states[from].first && cycle.cleared.is_empty();
+            if !entering {
+                path.cycles.push(self.cycle(cycle, &self.graph.states[to].active));
+            }
+        }
+        path
+    }
+
+    /// A way to a state, and one more cycle.
+    pub(super) fn path_beyond(&self, from: usize, cycle: &Cycle, active: &[usize]) -> Path {
+        let mut path = self.path_to(from);
+        path.cycles.push(self.cycle(cycle, active));
+        path
+    }
+
+    fn cycle(&self, cycle: &Cycle, active: &[usize]) -> PathCycle {
+        let given = cycle.given.iter().filter_map(|(atom, known)| {
+            let demand = match known {
+                Known::Unknown => return None,
+                Known::Bool(value) => Demand::Is(*value),
+                Known::Range(low, high) => {
+                    let (first, last) = self.net.range(*atom);
+                    Demand::Within((*low > first).then_some(*low), (*high < last).then_some(*high))
+                }
+            };
+            Some(Given { what: self.net.atoms[*atom].what.clone(), demand })
+        });
+        PathCycle {
+            given: given.collect(),
+            cleared: cycle.cleared.iter().map(|transition| TransitionId::new(*transition)).collect(),
+            active: steps(active),
+        }
+    }
+
+    /// The steps that were activated while they were active.
+    pub(super) fn activations(&self) -> Vec<(StepId, Activation)> {
+        let activation = |(step, (from, by, cycle)): (&usize, &(usize, usize, Cycle))| {
+            let mut path = self.path_to(*from);
+            let mut last = self.cycle(cycle, &[]);
+            // The situation at the end of this cycle is not what matters.
+            last.active = vec![StepId::new(*step)];
+            path.cycles.push(last);
+            (StepId::new(*step), Activation { path, by: TransitionId::new(*by) })
+        };
+        self.graph.doubled.iter().map(activation).collect()
+    }
+
+    /// Situations from which a piece of the chart never goes on.
+    pub(super) fn deadlocks(&self, future: &Future) -> Vec<Deadlock> {
+        let mut deadlocks = Vec::new();
+        let mut known = BTreeSet::new();
+        for (number, state) in self.graph.states.iter().enumerate().filter(|(_, state)| !state.first) {
+            let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).collect();
+            units.sort_unstable();
+            units.dedup();
+            for unit in units {
+                if future.moves(number, unit) || !self.net.has_arcs[unit] || self.is_frozen(&state.active, unit) {
+                    continue;
+                }
+                let here = self.part_of(&state.active, unit);
+                if here.iter().any(|step| self.net.is_final[*step]) || !known.insert(here.clone()) {
+                    continue;
+                }
+                let partial = PartialId::new(self.net.part_of[here[0]]);
+                deadlocks.push(Deadlock { partial, steps: steps(&here), path: self.path_to(number) });
+            }
+        }
+        deadlocks
+    }
+
+    /// AND-convergences of which a source is active forever and another never.
+    pub(super) fn stuck_joins(&self, future: &Future) -> Vec<StuckJoin> {
+        let mut stuck = Vec::new();
+        let mut known = BTreeSet::new();
+        if future.joins.is_empty() {
+            return stuck;
+        }
+        for (number, state) in self.graph.states.iter().enumerate().filter(|(_, state)| !state.first) {
+            for step in state.active.iter().filter(|step| future.waiting.binary_search(step).is_ok()) {
+                if future.leaves(number, *step) {
+                    continue;
+                }
+                let unit = self.net.unit_of[*step];
+                let ended = self.part_of(&state.active, unit).iter().any(|step| self.net.is_final[*step]);
+                if ended || self.is_frozen(&state.active, unit) {
+                    continue;
+                }
+                for join in self.net.leaving[*step].iter().filter(|t| future.joins.binary_search(t).is_ok()) {
+                    if !future.enables(number, *join) && known.insert((*join, *step)) {
+                        stuck.push(StuckJoin {
+                            join: TransitionId::new(*join),
+                            waiting: StepId::new(*step),
+                            culprit: self.culprit(future, number, *join).map(TransitionId::new),
+                            path: self.path_to(number),
+                        });
+                    }
+                }
+            }
+        }
+        stuck
+    }
+
+    /// The transition on the way to a state with which the convergence became impossible.
+    fn culprit(&self, future: &Future, state: usize, join: usize) -> Option<usize> {
+        let mut at = state;
+        while let Some(origin) = &self.graph.origins[at] {
+            if future.enables(origin.from, join) {
+                let apart = |t: &&usize| {
+                    let arc = &self.net.arcs[**t];
+                    !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
+                };
+                let cleared = &origin.cycle.cleared;
+                return cleared.iter().find(apart).or(cleared.first()).copied();
+            }
+            at = origin.from;
+        }
+        None
+    }
+
+    fn part_of(&self, active: &[usize], unit: usize) -> Vec<usize> {
+        active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().collect()
+    }
+
+    /// Whether an order holds the piece where it is: that it does not go on is not its own fault.
+    fn is_frozen(&self, active: &[usize], unit: usize) -> bool {
+        let step = active.iter().find(|step| self.net.unit_of[**step] == unit);
+        self.graph.unit.is_none() && step.is_some_and(|step| self.net.order(self.net.part_of[*step], active).is_some())
+    }
+}
+
+fn steps(active: &[usize]) -> Vec<StepId> {
+    active.iter().map(|step| StepId::new(*step)).collect()
+}

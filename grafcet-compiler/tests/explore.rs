@@ -1,0 +1,75 @@
+//! The exploration of small charts whose situations one can count by hand.
+
+use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits, situation};
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::{self, Model, StepId, TransitionId};
+use grafcet_compiler::parse;
+
+fn model(chart: &str) -> Model {
+    let mut sink = Sink::new();
+    let chart = parse::chart(chart.parse().expect("tokens"), &mut sink).expect("a chart");
+    let model = model::resolve(&chart, &mut sink);
+    let messages = sink.finish();
+    assert!(messages.is_empty(), "{messages:?}");
+    model
+}
+
+/// What was found, in words.
+#[derive(Default, PartialEq, Debug)]
+struct Found {
+    unreachable: Vec<String>,
+    dead: Vec<String>,
+    doubled: Vec<String>,
+    deadlocks: Vec<String>,
+    stuck: Vec<String>,
+}
+
+fn explore(chart: &str) -> Found {
+    let model = model(chart);
+    let exploration = Exploration::of(&model, &Limits::default());
+    let step = |id: StepId| model.steps[id].name.to_string();
+    let arc = |id: TransitionId| {
+        let t = &model.transitions[id];
+        format!("{} -[{}]-> {}", situation(&model, &t.sources), t.condition.text, situation(&model, &t.targets))
+    };
+    Found {
+        unreachable: model.steps.ids().filter(|id| !exploration.reachable(*id)).map(step).collect(),
+        dead: model.transitions.ids().filter(|id| !exploration.can_clear(*id)).map(arc).collect(),
+        doubled: model
+            .steps
+            .ids()
+            .filter_map(|id| exploration.unsafe_step(id))
+            .map(|found| format!("{} by {}", found.path.text(&model), arc(found.by)))
+            .collect(),
+        deadlocks: exploration.deadlocks().iter().map(|found| found.path.text(&model)).collect(),
+        stuck: exploration
+            .stuck_joins()
+            .iter()
+            .map(|found| {
+                let culprit = found.culprit.map(arc).unwrap_or_default();
+                format!("{} waits in {}: {} left by {culprit}", step(found.waiting), found.path.text(&model), arc(found.join))
+            })
+            .collect(),
+    }
+}
+
+#[test]
+fn a_circle_is_fine() {
+    assert_eq!(explore("sfc C { input a, b: bool; initial step A; step B; A -[a]-> B -[b]-> A; }"), Found::default());
+    assert_eq!(explore("grafcet C { input a, b: bool; initial step A; step B; A -[a]-> B -[b]-> A; }"), Found::default());
+}
+
+#[test]
+fn probe() {
+    for chart in [
+        "sfc C { input a, b: bool; initial step A; step B; step D; step E; step F; A -[a]-> (B, D); B -[b]-> A; D -[a]-> E; (B, E) -[b]-> F -[a]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step D; step E; A -[a]-> B; A -[b]-> D; (B, D) -[true]-> E -[a]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step D; step E; step F; A -[a]-> (B, D); B -[b]-> F; D -[a]-> E; (B, E) -[a]-> F -[a]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step D; A -[a && D.X]-> B -[b]-> A; B -[a && !b && !D.X]-> D; }",
+        "grafcet C { input a, b: bool; initial step A; step B; step D; A -[rising(a)]-> B; A -[falling(a)]-> D; B -[rising(a)]-> A; D -[b]-> D; }",
+        "sfc C { input a: bool; var v: bool; initial step A; step B {S v;} step D {R v;} A -[a]-> B -[!v]-> D -[v]-> A; }",
+        "sfc C { input a: bool; var v: bool; initial step A; step B {S v;} step D {R v;} A -[a]-> B -[v]-> D -[!v]-> A; }",
+    ] {
+        println!("{chart}\n  {:#?}", explore(chart));
+    }
+}
