@@ -15,13 +15,7 @@ struct Outcome {
     more: bool,
 }
 
-pub(super) fn cycle(
-    scene: &mut Scene<'_>,
-    state: &State,
-    enabled: &[usize],
-    still: &[usize],
-    done: &mut Done,
-) -> When {
+pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], still: &[usize], done: &mut Done) -> When {
     let net = scene.net;
     if state.first {
         activate(scene);

@@ -1,7 +1,7 @@
 //! One cycle's valuation, as far as it has been asked for.
 
 use super::formula::{Formula, Kind};
-use super::knowledge::{Known, Knowledge, Tape};
+use super::knowledge::{Knowledge, Known, Tape};
 use super::net::Net;
 use super::slots::Bit;
 

@@ -28,13 +28,7 @@ enum Effect<'n> {
     Run(&'n [Command]),
 }
 
-pub(super) fn cycle(
-    scene: &mut Scene<'_>,
-    state: &State,
-    enabled: &[usize],
-    still: &[usize],
-    done: &mut Done,
-) -> When {
+pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], still: &[usize], done: &mut Done) -> When {
     let net = scene.net;
     let (mut left, mut targets): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     if !state.first {
@@ -79,7 +73,8 @@ pub(super) fn cycle(
 fn act(scene: &mut Scene<'_>, change: &Change, separate: bool) {
     let net = scene.net;
     let steps = change.before.iter().chain(&scene.now.active);
-    let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
+    let mut numbers: Vec<usize> =
+        steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
     numbers.sort_unstable();
     numbers.dedup();
     let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::explore::{Demand, Exploration, Given, Path, PathCycle};
-use grafcet_compiler::interp::Value;
+use grafcet_compiler::interp::{Evolution, Value};
 use grafcet_compiler::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
 
 use super::compare::Difference;
@@ -17,31 +17,22 @@ pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec
     for step in model.steps.ids() {
         let Some(activation) = explored.unsafe_step(step) else { continue };
         let name = &model.steps[step].name;
-        let activates = |edge: &Edge| {
-            edge.done(model).iter().any(|evolution| {
-                let left = evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(&step));
-                let by = evolution.cleared.contains(&activation.by);
-                by && model.transitions[activation.by].targets.contains(&step)
-                    && evolution.before.contains(&step)
-                    && !left
-            })
+        // The way may end in the middle of a cycle, behind the evolution that activates the step.
+        let activates = |edge: &Edge, end: &PathCycle| {
+            let mut entered = false;
+            starts_with(edge.done(model), &end.cleared, &mut |evolution| entered |= enters(model, evolution, step))
+                && entered
         };
-        let entered = |edge: &Edge| {
-            edge.done(model).iter().any(|evolution| {
-                let cleared = || evolution.cleared.iter().map(|id| &model.transitions[*id]);
-                let left = cleared().any(|transition| transition.sources.contains(&step));
-                cleared().any(|transition| transition.targets.contains(&step))
-                    && evolution.before.contains(&step)
-                    && !left
-            })
-        };
+        let entered = |edge: &Edge| edge.done(model).iter().any(|evolution| enters(model, evolution, step));
         let shortest = graph.cycles().filter(|(_, edge)| entered(edge)).map(|(from, _)| depths[&from] + 1).min();
         let found = way(model, graph, &activation.path, activates);
         wrong.extend(judge(&format!("{name} unsafe"), model, &activation.path, found, shortest));
     }
     for deadlock in explored.deadlocks() {
         let steps: BTreeSet<StepId> = deadlock.steps.iter().copied().collect();
-        let found = way(model, graph, &deadlock.path, |edge| steps.is_subset(&graph.states[edge.to].situation));
+        let found = way(model, graph, &deadlock.path, |edge, end| {
+            like(model, graph, edge, end) && steps.is_subset(&graph.states[edge.to].situation)
+        });
         wrong.extend(judge(&format!("deadlock in {:?}", names(model, &steps)), model, &deadlock.path, found, None));
     }
     wrong
@@ -71,32 +62,60 @@ fn judge(what: &str, model: &Model, path: &Path, found: bool, shortest: Option<u
     }
 }
 
+/// Whether an evolution activates a step that is active and that it does not leave.
+fn enters(model: &Model, evolution: &Evolution, step: StepId) -> bool {
+    let cleared = || evolution.cleared.iter().map(|id| &model.transitions[*id]);
+    let left = cleared().any(|transition| transition.sources.contains(&step));
+    let entered = cleared().any(|transition| transition.targets.contains(&step));
+    evolution.before.contains(&step) && entered && !left
+}
+
 /// Whether a way exists: from the start, or from what can be there after the first cycle.
-fn way(model: &Model, graph: &Graph, path: &Path, last: impl Fn(&Edge) -> bool) -> bool {
+fn way(model: &Model, graph: &Graph, path: &Path, last: impl Fn(&Edge, &PathCycle) -> bool) -> bool {
     let Some((end, before)) = path.cycles.split_last() else { return true };
     let afterwards = graph.states[0].cycles.iter().map(|edge| edge.to).collect();
     [BTreeSet::from([0]), afterwards].into_iter().any(|start: BTreeSet<usize>| {
         let mut here = start;
         for cycle in before {
-            let edges = here.iter().flat_map(|state| going(model, graph, *state, cycle));
-            here = edges.map(|edge| edge.to).collect();
+            let edges = here.iter().flat_map(|state| given(graph, *state, cycle));
+            here = edges.filter(|edge| like(model, graph, edge, cycle)).map(|edge| edge.to).collect();
         }
-        here.iter().flat_map(|state| going(model, graph, *state, end)).any(&last)
+        here.iter().flat_map(|state| given(graph, *state, end)).any(|edge| last(edge, end))
     })
 }
 
-/// The cycles from a state that are like one of a way.
-fn going<'g>(model: &'g Model, graph: &'g Graph, state: usize, cycle: &'g PathCycle) -> impl Iterator<Item = &'g Edge> {
-    let edges = graph.states[state].cycles.iter().enumerate();
-    let matching = edges.filter(move |(index, edge)| {
-        let inputs = &graph.valuations[index % graph.valuations.len()];
-        let active: BTreeSet<StepId> = cycle.active.iter().copied().collect();
-        let cleared: BTreeSet<TransitionId> = cycle.cleared.iter().copied().collect();
-        cycle.given.iter().all(|given| holds(given, inputs))
-            && active == graph.states[edge.to].situation
-            && cleared == edge.cleared(model).collect()
-    });
-    matching.map(|(_, edge)| edge)
+/// The cycles from a state whose inputs are as a cycle of a way demands.
+fn given<'g>(graph: &'g Graph, state: usize, cycle: &PathCycle) -> impl Iterator<Item = &'g Edge> {
+    let inputs = |edge: &Edge| &graph.valuations[edge.valuation];
+    graph.states[state].cycles.iter().filter(move |edge| cycle.given.iter().all(|given| holds(given, inputs(edge))))
+}
+
+/// Whether a cycle clears what a cycle of a way does, and ends in the same situation.
+fn like(model: &Model, graph: &Graph, edge: &Edge, cycle: &PathCycle) -> bool {
+    let active: BTreeSet<StepId> = cycle.active.iter().copied().collect();
+    let mut count = 0;
+    let cleared = starts_with(edge.done(model), &cycle.cleared, &mut |_| count += 1);
+    // What a self-loop clears in the last evolution, that changes nothing, may be left out.
+    let rest = &edge.done(model)[count..];
+    let idle = |evolution: &Evolution| evolution.cleared.is_empty() || evolution.before == evolution.after;
+    cleared && rest.iter().all(idle) && active == graph.states[edge.to].situation
+}
+
+/// Whether the first evolutions clear exactly these transitions; `seen` gets those evolutions one by one.
+fn starts_with(evolutions: &[Evolution], cleared: &[TransitionId], seen: &mut impl FnMut(&Evolution)) -> bool {
+    let mut rest = cleared;
+    for evolution in evolutions {
+        if rest.is_empty() {
+            break;
+        }
+        let count = evolution.cleared.len();
+        if count > rest.len() || rest[..count].iter().copied().collect::<BTreeSet<_>>() != evolution.cleared {
+            return false;
+        }
+        rest = &rest[count..];
+        seen(evolution);
+    }
+    rest.is_empty()
 }
 
 /// Whether inputs are as demanded; what is demanded of anything else is not looked at.

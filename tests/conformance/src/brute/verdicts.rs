@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use grafcet_compiler::interp::{Evolution, Situation};
 use grafcet_compiler::model::{Model, PartialId, StepId, TransitionId};
 
-use super::graph::{Edge, Graph};
+use super::graph::{Edge, Graph, State};
 
 /// The verdicts of the naive exploration.
 #[derive(Default, PartialEq, Eq, Debug)]
@@ -86,31 +86,42 @@ fn deadlocks(id: PartialId, model: &Model, graph: &Graph) -> BTreeSet<BTreeSet<S
     let moves = |edge: &Edge| {
         edge.done(model).iter().any(|evolution| {
             let changed = |step: &StepId| evolution.before.contains(step) != evolution.after.contains(step);
-            let cleared = |transition: &TransitionId| evolution.cleared.contains(transition);
+            // A source transition whose targets are active already changes nothing; a self-loop is a way on.
+            let inner = |transition: &TransitionId| !model.transitions[*transition].sources.is_empty();
+            let cleared = |transition: &TransitionId| evolution.cleared.contains(transition) && inner(transition);
             partial.transitions.iter().any(cleared) || partial.steps.iter().any(changed)
         })
     };
     let mut found = BTreeSet::new();
-    for (state, alive) in graph.states.iter().zip(graph.can_still(moves)) {
-        let here: BTreeSet<StepId> = partial.steps.iter().copied().filter(|s| state.situation.contains(s)).collect();
-        let ends = here.iter().any(|step| model.steps[*step].is_final);
-        let forced = model.forces.values().any(|force| force.target == id && state.situation.contains(&force.step));
-        if !alive && !here.is_empty() && !ends && !forced {
-            found.insert(here);
-        }
+    for state in ends(id, model, graph, &graph.can_still(moves)) {
+        let here = partial.steps.iter().copied().filter(|step| state.situation.contains(step));
+        found.insert(here.collect::<BTreeSet<StepId>>());
     }
+    found.remove(&BTreeSet::new());
     found
+}
+
+/// The ends of cycles behind which something cannot come any more, where a partial grafcet is neither forced nor in a final
+/// step: there it is meant to end.
+fn ends<'g>(id: PartialId, model: &'g Model, graph: &'g Graph, hope: &'g [bool]) -> impl Iterator<Item = &'g State> {
+    let steps = &model.partials[id].steps;
+    let finals: Vec<StepId> = steps.iter().copied().filter(|step| model.steps[*step].is_final).collect();
+    graph.states.iter().zip(hope).skip(1).filter(|(_, hope)| !**hope).map(|(state, _)| state).filter(move |state| {
+        let forced = model.forces.values().any(|force| force.target == id && state.situation.contains(&force.step));
+        !forced && !finals.iter().any(|step| state.situation.contains(step))
+    })
 }
 
 /// Whether a source of a convergence can come to wait for ever.
 fn stuck(join: TransitionId, source: StepId, model: &Model, graph: &Graph) -> bool {
     let leaves = |evolution: &Evolution| {
-        evolution.before.contains(&source) && !evolution.after.contains(&source)
-            || evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(&source))
+        let cleared = evolution.cleared.iter().map(|id| &model.transitions[*id]);
+        // A self-loop does not end the waiting.
+        cleared.into_iter().any(|t| t.sources.contains(&source) && !t.targets.contains(&source))
+            || evolution.before.contains(&source) && !evolution.after.contains(&source)
     };
-    let ends = |edge: &Edge| {
-        edge.evolutions.iter().any(|evolution| evolution.enabled.contains(&join)) || edge.done(model).iter().any(leaves)
-    };
-    let hope = graph.can_still(ends);
-    graph.states.iter().zip(hope).any(|(state, hope)| !hope && state.situation.contains(&source))
+    let enabled = |edge: &Edge| edge.evolutions.iter().any(|evolution| evolution.enabled.contains(&join));
+    let hope = graph.can_still(|edge| enabled(edge) || edge.done(model).iter().any(leaves));
+    let id = model.transitions[join].partial;
+    ends(id, model, graph, &hope).any(|state| state.situation.contains(&source))
 }
