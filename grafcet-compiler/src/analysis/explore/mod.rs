@@ -25,6 +25,7 @@ mod sfc;
 mod slots;
 mod units;
 mod verdicts;
+mod waiting;
 
 use std::collections::BTreeMap;
 

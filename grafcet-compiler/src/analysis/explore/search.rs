@@ -8,7 +8,7 @@ use super::knowledge::Known;
 use super::net::Net;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
-use super::units::Union;
+use super::waiting;
 
 /// What was seen on the way, in any part of the chart.
 #[derive(Debug)]
@@ -188,14 +188,11 @@ impl<'n, 's> Search<'n, 's> {
         if !(state.first && !net.grafcet) {
             enabled.iter().for_each(|transition| self.seen.enabled[*transition] = true);
         }
-        let apart = if enabled.len() > 1 && !state.first { self.apart(&state, &enabled) } else { None };
-        let leaves = match apart {
-            Some(leaves) => leaves,
-            None => match self.runs(&state, &enabled, &[]) {
-                Some(leaves) => leaves,
-                None => return false,
-            },
-        };
+        self.scene.begin(&state);
+        let groups = if state.first && !net.grafcet { None } else { waiting::at_start(&mut self.scene, &enabled) };
+        self.scene.groups = groups.map(Rc::new);
+        let lazily = self.runs(&state, &enabled, true);
+        let Some(leaves) = lazily.or_else(|| self.runs(&state, &enabled, false)) else { return false };
         leaves.into_iter().for_each(|leaf| self.commit(number, leaf));
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
@@ -211,13 +208,14 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.work < self.limit
     }
 
-    /// Runs the cycle under all valuations. None if the budget ran out or the runs turned out to depend on what stands
-    /// still.
-    fn runs(&mut self, state: &State, enabled: &[usize], still: &[usize]) -> Option<Vec<Leaf>> {
+    /// Runs the cycle under all valuations; `lazy`: transitions that have nothing to do with each other one at a time. None
+    /// if the budget ran out, or they do have to do with each other.
+    fn runs(&mut self, state: &State, enabled: &[usize], lazy: bool) -> Option<Vec<Leaf>> {
         let mut leaves = Vec::new();
+        self.scene.lazy = lazy;
         self.scene.tape.restart();
         loop {
-            let (mut next, done) = cycle::run(&mut self.scene, state, enabled, still);
+            let (mut next, done) = cycle::run(&mut self.scene, state, enabled);
             self.foreign.iter().for_each(|slot| next.slots[*slot] = Bit::Any);
             let mut watched = Vec::new();
             self.scene.forget_volatile();
@@ -227,11 +225,13 @@ impl<'n, 's> Search<'n, 's> {
                 }
             }
             let assumed = self.is_assumed();
-            if self.scene.spoilt && !still.is_empty() {
+            if self.scene.spoilt {
                 return None;
             }
-            if assumed {
-                leaves.push(Leaf { next, done, given: self.scene.decided(), watched });
+            if assumed && !self.scene.redundant {
+                let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
+                let given = if news { self.scene.decided() } else { Vec::new() };
+                leaves.push(Leaf { next, done, given, watched });
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -255,36 +255,6 @@ impl<'n, 's> Search<'n, 's> {
                 return false;
             }
         }
-    }
-
-    /// Where several transitions are enabled that have nothing to do with each other, and each may as well wait, one after
-    /// the other leads to the same situations as all combinations. None where that is not so.
-    fn apart(&mut self, state: &State, enabled: &[usize]) -> Option<Vec<Leaf>> {
-        let net = self.scene.net;
-        if enabled.iter().any(|transition| !net.arcs[*transition].plain) || net.grafcet && net.asymmetric {
-            return None;
-        }
-        let clusters = clusters(net, enabled);
-        if clusters.len() < 2 {
-            return None;
-        }
-        let mut leaves = Vec::new();
-        for cluster in &clusters {
-            let still: Vec<usize> = enabled.iter().filter(|t| !cluster.contains(t)).copied().collect();
-            for transition in &still {
-                self.scene.reserve(&net.arcs[*transition].atoms, true);
-            }
-            let runs = self.runs(state, enabled, &still);
-            for transition in &still {
-                self.scene.reserve(&net.arcs[*transition].atoms, false);
-            }
-            let runs = runs?;
-            if !runs.iter().any(|leaf| leaf.done.cleared.is_empty() && leaf.next.active == state.active) {
-                return None;
-            }
-            leaves.extend(runs);
-        }
-        Some(leaves)
     }
 
     fn commit(&mut self, from: usize, leaf: Leaf) {
@@ -331,26 +301,4 @@ impl<'n, 's> Search<'n, 's> {
             }
         }
     }
-}
-
-/// The enabled transitions in groups that share neither sources nor atoms.
-fn clusters(net: &Net, enabled: &[usize]) -> Vec<Vec<usize>> {
-    let mut uses: Vec<(bool, usize, usize)> = Vec::new();
-    for (position, transition) in enabled.iter().enumerate() {
-        let arc = &net.arcs[*transition];
-        uses.extend(arc.sources.iter().map(|step| (false, *step, position)));
-        uses.extend(arc.atoms.iter().map(|atom| (true, *atom, position)));
-    }
-    uses.sort_unstable();
-    let mut union = Union::new(enabled.len());
-    for pair in uses.windows(2) {
-        if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
-            union.join(pair[0].2, pair[1].2);
-        }
-    }
-    let mut clusters: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (position, transition) in enabled.iter().enumerate() {
-        clusters.entry(union.root(position)).or_default().push(*transition);
-    }
-    clusters.into_values().collect()
 }
