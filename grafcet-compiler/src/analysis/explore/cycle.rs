@@ -1,7 +1,7 @@
 //! What one cycle does, in both dialects, as far as it matters to the situations.
 
 use super::net::Net;
-use super::scene::{Scene, Snapshot, State, When};
+use super::scene::{Scene, Snapshot, State};
 use super::waiting::arbitrate;
 use super::{grafcet, sfc};
 
@@ -15,7 +15,7 @@ pub(super) struct Done {
     /// Transitions enabled in some evolution; in the first they can be seen from the situation.
     pub(super) enabled_later: Vec<usize>,
     /// Situations between the first and the last of the cycle.
-    pub(super) transient: Vec<usize>,
+    pub(super) transient: Vec<Vec<usize>>,
     /// A step activated while it was active and not left, and the transition that did it.
     pub(super) doubled: Vec<(usize, usize)>,
     /// The search for stability was stopped by its bound.

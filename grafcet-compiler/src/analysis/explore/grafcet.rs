@@ -55,7 +55,7 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
         evolutions += 1;
         done.cleared.extend(cleared);
         commit(scene, after, outcome.writes);
-        done.transient.extend(&scene.now.active);
+        done.transient.push(scene.now.active.clone());
         evolutions = skip(scene, evolutions, &mut anchor);
     }
 }

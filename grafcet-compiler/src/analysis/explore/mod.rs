@@ -93,13 +93,18 @@ impl Exploration {
     /// Explores a chart.
     #[must_use]
     pub fn of(model: &Model, limits: &Limits) -> Self {
-        Self::watching(model, limits, &[], &[])
+        Self::watching(model, limits, &[])
     }
 
     /// Explores a chart, and evaluates boolean expressions at the end of each cycle, on its inputs, outputs and situation.
-    /// Inputs for which one of `assumed_never` holds are left out.
     #[must_use]
-    pub fn watching(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+    pub fn watching(model: &Model, limits: &Limits, watched: &[&Tree]) -> Self {
+        Self::assuming(model, limits, watched, &[])
+    }
+
+    /// The same without the inputs for which one of `assumed_never` holds.
+    #[must_use]
+    pub fn assuming(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
         let net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         // A long chart has many situations without being complicated.
@@ -118,7 +123,7 @@ impl Exploration {
                 pieces.push(graph);
             }
         }
-        let structure = (!covered.iter().all(|covered| *covered)).then(|| Concurrency::of(model));
+        let structure = (!whole.complete).then(|| Concurrency::of(model));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
             unsafe_steps: BTreeMap::new(),
@@ -227,21 +232,16 @@ impl Exploration {
         &self.stuck_joins
     }
 
-    /// Which steps are active together at the end of some cycle; `None` if not everything was seen.
+    /// Whether two different steps can be active together, transient situations included; `true` also where that could not
+    /// be excluded.
     #[must_use]
-    pub fn together(&self) -> Option<Relation> {
-        if !self.whole.complete {
-            return None;
+    pub fn together(&self, a: StepId, b: StepId) -> bool {
+        let unit = self.net.unit_of[a.index()];
+        let covered = self.covered[unit] && (self.whole.complete || unit == self.net.unit_of[b.index()]);
+        match &self.structure {
+            Some(structure) if !covered => structure.together(a, b),
+            _ => self.seen.together.contains(a.index(), b.index()),
         }
-        let mut relation = Relation::new(self.net.leaving.len());
-        for state in &self.whole.states {
-            for (i, a) in state.active.iter().enumerate() {
-                for b in &state.active[i + 1..] {
-                    relation.insert(*a, *b);
-                }
-            }
-        }
-        Some(relation)
     }
 
     /// The most steps that are ever active at the end of a cycle; `None` if not everything was seen.

@@ -28,7 +28,6 @@ pub(super) struct Arc {
 /// A partial grafcet, as forcing and enclosing see it.
 pub(super) struct Part {
     pub(super) enclosed_by: Option<usize>,
-    pub(super) initial: Vec<usize>,
     pub(super) linked: Vec<usize>,
     /// The orders it may get: from which step, and which.
     pub(super) orders: Vec<(usize, Order)>,
@@ -319,7 +318,6 @@ fn parts(model: &Model) -> Vec<Part> {
     }
     let part = |(id, partial): (crate::model::PartialId, &crate::model::Partial)| Part {
         enclosed_by: partial.enclosed_by.map(|step| step.index()),
-        initial: pick(partial, |step| step.initial),
         linked: pick(partial, |step| step.linked),
         orders: orders.remove(&id.index()).unwrap_or_default(),
     };

@@ -9,6 +9,7 @@ use super::net::Net;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
 use super::waiting;
+use crate::analysis::Relation;
 
 /// What was seen on the way, in any part of the chart.
 #[derive(Debug)]
@@ -17,12 +18,29 @@ pub(super) struct Seen {
     pub(super) reachable: Vec<bool>,
     pub(super) enabled: Vec<bool>,
     pub(super) able: Vec<bool>,
+    /// Pairs of steps that were active together.
+    pub(super) together: Relation,
 }
 
 impl Seen {
     pub(super) fn nothing(net: &Net) -> Self {
         let arcs = net.arcs.len();
-        Self { reachable: vec![false; net.leaving.len()], enabled: vec![false; arcs], able: vec![false; arcs] }
+        let steps = net.leaving.len();
+        Self {
+            reachable: vec![false; steps],
+            enabled: vec![false; arcs],
+            able: vec![false; arcs],
+            together: Relation::new(steps),
+        }
+    }
+
+    fn situation(&mut self, active: &[usize]) {
+        for (position, step) in active.iter().enumerate() {
+            self.reachable[*step] = true;
+            for other in &active[position + 1..] {
+                self.together.insert(*step, *other);
+            }
+        }
     }
 }
 
@@ -156,7 +174,6 @@ impl<'n, 's> Search<'n, 's> {
         } else {
             slots.fill(Bit::Any);
         }
-        active.iter().for_each(|step| self.seen.reachable[*step] = true);
         let state = State { first, active: active.into(), slots: slots.into(), before: Box::default() };
         self.insert(state, None)
     }
@@ -172,6 +189,7 @@ impl<'n, 's> Search<'n, 's> {
         if let Some(known) = self.index.get(&state) {
             return *known;
         }
+        self.seen.situation(&state.active);
         let (number, state) = (self.graph.states.len(), Rc::new(state));
         self.index.insert(Rc::clone(&state), number);
         self.graph.states.push(state);
@@ -260,7 +278,7 @@ impl<'n, 's> Search<'n, 's> {
     fn commit(&mut self, from: usize, leaf: Leaf) {
         let net = self.scene.net;
         let Leaf { next, done, given, watched } = leaf;
-        next.active.iter().chain(&done.transient).for_each(|step| self.seen.reachable[*step] = true);
+        done.transient.iter().for_each(|active| self.seen.situation(active));
         done.able.iter().for_each(|transition| self.seen.able[*transition] = true);
         done.enabled_later.iter().for_each(|transition| self.seen.enabled[*transition] = true);
         let cycle = Cycle { given, cleared: done.cleared };
