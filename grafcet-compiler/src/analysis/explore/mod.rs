@@ -35,7 +35,7 @@ use self::graph::Future;
 use self::net::Net;
 use self::search::{Graph, Search, Seen};
 use self::verdicts::Report;
-use super::{Concurrency, Relation};
+use super::Concurrency;
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 
 /// How much is explored before the search gives up.
@@ -47,7 +47,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { work: 100_000 }
+        Self { work: 150_000 }
     }
 }
 
@@ -86,6 +86,8 @@ pub struct Exploration {
     stuck_joins: Vec<StuckJoin>,
     /// The most active steps, where all is covered.
     max_active: Option<usize>,
+    /// Something was taken as unknown.
+    approximate: bool,
     work: u64,
 }
 
@@ -110,15 +112,14 @@ impl Exploration {
         // A long chart has many situations without being complicated.
         let limit = limits.work.saturating_add(40 * (net.leaving.len() + net.arcs.len()) as u64);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
-        let share = if several { limit / 2 } else { limit };
-        let (whole, mut work) = Search::new(&net, None, share, &mut seen).run();
+        let mut budget = Budget { limit, work: 0 };
+        let (whole, approximate) = explore_whole(&net, several, &mut budget, &mut seen);
         let mut covered = vec![whole.complete; net.units];
         let mut pieces = Vec::new();
         if !whole.complete && several {
             for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {
-                let left = limit.saturating_sub(work);
-                let (graph, spent) = Search::new(&net, Some(unit), left, &mut seen).run();
-                work += spent;
+                let search = Search::new(&net, Some(unit), true, budget.left(), &mut seen);
+                let graph = budget.run(search);
                 covered[unit] = graph.complete;
                 pieces.push(graph);
             }
@@ -135,7 +136,8 @@ impl Exploration {
             whole,
             covered,
             structure,
-            work,
+            approximate,
+            work: budget.work,
         };
         exploration.judge(&pieces);
         exploration
@@ -168,7 +170,7 @@ impl Exploration {
     /// Complete, and nothing was taken as unknown: what is said to happen really can.
     #[must_use]
     pub fn is_exact(&self) -> bool {
-        self.whole.complete && !self.net.approximate
+        self.whole.complete && !self.approximate
     }
 
     /// The units of work it took.
@@ -289,4 +291,39 @@ impl Exploration {
             None => Answer::Never,
         }
     }
+}
+
+/// The units of work that are left.
+struct Budget {
+    limit: u64,
+    work: u64,
+}
+
+impl Budget {
+    fn left(&self) -> u64 {
+        self.limit.saturating_sub(self.work)
+    }
+
+    fn run(&mut self, search: Search<'_, '_>) -> Graph {
+        let (graph, work) = search.run();
+        self.work += work;
+        graph
+    }
+}
+
+/// The whole chart, as far as the budget suffices, and whether something was taken as unknown.
+///
+/// A search for stability that does not come to an end stops wherever its bound lies. That is followed exactly in small
+/// charts only; in larger ones what has nothing to do with each other is not tried in all combinations.
+fn explore_whole(net: &Net, several: bool, budget: &mut Budget, seen: &mut Seen) -> (Graph, bool) {
+    let share = if several { budget.limit / 2 } else { budget.limit };
+    if !net.grafcet {
+        return (budget.run(Search::new(net, None, true, share, seen)), net.approximate);
+    }
+    let lazy = net.is_calm(None);
+    let graph = budget.run(Search::new(net, None, false, if lazy { share / 2 } else { share }, seen));
+    if graph.complete || !lazy {
+        return (graph, net.approximate);
+    }
+    (budget.run(Search::new(net, None, true, share / 2, seen)), true)
 }

@@ -67,6 +67,16 @@ pub(super) struct Edge {
     pub(super) joins: Box<[usize]>,
 }
 
+/// A cycle that activates a step while it is active.
+#[derive(Debug)]
+pub(super) struct Doubled {
+    pub(super) from: usize,
+    pub(super) cycle: Cycle,
+    pub(super) by: usize,
+    /// The situation at its end.
+    pub(super) end: Box<[usize]>,
+}
+
 /// The states of a chart, or of a piece of it.
 #[derive(Debug)]
 pub(super) struct Graph {
@@ -76,8 +86,8 @@ pub(super) struct Graph {
     pub(super) edges: Vec<Vec<Edge>>,
     /// States that stand for what another part of the chart does to this one.
     pub(super) entries: Vec<usize>,
-    /// Step, the transition that activates it while it is active, and the cycle in which it does, from that state.
-    pub(super) doubled: BTreeMap<usize, (usize, usize, Cycle)>,
+    /// The steps that were activated while they were active.
+    pub(super) doubled: BTreeMap<usize, Doubled>,
     /// Per watched expression: from which state on which cycle ends with it holding, and the state at its end.
     pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
     /// All of it was explored.
@@ -101,12 +111,14 @@ pub(super) struct Search<'n, 's> {
     limit: u64,
     /// Slots that other pieces write, too.
     foreign: Vec<usize>,
+    /// What has nothing to do with each other is not tried in all combinations.
+    lazy: bool,
     /// Orders or an enclosing step can hold the piece as it is.
     commanded: bool,
 }
 
 impl<'n, 's> Search<'n, 's> {
-    pub(super) fn new(net: &'n Net, unit: Option<usize>, limit: u64, seen: &'s mut Seen) -> Self {
+    pub(super) fn new(net: &'n Net, unit: Option<usize>, lazy: bool, limit: u64, seen: &'s mut Seen) -> Self {
         let foreign = unit.map_or_else(Vec::new, |unit| net.foreign_slots(unit));
         let graph = Graph {
             unit,
@@ -118,7 +130,7 @@ impl<'n, 's> Search<'n, 's> {
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
         };
-        Self { scene: Scene::new(net, unit), graph, index: BTreeMap::new(), seen, limit, foreign, commanded: false }
+        Self { scene: Scene::new(net, unit), graph, index: BTreeMap::new(), seen, limit, foreign, lazy, commanded: false }
     }
 
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
@@ -206,11 +218,13 @@ impl<'n, 's> Search<'n, 's> {
         if !(state.first && !net.grafcet) {
             enabled.iter().for_each(|transition| self.seen.enabled[*transition] = true);
         }
-        self.scene.begin(&state);
-        let groups = if state.first && !net.grafcet { None } else { waiting::at_start(&mut self.scene, &enabled) };
-        self.scene.groups = groups.map(Rc::new);
-        let lazily = self.runs(&state, &enabled, true);
-        let Some(leaves) = lazily.or_else(|| self.runs(&state, &enabled, false)) else { return false };
+        let mut leaves = None;
+        if self.lazy && !(state.first && !net.grafcet) {
+            self.scene.begin(&state);
+            self.scene.groups = waiting::at_start(&mut self.scene, &enabled).map(Rc::new);
+            leaves = self.runs(&state, &enabled, true);
+        }
+        let Some(leaves) = leaves.or_else(|| self.runs(&state, &enabled, false)) else { return false };
         leaves.into_iter().for_each(|leaf| self.commit(number, leaf));
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
@@ -283,7 +297,8 @@ impl<'n, 's> Search<'n, 's> {
         done.enabled_later.iter().for_each(|transition| self.seen.enabled[*transition] = true);
         let cycle = Cycle { given, cleared: done.cleared };
         for (step, by) in done.doubled {
-            self.graph.doubled.entry(step).or_insert_with(|| (from, by, cycle.clone()));
+            let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
+            self.graph.doubled.entry(step).or_insert_with(doubled);
         }
         for index in watched {
             if self.graph.watched[index].is_none() {
