@@ -18,13 +18,15 @@ macro_rules! neighbours {
 }
 
 neighbours! {
-    actions: bad_time, clearing_action, mixed_modes, write_race, wrong_target;
+    actions:
+        bad_time, clearing_action, mixed_modes, reset_without_set, set_without_reset, undriven_output, unused_action,
+        unused_input, unused_param, unused_variable, write_race, wrong_target;
     conditions: combinational_circle, edge_in_assignation, event_without_edge, reads_continuous, unstable;
     drawing:
         duplicate_name, duplicate_transition, isolated_step, no_initial_step, repeated_step, reserved_name,
         several_initial_steps, sink_transition, source_transition, steps_without_transition,
         transitions_without_step, unknown_name, unknown_partial, unknown_step;
-    levels: allow;
+    levels: allow, warnings;
     structure:
         enclosure_without_link, forced_enclosure, forced_step_outside, forcing_circle, init_without_initial,
         macro_entry_exit, two_masters;

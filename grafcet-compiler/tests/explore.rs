@@ -70,13 +70,13 @@ fn a_circle_is_fine() {
 #[test]
 fn probe() {
     for chart in [
-        "sfc C { input a, b: bool; initial step A; step B; step D; step E; step F; A -[a]-> (B, D); B -[b]-> A; D -[a]-> E; (B, E) -[b]-> F -[a]-> A; }",
-        "sfc C { input a, b: bool; initial step A; step B; step D; step E; A -[a]-> B; A -[b]-> D; (B, D) -[true]-> E -[a]-> A; }",
-        "sfc C { input a, b: bool; initial step A; step B; step D; step E; step F; A -[a]-> (B, D); B -[b]-> F; D -[a]-> E; (B, E) -[a]-> F -[a]-> A; }",
-        "sfc C { input a, b: bool; initial step A; step B; step D; A -[a && D.X]-> B -[b]-> A; B -[a && !b && !D.X]-> D; }",
-        "grafcet C { input a, b: bool; initial step A; step B; step D; A -[rising(a)]-> B; A -[falling(a)]-> D; B -[rising(a)]-> A; D -[b]-> D; }",
-        "sfc C { input a: bool; var v: bool; initial step A; step B {S v;} step D {R v;} A -[a]-> B -[!v]-> D -[v]-> A; }",
-        "sfc C { input a: bool; var v: bool; initial step A; step B {S v;} step D {R v;} A -[a]-> B -[v]-> D -[!v]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step Q; step E; step F; A -[a]-> (B, Q); B -[b]-> A; Q -[a]-> E; (B, E) -[b]-> F -[a]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step Q; step E; A -[a]-> B; A -[b]-> Q; (B, Q) -[true]-> E -[a]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step Q; step E; step F; A -[a]-> (B, Q); B -[b]-> F; Q -[a]-> E; (B, E) -[a]-> F -[a]-> A; }",
+        "sfc C { input a, b: bool; initial step A; step B; step Q; A -[a && Q.X]-> B -[b]-> A; B -[a && !b && !Q.X]-> Q; }",
+        "grafcet C { input a, b: bool; initial step A; step B; step Q; A -[rising(a)]-> B; A -[falling(a)]-> Q; B -[rising(a)]-> A; Q -[b]-> Q; }",
+        "sfc C { input a: bool; var v: bool; initial step A; step B {S v;} step Q {R v;} A -[a]-> B -[!v]-> Q -[v]-> A; }",
+        "sfc C { input a: bool; var v: bool; initial step A; step B {S v;} step Q {R v;} A -[a]-> B -[v]-> Q -[!v]-> A; }",
     ] {
         println!("{chart}\n  {:#?}", explore(chart));
     }

@@ -7,9 +7,11 @@ mod initial;
 mod modes;
 mod not_yet;
 mod race;
+mod set_reset;
 mod structure;
 mod targets;
 mod unstable;
+mod usage;
 
 pub use initial::initial_values;
 pub use not_yet::not_yet;
@@ -32,8 +34,10 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order.
 pub fn evolution(model: &Model, sink: &mut Sink) {
+    let concurrency = Concurrency::of(model);
+    usage::check(model, sink);
+    set_reset::check(model, &concurrency, sink);
     if model.is_grafcet() {
-        let concurrency = Concurrency::of(model);
         structure::two_masters(model, &concurrency, sink);
         race::check(model, &concurrency, sink);
         unstable::check(model, sink);

@@ -51,7 +51,12 @@ fn report(model: &Model, place: Place, first: &Write<'_>, second: &Write<'_>, si
         scopes.push(&model.steps[step].levels);
     }
     scopes.push(&model.levels);
-    sink.rule(&rules::WRITE_RACE, &scopes, vec![(first.mark, message.clone()), (second.mark, message)]);
+    sink.rule_in(
+        model.dialect,
+        &rules::WRITE_RACE,
+        &scopes,
+        vec![(first.mark, message.clone()), (second.mark, message)],
+    );
 }
 
 /// The stored writes of each place.

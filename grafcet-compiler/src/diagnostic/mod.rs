@@ -11,7 +11,7 @@ use proc_macro2::TokenStream;
 pub use mark::Mark;
 pub use rules::{Rule, Severity};
 
-use crate::ast::LevelAttr;
+use crate::ast::{Dialect, LevelAttr};
 
 /// One mistake: a message for each participant, the culprit first.
 #[derive(Clone, Debug)]
@@ -56,9 +56,22 @@ impl Sink {
         }
     }
 
-    /// A chart breaks `rule`; `scopes` are the lint attributes that can change its level, the innermost first.
+    /// A chart breaks `rule`, which has one level in both dialects; `scopes` are the lint attributes that can change it, the
+    /// innermost first.
     pub fn rule(&mut self, rule: &'static Rule, scopes: &[&[LevelAttr]], notes: Vec<(Mark, String)>) {
-        let severity = rule.severity_in(scopes);
+        debug_assert_eq!(rule.default, rule.in_sfc, "`{}` has two levels", rule.name);
+        self.rule_in(Dialect::Grafcet, rule, scopes, notes);
+    }
+
+    /// A chart of `dialect` breaks `rule`.
+    pub fn rule_in(
+        &mut self,
+        dialect: Dialect,
+        rule: &'static Rule,
+        scopes: &[&[LevelAttr]],
+        notes: Vec<(Mark, String)>,
+    ) {
+        let severity = rule.severity_in(dialect, scopes);
         if severity != Severity::Allow {
             self.diagnostics.push(Diagnostic { rule: Some(rule), severity, notes });
         }

@@ -1,6 +1,6 @@
 //! The table of rules: one row a rule, in the order of the page of rules.
 
-use crate::ast::LevelAttr;
+use crate::ast::{Dialect, LevelAttr};
 
 /// How loud a broken rule is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
@@ -18,32 +18,51 @@ pub enum Severity {
 pub struct Rule {
     /// What `allow(grafcet::…)` takes and what every message ends with.
     pub name: &'static str,
-    /// The level without any attribute.
+    /// The level in a `grafcet` without any attribute.
     pub default: Severity,
+    /// The level in an `sfc` without any attribute.
+    pub in_sfc: Severity,
     /// Whether an attribute may lower the level.
     pub can_be_allowed: bool,
 }
 
 impl Rule {
+    /// The level in a chart of this dialect without any attribute.
+    #[must_use]
+    pub fn default_in(&self, dialect: Dialect) -> Severity {
+        if dialect == Dialect::Sfc { self.in_sfc } else { self.default }
+    }
+
     /// The level in force under these lint attributes, the innermost scope first.
     #[must_use]
-    pub fn severity_in(&self, scopes: &[&[LevelAttr]]) -> Severity {
+    pub fn severity_in(&self, dialect: Dialect, scopes: &[&[LevelAttr]]) -> Severity {
         let wanted = scopes.iter().flat_map(|s| s.iter().rev()).find(|l| l.rule == self.name);
+        let default = self.default_in(dialect);
         match wanted {
-            Some(level) if self.can_be_allowed || level.severity > self.default => level.severity,
-            _ => self.default,
+            Some(level) if self.can_be_allowed || level.severity > default => level.severity,
+            _ => default,
         }
     }
 }
 
 /// Error: no attribute takes it back.
 const fn error(name: &'static str) -> Rule {
-    Rule { name, default: Severity::Deny, can_be_allowed: false }
+    Rule { name, default: Severity::Deny, in_sfc: Severity::Deny, can_be_allowed: false }
 }
 
 /// Error by default, can be allowed.
 const fn deny(name: &'static str) -> Rule {
-    Rule { name, default: Severity::Deny, can_be_allowed: true }
+    Rule { name, default: Severity::Deny, in_sfc: Severity::Deny, can_be_allowed: true }
+}
+
+/// Error by default in a `grafcet`, a warning in an `sfc`.
+const fn warn_in_sfc(name: &'static str) -> Rule {
+    Rule { name, default: Severity::Deny, in_sfc: Severity::Warn, can_be_allowed: true }
+}
+
+/// Warning by default.
+const fn warn(name: &'static str) -> Rule {
+    Rule { name, default: Severity::Warn, in_sfc: Severity::Warn, can_be_allowed: true }
 }
 
 macro_rules! rules {
@@ -78,7 +97,14 @@ rules! {
     EDGE_IN_ASSIGNATION = error("edge_in_assignation");
     EVENT_WITHOUT_EDGE = error("event_without_edge");
     MIXED_MODES = error("mixed_modes");
-    WRITE_RACE = deny("write_race");
+    WRITE_RACE = warn_in_sfc("write_race");
+    SET_WITHOUT_RESET = warn("set_without_reset");
+    RESET_WITHOUT_SET = warn("reset_without_set");
+    UNUSED_INPUT = warn("unused_input");
+    UNDRIVEN_OUTPUT = warn("undriven_output");
+    UNUSED_VARIABLE = warn("unused_variable");
+    UNUSED_ACTION = warn("unused_action");
+    UNUSED_PARAM = warn("unused_param");
     FORCING_CIRCLE = error("forcing_circle");
     TWO_MASTERS = error("two_masters");
     FORCED_STEP_OUTSIDE = error("forced_step_outside");
@@ -103,14 +129,7 @@ const LATER: &[&str] = &[
     "possible_instability",
     "level_source_transition",
     "conflicting_values",
-    "set_without_reset",
-    "reset_without_set",
     "timed_contention",
-    "unused_input",
-    "undriven_output",
-    "unused_variable",
-    "unused_action",
-    "unused_param",
     "property_violated",
     "property_undecided",
 ];

@@ -1,6 +1,6 @@
 //! Questions that several passes ask of a model.
 
-use super::{Effect, Expr, Model, Name, Place, Read, Tree, Ty};
+use super::{Effect, Expr, LevelAttr, Model, Name, Place, Read, Tree, Ty};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
@@ -30,6 +30,15 @@ impl Model {
         self.associations.values().any(|a| a.time.is_some()) || self.expressions().any(|reads| reads.iter().any(timed))
     }
 
+    /// The lint attributes of a declared place, without those of the chart.
+    #[must_use]
+    pub fn levels_of_place(&self, place: Place) -> &[LevelAttr] {
+        match place {
+            Place::Output(id) => &self.outputs[id].levels,
+            Place::Var(id) => &self.vars[id].levels,
+        }
+    }
+
     /// The name of a place as the user wrote it.
     #[must_use]
     pub fn place_name(&self, place: Place) -> &syn::Ident {
@@ -56,6 +65,24 @@ impl Model {
         match place {
             Place::Output(id) => &self.outputs[id].ty,
             Place::Var(id) => &self.vars[id].ty,
+        }
+    }
+}
+
+impl Tree {
+    /// Calls `f` with everything the tree mentions, in order.
+    pub fn each_read(&self, f: &mut impl FnMut(Read)) {
+        match self {
+            Tree::Bool(_) | Tree::Int(_) => {}
+            Tree::Read(read) => f(*read),
+            Tree::Elapsed(time, step) => f(Read::Elapsed(*time, *step)),
+            Tree::MacroElapsed(time, id) => f(Read::MacroElapsed(*time, *id)),
+            Tree::Unary(_, inner) => inner.each_read(f),
+            Tree::Binary(_, a, b) => {
+                a.each_read(f);
+                b.each_read(f);
+            }
+            Tree::Opaque { reads, .. } => reads.iter().for_each(|read| f(*read)),
         }
     }
 }

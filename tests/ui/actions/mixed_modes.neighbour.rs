@@ -19,7 +19,7 @@ grafcet! {
         output light: bool;
 
         initial step Dark { R light; }
-        step Lit { N light; }
+        step Lit { S light; }
 
         Dark -[start]-> Lit -[!start]-> Dark;
     }

@@ -20,7 +20,7 @@ grafcet! {
     grafcet Plant {
         #![allow(grafcet::write_race)]
         input a, b: bool;
-        var mode: u8 = 0;
+        output mode: u8 = 0;
 
         initial step One;
         step Two { P1 mode = 1; }

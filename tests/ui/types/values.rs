@@ -3,6 +3,7 @@ use grafcet::{Phase, grafcet};
 
 grafcet! {
     sfc Initial {
+        #![allow(grafcet::undriven_output)]
         output relay: bool = 1;
         initial step Off;
     }
@@ -10,6 +11,7 @@ grafcet! {
 
 grafcet! {
     sfc Stored {
+        #![allow(grafcet::unused_variable)]
         var count: u16 = "none";
         initial step Off { P1 count = 0; }
     }
@@ -17,6 +19,7 @@ grafcet! {
 
 grafcet! {
     sfc Recipe {
+        #![allow(grafcet::unused_param)]
         param limit: u16 = true;
         initial step Off;
     }

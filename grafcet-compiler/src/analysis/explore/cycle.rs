@@ -1,7 +1,8 @@
 //! What one cycle does, in both dialects, as far as it matters to the situations.
 
 use super::net::Net;
-use super::scene::{Scene, Snapshot, State, When};
+use super::scene::{Scene, Snapshot, State};
+use super::waiting::arbitrate;
 use super::{grafcet, sfc};
 
 /// What happened in one run of a cycle.
@@ -14,7 +15,7 @@ pub(super) struct Done {
     /// Transitions enabled in some evolution; in the first they can be seen from the situation.
     pub(super) enabled_later: Vec<usize>,
     /// Situations between the first and the last of the cycle.
-    pub(super) transient: Vec<usize>,
+    pub(super) transient: Vec<Vec<usize>>,
     /// A step activated while it was active and not left, and the transition that did it.
     pub(super) doubled: Vec<(usize, usize)>,
     /// The search for stability was stopped by its bound.
@@ -50,14 +51,14 @@ pub(super) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<u
     enabled
 }
 
-/// Runs one cycle from `state`; the transitions in `still` do not clear.
-pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize], still: &[usize]) -> (State, Done) {
+/// Runs one cycle from `state`.
+pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (State, Done) {
     scene.begin(state);
     let mut done = Done::default();
     let when = if scene.net.grafcet {
-        grafcet::cycle(scene, state, enabled, still, &mut done)
+        grafcet::cycle(scene, state, enabled, &mut done)
     } else {
-        sfc::cycle(scene, state, enabled, still, &mut done)
+        sfc::cycle(scene, state, enabled, &mut done)
     };
     let before = scene.sample(when).into_boxed_slice();
     let Snapshot { active, slots } = &scene.now;
@@ -89,16 +90,10 @@ pub(super) fn note_doubled(net: &Net, active: &[usize], left: &[usize], cleared:
     }
 }
 
-/// Whether the transition clears in this run, as far as its condition goes.
-pub(super) fn holds(scene: &mut Scene<'_>, transition: usize, still: &[usize]) -> bool {
-    let net = scene.net;
-    let arc = &net.arcs[transition];
-    if !still.is_empty() {
-        if still.contains(&transition) {
-            return false;
-        }
-        // What stands still could change what this one reads.
-        scene.spoilt |= !arc.plain;
+/// The transitions whose conditions are to be looked at, of those enabled at the start of a cycle.
+pub(super) fn tried(scene: &mut Scene<'_>, enabled: &[usize]) -> Vec<usize> {
+    match scene.groups.clone() {
+        Some(groups) if scene.lazy => arbitrate(scene, &groups, true),
+        _ => enabled.to_vec(),
     }
-    scene.decide(&arc.condition, When::Now)
 }

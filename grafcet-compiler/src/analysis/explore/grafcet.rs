@@ -1,11 +1,12 @@
 //! The cycle of `grafcet`: the search for stability.
 
 use super::actions::Action;
-use super::cycle::{self, Done, evolve, holds, note_doubled};
+use super::cycle::{self, Done, evolve, note_doubled};
 use super::hierarchy;
 use super::scene::{Scene, Snapshot, State, When};
 use super::sfc::perform;
 use super::slots::Bit;
+use super::waiting;
 use crate::model::Qualifier;
 
 /// What the stored actions of one evolution do together.
@@ -15,7 +16,7 @@ struct Outcome {
     more: bool,
 }
 
-pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], still: &[usize], done: &mut Done) -> When {
+pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], done: &mut Done) -> When {
     let net = scene.net;
     if state.first {
         activate(scene);
@@ -24,23 +25,22 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], sti
     let mut evolutions = 0;
     let mut anchor: Option<Anchor> = None;
     loop {
-        let later;
-        let enabled = if evolutions == 0 {
-            enabled
+        let tried = if evolutions == 0 {
+            cycle::tried(scene, enabled)
         } else {
-            later = cycle::enabled(net, scene.unit, &scene.now.active);
-            done.enabled_later.extend(&later);
-            &later
+            let enabled = cycle::enabled(net, scene.unit, &scene.now.active);
+            done.enabled_later.extend(&enabled);
+            if scene.lazy { waiting::later(scene, &enabled) } else { enabled }
         };
         fireable.clear();
-        for transition in enabled {
-            if holds(scene, *transition, still) {
-                fireable.push(*transition);
+        for transition in tried {
+            if scene.decide(&net.arcs[transition].condition, When::Now) {
+                fireable.push(transition);
             }
         }
         done.able.extend(&fireable);
         let (after, cleared) = step(scene, &fireable, done);
-        let outcome = actions(scene, &after, &cleared, !still.is_empty());
+        let outcome = actions(scene, &after, &cleared);
         let changes = outcome.more
             || after != scene.now.active
             || outcome.writes.iter().any(|(slot, bit)| scene.now.slots[*slot] != *bit);
@@ -55,7 +55,7 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], sti
         evolutions += 1;
         done.cleared.extend(cleared);
         commit(scene, after, outcome.writes);
-        done.transient.extend(&scene.now.active);
+        done.transient.push(scene.now.active.clone());
         evolutions = skip(scene, evolutions, &mut anchor);
     }
 }
@@ -63,7 +63,7 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], sti
 /// A37: the activation of the initial situation is an evolution of its own, before which no step is active.
 fn activate(scene: &mut Scene<'_>) {
     let after = std::mem::take(&mut scene.now.active);
-    let outcome = actions(scene, &after, &[], false);
+    let outcome = actions(scene, &after, &[]);
     scene.now.active = after;
     outcome.writes.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
 }
@@ -123,7 +123,7 @@ fn skip(scene: &mut Scene<'_>, evolution: usize, anchor: &mut Option<Anchor>) ->
 }
 
 /// The stored actions of an evolution to `after`: all see the values from before it (A5).
-fn actions(scene: &mut Scene<'_>, after: &[usize], cleared: &[usize], separate: bool) -> Outcome {
+fn actions(scene: &mut Scene<'_>, after: &[usize], cleared: &[usize]) -> Outcome {
     let mut outcome = Outcome { writes: Vec::new(), more: false };
     let net = scene.net;
     if net.actions.is_empty() {
@@ -138,21 +138,21 @@ fn actions(scene: &mut Scene<'_>, after: &[usize], cleared: &[usize], separate: 
     due.sort_unstable();
     for number in due {
         let action = &net.actions.stored[number];
-        if occurs(scene, action, &before, after, separate) {
-            run(scene, action, separate, &mut outcome);
+        if occurs(scene, action, &before, after) {
+            run(scene, action, &mut outcome);
         }
     }
     for transition in cleared {
         for action in net.actions.clearing.get(transition).into_iter().flatten() {
-            run(scene, action, separate, &mut outcome);
+            run(scene, action, &mut outcome);
         }
     }
     outcome
 }
 
-fn run(scene: &mut Scene<'_>, action: &Action, separate: bool, outcome: &mut Outcome) {
+fn run(scene: &mut Scene<'_>, action: &Action, outcome: &mut Outcome) {
     scene.own.clear();
-    perform(scene, &action.program, separate);
+    perform(scene, &action.program);
     let written = std::mem::take(&mut scene.own);
     // The last in the source wins.
     outcome.writes.retain(|(slot, _)| written.iter().all(|(other, _)| other != slot));
@@ -164,7 +164,7 @@ fn run(scene: &mut Scene<'_>, action: &Action, separate: bool, outcome: &mut Out
 }
 
 /// Whether the event of a stored action occurs in this evolution, and its condition holds.
-fn occurs(scene: &mut Scene<'_>, action: &Action, before: &[usize], after: &[usize], separate: bool) -> bool {
+fn occurs(scene: &mut Scene<'_>, action: &Action, before: &[usize], after: &[usize]) -> bool {
     let was = before.binary_search(&action.step).is_ok();
     let is = after.binary_search(&action.step).is_ok();
     let occurs = match action.qualifier {
@@ -175,7 +175,7 @@ fn occurs(scene: &mut Scene<'_>, action: &Action, before: &[usize], after: &[usi
     if !occurs {
         return false;
     }
-    scene.spoilt |= separate && (action.event.is_some() || action.condition.is_some());
+    scene.spoilt |= scene.is_waited() && (action.event.is_some() || action.condition.is_some());
     let event = action.event.as_ref().is_none_or(|event| scene.decide(event, When::Now));
     event && action.condition.as_ref().is_none_or(|condition| scene.decide(condition, When::Now))
 }

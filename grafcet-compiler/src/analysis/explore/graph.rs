@@ -53,8 +53,7 @@ impl Future {
                 self.note_changes(net, &mut row, &state.active, &graph.states[edge.to].active);
                 for transition in &edge.cleared {
                     set(&mut row, net.unit_of_arc(*transition));
-                    let arc = &net.arcs[*transition];
-                    for source in arc.sources.iter().filter(|source| !arc.targets.contains(source)) {
+                    for source in &net.arcs[*transition].sources {
                         self.set(&mut row, self.wait(*source));
                     }
                 }

@@ -25,6 +25,7 @@ mod sfc;
 mod slots;
 mod units;
 mod verdicts;
+mod waiting;
 
 use std::collections::BTreeMap;
 
@@ -34,7 +35,7 @@ use self::graph::Future;
 use self::net::Net;
 use self::search::{Graph, Search, Seen};
 use self::verdicts::Report;
-use super::{Concurrency, Relation};
+use super::Concurrency;
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 
 /// How much is explored before the search gives up.
@@ -46,7 +47,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { work: 100_000 }
+        Self { work: 150_000 }
     }
 }
 
@@ -85,6 +86,8 @@ pub struct Exploration {
     stuck_joins: Vec<StuckJoin>,
     /// The most active steps, where all is covered.
     max_active: Option<usize>,
+    /// Something was taken as unknown.
+    approximate: bool,
     work: u64,
 }
 
@@ -92,32 +95,36 @@ impl Exploration {
     /// Explores a chart.
     #[must_use]
     pub fn of(model: &Model, limits: &Limits) -> Self {
-        Self::watching(model, limits, &[], &[])
+        Self::watching(model, limits, &[])
     }
 
     /// Explores a chart, and evaluates boolean expressions at the end of each cycle, on its inputs, outputs and situation.
-    /// Inputs for which one of `assumed_never` holds are left out.
     #[must_use]
-    pub fn watching(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+    pub fn watching(model: &Model, limits: &Limits, watched: &[&Tree]) -> Self {
+        Self::assuming(model, limits, watched, &[])
+    }
+
+    /// The same without the inputs for which one of `assumed_never` holds.
+    #[must_use]
+    pub fn assuming(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
         let net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         // A long chart has many situations without being complicated.
         let limit = limits.work.saturating_add(40 * (net.leaving.len() + net.arcs.len()) as u64);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
-        let share = if several { limit / 2 } else { limit };
-        let (whole, mut work) = Search::new(&net, None, share, &mut seen).run();
+        let mut budget = Budget { limit, work: 0 };
+        let (whole, approximate) = explore_whole(&net, several, &mut budget, &mut seen);
         let mut covered = vec![whole.complete; net.units];
         let mut pieces = Vec::new();
         if !whole.complete && several {
             for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {
-                let left = limit.saturating_sub(work);
-                let (graph, spent) = Search::new(&net, Some(unit), left, &mut seen).run();
-                work += spent;
+                let search = Search::new(&net, Some(unit), true, budget.left(), &mut seen);
+                let graph = budget.run(search);
                 covered[unit] = graph.complete;
                 pieces.push(graph);
             }
         }
-        let structure = (!covered.iter().all(|covered| *covered)).then(|| Concurrency::of(model));
+        let structure = (!whole.complete).then(|| Concurrency::of(model));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
             unsafe_steps: BTreeMap::new(),
@@ -129,7 +136,8 @@ impl Exploration {
             whole,
             covered,
             structure,
-            work,
+            approximate,
+            work: budget.work,
         };
         exploration.judge(&pieces);
         exploration
@@ -162,7 +170,7 @@ impl Exploration {
     /// Complete, and nothing was taken as unknown: what is said to happen really can.
     #[must_use]
     pub fn is_exact(&self) -> bool {
-        self.whole.complete && !self.net.approximate
+        self.whole.complete && !self.approximate
     }
 
     /// The units of work it took.
@@ -226,21 +234,16 @@ impl Exploration {
         &self.stuck_joins
     }
 
-    /// Which steps are active together at the end of some cycle; `None` if not everything was seen.
+    /// Whether two different steps can be active together, transient situations included; `true` also where that could not
+    /// be excluded.
     #[must_use]
-    pub fn together(&self) -> Option<Relation> {
-        if !self.whole.complete {
-            return None;
+    pub fn together(&self, a: StepId, b: StepId) -> bool {
+        let unit = self.net.unit_of[a.index()];
+        let covered = self.covered[unit] && (self.whole.complete || unit == self.net.unit_of[b.index()]);
+        match &self.structure {
+            Some(structure) if !covered => structure.together(a, b),
+            _ => self.seen.together.contains(a.index(), b.index()),
         }
-        let mut relation = Relation::new(self.net.leaving.len());
-        for state in &self.whole.states {
-            for (i, a) in state.active.iter().enumerate() {
-                for b in &state.active[i + 1..] {
-                    relation.insert(*a, *b);
-                }
-            }
-        }
-        Some(relation)
     }
 
     /// The most steps that are ever active at the end of a cycle; `None` if not everything was seen.
@@ -288,4 +291,39 @@ impl Exploration {
             None => Answer::Never,
         }
     }
+}
+
+/// The units of work that are left.
+struct Budget {
+    limit: u64,
+    work: u64,
+}
+
+impl Budget {
+    fn left(&self) -> u64 {
+        self.limit.saturating_sub(self.work)
+    }
+
+    fn run(&mut self, search: Search<'_, '_>) -> Graph {
+        let (graph, work) = search.run();
+        self.work += work;
+        graph
+    }
+}
+
+/// The whole chart, as far as the budget suffices, and whether something was taken as unknown.
+///
+/// A search for stability that does not come to an end stops wherever its bound lies. That is followed exactly in small
+/// charts only; in larger ones what has nothing to do with each other is not tried in all combinations.
+fn explore_whole(net: &Net, several: bool, budget: &mut Budget, seen: &mut Seen) -> (Graph, bool) {
+    let share = if several { budget.limit / 2 } else { budget.limit };
+    if !net.grafcet {
+        return (budget.run(Search::new(net, None, true, share, seen)), net.approximate);
+    }
+    let lazy = net.is_calm(None);
+    let graph = budget.run(Search::new(net, None, false, if lazy { share / 2 } else { share }, seen));
+    if graph.complete || !lazy {
+        return (graph, net.approximate);
+    }
+    (budget.run(Search::new(net, None, true, share / 2, seen)), true)
 }

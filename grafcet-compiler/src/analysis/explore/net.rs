@@ -17,8 +17,10 @@ pub(super) struct Arc {
     pub(super) partial: usize,
     /// The atoms of the condition.
     pub(super) atoms: Vec<usize>,
-    /// The condition reads nothing that another transition can change: inputs, and the time of its own sources.
-    pub(super) plain: bool,
+    /// Steps that the condition reads, its sources excepted.
+    pub(super) reads_steps: Vec<usize>,
+    /// The condition reads variables that are followed.
+    pub(super) reads_slots: bool,
     /// The atoms that the edges in its condition look at.
     pub(super) edge_atoms: Vec<usize>,
 }
@@ -26,7 +28,6 @@ pub(super) struct Arc {
 /// A partial grafcet, as forcing and enclosing see it.
 pub(super) struct Part {
     pub(super) enclosed_by: Option<usize>,
-    pub(super) initial: Vec<usize>,
     pub(super) linked: Vec<usize>,
     /// The orders it may get: from which step, and which.
     pub(super) orders: Vec<(usize, Order)>,
@@ -65,8 +66,12 @@ pub(super) struct Net {
     pub(super) macros: Vec<Vec<usize>>,
     /// Per step the atoms that edges in its transitions and actions look at.
     pub(super) edge_atoms: Vec<Vec<usize>>,
-    /// Transitions that share a source, and not all of them.
-    pub(super) asymmetric: bool,
+    /// Atoms that edges look at.
+    pub(super) is_edge_atom: Vec<bool>,
+    /// Atoms of assumptions and watched expressions.
+    pub(super) is_common: Vec<bool>,
+    /// See [`Net::is_calm`]: of the whole chart, and of each piece alone.
+    calm: (bool, Vec<bool>),
     pub(super) watched: Vec<Formula>,
     pub(super) assumed_never: Vec<Formula>,
     /// Something is taken as unknown.
@@ -85,6 +90,7 @@ impl Net {
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();
         let Compiler { atoms, edges, shared, .. } = compiler;
+        let count = atoms.len();
         let (unit_of, units) = units::of(model);
         let mut net = Self {
             grafcet: model.is_grafcet(),
@@ -106,7 +112,9 @@ impl Net {
             is_final: model.steps.values().map(|step| step.is_final).collect(),
             macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).collect()).collect(),
             edge_atoms: vec![Vec::new(); model.steps.len()],
-            asymmetric: false,
+            is_edge_atom: vec![false; count],
+            is_common: vec![false; count],
+            calm: (true, vec![true; units]),
             watched,
             assumed_never,
             approximate,
@@ -117,35 +125,40 @@ impl Net {
         }
         net.draw(model, conditions);
         net.note_edges();
+        net.note_common();
+        net.note_calm();
         net
     }
 
     fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
         for (index, (transition, condition)) in model.transitions.values().zip(conditions).enumerate() {
-            let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+            let mut sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+            sources.sort_unstable();
             sources.iter().for_each(|source| self.leaving[*source].push(index));
             if sources.is_empty() {
                 self.sourceless.push(index);
             }
             let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
             self.collect(&condition, &mut atoms, &mut edge_atoms);
-            let own = |atom: &usize| match self.atoms[*atom].kind {
-                Kind::Free | Kind::Number(..) => true,
-                Kind::Step(step) | Kind::Since(step) => sources.contains(&step),
-                Kind::Macro(_) | Kind::MacroSince(_) | Kind::Slot(_) => false,
-            };
             for step in transition.sources.iter().chain(&transition.targets) {
                 self.has_arcs[self.unit_of[step.index()]] = true;
             }
-            let plain = edge_atoms.is_empty() && atoms.iter().all(own);
+            let mut reads_steps: Vec<usize> = Vec::new();
+            for atom in &atoms {
+                match self.atoms[*atom].kind {
+                    Kind::Step(step) | Kind::Since(step) => reads_steps.push(step),
+                    Kind::Macro(id) | Kind::MacroSince(id) => reads_steps.extend(&self.macros[id]),
+                    Kind::Free | Kind::Number(..) | Kind::Slot(_) => {}
+                }
+            }
+            // Its own sources are active when it is asked; an edge of them is another matter.
+            let is_step = |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_));
+            reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
+            let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
             let targets = transition.targets.iter().map(|step| step.index()).collect();
             let partial = transition.partial.index();
-            self.arcs.push(Arc { sources, targets, condition, partial, atoms, plain, edge_atoms });
+            self.arcs.push(Arc { sources, targets, condition, partial, atoms, reads_steps, reads_slots, edge_atoms });
         }
-        self.asymmetric = self.leaving.iter().any(|leaving| {
-            let same = |t: &usize| self.arcs[*t].sources == self.arcs[leaving[0]].sources;
-            !leaving.iter().all(same)
-        });
     }
 
     /// The atoms of a condition, those of its edges beside.
@@ -170,6 +183,54 @@ impl Net {
             }
             Formula::Shared(index) => self.collect(&self.shared[*index], atoms, edge_atoms),
         }
+    }
+
+    fn note_common(&mut self) {
+        let mut common = Vec::new();
+        for formula in self.watched.iter().chain(&self.assumed_never) {
+            self.collect(formula, &mut common, &mut Vec::new());
+        }
+        common.into_iter().for_each(|atom| self.is_common[atom] = true);
+        for atom in self.arcs.iter().flat_map(|arc| &arc.edge_atoms) {
+            self.is_edge_atom[*atom] = true;
+        }
+        for atom in self.edge_atoms.iter().flatten() {
+            self.is_edge_atom[*atom] = true;
+        }
+    }
+
+    /// See [`Net::is_calm`].
+    fn note_calm(&mut self) {
+        self.calm.0 = self.hierarchy.is_empty();
+        for (index, arc) in self.arcs.iter().enumerate() {
+            let unit = self.unit_of_arc(index);
+            let own = |step: &usize| self.unit_of[*step] == unit;
+            let asymmetric = |step: &usize| self.leaving[*step].iter().any(|t| self.arcs[*t].sources != arc.sources);
+            if arc.sources.iter().any(asymmetric) || arc.reads_slots || arc.sources.is_empty() {
+                self.calm.0 = false;
+                self.calm.1[unit] = false;
+            }
+            if !arc.reads_steps.is_empty() {
+                self.calm.0 = false;
+                self.calm.1[unit] &= !arc.reads_steps.iter().any(own);
+            }
+        }
+    }
+
+    /// `grafcet`: whether the situation in which a search for stability ends is the same in whatever order transitions
+    /// clear, as long as the inputs stay: no transition takes a source from another that waits for more than that, and no
+    /// condition reads a step or a variable that others change.
+    pub(super) fn is_calm(&self, unit: Option<usize>) -> bool {
+        unit.map_or(self.calm.0, |unit| self.calm.1[unit])
+    }
+
+    /// Whether the edge looks at one of these atoms.
+    pub(super) fn edge_reads(&self, edge: usize, among: &[usize]) -> bool {
+        let mut atoms = Vec::new();
+        if let Some(of) = &self.edges[edge] {
+            self.collect(of, &mut atoms, &mut Vec::new());
+        }
+        atoms.iter().any(|atom| among.binary_search(atom).is_ok())
     }
 
     /// Which atoms' values must be remembered while a step is active, because an edge may be asked for in the next cycle.
@@ -257,7 +318,6 @@ fn parts(model: &Model) -> Vec<Part> {
     }
     let part = |(id, partial): (crate::model::PartialId, &crate::model::Partial)| Part {
         enclosed_by: partial.enclosed_by.map(|step| step.index()),
-        initial: pick(partial, |step| step.initial),
         linked: pick(partial, |step| step.linked),
         orders: orders.remove(&id.index()).unwrap_or_default(),
     };

@@ -1,9 +1,12 @@
 //! One cycle's valuation, as far as it has been asked for.
 
+use std::rc::Rc;
+
 use super::formula::{Formula, Kind};
 use super::knowledge::{Knowledge, Known, Tape};
 use super::net::Net;
 use super::slots::Bit;
+use super::waiting::{Groups, Waits};
 
 /// A situation at the end of a cycle, with what the next one remembers of it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -56,10 +59,23 @@ pub(super) struct Scene<'n> {
     pub(super) fresh: Vec<usize>,
     /// What the running block has written.
     pub(super) own: Vec<(usize, Bit)>,
-    /// Atoms of transitions that stand still in this run; asking for one spoils it.
+    /// Transitions that need not be tried in all combinations are not.
+    pub(super) lazy: bool,
+    /// How those that are enabled at the start are tried.
+    pub(super) groups: Option<Rc<Groups>>,
+    /// Transitions that wait in this run.
+    still: Vec<usize>,
+    is_still: Vec<bool>,
+    /// Atoms that only they read; asking for one spoils the run.
     reserved: Vec<bool>,
-    /// This run is not independent of what stands still in it.
+    reserved_atoms: Vec<usize>,
+    /// This run is not independent of what waits in it.
     pub(super) spoilt: bool,
+    /// Another run shows the same.
+    pub(super) redundant: bool,
+    pub(super) waits: Waits,
+    /// For trying out whether transitions can wait.
+    pub(super) trial: Option<Box<Scene<'n>>>,
     /// Units of work done.
     pub(super) work: u64,
 }
@@ -79,17 +95,24 @@ impl<'n> Scene<'n> {
             edgeless: false,
             fresh: Vec::new(),
             own: Vec::new(),
+            lazy: false,
+            groups: None,
+            still: Vec::new(),
+            is_still: vec![false; net.arcs.len()],
             reserved: vec![false; atoms],
+            reserved_atoms: Vec::new(),
             spoilt: false,
+            redundant: false,
+            waits: Waits::new(),
+            trial: None,
             work: 0,
         }
     }
 
     /// Begins a cycle.
     pub(super) fn begin(&mut self, state: &State) {
-        self.work += 2;
-        self.given.clear();
-        self.recorded.clear();
+        self.work += 2 + state.active.len() as u64;
+        self.reset();
         state.before.iter().for_each(|(atom, known)| self.recorded.learn(*atom, *known));
         self.now.active.clear();
         self.now.active.extend(&state.active[..]);
@@ -103,11 +126,82 @@ impl<'n> Scene<'n> {
             self.fresh.extend(&state.active[..]);
         }
         self.own.clear();
-        self.spoilt = false;
     }
 
-    pub(super) fn reserve(&mut self, atoms: &[usize], reserved: bool) {
-        atoms.iter().for_each(|atom| self.reserved[*atom] = reserved);
+    fn reset(&mut self) {
+        self.given.clear();
+        self.recorded.clear();
+        while let Some(transition) = self.still.pop() {
+            self.is_still[transition] = false;
+        }
+        while let Some(atom) = self.reserved_atoms.pop() {
+            self.reserved[atom] = false;
+        }
+        self.spoilt = false;
+        self.redundant = false;
+    }
+
+    /// Begins in the middle of another scene's cycle, knowing only this.
+    pub(super) fn resume(&mut self, other: &Self, given: &[(usize, Known)], recorded: &[(usize, Known)]) {
+        self.work += 1;
+        self.reset();
+        given.iter().for_each(|(atom, known)| self.given.learn(*atom, *known));
+        recorded.iter().for_each(|(atom, known)| self.recorded.learn(*atom, *known));
+        self.now.clone_from(&other.now);
+        self.start.clone_from(&other.start);
+        self.previous.clone_from(&other.previous);
+        self.edgeless = other.edgeless;
+        self.fresh.clone_from(&other.fresh);
+    }
+
+    /// What is known of these atoms in this cycle, and in the snapshot that edges compare with.
+    pub(super) fn knowledge_of(&self, atoms: &[usize]) -> (Vec<(usize, Known)>, Vec<(usize, Known)>) {
+        let known = |knowledge: &Knowledge| -> Vec<(usize, Known)> {
+            let pairs = atoms.iter().map(|atom| (*atom, knowledge.get(*atom)));
+            pairs.filter(|(_, known)| *known != Known::Unknown).collect()
+        };
+        (known(&self.given), known(&self.recorded))
+    }
+
+    /// The transitions wait in this cycle, under these values of what edges look at.
+    pub(super) fn wait(&mut self, transitions: &[usize], values: &[(usize, Known)]) {
+        let net = self.net;
+        values.iter().for_each(|(atom, known)| self.given.learn(*atom, *known));
+        for transition in transitions {
+            self.still.push(*transition);
+            self.is_still[*transition] = true;
+            for atom in &net.arcs[*transition].atoms {
+                let free = match net.atoms[*atom].kind {
+                    Kind::Free | Kind::Number(..) | Kind::Since(_) | Kind::MacroSince(_) => true,
+                    Kind::Step(step) => !self.is_own(step),
+                    Kind::Macro(id) => !self.owns(id),
+                    Kind::Slot(_) => false,
+                };
+                if free && !self.reserved[*atom] && !self.is_settled(*atom) {
+                    self.reserved[*atom] = true;
+                    self.reserved_atoms.push(*atom);
+                }
+            }
+        }
+    }
+
+    /// Whether the transition waits in this cycle.
+    pub(super) fn is_still(&self, transition: usize) -> bool {
+        self.is_still[transition]
+    }
+
+    /// Whether any transition does.
+    pub(super) fn is_waited(&self) -> bool {
+        !self.still.is_empty()
+    }
+
+    /// Whether nothing is left to be asked about the atom.
+    fn is_settled(&self, atom: usize) -> bool {
+        match self.given.get(atom) {
+            Known::Unknown => false,
+            Known::Bool(_) => true,
+            Known::Range(low, high) => low == high,
+        }
     }
 
     /// Whether the formula holds; what is not decided yet is decided now.
@@ -195,6 +289,10 @@ impl<'n> Scene<'n> {
         if self.reserved[atom] {
             self.spoilt = true;
         }
+        self.value_of(atom, when)
+    }
+
+    fn value_of(&self, atom: usize, when: When) -> Known {
         let net = self.net;
         let kind = net.atoms[atom].kind;
         if when == When::Before && self.previous.is_none() {
@@ -368,7 +466,7 @@ impl<'n> Scene<'n> {
         atoms.dedup();
         let mut sampled = Vec::new();
         for atom in atoms {
-            let known = self.value(atom, when);
+            let known = self.value_of(atom, when);
             let said = match net.atoms[atom].kind {
                 Kind::Number(low, high) => known != Known::Range(low, high),
                 Kind::Since(_) | Kind::MacroSince(_) => known != Known::Range(0, i128::from(u32::MAX)),

@@ -8,7 +8,8 @@ use super::knowledge::Known;
 use super::net::Net;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
-use super::units::Union;
+use super::waiting;
+use crate::analysis::Relation;
 
 /// What was seen on the way, in any part of the chart.
 #[derive(Debug)]
@@ -17,12 +18,29 @@ pub(super) struct Seen {
     pub(super) reachable: Vec<bool>,
     pub(super) enabled: Vec<bool>,
     pub(super) able: Vec<bool>,
+    /// Pairs of steps that were active together.
+    pub(super) together: Relation,
 }
 
 impl Seen {
     pub(super) fn nothing(net: &Net) -> Self {
         let arcs = net.arcs.len();
-        Self { reachable: vec![false; net.leaving.len()], enabled: vec![false; arcs], able: vec![false; arcs] }
+        let steps = net.leaving.len();
+        Self {
+            reachable: vec![false; steps],
+            enabled: vec![false; arcs],
+            able: vec![false; arcs],
+            together: Relation::new(steps),
+        }
+    }
+
+    fn situation(&mut self, active: &[usize]) {
+        for (position, step) in active.iter().enumerate() {
+            self.reachable[*step] = true;
+            for other in &active[position + 1..] {
+                self.together.insert(*step, *other);
+            }
+        }
     }
 }
 
@@ -49,6 +67,16 @@ pub(super) struct Edge {
     pub(super) joins: Box<[usize]>,
 }
 
+/// A cycle that activates a step while it is active.
+#[derive(Debug)]
+pub(super) struct Doubled {
+    pub(super) from: usize,
+    pub(super) cycle: Cycle,
+    pub(super) by: usize,
+    /// The situation at its end.
+    pub(super) end: Box<[usize]>,
+}
+
 /// The states of a chart, or of a piece of it.
 #[derive(Debug)]
 pub(super) struct Graph {
@@ -58,8 +86,8 @@ pub(super) struct Graph {
     pub(super) edges: Vec<Vec<Edge>>,
     /// States that stand for what another part of the chart does to this one.
     pub(super) entries: Vec<usize>,
-    /// Step, the transition that activates it while it is active, and the cycle in which it does, from that state.
-    pub(super) doubled: BTreeMap<usize, (usize, usize, Cycle)>,
+    /// The steps that were activated while they were active.
+    pub(super) doubled: BTreeMap<usize, Doubled>,
     /// Per watched expression: from which state on which cycle ends with it holding, and the state at its end.
     pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
     /// All of it was explored.
@@ -83,12 +111,14 @@ pub(super) struct Search<'n, 's> {
     limit: u64,
     /// Slots that other pieces write, too.
     foreign: Vec<usize>,
+    /// What has nothing to do with each other is not tried in all combinations.
+    lazy: bool,
     /// Orders or an enclosing step can hold the piece as it is.
     commanded: bool,
 }
 
 impl<'n, 's> Search<'n, 's> {
-    pub(super) fn new(net: &'n Net, unit: Option<usize>, limit: u64, seen: &'s mut Seen) -> Self {
+    pub(super) fn new(net: &'n Net, unit: Option<usize>, lazy: bool, limit: u64, seen: &'s mut Seen) -> Self {
         let foreign = unit.map_or_else(Vec::new, |unit| net.foreign_slots(unit));
         let graph = Graph {
             unit,
@@ -100,7 +130,7 @@ impl<'n, 's> Search<'n, 's> {
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
         };
-        Self { scene: Scene::new(net, unit), graph, index: BTreeMap::new(), seen, limit, foreign, commanded: false }
+        Self { scene: Scene::new(net, unit), graph, index: BTreeMap::new(), seen, limit, foreign, lazy, commanded: false }
     }
 
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
@@ -156,7 +186,6 @@ impl<'n, 's> Search<'n, 's> {
         } else {
             slots.fill(Bit::Any);
         }
-        active.iter().for_each(|step| self.seen.reachable[*step] = true);
         let state = State { first, active: active.into(), slots: slots.into(), before: Box::default() };
         self.insert(state, None)
     }
@@ -172,6 +201,7 @@ impl<'n, 's> Search<'n, 's> {
         if let Some(known) = self.index.get(&state) {
             return *known;
         }
+        self.seen.situation(&state.active);
         let (number, state) = (self.graph.states.len(), Rc::new(state));
         self.index.insert(Rc::clone(&state), number);
         self.graph.states.push(state);
@@ -188,14 +218,13 @@ impl<'n, 's> Search<'n, 's> {
         if !(state.first && !net.grafcet) {
             enabled.iter().for_each(|transition| self.seen.enabled[*transition] = true);
         }
-        let apart = if enabled.len() > 1 && !state.first { self.apart(&state, &enabled) } else { None };
-        let leaves = match apart {
-            Some(leaves) => leaves,
-            None => match self.runs(&state, &enabled, &[]) {
-                Some(leaves) => leaves,
-                None => return false,
-            },
-        };
+        let mut leaves = None;
+        if self.lazy && !(state.first && !net.grafcet) {
+            self.scene.begin(&state);
+            self.scene.groups = waiting::at_start(&mut self.scene, &enabled).map(Rc::new);
+            leaves = self.runs(&state, &enabled, true);
+        }
+        let Some(leaves) = leaves.or_else(|| self.runs(&state, &enabled, false)) else { return false };
         leaves.into_iter().for_each(|leaf| self.commit(number, leaf));
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
@@ -211,13 +240,14 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.work < self.limit
     }
 
-    /// Runs the cycle under all valuations. None if the budget ran out or the runs turned out to depend on what stands
-    /// still.
-    fn runs(&mut self, state: &State, enabled: &[usize], still: &[usize]) -> Option<Vec<Leaf>> {
+    /// Runs the cycle under all valuations; `lazy`: transitions that have nothing to do with each other one at a time. None
+    /// if the budget ran out, or they do have to do with each other.
+    fn runs(&mut self, state: &State, enabled: &[usize], lazy: bool) -> Option<Vec<Leaf>> {
         let mut leaves = Vec::new();
+        self.scene.lazy = lazy;
         self.scene.tape.restart();
         loop {
-            let (mut next, done) = cycle::run(&mut self.scene, state, enabled, still);
+            let (mut next, done) = cycle::run(&mut self.scene, state, enabled);
             self.foreign.iter().for_each(|slot| next.slots[*slot] = Bit::Any);
             let mut watched = Vec::new();
             self.scene.forget_volatile();
@@ -227,11 +257,13 @@ impl<'n, 's> Search<'n, 's> {
                 }
             }
             let assumed = self.is_assumed();
-            if self.scene.spoilt && !still.is_empty() {
+            if self.scene.spoilt {
                 return None;
             }
-            if assumed {
-                leaves.push(Leaf { next, done, given: self.scene.decided(), watched });
+            if assumed && !self.scene.redundant {
+                let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
+                let given = if news { self.scene.decided() } else { Vec::new() };
+                leaves.push(Leaf { next, done, given, watched });
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -257,45 +289,16 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    /// Where several transitions are enabled that have nothing to do with each other, and each may as well wait, one after
-    /// the other leads to the same situations as all combinations. None where that is not so.
-    fn apart(&mut self, state: &State, enabled: &[usize]) -> Option<Vec<Leaf>> {
-        let net = self.scene.net;
-        if enabled.iter().any(|transition| !net.arcs[*transition].plain) || net.grafcet && net.asymmetric {
-            return None;
-        }
-        let clusters = clusters(net, enabled);
-        if clusters.len() < 2 {
-            return None;
-        }
-        let mut leaves = Vec::new();
-        for cluster in &clusters {
-            let still: Vec<usize> = enabled.iter().filter(|t| !cluster.contains(t)).copied().collect();
-            for transition in &still {
-                self.scene.reserve(&net.arcs[*transition].atoms, true);
-            }
-            let runs = self.runs(state, enabled, &still);
-            for transition in &still {
-                self.scene.reserve(&net.arcs[*transition].atoms, false);
-            }
-            let runs = runs?;
-            if !runs.iter().any(|leaf| leaf.done.cleared.is_empty() && leaf.next.active == state.active) {
-                return None;
-            }
-            leaves.extend(runs);
-        }
-        Some(leaves)
-    }
-
     fn commit(&mut self, from: usize, leaf: Leaf) {
         let net = self.scene.net;
         let Leaf { next, done, given, watched } = leaf;
-        next.active.iter().chain(&done.transient).for_each(|step| self.seen.reachable[*step] = true);
+        done.transient.iter().for_each(|active| self.seen.situation(active));
         done.able.iter().for_each(|transition| self.seen.able[*transition] = true);
         done.enabled_later.iter().for_each(|transition| self.seen.enabled[*transition] = true);
         let cycle = Cycle { given, cleared: done.cleared };
         for (step, by) in done.doubled {
-            self.graph.doubled.entry(step).or_insert_with(|| (from, by, cycle.clone()));
+            let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
+            self.graph.doubled.entry(step).or_insert_with(doubled);
         }
         for index in watched {
             if self.graph.watched[index].is_none() {
@@ -331,26 +334,4 @@ impl<'n, 's> Search<'n, 's> {
             }
         }
     }
-}
-
-/// The enabled transitions in groups that share neither sources nor atoms.
-fn clusters(net: &Net, enabled: &[usize]) -> Vec<Vec<usize>> {
-    let mut uses: Vec<(bool, usize, usize)> = Vec::new();
-    for (position, transition) in enabled.iter().enumerate() {
-        let arc = &net.arcs[*transition];
-        uses.extend(arc.sources.iter().map(|step| (false, *step, position)));
-        uses.extend(arc.atoms.iter().map(|atom| (true, *atom, position)));
-    }
-    uses.sort_unstable();
-    let mut union = Union::new(enabled.len());
-    for pair in uses.windows(2) {
-        if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
-            union.join(pair[0].2, pair[1].2);
-        }
-    }
-    let mut clusters: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (position, transition) in enabled.iter().enumerate() {
-        clusters.entry(union.root(position)).or_default().push(*transition);
-    }
-    clusters.into_values().collect()
 }

@@ -1,7 +1,7 @@
 //! The cycle of `sfc`: one evolution, then the actions.
 
 use super::actions::{Action, Command, Target};
-use super::cycle::{Done, evolve, holds, note_doubled};
+use super::cycle::{Done, evolve, note_doubled, tried};
 use super::formula::Formula;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
@@ -28,17 +28,17 @@ enum Effect<'n> {
     Run(&'n [Command]),
 }
 
-pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], still: &[usize], done: &mut Done) -> When {
+pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], done: &mut Done) -> When {
     let net = scene.net;
     let (mut left, mut targets): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     if !state.first {
-        for transition in enabled {
-            let arc = &net.arcs[*transition];
+        for transition in tried(scene, enabled) {
+            let arc = &net.arcs[transition];
             // A28: a step is left by the first transition in the source.
             let free = arc.sources.iter().all(|source| !left.contains(source));
-            if free && holds(scene, *transition, still) {
-                done.able.push(*transition);
-                done.cleared.push(*transition);
+            if free && scene.decide(&arc.condition, When::Now) {
+                done.able.push(transition);
+                done.cleared.push(transition);
                 left.extend(&arc.sources);
                 targets.extend(&arc.targets);
             }
@@ -65,26 +65,25 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], sti
     scene.forget_volatile();
     scene.fresh.extend(&entered);
     let before = if state.first { Vec::new() } else { state.active.to_vec() };
-    act(scene, &Change { left, entered, before }, !still.is_empty());
+    act(scene, &Change { left, entered, before });
     When::Sample
 }
 
 /// Rules 4 and 5: every action control, then the actions in their order.
-fn act(scene: &mut Scene<'_>, change: &Change, separate: bool) {
+fn act(scene: &mut Scene<'_>, change: &Change) {
     let net = scene.net;
     let steps = change.before.iter().chain(&scene.now.active);
-    let mut numbers: Vec<usize> =
-        steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
+    let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
     numbers.sort_unstable();
     numbers.dedup();
     let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();
     for number in numbers {
         match &net.actions.targets[number] {
             Target::Control { slot, flip_flop, by } => {
-                control(scene, change, separate, (*slot, *flip_flop), by, &mut runs);
+                control(scene, change, (*slot, *flip_flop), by, &mut runs);
             }
             Target::Assigned { slot, initial, by } => {
-                let active = by.iter().filter(|action| is_on(scene, change, separate, action)).next_back();
+                let active = by.iter().filter(|action| is_on(scene, change, action)).next_back();
                 let effect = match active {
                     Some(action) => Effect::Run(&action.program),
                     None => Effect::Put(*slot, *initial),
@@ -92,7 +91,7 @@ fn act(scene: &mut Scene<'_>, change: &Change, separate: bool) {
                 runs.push((Moment::Rest, by[0].position, effect));
             }
             Target::Own(action) => {
-                let on = is_on(scene, change, separate, action);
+                let on = is_on(scene, change, action);
                 let moment = match action.qualifier {
                     Qualifier::P0 if on => Moment::Leaving,
                     Qualifier::P1 if on => Moment::Entering,
@@ -113,7 +112,7 @@ fn act(scene: &mut Scene<'_>, change: &Change, separate: bool) {
             Effect::Put(slot, bit) => write(scene, slot, bit, &mut outputs),
             Effect::Run(program) => {
                 scene.own.clear();
-                perform(scene, program, separate);
+                perform(scene, program);
                 let written = std::mem::take(&mut scene.own);
                 written.into_iter().for_each(|(slot, bit)| write(scene, slot, bit, &mut outputs));
             }
@@ -134,14 +133,13 @@ fn write(scene: &mut Scene<'_>, slot: usize, bit: Bit, outputs: &mut Vec<(usize,
 fn control<'n>(
     scene: &mut Scene<'_>,
     change: &Change,
-    separate: bool,
     (slot, flip_flop): (usize, Option<usize>),
     by: &'n [Action],
     runs: &mut Vec<(Moment, usize, Effect<'n>)>,
 ) {
     let (mut set, mut reset, mut held) = (false, false, false);
     for action in by {
-        if is_on(scene, change, separate, action) {
+        if is_on(scene, change, action) {
             match action.qualifier {
                 Qualifier::S => set = true,
                 Qualifier::R => reset = true,
@@ -168,33 +166,33 @@ fn control<'n>(
 }
 
 /// Whether the step flag or the event of an association is true, and its condition.
-fn is_on(scene: &mut Scene<'_>, change: &Change, separate: bool, action: &Action) -> bool {
+fn is_on(scene: &mut Scene<'_>, change: &Change, action: &Action) -> bool {
     let steps = match action.qualifier {
         Qualifier::P | Qualifier::P1 => &change.entered,
         Qualifier::P0 => &change.left,
         _ => &scene.now.active,
     };
     steps.contains(&action.step)
-        && action.condition.as_ref().is_none_or(|condition| evaluate(scene, condition, separate))
+        && action.condition.as_ref().is_none_or(|condition| evaluate(scene, condition))
 }
 
-fn evaluate(scene: &mut Scene<'_>, formula: &Formula, separate: bool) -> bool {
+fn evaluate(scene: &mut Scene<'_>, formula: &Formula) -> bool {
     // An action that depends on anything may depend on what stands still in this run.
-    scene.spoilt |= separate && !matches!(formula, Formula::Const(_));
+    scene.spoilt |= scene.is_waited() && !matches!(formula, Formula::Const(_));
     scene.decide(formula, When::Now)
 }
 
 /// Runs a program; what it writes stands in `scene.own`.
-pub(super) fn perform(scene: &mut Scene<'_>, program: &[Command], separate: bool) {
+pub(super) fn perform(scene: &mut Scene<'_>, program: &[Command]) {
     for command in program {
         match command {
             Command::Set(slot, value) => {
-                let value = evaluate(scene, value, separate);
+                let value = evaluate(scene, value);
                 scene.own.push((*slot, Bit::from(value)));
             }
             Command::If(condition, then, otherwise) => {
-                let branch = if evaluate(scene, condition, separate) { then } else { otherwise };
-                perform(scene, branch, separate);
+                let branch = if evaluate(scene, condition) { then } else { otherwise };
+                perform(scene, branch);
             }
         }
     }

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::graph::Future;
-use super::knowledge::Known;
 use super::net::Net;
 use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
-use super::search::{Cycle, Graph};
+use super::knowledge::Known;
+use super::search::{Cycle, Doubled, Graph};
 use crate::model::{Id, PartialId, StepId, TransitionId};
 
 /// Turns numbers back into names.
@@ -63,13 +63,9 @@ impl Report<'_> {
 
     /// The steps that were activated while they were active.
     pub(super) fn activations(&self) -> Vec<(StepId, Activation)> {
-        let activation = |(step, (from, by, cycle)): (&usize, &(usize, usize, Cycle))| {
-            let mut path = self.path_to(*from);
-            let mut last = self.cycle(cycle, &[]);
-            // The situation at the end of this cycle is not what matters.
-            last.active = vec![StepId::new(*step)];
-            path.cycles.push(last);
-            (StepId::new(*step), Activation { path, by: TransitionId::new(*by) })
+        let activation = |(step, doubled): (&usize, &Doubled)| {
+            let path = self.path_beyond(doubled.from, &doubled.cycle, &doubled.end);
+            (StepId::new(*step), Activation { path, by: TransitionId::new(doubled.by) })
         };
         self.graph.doubled.iter().map(activation).collect()
     }

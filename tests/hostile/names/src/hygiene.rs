@@ -5,6 +5,7 @@ use grafcet::{Phase, grafcet};
 grafcet! {
     /// One active step.
     pub sfc Plain {
+        #![allow(grafcet::unused_variable, grafcet::set_without_reset, grafcet::reset_without_set)]
         input inputs, now, actions, self_, before, after, outputs, value, first, step, elapsed, steps, again: bool;
         output situation, stable, entered, reset, q: bool;
         var last: bool;
@@ -21,6 +22,7 @@ grafcet! {
 grafcet! {
     /// Parallel steps, times, edges, delays, calls, blocks.
     pub sfc Timed {
+        #![allow(grafcet::unused_variable, grafcet::set_without_reset)]
         input inputs, now, actions, before, after, outputs, value, first, input, done, elapsed, settled, soonest: bool;
         input since, time, ticks, duration, restart, left, flag: u16;
         output situation, region, region_0, region_1, set, steps: bool;

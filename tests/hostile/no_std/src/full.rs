@@ -66,6 +66,7 @@ grafcet! {
         output lamp, fan: bool;
         output burner: bool;
         output power: u8;
+        #[allow(grafcet::unused_variable)]
         var runs: u16 = 0;
         var hot: bool;
         param bake: time = 10s;

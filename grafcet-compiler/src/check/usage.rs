@@ -1,0 +1,165 @@
+//! `unused_input`, `undriven_output`, `unused_variable`, `unused_action`, `unused_param`: what is declared and takes no
+//! part in the chart. As in rustc, a name that begins with `_` says that this is meant.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::Ident;
+
+use crate::diagnostic::{Rule, Sink, rules};
+use crate::model::{Code, Effect, Expr, LevelAttr, Model, Name, Place, Read, Statement, TimeRef, Tree};
+use crate::plan::writes;
+
+pub(super) fn check(model: &Model, sink: &mut Sink) {
+    let usage = Usage::of(model);
+    let mut report = |rule: &'static Rule, name: &Ident, levels: &[LevelAttr], message: String| {
+        if !name.to_string().trim_start_matches("r#").starts_with('_') {
+            sink.rule(rule, &[levels, &model.levels], vec![(name.into(), message)]);
+        }
+    };
+    for (id, input) in model.inputs.iter().filter(|(id, _)| !usage.reads(Name::Input(*id))) {
+        let name = &model.inputs[id].name;
+        report(&rules::UNUSED_INPUT, name, &input.levels, format!("input `{name}` is never read; {}", mend(name)));
+    }
+    for (id, output) in model.outputs.iter().filter(|(id, _)| !usage.writes(Place::Output(*id))) {
+        let name = &model.outputs[id].name;
+        let message = format!(
+            "no action of the chart gives output `{name}` a value; let a step do so, delete it, or call it `_{name}` if \
+             that is meant"
+        );
+        report(&rules::UNDRIVEN_OUTPUT, name, &output.levels, message);
+    }
+    for (id, var) in model.vars.iter() {
+        let name = &var.name;
+        let message = match (usage.reads(Name::Var(id)), usage.writes(Place::Var(id))) {
+            (true, true) => continue,
+            (true, false) => {
+                format!(
+                    "variable `{name}` is read and never written; make it a `param`, write it, or call it `_{name}`"
+                )
+            }
+            (false, true) => format!("variable `{name}` is written and never read; {}", mend(name)),
+            (false, false) => format!("variable `{name}` is never used; {}", mend(name)),
+        };
+        report(&rules::UNUSED_VARIABLE, name, &var.levels, message);
+    }
+    for (id, action) in model.actions.iter() {
+        if !effects(model).any(|effect| matches!(effect, Effect::Call(called, _) if *called == id)) {
+            let name = &action.name;
+            let message = format!("action `{name}` is never called; {}", mend(name));
+            report(&rules::UNUSED_ACTION, name, &action.levels, message);
+        }
+    }
+    for (id, param) in model.params.iter().filter(|(id, _)| !usage.reads(Name::Param(*id))) {
+        let name = &model.params[id].name;
+        report(&rules::UNUSED_PARAM, name, &param.levels, format!("param `{name}` is never read; {}", mend(name)));
+    }
+}
+
+fn mend(name: &Ident) -> String {
+    format!("use it, delete it, or call it `_{name}` if that is meant")
+}
+
+fn effects(model: &Model) -> impl Iterator<Item = &Effect> {
+    let clearings = model.transitions.values().flat_map(|transition| &transition.clearing);
+    model.associations.values().map(|association| &association.effect).chain(clearings)
+}
+
+/// What the chart reads and writes.
+struct Usage {
+    read: BTreeSet<Name>,
+    written: BTreeSet<Place>,
+}
+
+impl Usage {
+    fn of(model: &Model) -> Self {
+        let mut usage = Self { read: BTreeSet::new(), written: effects(model).flat_map(writes).collect() };
+        for transition in model.transitions.values() {
+            usage.expr(&transition.condition);
+        }
+        for association in model.associations.values() {
+            association.condition.iter().chain(&association.event).for_each(|expr| usage.expr(expr));
+            usage.times(association.time);
+        }
+        for delay in model.delays.values() {
+            usage.expr(&delay.of);
+            usage.times([delay.on, delay.off]);
+        }
+        model.edges.values().for_each(|edge| usage.expr(&edge.of));
+        for effect in effects(model) {
+            match effect {
+                Effect::Control(_) => {}
+                Effect::Assign(place, value) => usage.assigned(*place, &value.reads),
+                Effect::Call(_, arguments) => arguments.iter().for_each(|argument| usage.expr(argument)),
+                Effect::Block(code) => usage.block(code),
+            }
+        }
+        usage
+    }
+
+    fn reads(&self, name: Name) -> bool {
+        self.read.contains(&name)
+    }
+
+    fn writes(&self, place: Place) -> bool {
+        self.written.contains(&place)
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        self.all(&expr.reads);
+    }
+
+    fn all(&mut self, reads: &[Read]) {
+        for read in reads {
+            match read {
+                Read::Name(name) => _ = self.read.insert(*name),
+                Read::Elapsed(time, _) | Read::MacroElapsed(time, _) => self.times([*time]),
+                _ => {}
+            }
+        }
+    }
+
+    fn times(&mut self, times: impl IntoIterator<Item = TimeRef>) {
+        for time in times {
+            match time {
+                TimeRef::Ticks(_) => {}
+                TimeRef::Param(id) => _ = self.read.insert(Name::Param(id)),
+                TimeRef::Var(id) => _ = self.read.insert(Name::Var(id)),
+            }
+        }
+    }
+
+    /// `count = count + 1` alone makes no use of `count`.
+    fn assigned(&mut self, place: Place, reads: &[Read]) {
+        let known = self.read.contains(&Name::from(place));
+        self.all(reads);
+        if let (false, Place::Var(id)) = (known, place) {
+            self.read.remove(&Name::Var(id));
+        }
+    }
+
+    fn block(&mut self, code: &Code) {
+        match &code.statements {
+            Some(statements) => self.statements(statements),
+            None => self.all(&code.reads),
+        }
+    }
+
+    fn statements(&mut self, statements: &[Statement]) {
+        for statement in statements {
+            match statement {
+                Statement::Assign(place, value) => self.assigned(*place, &reads_of(value)),
+                Statement::If(condition, then, otherwise) => {
+                    self.all(&reads_of(condition));
+                    self.statements(then);
+                    self.statements(otherwise);
+                }
+            }
+        }
+    }
+}
+
+fn reads_of(tree: &Tree) -> Vec<Read> {
+    let mut reads = Vec::new();
+    tree.each_read(&mut |read| reads.push(read));
+    reads
+}
