@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::formula::{Formula, Kind};
-use super::knowledge::{Knowledge, Known, Tape};
+use super::knowledge::{Known, Knowledge, Tape};
 use super::net::Net;
 use super::slots::Bit;
 use super::waiting::{Groups, Waits};
