@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits};
-use grafcet_compiler::model::{Id, Model, StepId, Tree};
+use grafcet_compiler::model::{Model, StepId, Tree};
 
 use super::facts;
 use super::graph::Graph;
@@ -34,7 +34,7 @@ pub struct Comparison {
 pub fn compare(model: &Model, graph: &Graph, watched: &[Tree], home: &[StepId]) -> Result<Comparison, String> {
     let verdicts = Verdicts::of(model, graph);
     let trees: Vec<&Tree> = watched.iter().collect();
-    let explored = Exploration::watching(model, &Limits::situations(1_000_000), &trees, &[]);
+    let explored = Exploration::watching(model, &Limits::situations(1_000_000), &trees);
     let exact = explored.is_exact() && !model.uses_time();
     let mut both = Both { model, graph, verdicts, explored, exact, differences: Vec::new() };
     both.differences.extend(facts::check(model, graph, &both.verdicts));
@@ -101,11 +101,10 @@ impl Both<'_> {
 
     fn pairs(&mut self) {
         let model = self.model;
-        let together = self.explored.together();
         for a in model.steps.ids() {
             for b in model.steps.ids().filter(|b| a < *b) {
-                let naive = self.graph.states.iter().any(|state| [a, b].iter().all(|s| state.situation.contains(s)));
-                let explored = together.as_ref().is_none_or(|relation| relation.contains(a.index(), b.index()));
+                let naive = self.verdicts.together.contains(&(a, b));
+                let explored = self.explored.together(a, b);
                 let names = || format!("{}, {}", model.steps[a].name, model.steps[b].name);
                 self.same("together", names, naive, explored);
             }

@@ -86,9 +86,7 @@ fn deadlocks(id: PartialId, model: &Model, graph: &Graph) -> BTreeSet<BTreeSet<S
     let moves = |edge: &Edge| {
         edge.done(model).iter().any(|evolution| {
             let changed = |step: &StepId| evolution.before.contains(step) != evolution.after.contains(step);
-            // A source transition whose targets are active already changes nothing; a self-loop is a way on.
-            let inner = |transition: &TransitionId| !model.transitions[*transition].sources.is_empty();
-            let cleared = |transition: &TransitionId| evolution.cleared.contains(transition) && inner(transition);
+            let cleared = |transition: &TransitionId| evolution.cleared.contains(transition);
             partial.transitions.iter().any(cleared) || partial.steps.iter().any(changed)
         })
     };
@@ -115,9 +113,8 @@ fn ends<'g>(id: PartialId, model: &'g Model, graph: &'g Graph, hope: &'g [bool])
 /// Whether a source of a convergence can come to wait for ever.
 fn stuck(join: TransitionId, source: StepId, model: &Model, graph: &Graph) -> bool {
     let leaves = |evolution: &Evolution| {
-        let cleared = evolution.cleared.iter().map(|id| &model.transitions[*id]);
-        // A self-loop does not end the waiting.
-        cleared.into_iter().any(|t| t.sources.contains(&source) && !t.targets.contains(&source))
+        // A self-loop leaves the step, too.
+        evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(&source))
             || evolution.before.contains(&source) && !evolution.after.contains(&source)
     };
     let enabled = |edge: &Edge| edge.evolutions.iter().any(|evolution| evolution.enabled.contains(&join));
