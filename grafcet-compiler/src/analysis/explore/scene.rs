@@ -426,14 +426,16 @@ impl<'n> Scene<'n> {
         }
     }
 
-    /// What was decided about this cycle, and about the moment before it.
-    pub(super) fn decided(&self) -> Vec<(usize, Known)> {
-        let mut decided: Vec<(usize, Known)> =
-            self.given.learnt().iter().map(|atom| (*atom, self.given.get(*atom))).collect();
-        decided.retain(|(_, known)| *known != Known::Unknown);
-        decided.sort_unstable();
-        decided.dedup();
-        decided
+    /// What was decided about this cycle, and about the cycle before it, ascending.
+    pub(super) fn decided(&self) -> (Vec<(usize, Known)>, Vec<(usize, Known)>) {
+        let decided = |knowledge: &Knowledge| {
+            let pairs = knowledge.learnt().iter().map(|atom| (*atom, knowledge.get(*atom)));
+            let mut pairs: Vec<_> = pairs.filter(|(_, known)| *known != Known::Unknown).collect();
+            pairs.sort_unstable();
+            pairs.dedup();
+            pairs
+        };
+        (decided(&self.given), decided(&self.recorded))
     }
 
     /// Whether something is known of an atom of the formula.

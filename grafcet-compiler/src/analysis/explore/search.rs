@@ -55,6 +55,8 @@ pub(super) struct Origin {
 #[derive(Clone, Debug)]
 pub(super) struct Cycle {
     pub(super) given: Vec<(usize, Known)>,
+    /// What it demands of the cycle before, because of edges.
+    pub(super) past: Vec<(usize, Known)>,
     pub(super) cleared: Vec<usize>,
 }
 
@@ -99,6 +101,7 @@ struct Leaf {
     next: State,
     done: Done,
     given: Vec<(usize, Known)>,
+    past: Vec<(usize, Known)>,
     watched: Vec<usize>,
 }
 
@@ -228,7 +231,7 @@ impl<'n, 's> Search<'n, 's> {
         leaves.into_iter().for_each(|leaf| self.commit(number, leaf));
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
-            let cycle = Cycle { given: Vec::new(), cleared: Vec::new() };
+            let cycle = Cycle { given: Vec::new(), past: Vec::new(), cleared: Vec::new() };
             let to = self.insert(held, Some(Origin { from: number, cycle }));
             self.graph.edges[number].push(Edge { to, cleared: Box::default(), joins: Box::default() });
         }
@@ -262,8 +265,8 @@ impl<'n, 's> Search<'n, 's> {
             }
             if assumed && !self.scene.redundant {
                 let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
-                let given = if news { self.scene.decided() } else { Vec::new() };
-                leaves.push(Leaf { next, done, given, watched });
+                let (given, past) = if news { self.scene.decided() } else { (Vec::new(), Vec::new()) };
+                leaves.push(Leaf { next, done, given, past, watched });
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -291,11 +294,11 @@ impl<'n, 's> Search<'n, 's> {
 
     fn commit(&mut self, from: usize, leaf: Leaf) {
         let net = self.scene.net;
-        let Leaf { next, done, given, watched } = leaf;
+        let Leaf { next, done, given, past, watched } = leaf;
         done.transient.iter().for_each(|active| self.seen.situation(active));
         done.able.iter().for_each(|transition| self.seen.able[*transition] = true);
         done.enabled_later.iter().for_each(|transition| self.seen.enabled[*transition] = true);
-        let cycle = Cycle { given, cleared: done.cleared };
+        let cycle = Cycle { given, past, cleared: done.cleared };
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
             self.graph.doubled.entry(step).or_insert_with(doubled);

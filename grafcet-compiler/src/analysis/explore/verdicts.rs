@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::formula::Kind;
 use super::graph::Future;
 use super::net::Net;
 use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
@@ -18,32 +19,40 @@ pub(super) struct Report<'n> {
 impl Report<'_> {
     /// The shortest way to a state.
     pub(super) fn path_to(&self, state: usize) -> Path {
-        let mut way = Vec::new();
-        let mut at = state;
+        self.path_with(state, &[])
+    }
+
+    /// The same, where at its end this is known of the atoms.
+    fn path_with(&self, state: usize, known: &[(usize, Known)]) -> Path {
+        let mut path = Path::default();
+        let (mut at, mut known) = (state, known.to_vec());
         while let Some(origin) = &self.graph.origins[at] {
-            way.push((origin.from, &origin.cycle, at));
+            let cycle = self.cycle(&origin.cycle, &known, &self.graph.states[at].active);
+            // The cycle that only enters the initial situation shows nothing.
+            if !(self.graph.states[origin.from].first && cycle.cleared.is_empty() && cycle.given.is_empty()) {
+                path.cycles.push(cycle);
+            }
+            known.clone_from(&origin.cycle.past);
             at = origin.from;
         }
-        let mut path = Path { start: steps(&self.graph.states[at].active), cycles: Vec::new() };
-        for (from, cycle, to) in way.into_iter().rev() {
-            // The cycle that only enters the initial situation shows nothing.
-            let entering = self.graph.states[from].first && cycle.cleared.is_empty();
-            if !entering {
-                path.cycles.push(self.cycle(cycle, &self.graph.states[to].active));
-            }
-        }
+        path.start = steps(&self.graph.states[at].active);
+        path.cycles.reverse();
         path
     }
 
     /// A way to a state, and one more cycle.
     pub(super) fn path_beyond(&self, from: usize, cycle: &Cycle, active: &[usize]) -> Path {
-        let mut path = self.path_to(from);
-        path.cycles.push(self.cycle(cycle, active));
+        let mut path = self.path_with(from, &cycle.past);
+        path.cycles.push(self.cycle(cycle, &[], active));
         path
     }
 
-    fn cycle(&self, cycle: &Cycle, active: &[usize]) -> PathCycle {
-        let given = cycle.given.iter().filter_map(|(atom, known)| {
+    /// A cycle; `later` is what the next one demands of it.
+    fn cycle(&self, cycle: &Cycle, later: &[(usize, Known)], active: &[usize]) -> PathCycle {
+        let inputs = |(atom, _): &&(usize, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
+        let later: Vec<_> = later.iter().filter(inputs).collect();
+        let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
+        let given = sooner.chain(later.iter().copied()).filter_map(|(atom, known)| {
             let demand = match known {
                 Known::Unknown => return None,
                 Known::Bool(value) => Demand::Is(*value),
@@ -103,11 +112,6 @@ impl Report<'_> {
         for (number, state) in self.graph.states.iter().enumerate().filter(|(_, state)| !state.first) {
             for step in state.active.iter().filter(|step| future.waiting.binary_search(step).is_ok()) {
                 if future.leaves(number, *step) {
-                    continue;
-                }
-                let unit = self.net.unit_of[*step];
-                let ended = self.part_of(&state.active, unit).iter().any(|step| self.net.is_final[*step]);
-                if ended || self.is_frozen(&state.active, unit) {
                     continue;
                 }
                 for join in self.net.leaving[*step].iter().filter(|t| future.joins.binary_search(t).is_ok()) {
