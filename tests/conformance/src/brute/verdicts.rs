@@ -24,7 +24,7 @@ pub struct Verdicts {
     pub unsafe_steps: BTreeSet<StepId>,
     /// Pairs of different steps that some situation contains, transient ones included, the smaller first.
     pub together: BTreeSet<(StepId, StepId)>,
-    /// Situations of a partial grafcet in which it stays for ever; those of one without any transition, empty
+    /// Situations of a partial grafcet (of a connected part of it) in which it stays for ever; those without transitions, empty
     /// ones, forced ones and those with a final step are none.
     pub deadlocks: BTreeSet<(PartialId, BTreeSet<StepId>)>,
     /// AND-convergences with an active source that is never left any more while the convergence is never enabled.
@@ -43,9 +43,8 @@ impl Verdicts {
             edge.evolutions.iter().for_each(|evolution| verdicts.evaluated(evolution, model));
             edge.done(model).iter().for_each(|evolution| verdicts.done(evolution, model));
         }
-        for partial in model.partials.ids().filter(|id| !model.partials[*id].transitions.is_empty()) {
-            let ends = deadlocks(partial, model, graph).into_iter().map(|steps| (partial, steps));
-            verdicts.deadlocks.extend(ends);
+        for piece in pieces(model) {
+            verdicts.deadlocks.extend(deadlocks(&piece, model, graph));
         }
         for (id, transition) in model.transitions.iter().filter(|(_, t)| t.sources.len() > 1) {
             let stuck = transition.sources.iter().filter(|source| stuck(id, **source, model, graph));
@@ -80,45 +79,65 @@ impl Verdicts {
     }
 }
 
-/// The situations of a partial grafcet from which it has no way on.
-fn deadlocks(id: PartialId, model: &Model, graph: &Graph) -> BTreeSet<BTreeSet<StepId>> {
-    let partial = &model.partials[id];
+/// Steps that transitions connect: a partial grafcet, or one of those that it consists of.
+struct Piece {
+    partial: PartialId,
+    steps: BTreeSet<StepId>,
+    transitions: BTreeSet<TransitionId>,
+}
+
+/// The pieces that have transitions.
+fn pieces(model: &Model) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for (id, transition) in model.transitions.iter() {
+        let mut piece = Piece {
+            partial: transition.partial,
+            steps: transition.sources.iter().chain(&transition.targets).copied().collect(),
+            transitions: BTreeSet::from([id]),
+        };
+        let (same, others): (Vec<Piece>, Vec<Piece>) =
+            pieces.into_iter().partition(|other| !other.steps.is_disjoint(&piece.steps));
+        for other in same {
+            piece.steps.extend(other.steps);
+            piece.transitions.extend(other.transitions);
+        }
+        pieces = others;
+        pieces.push(piece);
+    }
+    pieces
+}
+
+/// The situations of a piece from which it has no way on.
+fn deadlocks(piece: &Piece, model: &Model, graph: &Graph) -> BTreeSet<(PartialId, BTreeSet<StepId>)> {
     let moves = |edge: &Edge| {
         edge.done(model).iter().any(|evolution| {
             let changed = |step: &StepId| evolution.before.contains(step) != evolution.after.contains(step);
-            let cleared = |transition: &TransitionId| evolution.cleared.contains(transition);
-            partial.transitions.iter().any(cleared) || partial.steps.iter().any(changed)
+            !evolution.cleared.is_disjoint(&piece.transitions) || piece.steps.iter().any(changed)
         })
     };
-    let mut found = BTreeSet::new();
-    for state in ends(id, model, graph, &graph.can_still(moves)) {
-        let here = partial.steps.iter().copied().filter(|step| state.situation.contains(step));
-        found.insert(here.collect::<BTreeSet<StepId>>());
-    }
-    found.remove(&BTreeSet::new());
-    found
+    let ends = ends(piece, model, graph, graph.can_still(moves));
+    let here = ends.map(|state| state.situation.intersection(&piece.steps).copied().collect::<BTreeSet<StepId>>());
+    here.filter(|steps| !steps.is_empty()).map(|steps| (piece.partial, steps)).collect()
 }
 
-/// The ends of cycles behind which something cannot come any more, where a partial grafcet is neither forced nor in a final
-/// step: there it is meant to end.
-fn ends<'g>(id: PartialId, model: &'g Model, graph: &'g Graph, hope: &'g [bool]) -> impl Iterator<Item = &'g State> {
-    let steps = &model.partials[id].steps;
-    let finals: Vec<StepId> = steps.iter().copied().filter(|step| model.steps[*step].is_final).collect();
-    graph.states.iter().zip(hope).skip(1).filter(|(_, hope)| !**hope).map(|(state, _)| state).filter(move |state| {
-        let forced = model.forces.values().any(|force| force.target == id && state.situation.contains(&force.step));
-        !forced && !finals.iter().any(|step| state.situation.contains(step))
-    })
+/// The ends of cycles behind which something cannot come any more, where a piece is neither forced nor in a final step:
+/// there it is meant to end.
+fn ends<'g>(piece: &Piece, model: &Model, graph: &'g Graph, hope: Vec<bool>) -> impl Iterator<Item = &'g State> {
+    let finals: Vec<StepId> = piece.steps.iter().copied().filter(|step| model.steps[*step].is_final).collect();
+    let masters = model.forces.values().filter(|force| force.target == piece.partial).map(|force| force.step);
+    let excused: Vec<StepId> = finals.into_iter().chain(masters).collect();
+    let hopeless = graph.states.iter().zip(hope).skip(1).filter(|(_, hope)| !hope).map(|(state, _)| state);
+    hopeless.filter(move |state| !excused.iter().any(|step| state.situation.contains(step)))
 }
 
 /// Whether a source of a convergence can come to wait for ever.
 fn stuck(join: TransitionId, source: StepId, model: &Model, graph: &Graph) -> bool {
     let leaves = |evolution: &Evolution| {
-        // A self-loop leaves the step, too.
         evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(&source))
             || evolution.before.contains(&source) && !evolution.after.contains(&source)
     };
     let enabled = |edge: &Edge| edge.evolutions.iter().any(|evolution| evolution.enabled.contains(&join));
     let hope = graph.can_still(|edge| enabled(edge) || edge.done(model).iter().any(leaves));
-    let id = model.transitions[join].partial;
-    ends(id, model, graph, &hope).any(|state| state.situation.contains(&source))
+    let Some(piece) = pieces(model).into_iter().find(|piece| piece.transitions.contains(&join)) else { return false };
+    ends(&piece, model, graph, hope).any(|state| state.situation.contains(&source))
 }
