@@ -6,7 +6,7 @@ use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits};
 use grafcet_compiler::model::{Model, StepId, Tree};
 
 use super::facts;
-use super::graph::Graph;
+use super::graph::{Edge, Graph};
 use super::replay;
 use super::verdicts::Verdicts;
 
@@ -36,18 +36,16 @@ pub fn compare(model: &Model, graph: &Graph, watched: &[Tree], home: &[StepId]) 
     let trees: Vec<&Tree> = watched.iter().collect();
     let explored = Exploration::watching(model, &Limits::situations(1_000_000), &trees);
     let exact = explored.is_exact() && !model.uses_time();
-    let mut both = Both { model, graph, verdicts, explored, exact, differences: Vec::new() };
+    let stable = graph.cycles().all(|(_, edge)| edge.stable);
+    let mut both = Both { model, graph, verdicts, explored, exact, stable, differences: Vec::new() };
     both.differences.extend(facts::check(model, graph, &both.verdicts));
     both.steps();
     both.transitions();
     both.pairs();
     both.properties(watched, home)?;
-    if exact {
-        // Where an instable search is cut off, the checker need not know.
-        if graph.cycles().all(|(_, edge)| edge.stable) {
-            both.ends();
-            both.differences.extend(replay::check(model, graph, &both.explored));
-        }
+    if exact && stable {
+        both.ends();
+        both.differences.extend(replay::check(model, graph, &both.explored));
     }
     Ok(Comparison { differences: both.differences, exact })
 }
@@ -58,6 +56,8 @@ struct Both<'m> {
     verdicts: Verdicts,
     explored: Exploration,
     exact: bool,
+    /// Every search ends in a stable situation.
+    stable: bool,
     differences: Vec<Difference>,
 }
 
@@ -124,13 +124,17 @@ impl Both<'_> {
             let naive = self.graph.can_hold(self.model, tree)?;
             let answer = self.explored.watched(index);
             self.answer("property", &format!("{tree:?}"), naive, &answer);
+            self.leads(&format!("{tree:?}"), &answer, |edge| self.graph.holds(self.model, edge, tree) == Ok(true));
         }
         let home: BTreeSet<StepId> = home.iter().copied().collect();
         let naive = self.graph.can_miss(&home);
         let answer = self.explored.away_from(&home.iter().copied().collect::<Vec<_>>());
         // With something unknown there may be fewer ways back, or more.
         if self.exact {
-            self.answer("home", &replay::names(self.model, &home).join(", "), naive, &answer);
+            let name = replay::names(self.model, &home).join(", ");
+            self.answer("home", &name, naive, &answer);
+            let misses = self.graph.misses(&home);
+            self.leads(&name, &answer, |edge| misses[edge.to]);
         }
         Ok(())
     }
@@ -141,6 +145,13 @@ impl Both<'_> {
             Answer::Possible(_) => self.same(kind, || what.to_owned(), naive, true),
             Answer::Unknown if self.exact => self.differ(&format!("{kind} not answered"), what.to_owned()),
             Answer::Unknown => {}
+        }
+    }
+
+    /// The way of an answer leads where it says. Where an instable search is cut off, the checker need not know.
+    fn leads(&mut self, what: &str, answer: &Answer, end: impl Fn(&Edge) -> bool) {
+        if let (Answer::Possible(path), true, true) = (answer, self.exact, self.stable) {
+            self.differences.extend(replay::leads(self.model, self.graph, path, what, end));
         }
     }
 

@@ -104,23 +104,35 @@ impl Graph {
     /// # Errors
     /// The interpreter does not understand it.
     pub fn can_hold(&self, model: &Model, tree: &Tree) -> Result<bool, String> {
-        let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
         for (_, edge) in self.cycles() {
-            machine.resume(self.states[edge.to].memory.clone());
-            let inputs = &self.valuations[edge.valuation];
-            if machine.holds(tree, inputs).map_err(|error| error.to_string())? {
+            if self.holds(model, edge, tree)? {
                 return Ok(true);
             }
         }
         Ok(false)
     }
 
+    /// Whether an expression holds at the end of a cycle.
+    ///
+    /// # Errors
+    /// The interpreter does not understand it.
+    pub fn holds(&self, model: &Model, edge: &Edge, tree: &Tree) -> Result<bool, String> {
+        let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
+        machine.resume(self.states[edge.to].memory.clone());
+        machine.holds(tree, &self.valuations[edge.valuation]).map_err(|error| error.to_string())
+    }
+
     /// Whether the end of some cycle has no way back to the end of one in exactly this situation.
     #[must_use]
     pub fn can_miss(&self, home: &Situation) -> bool {
+        self.misses(home).into_iter().skip(1).any(|missed| missed)
+    }
+
+    /// For each state, whether it has no way back to the end of a cycle in exactly this situation.
+    #[must_use]
+    pub fn misses(&self, home: &Situation) -> Vec<bool> {
         let back = self.can_still(|edge| self.states[edge.to].situation == *home);
-        let missed = |(state, back): (&State, bool)| !back && state.situation != *home;
-        self.states.iter().zip(back).skip(1).any(missed)
+        self.states.iter().zip(back).map(|(state, back)| !back && state.situation != *home).collect()
     }
 
     /// For each state, whether a cycle of which `good` is true can still come.

@@ -38,6 +38,18 @@ pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec
     wrong
 }
 
+/// What is wrong with a way to the end of a cycle.
+pub(super) fn leads(
+    model: &Model,
+    graph: &Graph,
+    path: &Path,
+    what: &str,
+    end: impl Fn(&Edge) -> bool,
+) -> Option<Difference> {
+    let found = way(model, graph, path, |edge, cycle| like(model, graph, edge, cycle) && end(edge));
+    judge(what, model, path, found, None)
+}
+
 fn judge(what: &str, model: &Model, path: &Path, found: bool, shortest: Option<usize>) -> Option<Difference> {
     let shown = || {
         let cycle = |cycle: &PathCycle| {
