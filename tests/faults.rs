@@ -24,7 +24,7 @@ const FAULTS: &[Fault] = &[
             "() -[!at_stop && Robot::ToMill.X]-> InEmpty;",
         )],
         rule: "level_source_transition",
-        names: &["InEmpty"],
+        names: &["!at_stop && Robot::ToMill.X"],
     },
     Fault {
         what: "nothing leads to a step",
@@ -79,7 +79,7 @@ const FAULTS: &[Fault] = &[
         chart: LINE,
         replace: &[("NoPallet -[pallet]-> Place", "() -[pallet]-> Place")],
         rule: "level_source_transition",
-        names: &["Place"],
+        names: &["pallet"],
     },
     Fault {
         what: "nothing leads to a step",

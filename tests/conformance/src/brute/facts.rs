@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::analysis::{Concurrency, Logic, Stability};
+use grafcet_compiler::analysis::{Concurrency, Condition, Logic, Stability};
 use grafcet_compiler::interp::Evolution;
-use grafcet_compiler::model::{Effect, Expr, Model, Place, Qualifier, StepId, TransitionId, Tree};
+use grafcet_compiler::model::{Effect, Expr, Id, Model, Place, Qualifier, StepId, TransitionId, Tree};
 
 use super::compare::Difference;
 use super::graph::Graph;
@@ -16,7 +16,7 @@ use super::verdicts::Verdicts;
 pub(super) fn check(model: &Model, graph: &Graph, verdicts: &Verdicts) -> Vec<Difference> {
     let mut wrong = Facts { model, wrong: Vec::new() };
     wrong.concurrency(verdicts);
-    wrong.logic(verdicts);
+    wrong.logic(graph);
     wrong.stability(graph);
     wrong.wrong
 }
@@ -45,15 +45,39 @@ impl Facts<'_> {
         }
     }
 
-    fn logic(&mut self, verdicts: &Verdicts) {
-        let (model, logic) = (self.model, Logic::new(self.model));
-        let condition = |id: TransitionId| &model.transitions[id].condition;
-        for id in verdicts.fireable.iter().filter(|id| logic.never(condition(**id))) {
-            self.report("never true", replay::arrow(model, *id));
-        }
-        for (a, b) in &verdicts.overlapping {
-            if logic.exclusive(&condition(*a).tree, &condition(*b).tree) {
-                self.report("exclusive", format!("{}; {}", replay::arrow(model, *a), replay::arrow(model, *b)));
+    /// What is shown about conditions, in general and in the situations that can be reached.
+    fn logic(&mut self, graph: &Graph) {
+        let model = self.model;
+        let concurrency = Concurrency::of(model);
+        // Which transitions were enabled, and of which of them the conditions held.
+        let evolutions = graph.cycles().flat_map(|(_, edge)| &edge.evolutions);
+        let seen: BTreeSet<_> = evolutions.map(|evolution| (&evolution.enabled, &evolution.fireable)).collect();
+        for logic in [Logic::new(model), Logic::within(model, &concurrency, &[])] {
+            let conditions: Vec<Condition> =
+                model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
+            let of = |id: &TransitionId| &conditions[id.index()];
+            let ids: Vec<TransitionId> = model.transitions.ids().collect();
+            for a in &ids {
+                let (never, always) = (logic.never(of(a)), logic.always(of(a)));
+                if never && seen.iter().any(|(_, holding)| holding.contains(a)) {
+                    self.report("never true", replay::arrow(model, *a));
+                }
+                if always && seen.iter().any(|(enabled, holding)| enabled.contains(a) && !holding.contains(a)) {
+                    self.report("always true", replay::arrow(model, *a));
+                }
+                for b in ids.iter().filter(|b| *b != a) {
+                    let (exclusive, implies) = (logic.exclusive(of(a), of(b)), logic.implies(of(a), &[of(b)]));
+                    let names = || format!("{}; {}", replay::arrow(model, *a), replay::arrow(model, *b));
+                    if exclusive && seen.iter().any(|(_, holding)| holding.contains(a) && holding.contains(b)) {
+                        self.report("exclusive", names());
+                    }
+                    let alone = |enabled: &BTreeSet<_>, holding: &BTreeSet<_>| {
+                        holding.contains(a) && enabled.contains(b) && !holding.contains(b)
+                    };
+                    if implies && seen.iter().any(|(enabled, holding)| alone(enabled, holding)) {
+                        self.report("implied", names());
+                    }
+                }
             }
         }
     }

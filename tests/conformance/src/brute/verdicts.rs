@@ -18,7 +18,8 @@ pub struct Verdicts {
     pub fireable: BTreeSet<TransitionId>,
     /// Transitions that clear.
     pub cleared: BTreeSet<TransitionId>,
-    /// Pairs of transitions with a common source whose conditions hold in one situation that enables both.
+    /// Pairs of transitions with a common source whose conditions hold in one situation that enables both, if they do not lead
+    /// to the same steps.
     pub overlapping: BTreeSet<(TransitionId, TransitionId)>,
     /// Steps that an evolution activates while they are active and does not leave.
     pub unsafe_steps: BTreeSet<StepId>,
@@ -64,9 +65,11 @@ impl Verdicts {
         self.enabled.extend(&evolution.enabled);
         self.fireable.extend(&evolution.fireable);
         let sources = |id: &TransitionId| &model.transitions[*id].sources;
+        let targets = |id: &TransitionId| model.transitions[*id].targets.iter().collect::<BTreeSet<_>>();
         for a in &evolution.fireable {
             let beside = evolution.fireable.range(..a).filter(|b| sources(b).iter().any(|s| sources(a).contains(s)));
-            self.overlapping.extend(beside.map(|b| (*b, *a)));
+            let apart = beside.filter(|b| targets(a) != targets(b));
+            self.overlapping.extend(apart.map(|b| (*b, *a)));
         }
     }
 
