@@ -47,7 +47,12 @@ fn explore(chart: &str) -> Found {
             .iter()
             .map(|found| {
                 let culprit = found.culprit.map(arc).unwrap_or_default();
-                format!("{} waits in {}: {} left by {culprit}", step(found.waiting), found.path.text(&model), arc(found.join))
+                format!(
+                    "{} waits in {}: {} left by {culprit}",
+                    step(found.waiting),
+                    found.path.text(&model),
+                    arc(found.join)
+                )
             })
             .collect(),
     }
@@ -56,7 +61,10 @@ fn explore(chart: &str) -> Found {
 #[test]
 fn a_circle_is_fine() {
     assert_eq!(explore("sfc C { input a, b: bool; initial step A; step B; A -[a]-> B -[b]-> A; }"), Found::default());
-    assert_eq!(explore("grafcet C { input a, b: bool; initial step A; step B; A -[a]-> B -[b]-> A; }"), Found::default());
+    assert_eq!(
+        explore("grafcet C { input a, b: bool; initial step A; step B; A -[a]-> B -[b]-> A; }"),
+        Found::default()
+    );
 }
 
 #[test]

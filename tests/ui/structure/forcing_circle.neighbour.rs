@@ -7,7 +7,7 @@ grafcet! {
         partial Safety {
             initial step Ready;
             step Stopped { force Production {}; }
-            Ready -[estop || Fault.X]-> Stopped -[!estop]-> Ready;
+            Ready -[estop && Fault.X]-> Stopped -[!estop]-> Ready;
         }
 
         partial Production {
