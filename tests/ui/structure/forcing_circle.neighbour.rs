@@ -6,7 +6,7 @@ grafcet! {
 
         partial Safety {
             initial step Ready;
-            step Stopped { force Production {}; }
+            step Stopped { force Production {INIT}; }
             Ready -[estop && Fault.X]-> Stopped -[!estop]-> Ready;
         }
 
