@@ -72,7 +72,7 @@ chart! { sfc Stored { output q: bool; step Second { S q; } Second -[b && a]-> Th
 chart! { sfc StoredWord { output speed: u16; step Second { P1 speed = level; } } }
 chart! { sfc Read { output q: bool; step Second { q; } Second -[q]-> First; } }
 chart! { sfc Edge { step Second; Second -[rising(a)]-> First; } }
-chart! { sfc OneEdge { step Second; Second -[rising(a)]-> First; Second -[falling(a)]-> First; } }
+chart! { sfc OneEdge { step Second; Second -[rising(a)]-> First; First -[falling(a)]-> Second; } }
 chart! { sfc TwoEdges { step Second; Second -[rising(a)]-> First; Second -[rising(b)]-> First; } }
 chart! { grafcet Variables { var n: u16; var x: bool; step Second { P1 n = n + 1; P1 x = b; } } }
 chart! { grafcet Combinational { var x: bool; step Second { x; } Second -[x && a]-> First; } }

@@ -9,15 +9,19 @@ mod initial;
 mod modes;
 mod not_yet;
 mod race;
+mod reach;
+mod safety;
 mod set_reset;
 mod structure;
 mod targets;
 mod unstable;
 mod usage;
+mod waits;
 
 pub use initial::initial_values;
 pub use not_yet::not_yet;
 
+use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::Sink;
 use crate::model::Model;
@@ -37,6 +41,10 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order.
 pub fn evolution(model: &Model, sink: &mut Sink) {
     let concurrency = Concurrency::of(model);
+    let exploration = Exploration::of(model, &Limits::default());
+    let dead = reach::check(model, &exploration, sink);
+    safety::check(model, &exploration, sink);
+    waits::check(model, &exploration, &dead, sink);
     usage::check(model, sink);
     {
         let logic = Logic::within(model, &concurrency, &[]);

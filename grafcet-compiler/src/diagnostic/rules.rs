@@ -60,6 +60,11 @@ const fn warn_in_sfc(name: &'static str) -> Rule {
     Rule { name, default: Severity::Deny, in_sfc: Severity::Warn, can_be_allowed: true }
 }
 
+/// Error by default in an `sfc`, a warning in a `grafcet`.
+const fn warn_in_grafcet(name: &'static str) -> Rule {
+    Rule { name, default: Severity::Warn, in_sfc: Severity::Deny, can_be_allowed: true }
+}
+
 /// Warning by default.
 const fn warn(name: &'static str) -> Rule {
     Rule { name, default: Severity::Warn, in_sfc: Severity::Warn, can_be_allowed: true }
@@ -88,6 +93,11 @@ rules! {
     ISOLATED_STEP = error("isolated_step");
     SOURCE_TRANSITION = error("source_transition");
     SINK_TRANSITION = error("sink_transition");
+    UNREACHABLE_STEP = deny("unreachable_step");
+    DEAD_TRANSITION = deny("dead_transition");
+    UNSAFE_STEP = warn_in_grafcet("unsafe_step");
+    STUCK_JOIN = deny("stuck_join");
+    DEADLOCK = deny("deadlock");
     CLEARING_ACTION = error("clearing_action");
     WRONG_TARGET = error("wrong_target");
     BAD_TIME = error("bad_time");
@@ -121,11 +131,6 @@ rules! {
 
 /// Rules that are planned and not checked yet. A chart may allow them, so that it stays as it is when they come.
 const LATER: &[&str] = &[
-    "unreachable_step",
-    "dead_transition",
-    "unsafe_step",
-    "stuck_join",
-    "deadlock",
     "not_home",
     "possible_instability",
     "conflicting_values",

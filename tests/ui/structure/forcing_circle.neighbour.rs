@@ -6,8 +6,8 @@ grafcet! {
 
         partial Safety {
             initial step Ready;
-            step Stopped { force Production {}; }
-            Ready -[estop || Fault.X]-> Stopped -[!estop]-> Ready;
+            step Stopped { force Production {INIT}; }
+            Ready -[estop && Fault.X]-> Stopped -[!estop]-> Ready;
         }
 
         partial Production {

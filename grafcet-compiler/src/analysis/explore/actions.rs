@@ -57,28 +57,18 @@ impl Actions {
         self.stored.is_empty() && self.clearing.is_empty() && self.targets.is_empty()
     }
 
-    /// The formulas that the actions of each step evaluate.
-    pub(super) fn formulas(&self) -> impl Iterator<Item = (usize, Vec<&Formula>)> {
+    /// The formulas that actions evaluate.
+    pub(super) fn formulas(&self) -> Vec<&Formula> {
         let targets = self.targets.iter().flat_map(|target| match target {
             Target::Control { by, .. } | Target::Assigned { by, .. } => by.iter(),
             Target::Own(action) => std::slice::from_ref(action).iter(),
         });
-        self.stored.iter().chain(targets).map(|action| {
-            let mut formulas: Vec<&Formula> = action.event.iter().chain(&action.condition).collect();
+        let mut formulas = Vec::new();
+        for action in self.stored.iter().chain(self.clearing.values().flatten()).chain(targets) {
+            formulas.extend(action.event.iter().chain(&action.condition));
             collect(&action.program, &mut formulas);
-            (action.step, formulas)
-        })
-    }
-}
-
-impl Actions {
-    /// The formulas that the actions on clearing of each transition evaluate.
-    pub(super) fn clearing_formulas(&self) -> impl Iterator<Item = (usize, Vec<&Formula>)> {
-        self.clearing.iter().map(|(transition, actions)| {
-            let mut formulas = Vec::new();
-            actions.iter().for_each(|action| collect(&action.program, &mut formulas));
-            (*transition, formulas)
-        })
+        }
+        formulas
     }
 
     /// Which slots are written by an action of which step, or on the clearing of which transition.

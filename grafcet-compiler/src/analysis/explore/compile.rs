@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use super::formula::{Atom, Formula, Kind};
 use crate::analysis::combinational;
-use crate::model::{Binary, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId};
+use crate::model::{
+    Binary, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
+};
 
 /// Numbers the atoms of a chart.
 pub(super) struct Compiler<'m> {
@@ -315,14 +317,7 @@ impl<'m> Compiler<'m> {
             }
             Tree::Binary(operator, ..) => matches!(
                 operator,
-                Binary::And
-                    | Binary::Or
-                    | Binary::Eq
-                    | Binary::Ne
-                    | Binary::Lt
-                    | Binary::Le
-                    | Binary::Gt
-                    | Binary::Ge
+                Binary::And | Binary::Or | Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge
             ),
             Tree::Int(_) | Tree::Opaque { .. } => false,
         }

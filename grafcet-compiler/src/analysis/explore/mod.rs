@@ -13,8 +13,8 @@ mod actions;
 mod compile;
 mod cycle;
 mod formula;
-mod graph;
 mod grafcet;
+mod graph;
 mod hierarchy;
 mod knowledge;
 mod net;
@@ -23,6 +23,7 @@ mod scene;
 mod search;
 mod sfc;
 mod slots;
+mod tokens;
 mod units;
 mod verdicts;
 mod waiting;
@@ -30,6 +31,7 @@ mod waiting;
 use std::collections::BTreeMap;
 
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
+pub use tokens::{Meeting, Parting};
 
 use self::graph::Future;
 use self::net::Net;
@@ -47,7 +49,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { work: 150_000 }
+        Self { work: 300_000 }
     }
 }
 
@@ -110,7 +112,7 @@ impl Exploration {
         let net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         // A long chart has many situations without being complicated.
-        let limit = limits.work.saturating_add(40 * (net.leaving.len() + net.arcs.len()) as u64);
+        let limit = limits.work.saturating_add(60 * (net.leaving.len() + net.arcs.len()) as u64);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
         let mut budget = Budget { limit, work: 0 };
         let (whole, approximate) = explore_whole(&net, several, &mut budget, &mut seen);
@@ -313,17 +315,16 @@ impl Budget {
 
 /// The whole chart, as far as the budget suffices, and whether something was taken as unknown.
 ///
-/// A search for stability that does not come to an end stops wherever its bound lies. That is followed exactly in small
-/// charts only; in larger ones what has nothing to do with each other is not tried in all combinations.
+/// First everything is tried in all combinations, which gives the shortest ways, then not what has nothing to do with
+/// each other. In a `grafcet` that is exact but for a search for stability that does not come to an end: it stops wherever
+/// its bound lies.
 fn explore_whole(net: &Net, several: bool, budget: &mut Budget, seen: &mut Seen) -> (Graph, bool) {
     let share = if several { budget.limit / 2 } else { budget.limit };
-    if !net.grafcet {
-        return (budget.run(Search::new(net, None, true, share, seen)), net.approximate);
-    }
-    let lazy = net.is_calm(None);
-    let graph = budget.run(Search::new(net, None, false, if lazy { share / 2 } else { share }, seen));
+    let lazy = !net.grafcet || net.is_calm(None);
+    let graph = budget.run(Search::new(net, None, false, if lazy { share / 3 } else { share }, seen));
     if graph.complete || !lazy {
         return (graph, net.approximate);
     }
-    (budget.run(Search::new(net, None, true, share / 2, seen)), true)
+    let graph = budget.run(Search::new(net, None, true, share.saturating_sub(budget.work), seen));
+    (graph, net.approximate || net.grafcet)
 }

@@ -64,8 +64,10 @@ pub(super) struct Net {
     pub(super) has_arcs: Vec<bool>,
     pub(super) is_final: Vec<bool>,
     pub(super) macros: Vec<Vec<usize>>,
-    /// Per step the atoms that edges in its transitions and actions look at.
+    /// Per step the atoms that edges in the conditions of its transitions look at.
     pub(super) edge_atoms: Vec<Vec<usize>>,
+    /// Those that edges in actions and in source transitions look at.
+    pub(super) common_edge_atoms: Vec<usize>,
     /// Atoms that edges look at.
     pub(super) is_edge_atom: Vec<bool>,
     /// Atoms of assumptions and watched expressions.
@@ -112,6 +114,7 @@ impl Net {
             is_final: model.steps.values().map(|step| step.is_final).collect(),
             macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).collect()).collect(),
             edge_atoms: vec![Vec::new(); model.steps.len()],
+            common_edge_atoms: Vec::new(),
             is_edge_atom: vec![false; count],
             is_common: vec![false; count],
             calm: (true, vec![true; units]),
@@ -194,7 +197,7 @@ impl Net {
         for atom in self.arcs.iter().flat_map(|arc| &arc.edge_atoms) {
             self.is_edge_atom[*atom] = true;
         }
-        for atom in self.edge_atoms.iter().flatten() {
+        for atom in &self.common_edge_atoms {
             self.is_edge_atom[*atom] = true;
         }
     }
@@ -240,18 +243,14 @@ impl Net {
                 arc.edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[*source], *atom));
             }
         }
-        for (step, formulas) in self.actions.formulas() {
-            let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
-            formulas.iter().for_each(|formula| self.collect(formula, &mut atoms, &mut edge_atoms));
-            edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[step], *atom));
+        let mut common: Vec<usize> = Vec::new();
+        for formula in self.actions.formulas() {
+            self.collect(formula, &mut Vec::new(), &mut common);
         }
-        for (transition, formulas) in self.actions.clearing_formulas() {
-            let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
-            formulas.iter().for_each(|formula| self.collect(formula, &mut atoms, &mut edge_atoms));
-            for source in self.arcs[transition].sources.clone() {
-                edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[source], *atom));
-            }
+        for transition in &self.sourceless {
+            self.arcs[*transition].edge_atoms.iter().for_each(|atom| add(&mut common, *atom));
         }
+        self.common_edge_atoms = common;
         self.edge_atoms.iter_mut().for_each(|atoms| atoms.sort_unstable());
     }
 

@@ -74,13 +74,34 @@ pub struct StuckJoin {
 }
 
 impl Path {
-    /// `Start → Fill → Heat`, several steps as `(A, B)`.
+    /// `Start → Fill → Heat`, several steps as `(A, B)`; of a long way the beginning and the end.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
-        let situations = std::iter::once(&self.start).chain(self.cycles.iter().map(|cycle| &cycle.active));
-        let mut names: Vec<String> = situations.map(|steps| situation(model, steps)).collect();
-        names.dedup();
+        const SHOWN: usize = 8;
+        let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).chain(self.situations()).collect();
+        situations.dedup();
+        let mut names: Vec<String> = situations.iter().map(|steps| situation(model, steps)).collect();
+        if names.len() > SHOWN {
+            names.splice(2..=names.len() - SHOWN + 2, ["…".to_owned()]);
+        }
         names.join(" → ")
+    }
+
+    fn situations(&self) -> impl Iterator<Item = &Vec<StepId>> {
+        self.cycles.iter().map(|cycle| &cycle.active)
+    }
+
+    /// The way without its last cycle.
+    #[must_use]
+    pub fn before_last(&self) -> Self {
+        let count = self.cycles.len().saturating_sub(1);
+        Self { start: self.start.clone(), cycles: self.cycles[..count].to_vec() }
+    }
+
+    /// The active steps at its end.
+    #[must_use]
+    pub fn end(&self) -> &[StepId] {
+        self.cycles.last().map_or(&self.start, |cycle| &cycle.active)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::formula::{Formula, Kind};
-use super::knowledge::{Known, Knowledge, Tape};
+use super::knowledge::{Knowledge, Known, Tape};
 use super::net::Net;
 use super::slots::Bit;
 use super::waiting::{Groups, Waits};
@@ -461,9 +461,7 @@ impl<'n> Scene<'n> {
         for step in &self.now.active {
             atoms.extend(&net.edge_atoms[*step]);
         }
-        for transition in &net.sourceless {
-            atoms.extend(&net.arcs[*transition].edge_atoms);
-        }
+        atoms.extend(&net.common_edge_atoms);
         atoms.sort_unstable();
         atoms.dedup();
         let mut sampled = Vec::new();

@@ -133,7 +133,16 @@ impl<'n, 's> Search<'n, 's> {
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
         };
-        Self { scene: Scene::new(net, unit), graph, index: BTreeMap::new(), seen, limit, foreign, lazy, commanded: false }
+        Self {
+            scene: Scene::new(net, unit),
+            graph,
+            index: BTreeMap::new(),
+            seen,
+            limit,
+            foreign,
+            lazy,
+            commanded: false,
+        }
     }
 
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.

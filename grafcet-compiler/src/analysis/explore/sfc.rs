@@ -73,7 +73,8 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
 fn act(scene: &mut Scene<'_>, change: &Change) {
     let net = scene.net;
     let steps = change.before.iter().chain(&scene.now.active);
-    let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
+    let mut numbers: Vec<usize> =
+        steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
     numbers.sort_unstable();
     numbers.dedup();
     let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();
@@ -172,8 +173,7 @@ fn is_on(scene: &mut Scene<'_>, change: &Change, action: &Action) -> bool {
         Qualifier::P0 => &change.left,
         _ => &scene.now.active,
     };
-    steps.contains(&action.step)
-        && action.condition.as_ref().is_none_or(|condition| evaluate(scene, condition))
+    steps.contains(&action.step) && action.condition.as_ref().is_none_or(|condition| evaluate(scene, condition))
 }
 
 fn evaluate(scene: &mut Scene<'_>, formula: &Formula) -> bool {

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::formula::Kind;
 use super::graph::Future;
+use super::knowledge::Known;
 use super::net::Net;
 use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
-use super::knowledge::Known;
 use super::search::{Cycle, Doubled, Graph};
 use crate::model::{Id, PartialId, StepId, TransitionId};
 

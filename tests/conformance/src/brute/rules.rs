@@ -24,7 +24,7 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, exact: bool) -> Ve
     rules.needs(grafcet && !facts::races(model, graph).is_empty(), &["write_race"], &mut wrong);
     rules.needs(grafcet && !verdicts.overlapping.is_empty(), &["overlapping_branches"], &mut wrong);
     rules.speaks_for(&["unreachable_step"], unreachable, &mut wrong);
-    rules.speaks_for(&["dead_transition", "never_true"], dead, &mut wrong);
+    rules.speaks_for(&["dead_transition"], dead, &mut wrong);
     rules.speaks_for(&["shadowed_branch"], idle, &mut wrong);
     rules.speaks_for(&["unsafe_step"], !verdicts.unsafe_steps.is_empty(), &mut wrong);
     rules.speaks_for(&["stuck_join"], !verdicts.stuck.is_empty(), &mut wrong);

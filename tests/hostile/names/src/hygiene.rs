@@ -51,6 +51,7 @@ grafcet! {
 grafcet! {
     /// The same under the rules of IEC 60848.
     pub grafcet Search {
+        #![allow(grafcet::stuck_join)]
         input inputs, now, actions, before, after, outputs, value, first, input, fresh, stable, evolutions_left: bool;
         input elapsed, settled, due, active: u16;
         output situation, region, called, set: bool;
@@ -126,7 +127,7 @@ grafcet! {
         step A;
         step B;
         step C;
-        step End { done; }
+        final step End { done; }
         Start -[LOW || HIGH]-> (A, B);
         B -[go]-> C;
         (A, C) -[LOW || HIGH]-> End;

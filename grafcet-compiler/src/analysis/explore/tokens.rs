@@ -1,0 +1,97 @@
+//! Why a step is activated while it is active: where the two ways that meet in it have parted.
+
+use std::collections::BTreeMap;
+
+use super::path::Activation;
+use crate::model::{Model, StepId, TransitionId};
+
+/// How two activations of a step come to meet.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Meeting {
+    /// Where they have parted.
+    pub parting: Parting,
+    /// The transition by which the second went back to a step before that.
+    pub back: Option<TransitionId>,
+}
+
+/// Where two ways have parted.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Parting {
+    /// With this transition: it starts parallel branches, or activates a step from which several transitions clear.
+    At(TransitionId),
+    /// They come from different initial steps.
+    Start,
+    /// A source transition started one of them.
+    Source,
+}
+
+/// That a step became active, or that a transition cleared.
+struct Event {
+    by: Option<TransitionId>,
+    /// The events that activated its sources.
+    causes: Vec<usize>,
+}
+
+impl Activation {
+    /// How the two activations of `step` come to meet.
+    #[must_use]
+    pub fn meeting(&self, model: &Model, step: StepId) -> Meeting {
+        let mut events: Vec<Event> = Vec::new();
+        let mut active: BTreeMap<StepId, usize> = BTreeMap::new();
+        for start in &self.path.start {
+            active.insert(*start, events.len());
+            events.push(Event { by: None, causes: Vec::new() });
+        }
+        let last = self.path.cycles.len().saturating_sub(1);
+        for (number, cycle) in self.path.cycles.iter().enumerate() {
+            for transition in &cycle.cleared {
+                let arc = &model.transitions[*transition];
+                let causes: Vec<usize> = arc.sources.iter().filter_map(|source| active.get(source).copied()).collect();
+                let event = events.len();
+                events.push(Event { by: Some(*transition), causes });
+                if number == last && *transition == self.by {
+                    let known = active.get(&step).copied().unwrap_or(event);
+                    return meeting(model, &events, known, event);
+                }
+                // The sources stay known: other branches may clear in the same evolution.
+                active.extend(arc.targets.iter().map(|target| (*target, event)));
+            }
+        }
+        Meeting { parting: Parting::Start, back: None }
+    }
+}
+
+fn meeting(model: &Model, events: &[Event], first: usize, second: usize) -> Meeting {
+    let (to_first, to_second) = (causes(events, first), causes(events, second));
+    let by = |event: usize| events[event].by;
+    let Some(common) = (0..events.len()).rev().find(|event| to_first[*event] && to_second[*event]) else {
+        let is_source = |transition: TransitionId| model.transitions[transition].sources.is_empty();
+        let mut causes = (0..events.len()).filter(|event| to_first[*event] || to_second[*event]).filter_map(by);
+        let parting = if causes.any(is_source) { Parting::Source } else { Parting::Start };
+        return Meeting { parting, back: None };
+    };
+    // The steps before the parting: sources of what led to it.
+    let before = causes(events, common);
+    let passed: Vec<StepId> = (0..events.len())
+        .filter(|event| before[*event])
+        .filter_map(by)
+        .flat_map(|transition| model.transitions[transition].sources.iter().copied())
+        .collect();
+    let goes_back = |transition: &TransitionId| {
+        let targets = &model.transitions[*transition].targets;
+        targets.iter().any(|target| passed.contains(target))
+    };
+    let mut since = (common + 1..second).filter(|event| to_second[*event]).filter_map(by);
+    Meeting { parting: by(common).map_or(Parting::Start, Parting::At), back: since.find(goes_back) }
+}
+
+fn causes(events: &[Event], of: usize) -> Vec<bool> {
+    let mut found = vec![false; events.len()];
+    let mut work = vec![of];
+    while let Some(event) = work.pop() {
+        if !std::mem::replace(&mut found[event], true) {
+            work.extend(&events[event].causes);
+        }
+    }
+    found
+}

@@ -1,0 +1,126 @@
+//! `unreachable_step`, `dead_transition`: what the chart never comes to.
+//!
+//! One cause gives one message. A step that would be reached if a transition that never clears did is not reported beside
+//! that transition, and neither are the transitions that leave a step which is never active.
+
+use std::collections::BTreeSet;
+
+use crate::analysis::Logic;
+use crate::analysis::explore::{Exploration, situation};
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{ForceOrder, Id, Model, Read, StepId, Transition, TransitionId};
+
+/// Reports, and returns the transitions that never clear although their sources can be active.
+pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) -> BTreeSet<TransitionId> {
+    let drawn = drawn(model);
+    for (id, step) in model.steps.iter().filter(|(id, _)| !exploration.reachable(*id) && !drawn[id.index()]) {
+        let scopes = [&step.levels[..], &model.partials[step.partial].levels, &model.levels];
+        let message = unreachable(model, id);
+        sink.rule(&rules::UNREACHABLE_STEP, &scopes, vec![(Mark::from(&step.name), message)]);
+    }
+    let dead: BTreeSet<TransitionId> = model
+        .transitions
+        .iter()
+        .filter(|(id, transition)| {
+            !exploration.can_clear(*id) && transition.sources.iter().all(|source| exploration.reachable(*source))
+        })
+        .map(|(id, _)| id)
+        .collect();
+    let waiting: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    let logic = Logic::new(model);
+    for id in &dead {
+        let transition = &model.transitions[*id];
+        // `never_true` and `stuck_join` say what is wrong.
+        if waiting.contains(id) || logic.never(&logic.condition(&transition.condition.tree)) {
+            continue;
+        }
+        let message =
+            if exploration.is_enabled(*id) { never_holds(model, transition) } else { never_enabled(model, transition) };
+        let scopes = [&transition.levels[..], &model.partials[transition.partial].levels, &model.levels];
+        sink.rule(&rules::DEAD_TRANSITION, &scopes, vec![(transition.mark, message)]);
+    }
+    dead
+}
+
+/// The steps to which arrows lead from where the chart starts, whatever the conditions.
+fn drawn(model: &Model) -> Vec<bool> {
+    let mut drawn = vec![false; model.steps.len()];
+    let mut work: Vec<StepId> =
+        model.steps.iter().filter(|(_, step)| step.initial || step.linked).map(|(id, _)| id).collect();
+    for force in model.forces.values() {
+        if let ForceOrder::Steps(steps) = &force.order {
+            work.extend(steps);
+        }
+    }
+    let mut missing: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).collect();
+    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+    for (id, transition) in model.transitions.iter() {
+        transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
+        if transition.sources.is_empty() {
+            work.extend(&transition.targets);
+        }
+    }
+    while let Some(step) = work.pop() {
+        if std::mem::replace(&mut drawn[step.index()], true) {
+            continue;
+        }
+        for id in &leaving[step.index()] {
+            missing[id.index()] -= 1;
+            if missing[id.index()] == 0 {
+                work.extend(&model.transitions[*id].targets);
+            }
+        }
+    }
+    drawn
+}
+
+fn unreachable(model: &Model, id: StepId) -> String {
+    let name = &model.steps[id].name;
+    let mut arcs = model.transitions.values().filter(|transition| transition.targets.contains(&id));
+    match arcs.find(|transition| transition.sources != [id]) {
+        None => format!(
+            "step `{name}` is never active: no transition leads to it; draw one, `… -[x]-> {name}`, or delete the step"
+        ),
+        Some(arc) => format!(
+            "step `{name}` is never active: nothing that leads to it, such as {}, is ever reached from where the chart starts; \
+             draw the missing transition, or delete what is left over",
+            named(model, &arc.sources)
+        ),
+    }
+}
+
+fn never_enabled(model: &Model, transition: &Transition) -> String {
+    let sources = named(model, &transition.sources);
+    if transition.sources.len() > 1 {
+        format!(
+            "this transition never clears: its sources {sources} are never all active together; parallel branches that meet \
+             here must start together, `… -[x]-> (…, …)`"
+        )
+    } else {
+        format!("this transition never clears: whenever {sources} is active, an order or an enclosing step holds it")
+    }
+}
+
+fn never_holds(model: &Model, transition: &Transition) -> String {
+    let (sources, text) = (named(model, &transition.sources), &transition.condition.text);
+    let mut steps = transition.condition.reads.iter().filter_map(|read| match read {
+        Read::Active(step) | Read::Since(step) | Read::Elapsed(_, step) => Some(model.steps[*step].name.to_string()),
+        Read::MacroActive(id) | Read::MacroSince(id) | Read::MacroElapsed(_, id) => {
+            Some(model.macros[*id].name.to_string())
+        }
+        _ => None,
+    });
+    let why = match steps.next() {
+        Some(step) => format!("; is `{step}` the step that is meant?"),
+        None => "; what else it reads never has these values then".to_owned(),
+    };
+    if transition.sources.is_empty() {
+        return format!("this transition never clears: `{text}` never holds{why}");
+    }
+    format!("this transition never clears: `{text}` never holds while {sources} is active{why}")
+}
+
+/// `` `A` ``, `` `(A, B)` ``
+fn named(model: &Model, steps: &[StepId]) -> String {
+    format!("`{}`", situation(model, steps))
+}

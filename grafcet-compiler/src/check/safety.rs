@@ -1,0 +1,54 @@
+//! `unsafe_step`: a step that is activated while it is active.
+//!
+//! Where two ways have parted that should not have, every step behind can be activated twice. One message is given for each
+//! parting: the one with the shortest way. What source transitions start may meet itself: there a step is entered whenever the
+//! event occurs.
+
+use std::collections::BTreeMap;
+
+use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Model, StepId};
+
+pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
+    let mut first: BTreeMap<Parting, (StepId, Meeting, &Activation)> = BTreeMap::new();
+    for step in model.steps.ids() {
+        let Some(activation) = exploration.unsafe_step(step) else { continue };
+        let meeting = activation.meeting(model, step);
+        let parting = meeting.parting;
+        if parting == Parting::Source {
+            continue;
+        }
+        let known = first.get(&parting).map(|(.., known)| known.path.cycles.len());
+        if known.is_none_or(|known| activation.path.cycles.len() < known) {
+            first.insert(parting, (step, meeting, activation));
+        }
+    }
+    for (step, meeting, activation) in first.into_values() {
+        report(model, step, meeting, activation, sink);
+    }
+}
+
+fn report(model: &Model, step: StepId, meeting: Meeting, activation: &Activation, sink: &mut Sink) {
+    let name = &model.steps[step].name;
+    let way = activation.path.before_last().text(model);
+    let by = &model.transitions[activation.by];
+    let mend = "let parallel branches meet in one convergence, `(…, …) -[x]-> …`, before a step behind them is entered";
+    let mut notes = vec![
+        (by.mark, format!("`{way}`: this transition can activate `{name}` while it is active; {mend}")),
+        (Mark::from(name), format!("`{name}` can be activated while it is active")),
+    ];
+    if let Some(back) = meeting.back.filter(|back| *back != activation.by) {
+        let message =
+            format!("this transition leaves a parallel branch and goes back to where `{name}` is activated again");
+        notes.push((model.transitions[back].mark, message));
+    }
+    if let Parting::At(parting) = meeting.parting {
+        if parting != activation.by {
+            let message = format!("the two ways that meet in `{name}` both come from here");
+            notes.push((model.transitions[parting].mark, message));
+        }
+    }
+    let scopes = [&by.levels[..], &model.steps[step].levels, &model.partials[by.partial].levels, &model.levels];
+    sink.rule_in(model.dialect, &rules::UNSAFE_STEP, &scopes, notes);
+}

@@ -1,0 +1,104 @@
+//! `stuck_join`, `deadlock`: situations in which something waits forever.
+//!
+//! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
+//! no deadlock beside that. Where a final step is active the chart is meant to end, and what an order holds is not stuck.
+
+use std::collections::BTreeSet;
+
+use crate::analysis::explore::{Deadlock, Exploration, StuckJoin, situation};
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::model::{Id, LevelAttr, Model, PartialId, StepId, TransitionId};
+
+pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<TransitionId>, sink: &mut Sink) {
+    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+    for (id, transition) in model.transitions.iter() {
+        transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
+    }
+    let mut reported: BTreeSet<TransitionId> = BTreeSet::new();
+    let mut waiting: BTreeSet<StepId> = BTreeSet::new();
+    let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join);
+    for stuck in exploration.stuck_joins() {
+        let partial = model.transitions[stuck.join].partial;
+        if is_meant(model, partial, stuck.path.end()) || stuck.culprit.is_none() && others_dead(stuck.join) {
+            continue;
+        }
+        waiting.insert(stuck.waiting);
+        if reported.insert(stuck.join) {
+            stuck_join(model, stuck, sink);
+        }
+    }
+    let mut known: Vec<&Deadlock> = Vec::new();
+    for deadlock in exploration.deadlocks() {
+        let explained = |step: &StepId| {
+            waiting.contains(step) || leaving[step.index()].iter().any(|transition| dead.contains(transition))
+        };
+        let more = |other: &&Deadlock| other.steps.iter().all(|step| deadlock.steps.contains(step));
+        if !deadlock.steps.iter().any(explained) && !known.iter().any(more) {
+            known.push(deadlock);
+            report(model, deadlock, &leaving, sink);
+        }
+    }
+}
+
+/// Whether a final step is active, or an order holds the partial grafcet.
+fn is_meant(model: &Model, partial: PartialId, active: &[StepId]) -> bool {
+    let is_final = |step: &StepId| model.steps[*step].is_final && model.steps[*step].partial == partial;
+    let holds = |step: &StepId| model.steps[*step].forces.iter().any(|force| model.forces[*force].target == partial);
+    active.iter().any(|step| is_final(step) || holds(step))
+}
+
+fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
+    let join = &model.transitions[stuck.join];
+    let (name, way) = (&model.steps[stuck.waiting].name, stuck.path.text(model));
+    let sources = situation(model, &join.sources);
+    let mut notes = Vec::new();
+    match stuck.culprit {
+        Some(culprit) => {
+            let by = &model.transitions[culprit];
+            let (from, to) = (situation(model, &by.sources), situation(model, &by.targets));
+            notes.push((
+                join.mark,
+                format!(
+                    "`{way}`: `{name}` waits forever for this convergence of `{sources}`, because the branch it waits for can be \
+                     left from `{from}` to `{to}`; let both branches be left together, `(…, …) -[x]-> …`, or lead the other \
+                     one here, too"
+                ),
+            ));
+            notes.push((by.mark, format!("with this transition a branch leaves for which `{name}` then waits forever")));
+        }
+        None => notes.push((
+            join.mark,
+            format!(
+                "`{way}`: `{name}` waits forever: `{sources}` are never all active, for their branches are alternatives; start \
+                 them together, `… -[x]-> (…, …)`, or let each of them go on by a transition of its own"
+            ),
+        )),
+    }
+    notes.push((Mark::from(name), format!("`{name}` can wait forever")));
+    let scopes =
+        [&join.levels[..], &model.steps[stuck.waiting].levels, &model.partials[join.partial].levels, &model.levels];
+    sink.rule(&rules::STUCK_JOIN, &scopes, notes);
+}
+
+fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sink: &mut Sink) {
+    let way = deadlock.path.text(model);
+    let note = |step: &StepId| {
+        let name = &model.steps[*step].name;
+        let message = if leaving[step.index()].is_empty() {
+            format!(
+                "`{way}`: here the chart ends, no transition leads on from `{name}`; draw one, or write `final step {name}` if \
+                 that is meant"
+            )
+        } else {
+            format!(
+                "`{way}`: here the chart never goes on, no transition that leaves `{name}` can clear any more; draw another way \
+                 on, or write `final step {name}` if it may end here"
+            )
+        };
+        (Mark::from(name), message)
+    };
+    let notes = deadlock.steps.iter().map(note).collect();
+    let mut scopes: Vec<&[LevelAttr]> = deadlock.steps.iter().map(|step| &model.steps[*step].levels[..]).collect();
+    scopes.extend([&model.partials[deadlock.partial].levels[..], &model.levels]);
+    sink.rule(&rules::DEADLOCK, &scopes, notes);
+}
