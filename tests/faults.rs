@@ -55,24 +55,31 @@ const FAULTS: &[Fault] = &[
         chart: CELL,
         replace: &[("            step OutWait {", "            initial step OutWait {")],
         rule: "unsafe_step",
-        names: &["OutWait"],
+        names: &["OutFree"],
     },
     Fault {
         what: "the variable of another step than was meant, which is never active then",
         chart: CELL,
         replace: &[("InOffer -[Robot::PickUp.X]-> InTaken", "InOffer -[Infeed::InStop.X]-> InTaken")],
         rule: "dead_transition",
-        names: &["InOffer", "InTaken"],
+        names: &["InOffer", "InStop"],
     },
     Fault {
         what: "a convergence waits for a step of another branch",
         chart: CELL,
-        replace: &[(
-            "Carry -[at_outfeed && !at_mill]-> Carried;",
-            "Carry -[at_outfeed && !at_mill]-> Carried -[measured]-> Lay;",
-        )],
+        replace: &[("(Turned, Carried) -[true]-> Probe;", "(Turned, Aside) -[true]-> Probe;")],
         rule: "stuck_join",
         names: &["Turned"],
+    },
+    Fault {
+        what: "a selection comes together like parallel branches",
+        chart: CELL,
+        replace: &[(
+            "Take -[gripped]-> (Turn, Carry);",
+            "Take -[gripped && good]-> Turn; Take -[gripped && !good]-> Carry;",
+        )],
+        rule: "stuck_join",
+        names: &["Carried"],
     },
     Fault {
         what: "an arc was forgotten, and the transition is a source",
