@@ -244,7 +244,12 @@ impl<'n, 's> Search<'n, 's> {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
             let cycle = Cycle { given: Vec::new(), past: Vec::new(), cleared: Vec::new() };
             let to = self.insert(held, Some(Origin { from: number, cycle }));
-            self.graph.edges[number].push(Edge { to, cleared: Box::default(), joins: Box::default(), changed: Box::default() });
+            self.graph.edges[number].push(Edge {
+                to,
+                cleared: Box::default(),
+                joins: Box::default(),
+                changed: Box::default(),
+            });
         }
         self.graph.edges[number].sort_unstable();
         self.graph.edges[number].dedup();
