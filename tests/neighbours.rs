@@ -21,7 +21,9 @@ neighbours! {
     actions:
         bad_time, clearing_action, mixed_modes, reset_without_set, set_without_reset, undriven_output, unused_action,
         unused_input, unused_param, unused_variable, write_race, wrong_target;
-    conditions: combinational_circle, edge_in_assignation, event_without_edge, reads_continuous, unstable;
+    conditions:
+        always_true, combinational_circle, edge_in_assignation, event_without_edge, level_source_transition,
+        never_true, overlapping_branches, reads_continuous, shadowed_branch, unstable;
     drawing:
         duplicate_name, duplicate_transition, isolated_step, no_initial_step, repeated_step, reserved_name,
         several_initial_steps, sink_transition, source_transition, steps_without_transition,

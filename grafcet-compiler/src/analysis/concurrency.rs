@@ -135,11 +135,12 @@ impl<'m> Search<'m> {
         let logic = Logic::new(self.model);
         let transitions: Vec<&Transition> = self.model.transitions.values().collect();
         for leaving in self.leaving.clone() {
-            for (i, a) in leaving.iter().enumerate() {
-                for b in &leaving[i + 1..] {
-                    let (a, b) = (transitions[*a], transitions[*b]);
-                    if !logic.exclusive(&a.condition.tree, &b.condition.tree) {
-                        self.enter_together_with(&a.targets, &b.targets);
+            let read = |index: &usize| (*index, logic.condition(&transitions[*index].condition.tree));
+            let conditions: Vec<_> = leaving.iter().filter(|_| leaving.len() > 1).map(read).collect();
+            for (i, (a, first)) in conditions.iter().enumerate() {
+                for (b, second) in &conditions[i + 1..] {
+                    if !logic.exclusive(first, second) {
+                        self.enter_together_with(&transitions[*a].targets, &transitions[*b].targets);
                     }
                 }
             }

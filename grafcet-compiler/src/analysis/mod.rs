@@ -9,6 +9,6 @@ mod relation;
 mod stability;
 
 pub use concurrency::Concurrency;
-pub use logic::Logic;
+pub use logic::{Answer, Condition, Logic};
 pub use relation::Relation;
 pub use stability::Stability;

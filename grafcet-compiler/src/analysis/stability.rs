@@ -5,8 +5,10 @@
 //! transitions whose conditions exclude each other by what stays constant during a cycle never do. Where no such circle
 //! is left, the search ends.
 
-use super::Logic;
-use crate::model::{Binary, Id, Model, Name, Qualifier, Read, Tree, Unary};
+use std::collections::BTreeMap;
+
+use super::{Condition, Logic};
+use crate::model::{Binary, Id, Model, Name, Qualifier, Read, TransitionId, Tree, Unary};
 
 /// What is known about the end of the search.
 pub struct Stability {
@@ -18,7 +20,7 @@ impl Stability {
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let events = model.associations.values().any(|a| a.qualifier == Qualifier::On);
-        Self { certain: !events && !has_circle(&follows(model)) }
+        Self { certain: !events && !has_circle(&mut Follows::new(model)) }
     }
 
     /// Every search ends after each transition has cleared at most once.
@@ -28,28 +30,53 @@ impl Stability {
     }
 }
 
-/// Per transition the ones it may enable in the same cycle.
-fn follows(model: &Model) -> Vec<Vec<usize>> {
-    let logic = Logic::new(model);
-    let mut leaving = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+/// Which transitions a transition may enable in the same cycle.
+struct Follows<'m> {
+    model: &'m Model,
+    logic: Logic<'m>,
+    leaving: Vec<Vec<TransitionId>>,
+    /// By transition, the number of its condition among the different ones.
+    condition_of: Vec<usize>,
+    conditions: Vec<Condition>,
+    /// Whether two conditions can hold together, as far as that was asked.
+    together: BTreeMap<(usize, usize), bool>,
+}
+
+impl<'m> Follows<'m> {
+    fn new(model: &'m Model) -> Self {
+        let logic = Logic::new(model);
+        let mut leaving = vec![Vec::new(); model.steps.len()];
+        for (id, transition) in model.transitions.iter() {
+            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+        }
+        let mut different: BTreeMap<Tree, usize> = BTreeMap::new();
+        let mut conditions = Vec::new();
+        let mut condition_of = Vec::new();
+        for transition in model.transitions.values() {
+            let tree = constant_part(&transition.condition.tree, true);
+            let number = *different.entry(tree).or_insert_with_key(|tree| {
+                conditions.push(logic.condition(tree));
+                conditions.len() - 1
+            });
+            condition_of.push(number);
+        }
+        Self { model, logic, leaving, condition_of, conditions, together: BTreeMap::new() }
     }
-    let conditions: Vec<Tree> = model.transitions.values().map(|t| constant_part(&t.condition.tree, true)).collect();
-    let structure_changes = !model.forces.is_empty() || model.partials.len() > 1;
-    model
-        .transitions
-        .iter()
-        .map(|(id, transition)| {
-            if structure_changes {
-                // Forcing and enclosing activate steps without a transition of their own.
-                return model.transitions.ids().map(Id::index).collect();
-            }
-            let next = transition.targets.iter().flat_map(|step| &leaving[step.index()]);
-            let together = |other: usize| !logic.exclusive(&conditions[id.index()], &conditions[other]);
-            next.map(|other| other.index()).filter(|other| together(*other)).collect()
-        })
-        .collect()
+
+    fn after(&mut self, id: TransitionId) -> Vec<TransitionId> {
+        if !self.model.forces.is_empty() || self.model.partials.len() > 1 {
+            // Forcing and enclosing activate steps without a transition of their own.
+            return self.model.transitions.ids().collect();
+        }
+        let next = self.model.transitions[id].targets.iter().flat_map(|step| self.leaving[step.index()].clone());
+        next.collect::<Vec<_>>().into_iter().filter(|other| self.can_clear_together(id, *other)).collect()
+    }
+
+    fn can_clear_together(&mut self, a: TransitionId, b: TransitionId) -> bool {
+        let (a, b) = (self.condition_of[a.index()], self.condition_of[b.index()]);
+        let (logic, conditions) = (&self.logic, &self.conditions);
+        *self.together.entry((a.min(b), a.max(b))).or_insert_with(|| !logic.exclusive(&conditions[a], &conditions[b]))
+    }
 }
 
 /// What a condition demands of the values that stay constant during a cycle: everything else is taken as favourable.
@@ -79,28 +106,27 @@ fn is_constant(tree: &Tree) -> bool {
 }
 
 /// Depth-first search with an explicit stack: charts may be long.
-fn has_circle(follows: &[Vec<usize>]) -> bool {
+fn has_circle(follows: &mut Follows<'_>) -> bool {
     const NEW: u8 = 0;
     const OPEN: u8 = 1;
     const DONE: u8 = 2;
-    let mut state = vec![NEW; follows.len()];
-    for root in 0..follows.len() {
-        if state[root] != NEW {
+    let mut state = vec![NEW; follows.model.transitions.len()];
+    for root in follows.model.transitions.ids() {
+        if state[root.index()] != NEW {
             continue;
         }
-        state[root] = OPEN;
-        let mut path = vec![(root, 0)];
+        state[root.index()] = OPEN;
+        let mut path = vec![(root, follows.after(root).into_iter())];
         while let Some((at, next)) = path.last_mut() {
-            let Some(child) = follows[*at].get(*next).copied() else {
-                state[*at] = DONE;
+            let Some(child) = next.next() else {
+                state[at.index()] = DONE;
                 path.pop();
                 continue;
             };
-            *next += 1;
-            match state[child] {
+            match state[child.index()] {
                 NEW => {
-                    state[child] = OPEN;
-                    path.push((child, 0));
+                    state[child.index()] = OPEN;
+                    path.push((child, follows.after(child).into_iter()));
                 }
                 OPEN => return true,
                 _ => {}

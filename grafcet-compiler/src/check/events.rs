@@ -1,6 +1,6 @@
 //! `grafcet`: IEC 60848's classes of conditions: an assignation condition is a level, an event is an edge.
 
-use crate::diagnostic::{Mark, Sink, rules};
+use crate::diagnostic::{Sink, rules};
 use crate::model::{Expr, Model, Qualifier, Read};
 use crate::plan::is_stored;
 
@@ -11,11 +11,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
             if has_edge(condition) {
                 let message = "an assignation condition holds while the action does, and an edge has no duration; \
                                write the level itself, or a stored action: `on rising(…) …`";
-                sink.rule(
-                    &rules::EDGE_IN_ASSIGNATION,
-                    &scopes,
-                    vec![(Mark::of(&condition.tokens), message.to_owned())],
-                );
+                sink.rule(&rules::EDGE_IN_ASSIGNATION, &scopes, vec![(condition.mark, message.to_owned())]);
             }
         }
         if let (Some(event), Qualifier::On) = (&association.event, association.qualifier) {
@@ -24,7 +20,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
                     "an event happens at an instant, and this is a level; write the edge that is meant: `on rising({})`",
                     event.text
                 );
-                sink.rule(&rules::EVENT_WITHOUT_EDGE, &scopes, vec![(Mark::of(&event.tokens), message)]);
+                sink.rule(&rules::EVENT_WITHOUT_EDGE, &scopes, vec![(event.mark, message)]);
             }
         }
     }

@@ -1,5 +1,7 @@
 //! The rules: each pass looks at the model and the facts about it, and reports.
 
+mod branches;
+mod conditions;
 mod continuous;
 mod drawing;
 mod events;
@@ -19,8 +21,8 @@ mod waits;
 pub use initial::initial_values;
 pub use not_yet::not_yet;
 
-use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, Limits};
+use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::Sink;
 use crate::model::Model;
 
@@ -40,10 +42,16 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 pub fn evolution(model: &Model, sink: &mut Sink) {
     let concurrency = Concurrency::of(model);
     let exploration = Exploration::of(model, &Limits::default());
-    let dead = reach::check(model, &exploration, sink);
-    safety::check(model, &exploration, sink);
-    waits::check(model, &exploration, &dead, sink);
     usage::check(model, sink);
+    {
+        let logic = Logic::within(model, &concurrency, &[]);
+        let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
+        let never = conditions::check(model, &logic, &conditions, sink);
+        branches::check(model, &concurrency, &logic, &conditions, &never, sink);
+        let dead = reach::check(model, &exploration, &never, sink);
+        safety::check(model, &exploration, sink);
+        waits::check(model, &exploration, &dead, sink);
+    }
     set_reset::check(model, &concurrency, sink);
     if model.is_grafcet() {
         structure::two_masters(model, &concurrency, sink);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Binary, Effect, Expr, Model, Place, Qualifier, StepId, TransitionId, Tree};
+use crate::model::{Effect, Expr, Model, Place, Qualifier, StepId, TransitionId, Tree};
 use crate::plan::{is_stored, writes};
 
 /// One stored action that writes a place.
@@ -134,12 +134,11 @@ impl Race<'_> {
 
     /// Whether the conditions under which both write exclude each other; all of them are read before the evolution.
     fn exclude(&self, a: &Write<'_>, by_a: Option<TransitionId>, b: &Write<'_>, by_b: Option<TransitionId>) -> bool {
-        let conditions = |write: &Write<'_>, by: Option<TransitionId>| {
-            let transition = by.map(|id| &self.model.transitions[id].condition);
-            let all = write.conditions.iter().copied().chain(transition).map(|expr| expr.tree.clone());
-            all.fold(Tree::Bool(true), |a, b| Tree::Binary(Binary::And, Box::new(a), Box::new(b)))
-        };
-        self.logic.exclusive(&conditions(a, by_a), &conditions(b, by_b))
+        let of_actions = a.conditions.iter().chain(&b.conditions).map(|expr| self.logic.of_action(&expr.tree));
+        let of_transitions = by_a.into_iter().chain(by_b).map(|id| &self.model.transitions[id].condition.tree);
+        let all: Vec<_> = of_actions.chain(of_transitions.map(|tree| self.logic.condition(tree))).collect();
+        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).collect();
+        self.logic.impossible(&goals)
     }
 
     /// The transitions by which a step is entered or left. What forcing orders and enclosing steps do is not among them:

@@ -93,7 +93,6 @@ fn collect(model: &Model) -> BTreeMap<Stored, Uses> {
             Effect::Call(action, _) if !model.is_grafcet() => {
                 control(all.entry(Stored::Action(*action)).or_default(), association);
             }
-            Effect::Call(..) => {}
             Effect::Assign(place, value) if is_bool(model, *place) => {
                 let uses = all.entry(Stored::Place(*place)).or_default();
                 match association.qualifier {
@@ -103,7 +102,7 @@ fn collect(model: &Model) -> BTreeMap<Stored, Uses> {
                     _ => uses.unknown = true,
                 }
             }
-            Effect::Assign(..) => {}
+            Effect::Call(..) | Effect::Assign(..) => {}
             Effect::Block(code) => match &code.statements {
                 Some(statements) => statements.iter().for_each(|s| statement(&mut all, s, association)),
                 None => written(&mut all, &association.effect),

@@ -21,7 +21,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
         }
         if transition.condition.tree == Tree::Bool(true) {
             always.push(id);
-        } else if !logic.never(&transition.condition) {
+        } else if !logic.never(&logic.condition(&transition.condition.tree)) {
             let mut reads = transition.condition.reads.clone();
             reads.sort_unstable();
             alike.entry(reads).or_default().push(id);
@@ -48,7 +48,9 @@ fn classes(model: &Model, logic: &Logic<'_>, candidates: &[TransitionId]) -> Vec
     for id in candidates {
         let condition = &model.transitions[*id].condition.tree;
         let same = |class: &&mut Vec<TransitionId>| {
-            class.first().is_some_and(|first| logic.equivalent(&model.transitions[*first].condition.tree, condition))
+            let condition = logic.condition(condition);
+            let first = class.first().map(|first| logic.condition(&model.transitions[*first].condition.tree));
+            first.is_some_and(|first| logic.equivalent(&first, &condition))
         };
         match classes.iter_mut().find(same) {
             Some(class) => class.push(*id),

@@ -1,6 +1,7 @@
 //! Expressions of the user, resolved: once as tokens for the generated code, once as a tree for whoever reasons about them.
 
 use super::ids::{DelayId, EdgeId, InputId, MacroId, OutputId, ParamId, StepId, VarId};
+use crate::diagnostic::Mark;
 
 /// An expression with its names resolved.
 #[derive(Clone)]
@@ -14,6 +15,8 @@ pub struct Expr {
     pub reads: Vec<Read>,
     /// As the user wrote it, on one line.
     pub text: String,
+    /// All of it in the source.
+    pub mark: Mark,
 }
 
 /// A Rust block of the user behind a qualifier, an event or `=>`.

@@ -1,6 +1,6 @@
 //! Questions that several passes ask of a model.
 
-use super::{Effect, Expr, LevelAttr, Model, Name, Place, Read, Tree, Ty};
+use super::{Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
@@ -30,6 +30,29 @@ impl Model {
         self.associations.values().any(|a| a.time.is_some()) || self.expressions().any(|reads| reads.iter().any(timed))
     }
 
+    /// The lint attributes around a transition, the innermost first.
+    #[must_use]
+    pub fn levels_of_transition<'m>(&'m self, transition: &'m Transition) -> Vec<&'m [LevelAttr]> {
+        vec![&transition.levels, &self.partials[transition.partial].levels, &self.levels]
+    }
+
+    /// A transition in a sentence: `` `A → B` ``, or its name.
+    #[must_use]
+    pub fn transition_text(&self, transition: &Transition) -> String {
+        let side = |steps: &[StepId]| match steps {
+            [step] => self.steps[*step].name.to_string(),
+            _ => {
+                let names: Vec<_> = steps.iter().map(|step| self.steps[*step].name.to_string()).collect();
+                format!("({})", names.join(", "))
+            }
+        };
+        let (from, to) = (side(&transition.sources), side(&transition.targets));
+        match &transition.name {
+            Some(name) => format!("`{name}: {from} → {to}`"),
+            None => format!("`{from} → {to}`"),
+        }
+    }
+
     /// The lint attributes of a declared place, without those of the chart.
     #[must_use]
     pub fn levels_of_place(&self, place: Place) -> &[LevelAttr] {
@@ -57,6 +80,35 @@ impl Model {
             Name::Var(id) => &self.vars[id].name,
             Name::Param(id) => &self.params[id].name,
         }
+    }
+
+    /// Whether a value is a time.
+    #[must_use]
+    pub fn is_time(&self, name: Name) -> bool {
+        let ty = match name {
+            Name::Input(id) => &self.inputs[id].ty,
+            Name::Output(id) => &self.outputs[id].ty,
+            Name::Var(id) => &self.vars[id].ty,
+            Name::Param(id) => &self.params[id].ty,
+        };
+        matches!(ty, Ty::Time(_))
+    }
+
+    /// A number of ticks as one writes a time: `5s`.
+    #[must_use]
+    pub fn time_text(&self, ticks: i128) -> String {
+        const UNITS: [(&str, i128); 6] = [
+            ("h", 3_600_000_000_000),
+            ("m", 60_000_000_000),
+            ("s", 1_000_000_000),
+            ("ms", 1_000_000),
+            ("us", 1_000),
+            ("ns", 1),
+        ];
+        let nanos = ticks.saturating_mul(i128::from(self.clock_nanos));
+        let unit = UNITS.iter().find(|(_, size)| nanos != 0 && nanos % size == 0);
+        let (name, size) = unit.copied().unwrap_or(("s", 1_000_000_000));
+        format!("{}{name}", nanos / size)
     }
 
     /// The type of a place.

@@ -45,10 +45,8 @@ fn exclusive(model: &Model) -> Vec<bool> {
     }
     let logic = Logic::new(model);
     let all_exclude = |transitions: &Vec<&Transition>| {
-        transitions
-            .iter()
-            .enumerate()
-            .all(|(i, a)| transitions[i + 1..].iter().all(|b| logic.exclusive(&a.condition.tree, &b.condition.tree)))
+        let conditions: Vec<_> = transitions.iter().map(|t| logic.condition(&t.condition.tree)).collect();
+        conditions.iter().enumerate().all(|(i, a)| conditions[i + 1..].iter().all(|b| logic.exclusive(a, b)))
     };
     leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).collect()
 }

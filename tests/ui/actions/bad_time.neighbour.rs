@@ -10,10 +10,10 @@ grafcet! {
         initial step Idle { L 5s lamp; D soak lamp; }
         step Heat { L 500ms burner; }
 
-        Idle -[5s/Idle || Idle.T > 3s]-> Heat -[20ms/Heat]-> Idle;
-        Heat -[11000h/Heat]-> Idle;
+        Idle -[5s/Idle || Idle.T > 3s]-> Heat -[11000h/Heat]-> Idle;
         Heat -[1.5h/Heat]-> Idle;
         Heat -[soak/Heat && start]-> Idle;
+        Heat -[20ms/Heat]-> Idle;
     }
 }
 

@@ -9,7 +9,7 @@ grafcet! {
         step Moving { N belt; }
 
         Empty -[part]-> Moving -[gone]-> Empty;
-        Empty -[part && gone]-> Moving;
+        Empty -[!part && gone]-> Moving;
     }
 }
 

@@ -98,6 +98,7 @@ impl Lower<'_, '_> {
             tokens: syn::Expr::Verbatim(tokens),
             reads: vec![active],
             text: format!("{}.X", super::text::of(step)),
+            mark,
         };
         Read::Delay(self.resolver.delay(Delay { on, of, off }))
     }

@@ -23,7 +23,7 @@ pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
     let (reads, text) = (lower.reads, super::text::of(expr));
     // An expression with a mistake equals only its own text.
     let tree = if broken { Tree::Opaque { text: text.clone(), reads: reads.clone() } } else { tree };
-    Expr { tree, tokens, reads, text }
+    Expr { tree, tokens, reads, text, mark: Mark::of(expr) }
 }
 
 /// Rewrites expressions in place and takes note of what they read.

@@ -1,0 +1,194 @@
+//! From the tree of a condition to a boolean function.
+
+use super::atoms::{self, Atoms, FAR, Float};
+use super::formula::Formula;
+use crate::model::{Binary, Model, Name, Read, TimeRef, Tree, Unary};
+
+/// Reads conditions of one chart.
+pub(super) struct Reader<'r> {
+    pub(super) model: &'r Model,
+    pub(super) atoms: &'r mut Atoms,
+}
+
+impl Reader<'_> {
+    /// The function that a condition is.
+    pub(super) fn formula(&mut self, tree: &Tree) -> Formula {
+        match tree {
+            Tree::Bool(value) => Formula::Const(*value),
+            Tree::Unary(Unary::Not, inner) => self.formula(inner).not(),
+            Tree::Elapsed(time, step) => self.elapsed(Read::Active(*step), Read::Since(*step), *time),
+            Tree::MacroElapsed(time, id) => self.elapsed(Read::MacroActive(*id), Read::MacroSince(*id), *time),
+            Tree::Binary(operator, a, b) if self.is_connective(*operator, a, b) => {
+                let (a, b) = (self.formula(a), self.formula(b));
+                match operator {
+                    Binary::And | Binary::BitAnd => a.and(b),
+                    Binary::Or | Binary::BitOr => a.or(b),
+                    Binary::Eq => Formula::Same(Box::new(a), Box::new(b)),
+                    _ => Formula::Same(Box::new(a), Box::new(b)).not(),
+                }
+            }
+            Tree::Binary(operator, a, b) if is_comparison(*operator) => self.compare(*operator, a, b),
+            other => Formula::is_true(self.atoms.boolean(other)),
+        }
+    }
+
+    /// `Step.X && Step.T >= t`
+    fn elapsed(&mut self, active: Read, since: Read, time: TimeRef) -> Formula {
+        let elapsed = self.compare(Binary::Ge, &Tree::Read(since), &atoms::time_tree(time));
+        self.read(active).and(elapsed)
+    }
+
+    pub(super) fn read(&mut self, read: Read) -> Formula {
+        Formula::is_true(self.atoms.boolean(&Tree::Read(read)))
+    }
+
+    fn compare(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Formula {
+        let float = atoms::float(self.model, a).or_else(|| atoms::float(self.model, b));
+        let constant = |tree: &Tree| float.map_or_else(|| constant(tree), |float| float_constant(tree, float));
+        match (constant(a), constant(b)) {
+            (None, Some(value)) => self.with_constant(operator, a, value),
+            (Some(value), None) => self.with_constant(flipped(operator), b, value),
+            (Some(a), Some(b)) => Formula::Const(holds(operator, a, b)),
+            (None, None) => self.with_another(operator, a, b),
+        }
+    }
+
+    /// Comparisons of one number with constants are about the interval in which it lies.
+    fn with_constant(&mut self, operator: Binary, value: &Tree, constant: i128) -> Formula {
+        if constant.unsigned_abs() >= FAR.unsigned_abs() {
+            return self.with_another(operator, value, &Tree::Int(constant));
+        }
+        let atom = self.atoms.number(self.model, value);
+        let (low, high) = bounds(operator, constant);
+        let leaf = Formula::Leaf { atom, low, high };
+        if operator == Binary::Ne { leaf.not() } else { leaf }
+    }
+
+    /// Two values that are both unknown: less, equal or greater.
+    fn with_another(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Formula {
+        let (operator, a, b) = if a <= b { (operator, a, b) } else { (flipped(operator), b, a) };
+        let atom = self.atoms.order(self.model, a, b);
+        let (low, high) = match operator {
+            Binary::Lt => (-1, -1),
+            Binary::Le => (-1, 0),
+            Binary::Gt => (1, 1),
+            Binary::Ge => (0, 1),
+            _ => (0, 0),
+        };
+        let leaf = Formula::Leaf { atom, low, high };
+        if operator == Binary::Ne { leaf.not() } else { leaf }
+    }
+
+    /// `&&` and `||` are; `&`, `|`, `^`, `==`, `!=` are where both sides are boolean.
+    fn is_connective(&self, operator: Binary, a: &Tree, b: &Tree) -> bool {
+        match operator {
+            Binary::And | Binary::Or => true,
+            Binary::BitAnd | Binary::BitOr | Binary::BitXor | Binary::Eq | Binary::Ne => {
+                self.is_boolean(a) && self.is_boolean(b)
+            }
+            _ => false,
+        }
+    }
+
+    fn is_boolean(&self, tree: &Tree) -> bool {
+        match tree {
+            Tree::Bool(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) | Tree::Binary(Binary::And | Binary::Or, ..) => {
+                true
+            }
+            Tree::Read(Read::Name(name)) => atoms::is_bool_name(self.model, *name),
+            Tree::Read(read) => !matches!(read, Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)),
+            Tree::Unary(operator, inner) => *operator == Unary::Not && self.is_boolean(inner),
+            Tree::Binary(Binary::BitAnd | Binary::BitOr | Binary::BitXor, a, b) => {
+                self.is_boolean(a) && self.is_boolean(b)
+            }
+            Tree::Binary(operator, ..) => is_comparison(*operator),
+            Tree::Int(_) | Tree::Opaque { .. } => false,
+        }
+    }
+}
+
+/// Whether an edge or a delay of this looks at nothing that changes within a cycle.
+pub(super) fn is_constant(tree: &Tree) -> bool {
+    let mut constant = true;
+    tree.each_read(&mut |read| {
+        constant &= matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_));
+    });
+    constant
+}
+
+fn is_comparison(operator: Binary) -> bool {
+    matches!(operator, Binary::Eq | Binary::Ne | Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge)
+}
+
+/// `a < b` is `b > a`.
+fn flipped(operator: Binary) -> Binary {
+    match operator {
+        Binary::Lt => Binary::Gt,
+        Binary::Le => Binary::Ge,
+        Binary::Gt => Binary::Lt,
+        Binary::Ge => Binary::Le,
+        other => other,
+    }
+}
+
+fn holds(operator: Binary, a: i128, b: i128) -> bool {
+    match operator {
+        Binary::Lt => a < b,
+        Binary::Le => a <= b,
+        Binary::Gt => a > b,
+        Binary::Ge => a >= b,
+        Binary::Ne => a != b,
+        _ => a == b,
+    }
+}
+
+/// Where `value operator constant` holds; for `!=`, where it does not.
+fn bounds(operator: Binary, constant: i128) -> (i128, i128) {
+    match operator {
+        // `FAR` is where a type ends, so that nothing lies beyond it.
+        Binary::Lt => (-FAR, constant.saturating_sub(1)),
+        Binary::Le => (-FAR, constant),
+        Binary::Gt => (constant.saturating_add(1), FAR),
+        Binary::Ge => (constant, FAR),
+        _ => (constant, constant),
+    }
+}
+
+/// The value of a constant expression.
+fn constant(tree: &Tree) -> Option<i128> {
+    match tree {
+        Tree::Int(value) => Some(*value),
+        Tree::Read(Read::Ticks(ticks)) => Some(i128::from(*ticks)),
+        Tree::Unary(Unary::Neg, inner) => constant(inner)?.checked_neg(),
+        Tree::Binary(operator, a, b) => {
+            let (a, b) = (constant(a)?, constant(b)?);
+            match operator {
+                Binary::Add => a.checked_add(b),
+                Binary::Sub => a.checked_sub(b),
+                Binary::Mul => a.checked_mul(b),
+                Binary::Div => a.checked_div(b),
+                Binary::Rem => a.checked_rem(b),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// The position of a float literal among all floats; both zeros have one.
+fn float_constant(tree: &Tree, float: Float) -> Option<i128> {
+    match tree {
+        Tree::Unary(Unary::Neg, inner) => float_constant(inner, float)?.checked_neg(),
+        Tree::Opaque { text, reads } if reads.is_empty() && text.starts_with(|c: char| c.is_ascii_digit()) => {
+            let digits = text.replace('_', "");
+            let digits = digits.trim_end_matches("f32").trim_end_matches("f64");
+            // Of an `f32`, two literals may be one value.
+            let value = match float {
+                Float::F32 => f64::from(digits.parse::<f32>().ok()?),
+                Float::F64 => digits.parse().ok()?,
+            };
+            value.is_finite().then(|| i128::from(value.to_bits()))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,162 @@
+//! `shadowed_branch`, `overlapping_branches`: transitions that compete for a step.
+
+use std::collections::BTreeSet;
+
+use crate::analysis::{Answer, Concurrency, Condition, Logic};
+use crate::diagnostic::{Sink, rules};
+use crate::model::{Id, LevelAttr, Model, Read, StepId, TransitionId, Tree};
+
+/// Of a step with more branches each is compared with this many before it.
+const NEIGHBOURS: usize = 200;
+
+pub(super) fn check(
+    model: &Model,
+    concurrency: &Concurrency,
+    logic: &Logic<'_>,
+    conditions: &[Condition],
+    dead: &BTreeSet<TransitionId>,
+    sink: &mut Sink,
+) {
+    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+    for (id, transition) in model.transitions.iter() {
+        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+    }
+    let branches = Branches { model, concurrency, logic, conditions };
+    for id in model.transitions.ids().filter(|id| !dead.contains(id)) {
+        // What competes with it and stands before it.
+        let sources = &model.transitions[id].sources;
+        let before: BTreeSet<TransitionId> = sources
+            .iter()
+            .flat_map(|step| leaving[step.index()].iter().copied().filter(|other| *other < id && !dead.contains(other)))
+            .collect();
+        if before.is_empty() {
+            continue;
+        }
+        let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).collect();
+        before.reverse();
+        if model.is_grafcet() {
+            branches.overlapping(id, &before, sink);
+        } else {
+            branches.shadowed(id, &before, sink);
+        }
+    }
+}
+
+struct Branches<'m> {
+    model: &'m Model,
+    concurrency: &'m Concurrency,
+    logic: &'m Logic<'m>,
+    /// By transition.
+    conditions: &'m [Condition],
+}
+
+impl Branches<'_> {
+    fn condition(&self, id: TransitionId) -> &Condition {
+        &self.conditions[id.index()]
+    }
+
+    /// A28: of the branches that could clear the first one in the source does.
+    fn shadowed(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
+        let sources = &self.model.transitions[id].sources;
+        // One that is enabled whenever this one is.
+        let wins = |other: &&TransitionId| self.model.transitions[**other].sources.iter().all(|s| sources.contains(s));
+        let mut first: Vec<(TransitionId, &Condition)> =
+            before.iter().filter(wins).map(|other| (*other, self.condition(*other))).collect();
+        let own = self.condition(id);
+        let implied = |by: &[(TransitionId, &Condition)]| {
+            self.logic.implies(own, &by.iter().map(|(_, condition)| *condition).collect::<Vec<_>>())
+        };
+        if first.is_empty() || !implied(&first) {
+            return;
+        }
+        match first.iter().position(|one| implied(std::slice::from_ref(one))) {
+            Some(one) => first = vec![first.swap_remove(one)],
+            None => {
+                // Those without which it still is implied have no part in it.
+                let mut at = 0;
+                while at < first.len() {
+                    let one = first.remove(at);
+                    if !implied(&first) {
+                        first.insert(at, one);
+                        at += 1;
+                    }
+                }
+            }
+        }
+        let shadowing: Vec<TransitionId> = first.iter().map(|(other, _)| *other).collect();
+        self.report_shadowed(id, &shadowing, sink);
+    }
+
+    fn report_shadowed(&self, id: TransitionId, shadowing: &[TransitionId], sink: &mut Sink) {
+        let transition = &self.model.transitions[id];
+        let (own, text) = (self.model.transition_text(transition), &transition.condition.text);
+        let who = match shadowing {
+            [one] => {
+                let first = &self.model.transitions[*one];
+                format!("`{}` of {}", first.condition.text, self.model.transition_text(first))
+            }
+            _ => format!("one of the {} conditions", shadowing.len()),
+        };
+        let message = format!(
+            "{own} never clears: whenever `{text}` holds, so does {who} before it; put it first, or correct one of the \
+             conditions"
+        );
+        let mut notes = vec![(transition.condition.mark, message)];
+        for other in shadowing {
+            let first = &self.model.transitions[*other];
+            let message = format!(
+                "{} stands before {own} and has priority; whenever `{text}` holds, it is cleared instead",
+                self.model.transition_text(first)
+            );
+            notes.push((first.condition.mark, message));
+        }
+        sink.rule(&rules::SHADOWED_BRANCH, &self.model.levels_of_transition(transition), notes);
+    }
+
+    /// Rule 4 of IEC 60848: branches whose conditions hold together all clear. Each is reported beside the first such one.
+    fn overlapping(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
+        let own = self.condition(id);
+        for other in before {
+            let excluded = self.logic.exclusive(self.condition(*other), own);
+            if excluded || self.lead_to_the_same(id, *other) || !self.enabled_together(id, *other) {
+                continue;
+            }
+            let (first, second) = (&self.model.transitions[*other], &self.model.transitions[id]);
+            let steps: BTreeSet<StepId> = first.sources.iter().chain(&second.sources).copied().collect();
+            let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
+            let active: Vec<Condition> = steps.iter().map(active).collect();
+            let goals = [(self.condition(*other), true), (own, true)];
+            let Answer::Witness(inputs) = self.logic.certainly_together(&goals, &active.iter().collect::<Vec<_>>())
+            else {
+                continue;
+            };
+            let when = if inputs.is_empty() { "always".to_owned() } else { format!("with `{inputs}`") };
+            let note = |one: TransitionId, other: TransitionId| {
+                let (one, other) = (&self.model.transitions[one], &self.model.transitions[other]);
+                let message = format!(
+                    "{} and {} can clear together, {when}; let their conditions exclude each other",
+                    self.model.transition_text(one),
+                    self.model.transition_text(other),
+                );
+                (one.condition.mark, message)
+            };
+            let mut scopes: Vec<&[LevelAttr]> = vec![&first.levels];
+            scopes.extend(self.model.levels_of_transition(second));
+            sink.rule(&rules::OVERLAPPING_BRANCHES, &scopes, vec![note(id, *other), note(*other, id)]);
+            return;
+        }
+    }
+
+    /// Whether it makes no difference that both clear.
+    fn lead_to_the_same(&self, a: TransitionId, b: TransitionId) -> bool {
+        let (a, b) = (&self.model.transitions[a], &self.model.transitions[b]);
+        let set = |steps: &[StepId]| steps.iter().copied().collect::<BTreeSet<_>>();
+        let same = set(&a.sources) == set(&b.sources) && set(&a.targets) == set(&b.targets);
+        same && a.clearing.is_empty() && b.clearing.is_empty()
+    }
+
+    fn enabled_together(&self, a: TransitionId, b: TransitionId) -> bool {
+        let (a, b) = (&self.model.transitions[a], &self.model.transitions[b]);
+        a.sources.iter().all(|x| b.sources.iter().all(|y| x == y || self.concurrency.together(*x, *y)))
+    }
+}

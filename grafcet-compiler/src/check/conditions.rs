@@ -1,0 +1,88 @@
+//! `never_true`, `always_true`, `level_source_transition`: what is wrong with a condition by itself.
+
+use std::collections::BTreeSet;
+
+use crate::analysis::{Answer, Condition, Logic};
+use crate::diagnostic::{Rule, Sink, rules};
+use crate::model::{Expr, Model, Read, Transition, TransitionId, Tree};
+
+/// Returns the transitions whose condition never holds.
+pub(super) fn check(
+    model: &Model,
+    logic: &Logic<'_>,
+    conditions: &[Condition],
+    sink: &mut Sink,
+) -> BTreeSet<TransitionId> {
+    let mut dead = BTreeSet::new();
+    for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
+        let scopes = model.levels_of_transition(transition);
+        let Some(rule) = constant(logic, condition, &transition.condition.tree) else {
+            level_source(model, logic, transition, condition, sink);
+            continue;
+        };
+        if rule.name == rules::NEVER_TRUE.name {
+            dead.insert(id);
+        }
+        let what = format!("{} never clears", model.transition_text(transition));
+        report(rule, &transition.condition, &what, &scopes, sink);
+    }
+    for association in model.associations.values() {
+        for expr in association.condition.iter().chain(&association.event) {
+            if let Some(rule) = constant(logic, &logic.of_action(&expr.tree), &expr.tree) {
+                let step = &model.steps[association.step];
+                report(rule, expr, "this action never acts", &model.levels_of(step), sink);
+            }
+        }
+    }
+    dead
+}
+
+/// The rule that a condition breaks which always has the same value.
+fn constant(logic: &Logic<'_>, condition: &Condition, tree: &Tree) -> Option<&'static Rule> {
+    // A name alone can have any value.
+    if matches!(tree, Tree::Bool(true) | Tree::Read(Read::Name(_))) {
+        return None;
+    }
+    if logic.never(condition) {
+        return Some(&rules::NEVER_TRUE);
+    }
+    logic.always(condition).then_some(&rules::ALWAYS_TRUE)
+}
+
+fn report(rule: &'static Rule, expr: &Expr, what: &str, scopes: &[&[crate::model::LevelAttr]], sink: &mut Sink) {
+    let text = &expr.text;
+    let message = if rule.name == rules::NEVER_TRUE.name {
+        format!("`{text}` never holds, so {what}; correct the condition, or delete what depends on it")
+    } else {
+        format!("`{text}` always holds, so nothing waits for it; correct the condition, or write `true`")
+    };
+    sink.rule(rule, scopes, vec![(expr.mark, message)]);
+}
+
+/// IEC 60848: a source transition is always enabled, so its condition is an event.
+fn level_source(model: &Model, logic: &Logic<'_>, transition: &Transition, condition: &Condition, sink: &mut Sink) {
+    if !model.is_grafcet() || !transition.sources.is_empty() {
+        return;
+    }
+    let expr = &transition.condition;
+    let is_edge = |read: &&Read| matches!(read, Read::Rising(_) | Read::Falling(_));
+    let edges: Vec<Condition> =
+        expr.reads.iter().filter(is_edge).map(|read| logic.condition(&Tree::Read(*read))).collect();
+    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).collect();
+    goals.push((condition, true));
+    // Without any edge it is a level whatever it reads.
+    let is_level = edges.is_empty() || matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_));
+    if is_level {
+        let mend = match &expr.tree {
+            Tree::Read(_) => format!("`rising({})`", expr.text),
+            _ => "`rising(…)`".to_owned(),
+        };
+        let message = format!(
+            "a source transition is always enabled, so it clears in every evolution in which the level `{}` holds; write \
+             the event that is meant: {mend}",
+            expr.text
+        );
+        let scopes = model.levels_of_transition(transition);
+        sink.rule(&rules::LEVEL_SOURCE_TRANSITION, &scopes, vec![(expr.mark, message)]);
+    }
+}
