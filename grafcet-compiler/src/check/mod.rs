@@ -42,15 +42,15 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 pub fn evolution(model: &Model, sink: &mut Sink) {
     let concurrency = Concurrency::of(model);
     let exploration = Exploration::of(model, &Limits::default());
-    let dead = reach::check(model, &exploration, sink);
-    safety::check(model, &exploration, sink);
-    waits::check(model, &exploration, &dead, sink);
     usage::check(model, sink);
     {
         let logic = Logic::within(model, &concurrency, &[]);
         let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
-        let dead = conditions::check(model, &logic, &conditions, sink);
-        branches::check(model, &concurrency, &logic, &conditions, &dead, sink);
+        let never = conditions::check(model, &logic, &conditions, sink);
+        branches::check(model, &concurrency, &logic, &conditions, &never, sink);
+        let dead = reach::check(model, &exploration, &never, sink);
+        safety::check(model, &exploration, sink);
+        waits::check(model, &exploration, &dead, sink);
     }
     set_reset::check(model, &concurrency, sink);
     if model.is_grafcet() {

@@ -5,16 +5,21 @@
 
 use std::collections::BTreeSet;
 
-use crate::analysis::Logic;
 use crate::analysis::explore::{Exploration, situation};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{ForceOrder, Id, Model, Read, StepId, Transition, TransitionId};
 
 /// Reports, and returns the transitions that never clear although their sources can be active.
-pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) -> BTreeSet<TransitionId> {
+/// `never` are those whose conditions never hold by themselves, which has been said.
+pub(super) fn check(
+    model: &Model,
+    exploration: &Exploration,
+    never: &BTreeSet<TransitionId>,
+    sink: &mut Sink,
+) -> BTreeSet<TransitionId> {
     let drawn = drawn(model);
     for (id, step) in model.steps.iter().filter(|(id, _)| !exploration.reachable(*id) && !drawn[id.index()]) {
-        let scopes = [&step.levels[..], &model.partials[step.partial].levels, &model.levels];
+        let scopes = model.levels_of(step);
         let message = unreachable(model, id);
         sink.rule(&rules::UNREACHABLE_STEP, &scopes, vec![(Mark::from(&step.name), message)]);
     }
@@ -27,16 +32,15 @@ pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) -
         .map(|(id, _)| id)
         .collect();
     let waiting: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
-    let logic = Logic::new(model);
     for id in &dead {
         let transition = &model.transitions[*id];
-        // `never_true` and `stuck_join` say what is wrong.
-        if waiting.contains(id) || logic.never(&logic.condition(&transition.condition.tree)) {
+        // `stuck_join` says what is wrong.
+        if waiting.contains(id) || never.contains(id) {
             continue;
         }
         let message =
             if exploration.is_enabled(*id) { never_holds(model, transition) } else { never_enabled(model, transition) };
-        let scopes = [&transition.levels[..], &model.partials[transition.partial].levels, &model.levels];
+        let scopes = model.levels_of_transition(transition);
         sink.rule(&rules::DEAD_TRANSITION, &scopes, vec![(transition.mark, message)]);
     }
     dead

@@ -1,13 +1,13 @@
 //! `stuck_join`, `deadlock`: situations in which something waits forever.
 //!
 //! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
-//! no deadlock beside that. Where a final step is active the chart is meant to end, and what an order holds is not stuck.
+//! no deadlock beside that.
 
 use std::collections::BTreeSet;
 
 use crate::analysis::explore::{Deadlock, Exploration, StuckJoin, situation};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Id, LevelAttr, Model, PartialId, StepId, TransitionId};
+use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
 
 pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<TransitionId>, sink: &mut Sink) {
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
@@ -18,8 +18,7 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
     let mut waiting: BTreeSet<StepId> = BTreeSet::new();
     let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join);
     for stuck in exploration.stuck_joins() {
-        let partial = model.transitions[stuck.join].partial;
-        if is_meant(model, partial, stuck.path.end()) || stuck.culprit.is_none() && others_dead(stuck.join) {
+        if stuck.culprit.is_none() && others_dead(stuck.join) {
             continue;
         }
         waiting.insert(stuck.waiting);
@@ -38,13 +37,6 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
             report(model, deadlock, &leaving, sink);
         }
     }
-}
-
-/// Whether a final step is active, or an order holds the partial grafcet.
-fn is_meant(model: &Model, partial: PartialId, active: &[StepId]) -> bool {
-    let is_final = |step: &StepId| model.steps[*step].is_final && model.steps[*step].partial == partial;
-    let holds = |step: &StepId| model.steps[*step].forces.iter().any(|force| model.forces[*force].target == partial);
-    active.iter().any(|step| is_final(step) || holds(step))
 }
 
 fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {

@@ -57,6 +57,10 @@ impl Future {
                         self.set(&mut row, self.wait(*source));
                     }
                 }
+                for step in &edge.changed {
+                    set(&mut row, net.unit_of[*step]);
+                    self.set(&mut row, self.wait(*step));
+                }
                 edge.joins.iter().for_each(|join| self.set(&mut row, self.join(*join)));
                 if let Some(other) = self.rows.get(self.group_of[edge.to]) {
                     unite(&mut row, other);

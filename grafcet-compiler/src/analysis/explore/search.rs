@@ -67,6 +67,8 @@ pub(super) struct Edge {
     pub(super) cleared: Box<[usize]>,
     /// AND-convergences enabled by a situation inside the cycle.
     pub(super) joins: Box<[usize]>,
+    /// Steps that what stands above has left or entered in between.
+    pub(super) changed: Box<[usize]>,
 }
 
 /// A cycle that activates a step while it is active.
@@ -242,7 +244,12 @@ impl<'n, 's> Search<'n, 's> {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
             let cycle = Cycle { given: Vec::new(), past: Vec::new(), cleared: Vec::new() };
             let to = self.insert(held, Some(Origin { from: number, cycle }));
-            self.graph.edges[number].push(Edge { to, cleared: Box::default(), joins: Box::default() });
+            self.graph.edges[number].push(Edge {
+                to,
+                cleared: Box::default(),
+                joins: Box::default(),
+                changed: Box::default(),
+            });
         }
         self.graph.edges[number].sort_unstable();
         self.graph.edges[number].dedup();
@@ -321,9 +328,28 @@ impl<'n, 's> Search<'n, 's> {
         joins.retain(|transition| net.arcs[*transition].sources.len() > 1);
         joins.sort_unstable();
         joins.dedup();
+        let changed = self.changed(from, &next, &done.transient).into_boxed_slice();
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
         let to = self.insert(next, Some(Origin { from, cycle }));
-        self.graph.edges[from].push(Edge { to, cleared, joins });
+        self.graph.edges[from].push(Edge { to, cleared, joins, changed });
+    }
+
+    /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and
+    /// from the situation at the end.
+    fn changed(&self, from: usize, next: &State, transient: &[Vec<usize>]) -> Vec<usize> {
+        let mut changed = Vec::new();
+        if self.scene.net.hierarchy.is_empty() {
+            return changed;
+        }
+        let mut before: &[usize] = &self.graph.states[from].active;
+        for after in transient.iter().map(|active| &active[..]).chain([&next.active[..]]) {
+            changed.extend(before.iter().filter(|step| after.binary_search(step).is_err()));
+            changed.extend(after.iter().filter(|step| before.binary_search(step).is_err()));
+            before = after;
+        }
+        changed.sort_unstable();
+        changed.dedup();
+        changed
     }
 
     /// `sfc`: whether the conditions of the enabled transitions that never cleared so far can hold at all.

@@ -88,11 +88,11 @@ impl Report<'_> {
             units.sort_unstable();
             units.dedup();
             for unit in units {
-                if future.moves(number, unit) || !self.net.has_arcs[unit] || self.is_frozen(&state.active, unit) {
+                if future.moves(number, unit) || !self.net.has_arcs[unit] || self.is_meant(&state.active, unit) {
                     continue;
                 }
                 let here = self.part_of(&state.active, unit);
-                if here.iter().any(|step| self.net.is_final[*step]) || !known.insert(here.clone()) {
+                if !known.insert(here.clone()) {
                     continue;
                 }
                 let partial = PartialId::new(self.net.part_of[here[0]]);
@@ -111,7 +111,8 @@ impl Report<'_> {
         }
         for (number, state) in self.graph.states.iter().enumerate().filter(|(_, state)| !state.first) {
             for step in state.active.iter().filter(|step| future.waiting.binary_search(step).is_ok()) {
-                if future.leaves(number, *step) {
+                let unit = self.net.unit_of[*step];
+                if future.leaves(number, *step) || self.is_meant(&state.active, unit) {
                     continue;
                 }
                 for join in self.net.leaving[*step].iter().filter(|t| future.joins.binary_search(t).is_ok()) {
@@ -150,10 +151,11 @@ impl Report<'_> {
         active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().collect()
     }
 
-    /// Whether an order holds the piece where it is: that it does not go on is not its own fault.
-    fn is_frozen(&self, active: &[usize], unit: usize) -> bool {
-        let step = active.iter().find(|step| self.net.unit_of[**step] == unit);
-        self.graph.unit.is_none() && step.is_some_and(|step| self.net.order(self.net.part_of[*step], active).is_some())
+    /// Whether the piece may stay where it is: a final step of it is active, or an order holds it.
+    fn is_meant(&self, active: &[usize], unit: usize) -> bool {
+        let here = self.part_of(active, unit);
+        let held = |step: &usize| self.net.order(self.net.part_of[*step], active).is_some();
+        here.iter().any(|step| self.net.is_final[*step]) || self.graph.unit.is_none() && here.first().is_some_and(held)
     }
 }
 

@@ -45,6 +45,7 @@ macro_rules! timed {
         grafcet! {
             /// A timed chart.
             $vis grafcet $name {
+                #![allow(grafcet::dead_transition)]
                 input button: $ty;
                 $(output $output: $ty;)+
                 var pressed: $ty = false;
@@ -64,6 +65,7 @@ macro_rules! sequence {
         grafcet! {
             /// A sequence.
             pub grafcet $name {
+                #![allow(grafcet::deadlock)]
                 $(input $input: bool;)*
                 initial step $first;
                 $(step $step;)*
