@@ -29,13 +29,13 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, exact: bool) -> Ve
     rules.speaks_for(&["unsafe_step"], !verdicts.unsafe_steps.is_empty(), &mut wrong);
     rules.speaks_for(&["stuck_join"], !verdicts.stuck.is_empty(), &mut wrong);
     rules.speaks_for(&["deadlock"], !verdicts.deadlocks.is_empty(), &mut wrong);
-    // Where the drawing is wrong, nobody looks at how the chart evolves.
-    if exact && !rules.reported.contains("several_initial_steps") {
+    // Where the drawing is wrong, nobody looks at how the chart evolves; an instable one has that to mend first.
+    let evolves = ["several_initial_steps", "unstable"].iter().all(|rule| !rules.reported.contains(rule));
+    if exact && evolves {
         // What cannot go on or be reached is reported once, by one of the rules about it.
         let dead_ends =
             ["never_true", "shadowed_branch", "unreachable_step", "dead_transition", "stuck_join", "deadlock"];
         rules.needs(unreachable || dead || !verdicts.deadlocks.is_empty(), &dead_ends, &mut wrong);
-        rules.needs(unreachable, &dead_ends[..4], &mut wrong);
         // A source transition is meant to bring one token after the other.
         let sources = model.transitions.values().all(|transition| !transition.sources.is_empty());
         rules.needs(sources && !verdicts.unsafe_steps.is_empty(), &["unsafe_step"], &mut wrong);
