@@ -46,13 +46,13 @@ mod by_hand {
     use std::collections::BTreeSet;
 
     use grafcet_conformance::brute::graph::Graph;
+    use grafcet_conformance::brute::make::allowed;
     use grafcet_conformance::brute::resolve;
     use grafcet_conformance::brute::verdicts::Verdicts;
 
     /// The names of unreachable and unsafe steps, of the steps of deadlocks, and of those that wait for ever.
     fn verdicts(dialect: &str, chart: &str) -> [String; 4] {
-        let allow = "#![allow(grafcet::unsafe_step, grafcet::deadlock, grafcet::stuck_join, grafcet::unreachable_step, \
-                     grafcet::dead_transition, grafcet::overlapping_branches)]";
+        let allow = allowed();
         let model = resolve(&format!("{dialect} C {{ {allow} input a, b: bool; {chart} }}")).expect("a chart");
         let graph = Graph::of(&model, 10_000).expect("understood").expect("small");
         let verdicts = Verdicts::of(&model, &graph);

@@ -12,6 +12,13 @@ const ALLOWED: &str = "\
     shadowed_branch overlapping_branches level_source_transition conflicting_values write_race set_without_reset \
     reset_without_set timed_contention unused_input undriven_output unused_variable unused_action unused_param";
 
+/// The attribute that allows the lints.
+#[must_use]
+pub fn allowed() -> String {
+    let rules: Vec<String> = ALLOWED.split_whitespace().map(|rule| format!("grafcet::{rule}")).collect();
+    format!("#![allow({})]", rules.join(", "))
+}
+
 /// How a chart is made.
 pub(super) struct Maker {
     pub(super) rng: Rng,
@@ -30,9 +37,7 @@ pub fn chart(number: u64, grafcet: bool, timed: bool) -> String {
     let mut maker = Maker { rng: Rng::new(number ^ 0x5eed), grafcet, timed, steps: 0, partials: 0 };
     let bodies = maker.bodies();
     let mut words = Words::new(&mut maker, &bodies);
-    let allowed: Vec<String> = ALLOWED.split_whitespace().map(|rule| format!("grafcet::{rule}")).collect();
-    let mut lines =
-        vec![format!("{} C {{", if grafcet { "grafcet" } else { "sfc" }), format!("#![allow({})]", allowed.join(", "))];
+    let mut lines = vec![format!("{} C {{", if grafcet { "grafcet" } else { "sfc" }), allowed()];
     let mut inside = Vec::new();
     for body in &bodies {
         maker.write(body, &mut words, &mut inside);
