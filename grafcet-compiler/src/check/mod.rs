@@ -48,6 +48,6 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     if model.is_grafcet() {
         structure::two_masters(model, &concurrency, sink);
         race::check(model, &concurrency, sink);
-        unstable::check(model, sink);
+        unstable::check(model, &concurrency, &[], sink);
     }
 }
