@@ -47,6 +47,11 @@ impl Concurrency {
         self.relation.contains(a.index(), b.index())
     }
 
+    /// The other steps that can be active together with one.
+    pub fn beside(&self, step: StepId) -> impl Iterator<Item = StepId> + '_ {
+        self.relation.of(step.index()).map(StepId::new).filter(move |other| *other != step)
+    }
+
     /// Whether some situation contains the step, as far as the structure tells.
     #[must_use]
     pub fn reachable(&self, step: StepId) -> bool {

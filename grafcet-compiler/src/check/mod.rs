@@ -2,10 +2,12 @@
 
 mod branches;
 mod conditions;
+mod contention;
 mod continuous;
 mod drawing;
 mod events;
 mod initial;
+mod meeting;
 mod modes;
 mod not_yet;
 mod race;
@@ -45,9 +47,10 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
         branches::check(model, &concurrency, &logic, &conditions, &dead, sink);
     }
     set_reset::check(model, &concurrency, sink);
+    race::check(model, &concurrency, &[], sink);
+    contention::check(model, &concurrency, &[], sink);
     if model.is_grafcet() {
         structure::two_masters(model, &concurrency, sink);
-        race::check(model, &concurrency, sink);
         unstable::check(model, &concurrency, &[], sink);
     }
 }

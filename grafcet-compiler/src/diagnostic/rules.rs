@@ -108,9 +108,11 @@ rules! {
     EDGE_IN_ASSIGNATION = error("edge_in_assignation");
     EVENT_WITHOUT_EDGE = error("event_without_edge");
     MIXED_MODES = error("mixed_modes");
+    CONFLICTING_VALUES = deny("conflicting_values");
     WRITE_RACE = warn_in_sfc("write_race");
     SET_WITHOUT_RESET = warn("set_without_reset");
     RESET_WITHOUT_SET = warn("reset_without_set");
+    TIMED_CONTENTION = deny("timed_contention");
     UNUSED_INPUT = warn("unused_input");
     UNDRIVEN_OUTPUT = warn("undriven_output");
     UNUSED_VARIABLE = warn("unused_variable");
@@ -133,8 +135,6 @@ const LATER: &[&str] = &[
     "stuck_join",
     "deadlock",
     "not_home",
-    "conflicting_values",
-    "timed_contention",
     "property_violated",
     "property_undecided",
 ];
