@@ -73,7 +73,7 @@ fn expand(text: &str) -> String {
 
 /// A chart with hundreds of names of every kind, and with parallel branches, edges, times and actions.
 fn many_names() -> String {
-    let mut text = String::from("grafcet! { sfc Many { clock 10ms;\n");
+    let mut text = String::from("grafcet! { sfc Many { #![allow(grafcet::timed_contention)] clock 10ms;\n");
     for i in 0..50 {
         let _ = writeln!(text, "input i{i}, level{i}: u16; output q{i}: bool; output speed{i}: u16 = {i};");
         let _ = writeln!(text, "var v{i}: bool; param p{i}: time = {i}s; action act{i}(a: u16, b: bool);");

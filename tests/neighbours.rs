@@ -19,11 +19,12 @@ macro_rules! neighbours {
 
 neighbours! {
     actions:
-        bad_time, clearing_action, mixed_modes, reset_without_set, set_without_reset, undriven_output, unused_action,
-        unused_input, unused_param, unused_variable, write_race, wrong_target;
+        bad_time, clearing_action, conflicting_values, mixed_modes, reset_without_set, set_without_reset,
+        timed_contention, undriven_output, unused_action, unused_input, unused_param, unused_variable, write_race,
+        wrong_target;
     conditions:
         always_true, combinational_circle, edge_in_assignation, event_without_edge, level_source_transition,
-        never_true, overlapping_branches, reads_continuous, shadowed_branch, unstable;
+        never_true, overlapping_branches, possible_instability, reads_continuous, shadowed_branch, unstable;
     drawing:
         duplicate_name, duplicate_transition, isolated_step, no_initial_step, repeated_step, reserved_name,
         several_initial_steps, sink_transition, source_transition, steps_without_transition,

@@ -57,6 +57,9 @@ macro_rules! chart {
     ($dialect:ident $name:ident { $($tokens:tt)* }) => {
         grafcet! {
             $dialect $name {
+                // What is measured need not make sense.
+                #![allow(grafcet::unused_input, grafcet::unused_variable, grafcet::set_without_reset)]
+                #![allow(grafcet::shadowed_branch)]
                 input a, b: bool;
                 input level: u16;
                 initial step First;

@@ -69,7 +69,7 @@ fn exclusive(a: &str, b: &str) -> bool {
 }
 
 fn witness(conditions: &[&str]) -> Answer {
-    ask(conditions, &[], |logic, all| logic.together(&all.iter().map(|c| (c, true)).collect::<Vec<_>>()))
+    ask(conditions, &[], |logic, all| logic.together(&all.iter().map(|c| (c, true)).collect::<Vec<_>>(), &[]))
 }
 
 fn certain(conditions: &[&str]) -> bool {

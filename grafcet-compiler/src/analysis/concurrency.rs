@@ -24,8 +24,18 @@ impl Concurrency {
     /// Computes the relation.
     #[must_use]
     pub fn of(model: &Model) -> Self {
+        Self::computed(model, model.is_grafcet())
+    }
+
+    /// The relation in a chart whose branches are taken one at a time.
+    #[must_use]
+    pub fn of_exclusive_branches(model: &Model) -> Self {
+        Self::computed(model, false)
+    }
+
+    fn computed(model: &Model, overlapping: bool) -> Self {
         let mut search = Search::new(model);
-        search.seed();
+        search.seed(overlapping);
         search.run();
         search.follow_enclosures();
         Self { relation: search.relation, reachable: search.reachable, unsafe_steps: search.unsafe_steps }
@@ -35,6 +45,11 @@ impl Concurrency {
     #[must_use]
     pub fn together(&self, a: StepId, b: StepId) -> bool {
         self.relation.contains(a.index(), b.index())
+    }
+
+    /// The other steps that can be active together with one.
+    pub fn beside(&self, step: StepId) -> impl Iterator<Item = StepId> + '_ {
+        self.relation.of(step.index()).map(StepId::new).filter(move |other| *other != step)
     }
 
     /// Whether some situation contains the step, as far as the structure tells.
@@ -90,14 +105,14 @@ impl<'m> Search<'m> {
 
     /// Situations that do not come from a transition inside the partial grafcet: initial, linked and forced steps.
     /// Different partial grafcets evolve independently, so all their steps can be active together.
-    fn seed(&mut self) {
+    fn seed(&mut self, overlapping: bool) {
         for (id, _) in self.model.partials.iter() {
             for group in self.starts(id) {
                 self.enter_together(&group);
             }
         }
         self.seed_across_partials();
-        if self.model.is_grafcet() {
+        if overlapping {
             self.seed_overlapping_branches();
         }
         self.queue_sources();

@@ -1,5 +1,6 @@
 //! Facts about the model. Pure: no spans, no errors, no tokens.
 
+pub mod circles;
 pub mod combinational;
 mod concurrency;
 pub mod explore;

@@ -5,9 +5,9 @@ grafcet! {
         clock 10ms;
         input start: bool;
         param soak: time = 1h30m;
-        output burner, lamp: bool;
+        output burner, lamp, horn: bool;
 
-        initial step Idle { L 5s lamp; D soak lamp; }
+        initial step Idle { L 5s lamp; D soak horn; }
         step Heat { L 500ms burner; }
 
         Idle -[5s/Idle || Idle.T > 3s]-> Heat -[11000h/Heat]-> Idle;

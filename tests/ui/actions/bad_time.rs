@@ -5,10 +5,10 @@ grafcet! {
         clock 10ms;
         input start: bool;
         input level: u16;
-        output burner, lamp: bool;
+        output burner, lamp, horn: bool;
 
-        initial step Idle { L 5 lamp; D level lamp; }
-        step Heat { L 0s burner; D 3sec lamp; }
+        initial step Idle { L 5 lamp; D level horn; }
+        step Heat { L 0s burner; D 3sec horn; }
 
         Idle -[5/Heat || Idle.T > 300]-> Heat -[15ms/Heat]-> Idle;
         Heat -[12000h/Heat]-> Idle;

@@ -3,7 +3,7 @@ use grafcet::grafcet;
 grafcet! {
     grafcet Counter {
         input part: bool;
-        var count: u16 = 0;
+        output count: u16 = 0;
 
         initial step Left;
         step LeftDone { P1 count = count + 1; }
@@ -29,6 +29,44 @@ grafcet! {
 
         One -[a]-> Two -[!a]-> One;
         Three -[b]-> Four -[!b]-> Three;
+    }
+}
+
+// One behind the other, and what the action control combines.
+grafcet! {
+    sfc Parallel {
+        #![deny(grafcet::write_race)]
+        input start, done: bool;
+        output count: u16 = 0;
+        output lamp: bool;
+
+        initial step Idle { P0 count = 0; }
+        step Left { P1 count = 1; S lamp; }
+        step Right { R lamp; }
+        step Last { N { count += 2; } }
+
+        Idle -[start]-> (Left, Right);
+        (Left, Right) -[done]-> Last -[!done]-> Idle;
+    }
+}
+
+// The lower partial grafcet writes what the upper one does not, or the same.
+grafcet! {
+    grafcet Orders {
+        input stop, go: bool;
+        output mode: u8 = 0;
+        output state: u8 = 0;
+
+        partial Upper {
+            initial step Ready { P1 mode = 1; }
+            step Stopped { force Lower {Safe}; P1 state = 1; }
+            Ready -[stop]-> Stopped -[!stop]-> Ready;
+        }
+        partial Lower {
+            initial step Work { P1 mode = 1; }
+            step Safe { P1 state = 1; }
+            Work -[go]-> Safe -[!go]-> Work;
+        }
     }
 }
 

@@ -3,7 +3,7 @@ use grafcet::grafcet;
 grafcet! {
     grafcet Counter {
         input part: bool;
-        var count: u16 = 0;
+        output count: u16 = 0;
 
         initial step Left;
         step LeftDone { P1 count = count + 1; }
@@ -12,6 +12,41 @@ grafcet! {
 
         Left -[part]-> LeftDone -[!part]-> Left;
         Right -[part && count > 9]-> RightDone -[!part]-> Right;
+    }
+}
+
+// Of an `sfc` in parallel branches; at the start; by one forcing order.
+grafcet! {
+    sfc Parallel {
+        #![deny(grafcet::write_race)]
+        input start, done: bool;
+        output count: u16 = 0;
+
+        initial step Idle;
+        step Left { P1 count = 1; }
+        step Right { N { count += 2; } }
+
+        Idle -[start]-> (Left, Right);
+        (Left, Right) -[done]-> Idle;
+    }
+}
+
+grafcet! {
+    grafcet Orders {
+        input stop, go: bool;
+        output mode: u8 = 0;
+        output state: u8 = 0;
+
+        partial Upper {
+            initial step Ready { P1 mode = 1; }
+            step Stopped { force Lower {Safe}; P1 state = 1; }
+            Ready -[stop]-> Stopped -[!stop]-> Ready;
+        }
+        partial Lower {
+            initial step Work { P1 mode = 2; }
+            step Safe { P1 state = 2; }
+            Work -[go]-> Safe -[!go]-> Work;
+        }
     }
 }
 

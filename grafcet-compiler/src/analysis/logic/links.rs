@@ -39,6 +39,10 @@ impl Links {
         }
     }
 
+    pub(super) fn has_assumptions(&self) -> bool {
+        !self.assumed.is_empty()
+    }
+
     /// All facts about the atoms, and about those that these facts bring in.
     pub(super) fn about(
         &mut self,

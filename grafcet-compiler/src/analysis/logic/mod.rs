@@ -15,6 +15,8 @@ mod read;
 mod solve;
 mod witness;
 
+pub(super) use witness::UNKNOWN;
+
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -132,6 +134,12 @@ impl<'m> Logic<'m> {
         Reader { model: self.model, atoms: &mut self.atoms.borrow_mut() }.formula(tree)
     }
 
+    /// Whether some valuations do not count.
+    #[must_use]
+    pub fn has_assumptions(&self) -> bool {
+        self.links.borrow().has_assumptions()
+    }
+
     /// Whether a condition can never hold; `false` where that cannot be shown.
     #[must_use]
     pub fn never(&self, a: &Condition) -> bool {
@@ -166,34 +174,34 @@ impl<'m> Logic<'m> {
     /// Whether the conditions cannot have these values together; `false` where that cannot be shown.
     #[must_use]
     pub fn impossible(&self, goals: &[(&Condition, bool)]) -> bool {
-        self.ask(goals, Trust::Any) == Answer::Never
+        self.ask(goals, Trust::Any, &BTreeSet::new()) == Answer::Never
     }
 
-    /// Whether the conditions can have these values together.
+    /// Whether the conditions can have these values together, where `given` holds and is not worth mentioning.
     #[must_use]
-    pub fn together(&self, goals: &[(&Condition, bool)]) -> Answer {
-        self.ask(goals, Trust::Any)
+    pub fn together(&self, goals: &[(&Condition, bool)], given: &[&Condition]) -> Answer {
+        self.ask_beside(goals, Trust::Any, given)
     }
 
     /// Whether the conditions have these values together under some valuation of what is known, whatever the value of
-    /// Rust that is not looked into and of comparisons whose relation to each other is not known. `given` holds
-    /// anyway and is not mentioned.
+    /// Rust that is not looked into and of comparisons whose relation to each other is not known.
     #[must_use]
     pub fn certainly_together(&self, goals: &[(&Condition, bool)], given: &[&Condition]) -> Answer {
+        self.ask_beside(goals, Trust::Known, given)
+    }
+
+    /// Asks with `given`, the atoms of which the witness does not mention.
+    fn ask_beside(&self, goals: &[(&Condition, bool)], trust: Trust, given: &[&Condition]) -> Answer {
         let mut known = BTreeSet::new();
         for condition in given {
             condition.formula.each_atom(&mut |atom| _ = known.insert(atom));
         }
         let all: Vec<_> = given.iter().map(|condition| (*condition, true)).chain(goals.iter().copied()).collect();
-        self.ask_beside(&all, Trust::Known, &known)
+        self.ask(&all, trust, &known)
     }
 
-    fn ask(&self, goals: &[(&Condition, bool)], trust: Trust) -> Answer {
-        self.ask_beside(goals, trust, &BTreeSet::new())
-    }
-
-    /// As `ask`, with a witness that does not mention the atoms `known`.
-    fn ask_beside(&self, goals: &[(&Condition, bool)], trust: Trust, known: &BTreeSet<AtomId>) -> Answer {
+    /// The witness does not mention the atoms `known`.
+    fn ask(&self, goals: &[(&Condition, bool)], trust: Trust, known: &BTreeSet<AtomId>) -> Answer {
         // Most branches exclude each other at first sight.
         if let [.., (first, true), (second, true)] = goals {
             if first.clashes(second) {

@@ -5,6 +5,9 @@ use super::formula::AtomId;
 use super::solve::Domains;
 use crate::model::{Binary, Model, Name, Read, TimeRef, Tree, Unary};
 
+/// The text of Rust that nobody wrote: a value of which nothing is known and nothing is said.
+pub(in crate::analysis) const UNKNOWN: char = '\0';
+
 /// `a = true, level = 7`; empty where every valuation will do. `asked` are the atoms in question, in order.
 pub(super) fn text(model: &Model, atoms: &Atoms, asked: &[AtomId], found: &Domains) -> String {
     let mut parts: Vec<String> = Vec::new();
@@ -15,7 +18,7 @@ pub(super) fn text(model: &Model, atoms: &Atoms, asked: &[AtomId], found: &Domai
         }
         let Some(value) = domain.example() else { continue };
         let part = one(model, atom, value);
-        if !parts.contains(&part) {
+        if !part.contains(UNKNOWN) && !parts.contains(&part) {
             parts.push(part);
         }
     }

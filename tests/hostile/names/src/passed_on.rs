@@ -11,6 +11,7 @@ macro_rules! parts {
         grafcet! {
             $(#[$meta])*
             $vis sfc $name {
+                #![allow(grafcet::undriven_output)]
                 input $input: $ty;
                 input stop: bool;
                 output $outputs: bool;
@@ -23,9 +24,9 @@ macro_rules! parts {
                 initial step Idle { N report($value); }
                 step $step { N $outputs; level = $value; D $time $outputs; P1 $block P1 count = $input; }
 
+                $step -[stop && $step.T > 3s && $condition && limit > count]-> Idle;
                 Idle -[$input > $value]-> $step -[$back]-> Idle;
                 $step -[$condition]-> Idle;
-                $step -[stop && $step.T > 3s && $condition && limit > count]-> Idle;
             }
         }
     };
@@ -48,6 +49,7 @@ macro_rules! timed {
                 #![allow(grafcet::dead_transition)]
                 input button: $ty;
                 $(output $output: $ty;)+
+                #[allow(grafcet::unused_variable)]
                 var pressed: $ty = false;
                 initial step $last { pressed; }
                 $(step $step { $output; D $time pressed; })+

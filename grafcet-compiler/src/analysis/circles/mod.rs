@@ -1,0 +1,385 @@
+//! Circles of transitions that clear again and again in one cycle of a `grafcet` (A30).
+//!
+//! Within a cycle inputs, params and delays stand still, input edges are gone after the first evolution (A2), and the
+//! time of a step that was just entered is zero. So from each transition that can clear in a stable situation the
+//! search for stability is followed, under all valuations at once: what its condition says decides conditions further
+//! on, and what it leaves open is tried both ways. Anything that may change within the cycle in ways that are not
+//! followed (stored variables, steps of which nothing is known) counts as open in each evolution anew.
+
+mod run;
+mod view;
+
+use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use self::run::{Node, Outcome, Run};
+use self::view::View;
+use super::{Answer, Concurrency, Condition, Logic, hierarchy};
+use crate::model::{ForceOrder, Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
+
+/// A circle and the values under which it turns.
+#[derive(Clone, Debug)]
+pub struct Circle {
+    /// In the direction of evolution.
+    pub transitions: Vec<TransitionId>,
+    /// As [`Answer::Witness`].
+    pub inputs: String,
+}
+
+/// The transitions of a circle, in the direction of evolution.
+type Ring = Vec<TransitionId>;
+
+/// How many ends of searches are looked at to find out which situations are stable.
+const SEARCHES: u32 = 5_000;
+
+/// The values that conditions shall have.
+type Goals = Vec<(Rc<Condition>, bool)>;
+
+/// Finds circles.
+pub struct Circles<'m> {
+    model: &'m Model,
+    concurrency: &'m Concurrency,
+    logic: &'m Logic<'m>,
+    leaving: Vec<Vec<TransitionId>>,
+    entering: Vec<Vec<TransitionId>>,
+    /// By transition, its condition in the first evolution of a cycle.
+    conditions: Vec<Rc<Condition>>,
+    /// By transition, whether that always holds.
+    always: Vec<bool>,
+    /// By step, whether transitions that can clear lead there.
+    reachable: Vec<bool>,
+    /// What actions may change within a cycle.
+    written: BTreeSet<Name>,
+    /// Steps of which several can be active, apart from branches that are not exclusive.
+    parallel: Concurrency,
+    /// How many values nothing was known of.
+    unknown: Cell<u64>,
+}
+
+impl<'m> Circles<'m> {
+    /// For a `grafcet`; `logic` has to know the concurrency of the chart.
+    #[must_use]
+    pub fn new(model: &'m Model, concurrency: &'m Concurrency, logic: &'m Logic<'m>) -> Self {
+        let mut leaving = vec![Vec::new(); model.steps.len()];
+        let mut entering = vec![Vec::new(); model.steps.len()];
+        for (id, transition) in model.transitions.iter() {
+            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+            transition.targets.iter().for_each(|step| entering[step.index()].push(id));
+        }
+        let read = |transition: &Transition| Rc::new(logic.condition(&transition.condition.tree));
+        let conditions: Vec<_> = model.transitions.values().map(read).collect();
+        let always = conditions.iter().map(|condition| logic.always(condition)).collect();
+        let reachable = reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
+        let (written, unknown) = (view::written(model), Cell::new(0));
+        let parallel = Concurrency::of_exclusive_branches(model);
+        Self { model, concurrency, logic, leaving, entering, conditions, always, reachable, written, parallel, unknown }
+    }
+
+    /// Circles that turn under every valuation by which they can be entered: once one of their transitions clears in a
+    /// stable situation, the search has no end.
+    #[must_use]
+    pub fn certain(&self) -> Vec<Circle> {
+        let mut endless: BTreeMap<TransitionId, Vec<Ring>> = BTreeMap::new();
+        for id in self.model.transitions.ids() {
+            if self.surely_rests(id) || endless.contains_key(&id) {
+                continue;
+            }
+            let Some(rings) = self.endless(self.entry(id)).filter(|_| self.can_enter(id, None)) else { continue };
+            // Whoever enters a circle of equal conditions elsewhere finds the same one.
+            if let [ring] = &rings[..] {
+                for other in ring.iter().filter(|other| self.enters_alike(id, **other, ring)) {
+                    endless.entry(*other).or_insert_with(|| rings.clone());
+                }
+            }
+            endless.insert(id, rings);
+        }
+        let at_start = self.endless(Some(self.start()));
+        if endless.is_empty() && at_start.is_none() {
+            return Vec::new();
+        }
+        // Only now is it worth the work to find out which situations are ever stable.
+        let resting = self.resting();
+        let enters = |id: &TransitionId| self.can_enter(*id, resting.as_ref());
+        let turns = |id: &TransitionId| endless.contains_key(id) || !enters(id);
+        let entered = endless.iter().filter(|(id, _)| enters(id)).flat_map(|(_, rings)| rings.clone());
+        let mut found: Vec<Ring> = at_start.into_iter().flatten().chain(entered).collect();
+        let mut known = BTreeSet::new();
+        // What enters the circle in a stable situation, has to lead to no end, too.
+        found.retain(|ring| known.insert(set(ring)) && ring.iter().all(turns) && !self.has_several_marks(ring));
+        found.into_iter().map(|transitions| Circle { transitions, inputs: String::new() }).collect()
+    }
+
+    /// The steps in which a search can come to rest, found by following all of them; `None` where that is too much.
+    fn resting(&self) -> Option<BTreeSet<StepId>> {
+        let commanded = |step: &StepId| self.model.steps[*step].linked || self.is_forced(*step);
+        let mut resting: BTreeSet<StepId> = self.model.steps.ids().filter(commanded).collect();
+        let mut waiting: Vec<TransitionId> = self.model.transitions.ids().collect();
+        let mut starts = vec![Some(self.start())];
+        let mut work = SEARCHES;
+        while !starts.is_empty() {
+            for start in starts.drain(..) {
+                let mut run = Run::new(self, start);
+                while let Some(outcome) = run.next() {
+                    work = work.checked_sub(1)?;
+                    match outcome {
+                        Outcome::Rests(steps) => resting.extend(steps),
+                        Outcome::Endless(..) => {}
+                        Outcome::Undecided => return None,
+                    }
+                }
+            }
+            waiting.retain(|id| {
+                let enabled = self.model.transitions[*id].sources.iter().all(|step| resting.contains(step));
+                if enabled {
+                    starts.push(self.entry(*id));
+                }
+                !enabled
+            });
+        }
+        Some(resting)
+    }
+
+    /// Further circles and values under which they turn, beside those in `known`.
+    #[must_use]
+    pub fn possible(&self, known: &[Circle]) -> Vec<Circle> {
+        let mut seen: BTreeSet<BTreeSet<TransitionId>> = known.iter().map(|circle| set(&circle.transitions)).collect();
+        let mut found: Vec<Circle> = Vec::new();
+        for id in self.model.transitions.ids() {
+            if found.iter().chain(known).any(|circle| circle.transitions.contains(&id)) || !self.can_enter(id, None) {
+                continue;
+            }
+            let mut run = Run::new(self, self.entry(id));
+            while let Some(outcome) = run.next() {
+                let Outcome::Endless(transitions, goals) = outcome else { continue };
+                if !seen.insert(set(&transitions)) {
+                    continue;
+                }
+                let given = self.cleared(id).split_off(1);
+                let given: Vec<&Condition> = given.iter().map(|(condition, _)| &**condition).collect();
+                if let Answer::Witness(inputs) = self.logic.together(&borrowed(&goals), &given) {
+                    found.push(Circle { transitions, inputs });
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether the circle turns for one transition as it does for the other: equal conditions that stand still.
+    fn enters_alike(&self, a: TransitionId, b: TransitionId, circle: &[TransitionId]) -> bool {
+        let (first, second) = (&self.model.transitions[a], &self.model.transitions[b]);
+        let plain = |id: &TransitionId| {
+            let transition = &self.model.transitions[*id];
+            let still = |read: &Read| matches!(read, Read::Name(name) if !self.written.contains(name));
+            transition.sources.len() == 1
+                && transition.targets.len() == 1
+                && transition.condition.reads.iter().all(still)
+        };
+        circle.contains(&a) && first.condition.tree == second.condition.tree && circle.iter().all(plain)
+    }
+
+    /// The circles in which the searches from here end, if none of them comes to rest.
+    fn endless(&self, start: Option<Node>) -> Option<Vec<Ring>> {
+        let mut run = Run::new(self, start);
+        let mut rings: Vec<Ring> = Vec::new();
+        while let Some(outcome) = run.next() {
+            let Outcome::Endless(ring, _) = outcome else { return None };
+            if !rings.contains(&ring) {
+                rings.push(ring);
+            }
+        }
+        (!rings.is_empty()).then_some(rings)
+    }
+
+    /// Without what only clears along: transitions that lead nowhere in the circle, or come from nowhere in it.
+    fn without_followers(&self, mut circle: Vec<TransitionId>) -> Vec<TransitionId> {
+        let transition = |id: &TransitionId| &self.model.transitions[*id];
+        let lasts = |id: &TransitionId| transition(id).clearing.iter().any(run::is_restless);
+        let is_loop = |id: &TransitionId| transition(id).sources == transition(id).targets;
+        circle.retain(|id| !is_loop(id) || lasts(id));
+        loop {
+            let leads = |steps: &[StepId], others: fn(&Transition) -> &Vec<StepId>| {
+                circle.iter().any(|other| others(transition(other)).iter().any(|step| steps.contains(step)))
+            };
+            let turns = |id: &TransitionId| {
+                leads(&transition(id).targets, |other| &other.sources)
+                    && leads(&transition(id).sources, |other| &other.targets)
+            };
+            let kept: Vec<TransitionId> = circle.iter().copied().filter(turns).collect();
+            if kept.len() == circle.len() {
+                // What stands first in the source stands first.
+                let first = circle.iter().enumerate().min_by_key(|(_, id)| **id).map_or(0, |(first, _)| first);
+                circle.rotate_left(first);
+                return circle;
+            }
+            circle = kept;
+        }
+    }
+
+    /// Whether steps of the circle may be active that are not followed: two marks that change places change nothing.
+    fn has_several_marks(&self, circle: &[TransitionId]) -> bool {
+        let transitions = || circle.iter().map(|id| &self.model.transitions[*id]);
+        // Steps that the circle itself activates together are no marks beside each other.
+        let branches = transitions().any(|transition| transition.targets.len() > 1);
+        let steps: BTreeSet<StepId> = transitions().flat_map(|transition| transition.sources.iter().copied()).collect();
+        let beside = |a: &StepId| {
+            let same = |b: &StepId| self.model.steps[*a].partial == self.model.steps[*b].partial;
+            steps.iter().any(|b| same(b) && self.parallel.together(*a, *b))
+        };
+        !branches && steps.iter().any(beside)
+    }
+
+    /// The first evolution of a cycle, in which the transition clears; `None` if it cannot.
+    fn entry(&self, id: TransitionId) -> Option<Node> {
+        let transition = &self.model.transitions[id];
+        let goals = self.cleared(id);
+        if self.logic.impossible(&borrowed(&goals)) {
+            return None;
+        }
+        let mut active: BTreeSet<StepId> = transition.targets.iter().copied().collect();
+        let fresh = active.iter().copied().filter(|step| !transition.sources.contains(step)).collect();
+        let mut before: BTreeSet<StepId> = transition.sources.iter().copied().collect();
+        let beside = self.active_beside(id, &goals);
+        active.extend(&beside);
+        before.extend(&beside);
+        Some(Node { active, fresh, before, goals, parent: None, cleared: vec![id] })
+    }
+
+    /// The first situation of the whole chart; there is no edge in it (A26).
+    fn start(&self) -> Node {
+        let commanded = |step: &StepId| {
+            let partial = self.model.steps[*step].partial;
+            self.model.partials[partial].enclosed_by.is_some()
+                || self.model.forces.values().any(|force| force.target == partial)
+        };
+        let active: BTreeSet<StepId> =
+            hierarchy::initial_situation(self.model).into_iter().filter(|step| !commanded(step)).collect();
+        let (fresh, before) = (active.clone(), active.clone());
+        Node { active, fresh, before, goals: Vec::new(), parent: None, cleared: Vec::new() }
+    }
+
+    /// What holds where a transition clears: its condition, with its steps active.
+    fn cleared(&self, id: TransitionId) -> Goals {
+        let sources = self.model.transitions[id].sources.iter();
+        let active = sources.map(|step| (Rc::new(self.logic.condition(&Tree::Read(Read::Active(*step)))), true));
+        std::iter::once((Rc::clone(&self.conditions[id.index()]), true)).chain(active).collect()
+    }
+
+    /// Steps that are active beside, because the condition says so, and stay it in that evolution.
+    fn active_beside(&self, id: TransitionId, goals: &Goals) -> Vec<StepId> {
+        let transition = &self.model.transitions[id];
+        let active = |read: &Read| match read {
+            Read::Active(step) | Read::Elapsed(_, step) if !transition.sources.contains(step) => Some(*step),
+            _ => None,
+        };
+        let stays = |step: &StepId| {
+            let variable = self.logic.condition(&Tree::Read(Read::Active(*step)));
+            let excluded = |more: Goals| self.logic.impossible(&borrowed(&goals.iter().cloned().chain(more).collect()));
+            excluded(vec![(Rc::new(variable), false)])
+                && self.leaving[step.index()].iter().all(|other| excluded(self.cleared(*other)))
+        };
+        transition.condition.reads.iter().filter_map(active).filter(stays).collect()
+    }
+
+    /// Whether the transition can clear in a stable situation; `resting` are the steps of such, where that is known.
+    fn can_enter(&self, id: TransitionId, resting: Option<&BTreeSet<StepId>>) -> bool {
+        let rests = |step: &StepId| match resting {
+            Some(resting) => resting.contains(step),
+            None => self.can_rest(*step),
+        };
+        self.model.transitions[id].sources.iter().all(rests) && !self.logic.impossible(&borrowed(&self.cleared(id)))
+    }
+
+    fn is_forced(&self, step: StepId) -> bool {
+        let listed = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.contains(&step));
+        self.model.forces.values().any(|force| listed(&force.order))
+    }
+
+    /// Whether a search can end with the step active: something activates it, and nothing of what leaves it clears then.
+    fn can_rest(&self, step: StepId) -> bool {
+        if !self.reachable[step.index()] {
+            return false;
+        }
+        let own = &self.model.steps[step];
+        if own.linked || self.is_forced(step) {
+            return true;
+        }
+        let alone = BTreeSet::from([step]);
+        let first = Node {
+            active: alone.clone(),
+            fresh: alone.clone(),
+            before: alone,
+            goals: Vec::new(),
+            parent: None,
+            cleared: Vec::new(),
+        };
+        let starts = own.initial.then_some(first);
+        let entered = self.entering[step.index()].iter().filter_map(|id| self.entry(*id));
+        starts.into_iter().chain(entered).any(|node| {
+            let view = View::new(self, &node);
+            // A convergence waits for steps of which nothing is known here.
+            let enabled = self.leaving[step.index()]
+                .iter()
+                .filter(|id| self.model.transitions[**id].sources.iter().all(|source| node.active.contains(source)));
+            let stay = enabled.map(|id| (Rc::new(view.condition(*id)), false));
+            let goals: Goals = node.goals.iter().cloned().chain(stay).collect();
+            !self.logic.impossible(&borrowed(&goals))
+        })
+    }
+
+    /// Seen at once: nothing that follows has to do with the condition, so nothing follows from it.
+    fn surely_rests(&self, id: TransitionId) -> bool {
+        let plain = |id: TransitionId| {
+            let reads = &self.model.transitions[id].condition.reads;
+            let inputs = |read: &Read| matches!(read, Read::Name(Name::Input(_)));
+            (!reads.is_empty() && reads.iter().all(inputs)).then_some(reads)
+        };
+        let transition = &self.model.transitions[id];
+        let Some(own) = plain(id) else { return false };
+        !self.logic.has_assumptions()
+            && transition.targets.iter().flat_map(|step| &self.leaving[step.index()]).all(|next| {
+                let apart = plain(*next).is_some_and(|reads| reads.iter().all(|read| !own.contains(read)));
+                apart && !self.always[next.index()]
+            })
+    }
+}
+
+/// The steps that can be reached if `can_clear` is right.
+fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool) -> Vec<bool> {
+    let mut reachable = vec![false; model.steps.len()];
+    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+    let mut waits: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).collect();
+    let mut work: Vec<StepId> = Vec::new();
+    for (id, step) in model.steps.iter() {
+        let forced = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.contains(&id));
+        if step.initial || step.linked || model.forces.values().any(|force| forced(&force.order)) {
+            work.push(id);
+        }
+    }
+    for (id, transition) in model.transitions.iter() {
+        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+        if transition.sources.is_empty() && can_clear(id) {
+            work.extend(&transition.targets);
+        }
+    }
+    while let Some(step) = work.pop() {
+        if std::mem::replace(&mut reachable[step.index()], true) {
+            continue;
+        }
+        for id in &leaving[step.index()] {
+            waits[id.index()] -= 1;
+            if waits[id.index()] == 0 && can_clear(*id) {
+                work.extend(&model.transitions[*id].targets);
+            }
+        }
+    }
+    reachable
+}
+
+fn set(circle: &[TransitionId]) -> BTreeSet<TransitionId> {
+    circle.iter().copied().collect()
+}
+
+fn borrowed(goals: &Goals) -> Vec<(&Condition, bool)> {
+    goals.iter().map(|(condition, wanted)| (&**condition, *wanted)).collect()
+}

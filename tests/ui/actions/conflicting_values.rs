@@ -1,0 +1,40 @@
+use grafcet::grafcet;
+
+grafcet! {
+    sfc Mixer {
+        input start, done: bool;
+        output speed: u16;
+
+        initial step Idle;
+        step Stir { speed = 40; }
+        step Heat { speed = 60; }
+
+        Idle -[start]-> (Stir, Heat);
+        (Stir, Heat) -[done]-> Idle;
+    }
+}
+
+// In one step, and in partial grafcets that run side by side.
+grafcet! {
+    grafcet Twice {
+        input a, b: bool;
+        output speed: u16;
+        output level: i16;
+
+        partial Left {
+            initial step One { speed = 1 if a; speed = 2 if b; }
+        }
+        partial Right {
+            initial step Two { level = 3; }
+            step Three;
+            Two -[a]-> Three -[!a]-> Two;
+        }
+        partial Other {
+            initial step Four;
+            step Five { level = 4; }
+            Four -[a]-> Five -[!a]-> Four;
+        }
+    }
+}
+
+fn main() {}
