@@ -235,6 +235,10 @@ impl<'m> Search<'m> {
     fn reach(&mut self, step: StepId) {
         if !std::mem::replace(&mut self.reachable[step.index()], true) {
             self.queue_leaving(step.index());
+            // Steps can be related before they are reached: what leaves one of them now has a bystander.
+            for related in self.relation.of(step.index()).collect::<Vec<_>>() {
+                self.queue_leaving(related);
+            }
             // A source transition can clear at any time, so its targets meet every reachable step.
             self.queue_sources();
         }
