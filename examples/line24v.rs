@@ -115,7 +115,7 @@ impl Conveyor {
 
 fn show(out: &mut dyn Write) -> io::Result<()> {
     let legend = "q1 feeds a piece, q2 moves the belt, q3 sprays; b4 tells that the piece has been taken off.";
-    let mut timeline = Timeline::<Line24V>::new(out, colour, legend, &Conveyor::scale())?;
+    let mut timeline = Timeline::<Line24V>::new(out, colour, legend, &Conveyor::scale(), &[])?;
     let mut line = Line24V::new();
     let mut conveyor = Conveyor::new();
     let mut before = line.situation();

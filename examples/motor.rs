@@ -70,7 +70,7 @@ impl Plant {
 
 fn show(out: &mut dyn Write) -> io::Result<()> {
     let legend = "Over-temperature is from 80 °C until it has cooled down to 60 °C.";
-    let mut timeline = Timeline::<Motor>::new(out, colour, legend, "plant, 1 s a cycle")?;
+    let mut timeline = Timeline::<Motor>::new(out, colour, legend, "plant, 1 s a cycle", &[])?;
     let mut motor = Motor::new();
     let mut plant = Plant::new();
     let mut before = MotorInputs::default();

@@ -4,7 +4,7 @@ use core::fmt::Write;
 
 use grafcet::grafcet;
 
-use super::script::{self, PlayError, Signals, signals};
+use super::script::{self, Notes, PlayError, signals};
 
 grafcet! {
     /// The 24 V production line.
@@ -30,5 +30,5 @@ signals!(Line24VOutputs: q1, q2, q3);
 /// As [`script::play`].
 pub fn play<'s>(script: &'s str, out: &mut dyn Write) -> Result<(), PlayError<'s>> {
     let mut line = Line24V::new();
-    script::play(script, out, |inputs| (line.cycle(inputs), line.active_steps()))
+    script::play(script, out, |inputs, _| (line.cycle(inputs), line.active_steps(), Notes::new()))
 }

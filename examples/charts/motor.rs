@@ -4,7 +4,7 @@ use core::fmt::Write;
 
 use grafcet::grafcet;
 
-use super::script::{self, PlayError, Signals, signals};
+use super::script::{self, Notes, PlayError, signals};
 
 grafcet! {
     /// A motor that can be switched on and off, guarded against over-temperature.
@@ -28,5 +28,5 @@ signals!(MotorOutputs: relay, green, red);
 /// As [`script::play`].
 pub fn play<'s>(script: &'s str, out: &mut dyn Write) -> Result<(), PlayError<'s>> {
     let mut motor = Motor::new();
-    script::play(script, out, |inputs| (motor.cycle(inputs), motor.active_steps()))
+    script::play(script, out, |inputs, _| (motor.cycle(inputs), motor.active_steps(), Notes::new()))
 }

@@ -104,7 +104,8 @@ impl Example {
 Usage: cargo run --example {name} [-- --script FILE]
 
   --script FILE  instead of the model, take the inputs from FILE and print plain lines: in FILE one line per cycle
-                 with the names of the inputs that are true (`-` or an empty line: none); `#` begins a comment line
+                 with the names of the inputs that are true (`-` or an empty line: none) and numbers as `level=300`;
+                 `@1500` is what the clock reads from then on; `#` begins a comment line
   --help         this text
 "
         )

@@ -9,7 +9,11 @@ use crate::project::{cargo, root};
 use crate::{conformance, firmware, msrv};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
+const CORPUS: [&str; 2] = ["--manifest-path", "tests/conformance/board/Cargo.toml"];
 const HOSTILE: [&str; 2] = ["--manifest-path", "tests/hostile/Cargo.toml"];
+const BENCHES: [&str; 2] = ["--manifest-path", "benches/Cargo.toml"];
+/// What has a lock file of its own.
+const APART: [[&str; 2]; 4] = [FIRMWARE, CORPUS, HOSTILE, BENCHES];
 
 /// A named step of CI.
 type Step = (&'static str, fn() -> Result);
@@ -60,14 +64,12 @@ fn sum_up(outcomes: &[(&str, Duration, bool)]) -> Result {
 fn lock_files() -> Result {
     let metadata = ["metadata", "--quiet", "--locked", "--format-version", "1"];
     run_command(cargo(&metadata).stdout(Stdio::null()))?;
-    run_command(cargo(&metadata).args(FIRMWARE).stdout(Stdio::null()))?;
-    run_command(cargo(&metadata).args(HOSTILE).stdout(Stdio::null()))
+    APART.iter().try_for_each(|manifest| run_command(cargo(&metadata).args(manifest).stdout(Stdio::null())))
 }
 
 fn rustfmt() -> Result {
     run_command(&mut cargo(&["fmt", "--all", "--check"]))?;
-    run_command(cargo(&["fmt", "--check"]).args(FIRMWARE))?;
-    run_command(cargo(&["fmt", "--all", "--check"]).args(HOSTILE))
+    APART.iter().try_for_each(|manifest| run_command(cargo(&["fmt", "--all", "--check"]).args(manifest)))
 }
 
 /// The command that the README tells the newcomer.

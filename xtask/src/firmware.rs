@@ -1,5 +1,6 @@
 //! The example charts on bare metal: built for every target, run on an emulated board, compared with the host.
 
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
@@ -14,12 +15,15 @@ const BOARD: &str = "thumbv7m-none-eabi";
 /// The manifest of the examples for the board, and the folder of its build results.
 const EXAMPLES_CRATE: (&str, &str) = ("examples/firmware/Cargo.toml", "firmware");
 
+/// The same of the conformance corpus.
+const CORPUS_CRATE: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
+
 /// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
 const BUILT: [(&str, &str); 3] =
     [("thumbv6m-none-eabi", "--bins"), ("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
 
 /// The examples in the order in which the firmware plays their scripts.
-const EXAMPLES: [&str; 2] = ["motor", "line24v"];
+const EXAMPLES: [&str; 7] = ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "controller"];
 
 /// An emulated board ends within a fraction of a second; one that has not by then hangs.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -36,7 +40,23 @@ pub(crate) fn run() -> Result {
     let host = host_lines()?;
     compare(&host, &board_lines("firmware")?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
-    BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))
+    BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))?;
+    corpus()
+}
+
+/// The conformance corpus on the board: the image fails where a chart shows something else than its file expects.
+fn corpus() -> Result {
+    build(CORPUS_CRATE, BOARD, "--bins")?;
+    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines("corpus")?)?;
+    println!("firmware: the conformance corpus shows the same on the board");
+    Ok(())
+}
+
+/// How many charts the corpus has.
+fn charts() -> Result<usize> {
+    let folder = "tests/conformance";
+    let entries = fs::read_dir(project::root().join(folder)).map_err(|error| format!("{folder}: {error}"))?;
+    Ok(entries.flatten().filter(|entry| entry.path().extension().is_some_and(|extension| extension == "chart")).count())
 }
 
 fn build(of: (&str, &str), target: &str, what: &str) -> Result {

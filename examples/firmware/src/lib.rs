@@ -3,12 +3,24 @@
 
 use core::fmt::Write;
 
+#[path = "../../charts/branch_on_result.rs"]
+pub mod branch_on_result;
+#[path = "../../charts/cell.rs"]
+pub mod cell;
+// The queue of its messages: heapless 0.8 has it for a RISC-V without atomic instructions only with `portable-atomic`.
+#[cfg(not(target_arch = "riscv32"))]
+#[path = "../../charts/controller.rs"]
+pub mod controller;
 #[path = "../../charts/line24v.rs"]
 pub mod line24v;
 #[path = "../../charts/motor.rs"]
 pub mod motor;
+#[path = "../../charts/recipe.rs"]
+pub mod recipe;
 #[path = "../../charts/script.rs"]
 pub mod script;
+#[path = "../../charts/tickless.rs"]
+pub mod tickless;
 
 use script::PlayError;
 
@@ -17,8 +29,14 @@ use script::PlayError;
 /// # Errors
 /// What ended a script, an unknown input or a failing `out`; later ones are not played.
 pub fn play_all(out: &mut dyn Write) -> Result<(), PlayError<'static>> {
-    out.write_str("# motor\n")?;
-    motor::play(include_str!("../../charts/motor.script"), out)?;
-    out.write_str("# line24v\n")?;
-    line24v::play(include_str!("../../charts/line24v.script"), out)
+    macro_rules! play {
+        ($($example:ident),+) => {$(
+            out.write_str(concat!("# ", stringify!($example), "\n"))?;
+            $example::play(include_str!(concat!("../../charts/", stringify!($example), ".script")), out)?;
+        )+};
+    }
+    play!(motor, line24v, recipe, branch_on_result, cell, tickless);
+    #[cfg(not(target_arch = "riscv32"))]
+    play!(controller);
+    Ok(())
 }

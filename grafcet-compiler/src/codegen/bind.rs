@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 
-use super::{Cx, names};
+use super::{Cx, names, writes};
 use crate::model::{Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, placeholder};
 use crate::plan::RegionId;
 
@@ -57,12 +57,31 @@ impl Cx<'_> {
     pub(super) fn block(&self, code: &Code, moment: Moment, commit: impl Fn(Place) -> TokenStream) -> TokenStream {
         let Code { tokens, reads, writes, .. } = code;
         let bindings = self.bindings(reads, writes, true, moment);
-        let commits = writes.iter().map(|place| {
+        let mut tokens = tokens.clone();
+        let (mut notes, mut commits) = (TokenStream::new(), TokenStream::new());
+        for place in writes {
             let (name, target) = (self.model.place_name(*place), commit(*place));
-            quote!(#target = #name;)
-        });
+            let note = names::written(name);
+            let noted = self.is_written_back(*place, moment) && !writes::always(&tokens, name);
+            match noted.then(|| writes::noted(&tokens, name, &note)).flatten() {
+                Some(block) => {
+                    tokens = block;
+                    notes.extend(quote!(let mut #note = false;));
+                    commits.extend(quote!(if #note { #target = #name; }));
+                }
+                None => commits.extend(quote!(#target = #name;)),
+            }
+        }
         // The braces are the user's: they keep the block's own names apart from the ones written back.
-        quote!({ #bindings #[allow(unused_braces)] #tokens #(#commits)* })
+        quote!({ #bindings #notes #[allow(unused_braces)] #tokens #commits })
+    }
+
+    /// Whether a block that writes nothing must leave the place alone: its copy is of the cycle before, and another action
+    /// may have written the place in this one.
+    fn is_written_back(&self, place: Place, moment: Moment) -> bool {
+        let Place::Output(id) = place else { return false };
+        let in_actions = matches!(moment, Moment::Action | Moment::Leaving) && !self.model.is_grafcet();
+        in_actions && self.plan.drives[id.index()].read_by_actions
     }
 
     /// `let on = inputs.on;` for everything that is read. In Rust that is not looked into (`opaque`) a name that is

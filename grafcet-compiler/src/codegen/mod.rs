@@ -18,6 +18,7 @@ mod stored;
 mod stub;
 mod time;
 mod types;
+mod writes;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -257,6 +257,11 @@ pub(super) fn unstable_twin(model: &Model, state: &Ident) -> Ident {
     fresh(model, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
 }
 
+/// Whether a block has written a place: `written_speed`.
+pub(super) fn written(name: &Ident) -> Ident {
+    prefixed("written_", name)
+}
+
 /// A name of ours that no token of the user can mean.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())

@@ -13,7 +13,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let corpus = Path::new(&folder).join("..");
     println!("cargo::rerun-if-changed={}", corpus.display());
-    let mut files: Vec<_> = fs::read_dir(&corpus)?.collect::<Result<Vec<_>, _>>()?.iter().map(fs::DirEntry::path).collect();
+    let mut files: Vec<_> =
+        fs::read_dir(&corpus)?.collect::<Result<Vec<_>, _>>()?.iter().map(fs::DirEntry::path).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "chart"));
     files.sort();
     let (mut modules, mut list) = (String::new(), String::new());
