@@ -205,6 +205,27 @@ fn witnesses_read_like_the_chart() {
     assert_eq!(text(&["true", "1 < 2"]), "");
 }
 
+/// The budget grows with the chart: all of its conditions are decided.
+#[test]
+fn long_charts() {
+    let mut texts: Vec<String> = (0..3000).map(|i| format!("level > {} && a || other < {i} && !b", i % 50)).collect();
+    texts.push("a && !(a || b)".to_owned());
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    ask(&texts, &[], |logic, all| {
+        let (last, others) = all.split_last().expect("conditions");
+        assert!(others.iter().all(|condition| !logic.never(condition) && !logic.always(condition)));
+        assert!(logic.never(last));
+    });
+    let texts: Vec<String> = (0..150).map(|i| format!("level >= {} && level < {}", 3 * i, 3 * i + 3)).collect();
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    ask(&texts, &[], |logic, all| {
+        let pair = |i: usize| all[..i].iter().all(|other| logic.exclusive(other, &all[i]));
+        assert!((0..all.len()).all(pair));
+        let covered: Vec<&Condition> = all[1..].iter().collect();
+        assert!(!logic.implies(&all[0], &covered) && logic.implies(&all[7], &all.iter().collect::<Vec<_>>()));
+    });
+}
+
 /// A condition of a random chart: its text, and its value under a valuation.
 enum Random {
     Name(usize),

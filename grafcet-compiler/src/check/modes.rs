@@ -19,28 +19,49 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     let places = model.outputs.ids().map(Place::Output).chain(model.vars.ids().map(Place::Var));
     for place in places {
         let uses = uses(model, place);
-        let Some((first_mode, first)) = uses.first() else { continue };
-        let Some((other_mode, other)) = uses.iter().find(|(mode, _)| mode != first_mode) else { continue };
+        let Some(first) = uses.first() else { continue };
+        let Some(other) = uses.iter().find(|other| other.mode != first.mode) else { continue };
         let name = model.place_name(place);
-        let note = |mode: Mode, mark: Mark, elsewhere: Mode| {
+        let note = |here: &Use, elsewhere: &Use| {
             let message = format!(
-                "`{name}` is {} here and {} elsewhere; keep to one of them, or use two names",
-                word(model, mode),
-                word(model, elsewhere)
+                "`{name}` is {} here and {} {}; keep to one of them, or use two names",
+                word(model, here.mode),
+                word(model, elsewhere.mode),
+                if elsewhere.place == here.place {
+                    "in the same step".to_owned()
+                } else {
+                    format!("in {}", elsewhere.place)
+                }
             );
-            (mark, message)
+            (here.mark, message)
         };
-        let notes = vec![note(*first_mode, *first, *other_mode), note(*other_mode, *other, *first_mode)];
-        sink.rule(&rules::MIXED_MODES, &[], notes);
+        sink.rule(&rules::MIXED_MODES, &[], vec![note(first, other), note(other, first)]);
     }
 }
 
-fn uses(model: &Model, place: Place) -> Vec<(Mode, Mark)> {
+/// Something that acts on a place.
+struct Use {
+    mode: Mode,
+    mark: Mark,
+    /// `` step `On` ``
+    place: String,
+}
+
+fn uses(model: &Model, place: Place) -> Vec<Use> {
     let of_steps = model.associations.values().filter(|a| writes(&a.effect).any(|other| other == place));
-    let of_steps = of_steps.map(|association| (mode(model, association), association.mark));
-    let clearings = model.transitions.values().flat_map(|t| t.clearing.iter().map(move |effect| (effect, t.mark)));
+    let of_steps = of_steps.map(|association| Use {
+        mode: mode(model, association),
+        mark: association.mark,
+        place: format!("step `{}`", model.steps[association.step].name),
+    });
+    let clearings = model.transitions.values().flat_map(|t| t.clearing.iter().map(move |effect| (effect, t)));
     let clearings = clearings.filter(|(effect, _)| writes(effect).any(|other| other == place));
-    of_steps.chain(clearings.map(|(_, mark)| (Mode::Written, mark))).collect()
+    let clearings = clearings.map(|(_, transition)| Use {
+        mode: Mode::Written,
+        mark: transition.mark,
+        place: format!("the transition {}", model.transition_text(transition)),
+    });
+    of_steps.chain(clearings).collect()
 }
 
 fn mode(model: &Model, association: &Association) -> Mode {

@@ -30,8 +30,8 @@ pub struct Circle {
 /// The transitions of a circle, in the direction of evolution.
 type Ring = Vec<TransitionId>;
 
-/// How many ends of searches are looked at to find out which situations are stable.
-const SEARCHES: u32 = 5_000;
+/// How many situations are looked at to find out which of them are stable.
+const LOOKED_AT: usize = 600;
 
 /// The values that conditions shall have.
 type Goals = Vec<(Rc<Condition>, bool)>;
@@ -116,18 +116,21 @@ impl<'m> Circles<'m> {
         let mut resting: BTreeSet<StepId> = self.model.steps.ids().filter(commanded).collect();
         let mut waiting: Vec<TransitionId> = self.model.transitions.ids().collect();
         let mut starts = vec![Some(self.start())];
-        let mut work = SEARCHES;
+        let mut looked_at = 0;
         while !starts.is_empty() {
             for start in starts.drain(..) {
                 let mut run = Run::new(self, start);
                 while let Some(outcome) = run.next() {
-                    work = work.checked_sub(1)?;
+                    if looked_at + run.looked_at() > LOOKED_AT {
+                        return None;
+                    }
                     match outcome {
                         Outcome::Rests(steps) => resting.extend(steps),
                         Outcome::Endless(..) => {}
                         Outcome::Undecided => return None,
                     }
                 }
+                looked_at += run.looked_at();
             }
             waiting.retain(|id| {
                 let enabled = self.model.transitions[*id].sources.iter().all(|step| resting.contains(step));

@@ -9,7 +9,7 @@ use crate::analysis::Condition;
 use crate::model::{Binary, Effect, Id, Name, Place, Read, Statement, StepId, TransitionId, Tree, Unary};
 
 /// How many situations one search follows.
-const SITUATIONS: usize = 2_000;
+const SITUATIONS: usize = 500;
 
 /// How many transitions may be open at once: all their combinations are tried.
 const OPEN: usize = 5;
@@ -58,6 +58,11 @@ impl<'r, 'm> Run<'r, 'm> {
     pub(super) fn new(circles: &'r Circles<'m>, start: Option<Node>) -> Self {
         let nodes: Vec<Node> = start.into_iter().collect();
         Self { circles, open: (0..nodes.len()).collect(), nodes }
+    }
+
+    /// How many situations were looked at so far.
+    pub(super) fn looked_at(&self) -> usize {
+        self.nodes.len()
     }
 
     /// The next outcome; `None` when all are known.

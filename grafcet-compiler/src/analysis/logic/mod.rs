@@ -35,7 +35,7 @@ const QUESTION: u32 = 20_000;
 const PUT: u32 = 10;
 
 /// The same for all questions of one chart, and more for each of its transitions.
-const ALL: u32 = 1_000_000;
+const ALL: u32 = 300_000;
 const EACH: u32 = 500;
 
 /// Decides questions about conditions of one chart.
@@ -174,7 +174,8 @@ impl<'m> Logic<'m> {
     /// Whether the conditions cannot have these values together; `false` where that cannot be shown.
     #[must_use]
     pub fn impossible(&self, goals: &[(&Condition, bool)]) -> bool {
-        self.ask(goals, Trust::Any, &BTreeSet::new()) == Answer::Never
+        let answer = self.ask(goals, Trust::Any, |_, _| String::new());
+        answer == Answer::Never
     }
 
     /// Whether the conditions can have these values together, where `given` holds and is not worth mentioning.
@@ -197,11 +198,20 @@ impl<'m> Logic<'m> {
             condition.formula.each_atom(&mut |atom| _ = known.insert(atom));
         }
         let all: Vec<_> = given.iter().map(|condition| (*condition, true)).chain(goals.iter().copied()).collect();
-        self.ask(&all, trust, &known)
+        let text = |order: &[AtomId], found: &Domains| {
+            let order: Vec<AtomId> = order.iter().copied().filter(|atom| !known.contains(atom)).collect();
+            witness::text(self.model, &self.atoms.borrow(), &order, found)
+        };
+        self.ask(&all, trust, text)
     }
 
-    /// The witness does not mention the atoms `known`.
-    fn ask(&self, goals: &[(&Condition, bool)], trust: Trust, known: &BTreeSet<AtomId>) -> Answer {
+    /// `text` makes a witness of the atoms in question, in order, and what was found.
+    fn ask(
+        &self,
+        goals: &[(&Condition, bool)],
+        trust: Trust,
+        text: impl FnOnce(&[AtomId], &Domains) -> String,
+    ) -> Answer {
         // Most branches exclude each other at first sight.
         if let [.., (first, true), (second, true)] = goals {
             if first.clashes(second) {
@@ -212,7 +222,7 @@ impl<'m> Logic<'m> {
         let mut asked = BTreeSet::new();
         for (condition, _) in goals {
             condition.formula.each_atom(&mut |atom| {
-                if asked.insert(atom) && !known.contains(&atom) {
+                if asked.insert(atom) {
                     order.push(atom);
                 }
             });
@@ -239,7 +249,7 @@ impl<'m> Logic<'m> {
         match self.solve(&asked, all) {
             Err(Undecided) => Answer::Undecided,
             Ok(None) => Answer::Never,
-            Ok(Some(found)) => Answer::Witness(witness::text(self.model, &self.atoms.borrow(), &order, &found)),
+            Ok(Some(found)) => Answer::Witness(text(&order, &found)),
         }
     }
 
