@@ -68,8 +68,8 @@ const FAULTS: &[Fault] = &[
         what: "a convergence waits for a step of another branch",
         chart: CELL,
         replace: &[("(Turned, Carried) -[true]-> Probe;", "(Turned, Aside) -[true]-> Probe;")],
-        rule: "stuck_join",
-        names: &["Turned"],
+        rule: "dead_transition",
+        names: &["(Turned, Aside)"],
     },
     Fault {
         what: "a selection comes together like parallel branches",
@@ -78,8 +78,8 @@ const FAULTS: &[Fault] = &[
             "Take -[gripped]-> (Turn, Carry);",
             "Take -[gripped && good]-> Turn; Take -[gripped && !good]-> Carry;",
         )],
-        rule: "stuck_join",
-        names: &["Carried"],
+        rule: "dead_transition",
+        names: &["(Turned, Carried)"],
     },
     Fault {
         what: "an arc was forgotten, and the transition is a source",

@@ -43,6 +43,7 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order.
 pub fn evolution(model: &Model, sink: &mut Sink) {
     let concurrency = Concurrency::of(model);
+    let exploration = Exploration::of(model, &Limits::default());
     // What the plant excludes: `assume never …;` is not compiled yet.
     let never: &[&Tree] = &[];
     let logic = Logic::within(model, &concurrency, never);

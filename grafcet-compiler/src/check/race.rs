@@ -299,8 +299,31 @@ impl<'m> Race<'m> {
             (Cause::While(step), Cause::Transition(id)) | (Cause::Transition(id), Cause::While(step)) => {
                 !self.model.is_grafcet() || self.active_before(id, step)
             }
-            (Cause::Transition(x), Cause::Transition(y)) => x == y || self.enabled_together(x, y),
+            (Cause::Transition(x), Cause::Transition(y)) => {
+                x == y || self.enabled_together(x, y) && !self.prevents(x, y) && !self.prevents(y, x)
+            }
         }
+    }
+
+    /// Whether what a transition brings about keeps another from clearing in the same evolution: it leaves or empties what
+    /// encloses it (A19), or brings an order on its partial grafcet (A13).
+    fn prevents(&self, clears: TransitionId, other: TransitionId) -> bool {
+        let (clears, mut partial) = (&self.model.transitions[clears], self.model.transitions[other].partial);
+        let orders = || clears.targets.iter().flat_map(|step| &self.model.steps[*step].forces);
+        let mut orders = orders().map(|id| &self.model.forces[*id]).collect::<Vec<_>>();
+        if orders.iter().any(|force| force.target == partial) {
+            return true;
+        }
+        orders.retain(|force| force.order != ForceOrder::Hold);
+        for _ in 0..DEPTH {
+            let Some(outer) = self.model.partials[partial].enclosed_by else { return false };
+            partial = self.model.steps[outer].partial;
+            let left = clears.sources.contains(&outer) && !clears.targets.contains(&outer);
+            if left || orders.iter().any(|force| force.target == partial && !self.activates(&force.order, outer)) {
+                return true;
+            }
+        }
+        false
     }
 
     /// Whether the transition can clear while the step is active.

@@ -138,11 +138,7 @@ rules! {
 }
 
 /// Rules that are planned and not checked yet. A chart may allow them, so that it stays as it is when they come.
-const LATER: &[&str] = &[
-    "not_home",
-    "property_violated",
-    "property_undecided",
-];
+const LATER: &[&str] = &["not_home", "property_violated", "property_undecided"];
 
 /// Why an attribute cannot set `rule` to `level`; `None` if it can.
 #[must_use]
