@@ -27,5 +27,5 @@ pub(crate) fn brute(arguments: &[&str]) -> Result {
 /// # Errors
 /// As [`run`].
 pub(crate) fn fixed() -> Result {
-    run(&["--charts", "25", "--cycles", "300", "--seed", "77"])
+    run(&["--charts", "150", "--cycles", "500", "--seed", "77"])
 }

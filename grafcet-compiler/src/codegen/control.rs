@@ -13,6 +13,9 @@ use crate::plan::{Target, What, source_order};
 const LEVELS: [Qualifier; 8] =
     [Qualifier::N, Qualifier::S, Qualifier::R, Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
 
+/// The qualifiers whose timer starts again with a step that is left and re-entered at once.
+const RESTARTED: [Qualifier; 3] = [Qualifier::L, Qualifier::D, Qualifier::Ds];
+
 impl Cx<'_> {
     /// The flags of all targets, their conditions read before the first action runs.
     pub(super) fn gather_flags(&self) -> TokenStream {
@@ -35,8 +38,8 @@ impl Cx<'_> {
             let flag = names::target(names::flag(*qualifier), self.model, index, target);
             quote!(let mut #flag = false;)
         });
-        let restart = self.restarts(target).then(|| {
-            let restart = names::target("restart", self.model, index, target);
+        let restarts = RESTARTED.into_iter().filter(|qualifier| self.restarts(target, *qualifier)).map(|qualifier| {
+            let restart = self.restart(index, target, qualifier);
             quote!(let mut #restart = false;)
         });
         let left = self.leavable(target).into_iter().map(|qualifier| {
@@ -51,7 +54,7 @@ impl Cx<'_> {
             let (number, p) = (names::target(prefix, self.model, index, target), &self.p);
             quote!(let mut #number: #p::u8 = 0;)
         });
-        quote!(#(#flags)* #restart #(#left)* #(#numbers)*)
+        quote!(#(#flags)* #(#restarts)* #(#left)* #(#numbers)*)
     }
 
     /// What one association adds to the flags of its target.
@@ -76,10 +79,10 @@ impl Cx<'_> {
             Qualifier::P0 => self.if_left(step, &set),
             Qualifier::P1 | Qualifier::P => self.if_entered(step, &set),
             _ => {
-                let again = self.plan.sees_reentry[region] && self.restarts(target) && association.time.is_some();
+                let qualifier = association.qualifier;
+                let again = self.plan.sees_reentry[region] && self.restarts(target, qualifier);
                 let restart = again.then(|| {
-                    let (restart, again) =
-                        (names::target("restart", self.model, index, target), names::again(region, self.plan));
+                    let (restart, again) = (self.restart(index, target, qualifier), names::again(region, self.plan));
                     quote!(#restart |= #again;)
                 });
                 Item::After(step, quote!(#set #restart))
@@ -113,12 +116,15 @@ impl Cx<'_> {
         target.associations.iter().filter(runs).count() > 1
     }
 
-    /// A timed association of the target can be re-entered (A4s).
-    fn restarts(&self, target: &Target) -> bool {
-        target.associations.iter().any(|id| {
-            let association = &self.model.associations[*id];
-            association.time.is_some() && self.plan.sees_reentry[self.plan.regions.of_step(association.step)]
-        })
+    /// An association of the target under this qualifier, whose timer starts again with its step, can be re-entered (A4s).
+    fn restarts(&self, target: &Target, qualifier: Qualifier) -> bool {
+        let reentered = |id| self.plan.sees_reentry[self.plan.regions.of_step(self.model.associations[id].step)];
+        RESTARTED.contains(&qualifier) && target.under(self.model, qualifier).any(reentered)
+    }
+
+    /// The local that says that such a step has been re-entered.
+    fn restart(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
+        names::target(&format!("restart_{}", names::flag(qualifier)), self.model, index, target)
     }
 
     /// The qualifiers of the target that leaving a step can end, and a final call with them.
@@ -171,7 +177,15 @@ impl Cx<'_> {
             }
         }
         let q = names::target("q", self.model, index, target);
-        let any = if terms.is_empty() { quote!(false) } else { quote!((#(#terms)||*)) };
+        let any = match target.what {
+            // Where nothing sets it, it keeps its initial value until it is reset.
+            What::Boolean(place) if terms.is_empty() => {
+                let field = names::place_field(self.model, place);
+                quote!(self.#field)
+            }
+            _ if terms.is_empty() => quote!(false),
+            _ => quote!((#(#terms)||*)),
+        };
         quote!(#statements let #q = !#reset && #any;)
     }
 
@@ -189,12 +203,11 @@ impl Cx<'_> {
             let memory = name(&format!("memory_{}", names::flag(qualifier)));
             (quote!(self.#memory = (self.#memory || #input) && !#reset;), quote!(self.#memory))
         };
-        let timer = |input: &TokenStream, restart: bool| {
+        let timer = |input: &TokenStream| {
             let (timer, done) =
                 (name(&format!("timer_{}", names::flag(qualifier))), name(&format!("done_{}", names::flag(qualifier))));
-            let restart = if restart && self.restarts(target) {
-                let restart = name("restart");
-                quote!(#restart)
+            let restart = if self.restarts(target, qualifier) {
+                self.restart(index, target, qualifier).into_token_stream()
             } else {
                 quote!(false)
             };
@@ -204,23 +217,23 @@ impl Cx<'_> {
         match qualifier {
             Qualifier::S => store(&quote!(#flag)),
             Qualifier::L => {
-                let (statement, done) = timer(&quote!(#flag), true);
+                let (statement, done) = timer(&quote!(#flag));
                 (statement, quote!(#flag && !#done))
             }
-            Qualifier::D => timer(&quote!(#flag), true),
+            Qualifier::D => timer(&quote!(#flag)),
             Qualifier::Sd => {
                 let (first, stored) = store(&quote!(#flag));
-                let (second, done) = timer(&stored, false);
+                let (second, done) = timer(&stored);
                 (quote!(#first #second), done)
             }
             Qualifier::Ds => {
-                let (first, done) = timer(&quote!(#flag), true);
+                let (first, done) = timer(&quote!(#flag));
                 let (second, stored) = store(&done);
                 (quote!(#first #second), stored)
             }
             Qualifier::Sl => {
                 let (first, stored) = store(&quote!(#flag));
-                let (second, done) = timer(&stored, false);
+                let (second, done) = timer(&stored);
                 (quote!(#first #second), quote!(#stored && !#done))
             }
             _ => (TokenStream::new(), quote!(#flag)),
@@ -246,8 +259,8 @@ impl Cx<'_> {
                 return None;
             }
             let left = self.left(index, target, association.qualifier);
-            if association.qualifier != Qualifier::N {
-                // On a self-loop the time begins again: the action may end by that.
+            if association.qualifier == Qualifier::D {
+                // On a self-loop the delay begins again: that ends the action.
                 return Some(self.if_left(association.step, &quote!(#left = true;)));
             }
             let (after, variant) =

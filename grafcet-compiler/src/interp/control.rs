@@ -137,9 +137,11 @@ impl ActionControl {
         self.active_last = active.or(self.active_last);
 
         let before = std::mem::take(&mut self.holding);
-        let q = self.q(&here, change, elapsed, view)?;
+        let (q, terms) = self.q(&here, change, elapsed, view)?;
         // What D held up ends by leaving also where the step is re-entered: its delay starts again.
         let left = |id: &AssociationId| match model.associations[*id].qualifier {
+            // What another step's association of the same qualifier holds up does not end by leaving, but by R.
+            qualifier if terms.contains(&qualifier) => false,
             Qualifier::D => change.left.contains(&model.associations[*id].step),
             _ => !change.after.contains(&model.associations[*id].step),
         };
@@ -155,8 +157,15 @@ impl ActionControl {
         Ok(verdict)
     }
 
-    /// The standard's function block; `here` are its inputs that are true.
-    fn q(&mut self, here: &[AssociationId], change: &Change, elapsed: u32, view: &View<'_>) -> Result<bool, Error> {
+    /// The standard's function block; `here` are its inputs that are true. Beside Q those of N, L and D that hold by
+    /// themselves, R or not.
+    fn q(
+        &mut self,
+        here: &[AssociationId],
+        change: &Change,
+        elapsed: u32,
+        view: &View<'_>,
+    ) -> Result<(bool, BTreeSet<Qualifier>), Error> {
         use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
         let model = view.model;
         let with = |q: Qualifier| here.iter().copied().filter(move |id| model.associations[*id].qualifier == q);
@@ -196,8 +205,10 @@ impl ActionControl {
                 || stored_then_delayed
                 || delayed_then_stored
                 || (stored_and && !stored_limit));
+        let terms = [(N, input(N)), (L, input(L) && !limit), (D, delayed)];
+        let terms = terms.into_iter().filter(|(_, holds)| *holds).map(|(qualifier, _)| qualifier).collect();
         self.holding = here.iter().copied().filter(|id| q && held(model.associations[*id].qualifier)).collect();
-        Ok(q)
+        Ok((q, terms))
     }
 
     /// The reset-dominant flip-flop of a qualifier.
