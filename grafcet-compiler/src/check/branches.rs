@@ -16,7 +16,8 @@ pub(super) fn check(
     conditions: &[Condition],
     dead: &BTreeSet<TransitionId>,
     sink: &mut Sink,
-) {
+) -> BTreeSet<TransitionId> {
+    let mut shadowed = BTreeSet::new();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
@@ -36,10 +37,11 @@ pub(super) fn check(
         before.reverse();
         if model.is_grafcet() {
             branches.overlapping(id, &before, sink);
-        } else {
-            branches.shadowed(id, &before, sink);
+        } else if branches.shadowed(id, &before, sink) {
+            shadowed.insert(id);
         }
     }
+    shadowed
 }
 
 struct Branches<'m> {
@@ -56,7 +58,7 @@ impl Branches<'_> {
     }
 
     /// A28: of the branches that could clear the first one in the source does.
-    fn shadowed(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
+    fn shadowed(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) -> bool {
         let sources = &self.model.transitions[id].sources;
         // One that is enabled whenever this one is.
         let wins = |other: &&TransitionId| self.model.transitions[**other].sources.iter().all(|s| sources.contains(s));
@@ -67,7 +69,7 @@ impl Branches<'_> {
             self.logic.implies(own, &by.iter().map(|(_, condition)| *condition).collect::<Vec<_>>())
         };
         if first.is_empty() || !implied(&first) {
-            return;
+            return false;
         }
         match first.iter().position(|one| implied(std::slice::from_ref(one))) {
             Some(one) => first = vec![first.swap_remove(one)],
@@ -85,6 +87,7 @@ impl Branches<'_> {
         }
         let shadowing: Vec<TransitionId> = first.iter().map(|(other, _)| *other).collect();
         self.report_shadowed(id, &shadowing, sink);
+        true
     }
 
     fn report_shadowed(&self, id: TransitionId, shadowing: &[TransitionId], sink: &mut Sink) {

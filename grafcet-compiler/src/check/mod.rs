@@ -48,9 +48,9 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let never: &[&Tree] = &[];
     let logic = Logic::within(model, &concurrency, never);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
-    let silent = conditions::check(model, &logic, &conditions, sink);
-    branches::check(model, &concurrency, &logic, &conditions, &silent, sink);
-    let dead = reach::check(model, &exploration, &silent, sink);
+    let mut said = conditions::check(model, &logic, &conditions, sink);
+    said.extend(branches::check(model, &concurrency, &logic, &conditions, &said, sink));
+    let dead = reach::check(model, &exploration, &said, sink);
     safety::check(model, &exploration, sink);
     waits::check(model, &exploration, &dead, sink);
     race::check(model, &concurrency, never, sink);

@@ -7,14 +7,14 @@ use std::collections::BTreeSet;
 
 use crate::analysis::explore::{Exploration, situation};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{ForceOrder, Id, Model, Read, StepId, Transition, TransitionId};
+use crate::model::{ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
 
 /// Reports, and returns the transitions that never clear although their sources can be active.
-/// `never` are those whose conditions never hold by themselves, which has been said.
+/// `said` are those of which it has been said that they never clear.
 pub(super) fn check(
     model: &Model,
     exploration: &Exploration,
-    never: &BTreeSet<TransitionId>,
+    said: &BTreeSet<TransitionId>,
     sink: &mut Sink,
 ) -> BTreeSet<TransitionId> {
     let drawn = drawn(model);
@@ -31,11 +31,27 @@ pub(super) fn check(
         })
         .map(|(id, _)| id)
         .collect();
+    for (id, step) in model.steps.iter().filter(|(id, _)| !exploration.reachable(*id) && drawn[id.index()]) {
+        let open = |arc: TransitionId| {
+            let sources = &model.transitions[arc].sources;
+            !dead.contains(&arc) && !said.contains(&arc) && sources.iter().all(|source| exploration.reachable(*source))
+        };
+        let beaten = model.transitions.iter().find(|(arc, transition)| transition.targets.contains(&id) && open(*arc));
+        let forced = step.initial && model.partials[step.partial].enclosed_by.is_none();
+        let message = match beaten {
+            Some((_, arc)) => never_wins(model, step, arc),
+            None if forced => {
+                format!("step `{}` is never active: an order forces its partial grafcet from the start", step.name)
+            }
+            None => continue,
+        };
+        sink.rule(&rules::UNREACHABLE_STEP, &model.levels_of(step), vec![(Mark::from(&step.name), message)]);
+    }
     let waiting: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     for id in &dead {
         let transition = &model.transitions[*id];
         // `stuck_join` says what is wrong.
-        if waiting.contains(id) || never.contains(id) {
+        if waiting.contains(id) || said.contains(id) {
             continue;
         }
         let message =
@@ -91,6 +107,15 @@ fn unreachable(model: &Model, id: StepId) -> String {
             named(model, &arc.sources)
         ),
     }
+}
+
+fn never_wins(model: &Model, step: &Step, arc: &Transition) -> String {
+    format!(
+        "step `{}` is never active: whenever the transition from {} to it could clear, another one that comes first is cleared \
+         instead; give it a condition under which the others do not hold",
+        step.name,
+        named(model, &arc.sources)
+    )
 }
 
 fn never_enabled(model: &Model, transition: &Transition) -> String {
