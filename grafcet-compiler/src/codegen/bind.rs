@@ -62,8 +62,8 @@ impl Cx<'_> {
         for place in writes {
             let (name, target) = (self.model.place_name(*place), commit(*place));
             let note = names::written(name);
-            let noted = self.is_written_back(*place, moment) && !writes::always(&tokens, name);
-            match noted.then(|| writes::noted(&tokens, name, &note)).flatten() {
+            let may_leave = self.is_written_back(*place, moment) && !writes::always(&tokens, name);
+            match may_leave.then(|| writes::noted(&tokens, name, &note)).flatten() {
                 Some(block) => {
                     tokens = block;
                     notes.extend(quote!(let mut #note = false;));
