@@ -218,6 +218,9 @@ impl<'m> Logic<'m> {
                 return Answer::Never;
             }
         }
+        if self.budget.get() < PUT {
+            return Answer::Undecided;
+        }
         let mut order: Vec<AtomId> = Vec::new();
         let mut asked = BTreeSet::new();
         for (condition, _) in goals {
