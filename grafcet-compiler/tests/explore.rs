@@ -1,6 +1,6 @@
 //! The exploration of small charts whose situations one can count by hand.
 
-use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits, situation};
+use grafcet_compiler::analysis::explore::{Exploration, Limits, situation};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model, StepId, TransitionId};
 use grafcet_compiler::parse;

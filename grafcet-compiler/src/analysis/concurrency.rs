@@ -84,7 +84,9 @@ impl<'m> Search<'m> {
         let steps = model.steps.len();
         let mut leaving = vec![Vec::new(); steps];
         for (id, transition) in model.transitions.iter() {
-            transition.sources.iter().for_each(|s| leaving[s.index()].push(id.index()));
+            for s in &transition.sources {
+                leaving[s.index()].push(id.index());
+            }
         }
         Self {
             model,

@@ -42,9 +42,13 @@ impl Relation {
     pub fn common_beyond(&self, items: &[usize], to: usize) -> Vec<usize> {
         let mut words = vec![u64::MAX; self.words];
         for item in items {
-            words.iter_mut().zip(self.row(*item)).for_each(|(word, other)| *word &= other);
+            for (word, other) in words.iter_mut().zip(self.row(*item)) {
+                *word &= other;
+            }
         }
-        words.iter_mut().zip(self.row(to)).for_each(|(word, known)| *word &= !known);
+        for (word, known) in words.iter_mut().zip(self.row(to)) {
+            *word &= !known;
+        }
         let found = words.iter().enumerate().flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit));
         found.take_while(|item| *item < self.size).collect()
     }

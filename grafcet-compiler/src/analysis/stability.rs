@@ -47,7 +47,9 @@ impl<'m> Follows<'m> {
         let logic = Logic::new(model);
         let mut leaving = vec![Vec::new(); model.steps.len()];
         for (id, transition) in model.transitions.iter() {
-            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+            for step in &transition.sources {
+                leaving[step.index()].push(id);
+            }
         }
         let mut different: BTreeMap<Tree, usize> = BTreeMap::new();
         let mut conditions = Vec::new();

@@ -64,8 +64,12 @@ impl<'m> Circles<'m> {
         let mut leaving = vec![Vec::new(); model.steps.len()];
         let mut entering = vec![Vec::new(); model.steps.len()];
         for (id, transition) in model.transitions.iter() {
-            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-            transition.targets.iter().for_each(|step| entering[step.index()].push(id));
+            for step in &transition.sources {
+                leaving[step.index()].push(id);
+            }
+            for step in &transition.targets {
+                entering[step.index()].push(id);
+            }
         }
         let read = |transition: &Transition| Rc::new(logic.condition(&transition.condition.tree));
         let conditions: Vec<_> = model.transitions.values().map(read).collect();
@@ -360,7 +364,9 @@ fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool) -> Vec<boo
         }
     }
     for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+        for step in &transition.sources {
+            leaving[step.index()].push(id);
+        }
         if transition.sources.is_empty() && can_clear(id) {
             work.extend(&transition.targets);
         }

@@ -36,6 +36,9 @@ pub(super) enum Target {
     Own(Action),
 }
 
+/// The step whose action writes, or the transition on whose clearing is written.
+pub(super) type Writer = (Option<usize>, Option<usize>);
+
 /// All actions of a chart that write what is followed.
 #[derive(Default)]
 pub(super) struct Actions {
@@ -72,7 +75,7 @@ impl Actions {
     }
 
     /// Which slots are written by an action of which step, or on the clearing of which transition.
-    pub(super) fn writers(&self) -> Vec<(usize, (Option<usize>, Option<usize>))> {
+    pub(super) fn writers(&self) -> Vec<(usize, Writer)> {
         let mut writers = Vec::new();
         for action in &self.stored {
             slots_of(&action.program, &mut |slot| writers.push((slot, (Some(action.step), None))));

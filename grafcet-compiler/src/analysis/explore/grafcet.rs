@@ -65,7 +65,9 @@ fn activate(scene: &mut Scene<'_>) {
     let after = std::mem::take(&mut scene.now.active);
     let outcome = actions(scene, &after, &[]);
     scene.now.active = after;
-    outcome.writes.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
+    for (slot, bit) in outcome.writes {
+        scene.now.slots[slot] = bit;
+    }
 }
 
 /// The situation after the evolution, and the transitions cleared in it.
@@ -89,7 +91,9 @@ fn commit(scene: &mut Scene<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {
     let entered = after.iter().filter(|step| before.active.binary_search(step).is_err());
     scene.fresh.extend(entered);
     scene.now.active = after;
-    writes.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
+    for (slot, bit) in writes {
+        scene.now.slots[slot] = bit;
+    }
     scene.previous = Some(before);
     scene.edgeless = false;
 }

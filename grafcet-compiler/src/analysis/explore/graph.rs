@@ -35,7 +35,9 @@ impl Future {
         // What others do to the piece can happen at any time.
         for entry in &graph.entries {
             let row = future.rows[future.group_of[*entry]].clone();
-            future.rows.iter_mut().for_each(|other| unite(other, &row));
+            for other in &mut future.rows {
+                unite(other, &row);
+            }
         }
         future
     }
@@ -46,7 +48,7 @@ impl Future {
             let state = &graph.states[*member];
             if !self.joins.is_empty() {
                 for transition in cycle::enabled(net, graph.unit, &state.active) {
-                    self.set(&mut row, self.join(transition));
+                    mark(&mut row, self.join(transition));
                 }
             }
             for edge in &graph.edges[*member] {
@@ -54,14 +56,16 @@ impl Future {
                 for transition in &edge.cleared {
                     set(&mut row, net.unit_of_arc(*transition));
                     for source in &net.arcs[*transition].sources {
-                        self.set(&mut row, self.wait(*source));
+                        mark(&mut row, self.wait(*source));
                     }
                 }
                 for step in &edge.changed {
                     set(&mut row, net.unit_of[*step]);
-                    self.set(&mut row, self.wait(*step));
+                    mark(&mut row, self.wait(*step));
                 }
-                edge.joins.iter().for_each(|join| self.set(&mut row, self.join(*join)));
+                for join in &edge.joins {
+                    mark(&mut row, self.join(*join));
+                }
                 if let Some(other) = self.rows.get(self.group_of[edge.to]) {
                     unite(&mut row, other);
                 }
@@ -73,16 +77,10 @@ impl Future {
     fn note_changes(&self, net: &Net, row: &mut [u64], before: &[usize], after: &[usize]) {
         for step in before.iter().filter(|step| after.binary_search(step).is_err()) {
             set(row, net.unit_of[*step]);
-            self.set(row, self.wait(*step));
+            mark(row, self.wait(*step));
         }
         for step in after.iter().filter(|step| before.binary_search(step).is_err()) {
             set(row, net.unit_of[*step]);
-        }
-    }
-
-    fn set(&self, row: &mut [u64], bit: Option<usize>) {
-        if let Some(bit) = bit {
-            set(row, bit);
         }
     }
 
@@ -116,12 +114,20 @@ impl Future {
     }
 }
 
+fn mark(row: &mut [u64], bit: Option<usize>) {
+    if let Some(bit) = bit {
+        set(row, bit);
+    }
+}
+
 fn set(row: &mut [u64], bit: usize) {
     row[bit / 64] |= 1 << (bit % 64);
 }
 
 fn unite(row: &mut [u64], other: &[u64]) {
-    row.iter_mut().zip(other).for_each(|(word, other)| *word |= other);
+    for (word, other) in row.iter_mut().zip(other) {
+        *word |= other;
+    }
 }
 
 /// The strongly connected groups of states (Tarjan), each behind those to which it leads; with an explicit stack.
@@ -158,7 +164,9 @@ fn groups(graph: &Graph) -> (Vec<usize>, Vec<Vec<usize>>) {
                     if low[at] == found[at] {
                         let start = open.iter().rposition(|state| *state == at).unwrap_or(0);
                         let members = open.split_off(start);
-                        members.iter().for_each(|member| group_of[*member] = groups.len());
+                        for member in &members {
+                            group_of[*member] = groups.len();
+                        }
                         groups.push(members);
                     }
                 }

@@ -9,8 +9,8 @@ pub(super) fn evolve(net: &Net, before: &[usize], fireable: &[usize], done: &mut
     let mut cleared = Vec::new();
     for part in &net.hierarchy {
         let here: Vec<usize> = before.iter().filter(|step| net.part_of[**step] == *part).copied().collect();
-        let next = match imposed(net, *part, &here, before, &after) {
-            Some(next) => next,
+        let later = match imposed(net, *part, &here, before, &after) {
+            Some(situation) => situation,
             None => {
                 let own = fireable.iter().filter(|transition| net.arcs[**transition].partial == *part);
                 let own: Vec<usize> = own.copied().collect();
@@ -21,7 +21,7 @@ pub(super) fn evolve(net: &Net, before: &[usize], fireable: &[usize], done: &mut
                 clear(&here, &left, &targets)
             }
         };
-        after.extend(next);
+        after.extend(later);
         after.sort_unstable();
     }
     cleared.sort_unstable();

@@ -10,6 +10,9 @@ pub(super) enum Known {
     Range(i128, i128),
 }
 
+/// Atoms by number, with what is known of them.
+pub(super) type Learnt = Vec<(usize, Known)>;
+
 /// What is known of each atom, by number. Clearing costs what was learnt, not the number of atoms.
 #[derive(Debug)]
 pub(super) struct Knowledge {

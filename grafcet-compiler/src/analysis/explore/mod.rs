@@ -278,7 +278,9 @@ impl Exploration {
         let states = &self.whole.states;
         let mut back: Vec<Vec<usize>> = vec![Vec::new(); states.len()];
         for (from, edges) in self.whole.edges.iter().enumerate() {
-            edges.iter().for_each(|edge| back[edge.to].push(from));
+            for edge in edges {
+                back[edge.to].push(from);
+            }
         }
         let is_home = |state: &usize| !states[*state].first && *states[*state].active == home[..];
         let mut work: Vec<usize> = (0..states.len()).filter(is_home).collect();

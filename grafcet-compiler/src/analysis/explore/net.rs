@@ -137,7 +137,9 @@ impl Net {
         for (index, (transition, condition)) in model.transitions.values().zip(conditions).enumerate() {
             let mut sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
             sources.sort_unstable();
-            sources.iter().for_each(|source| self.leaving[*source].push(index));
+            for source in &sources {
+                self.leaving[*source].push(index);
+            }
             if sources.is_empty() {
                 self.sourceless.push(index);
             }
@@ -193,7 +195,9 @@ impl Net {
         for formula in self.watched.iter().chain(&self.assumed_never) {
             self.collect(formula, &mut common, &mut Vec::new());
         }
-        common.into_iter().for_each(|atom| self.is_common[atom] = true);
+        for atom in common {
+            self.is_common[atom] = true;
+        }
         for atom in self.arcs.iter().flat_map(|arc| &arc.edge_atoms) {
             self.is_edge_atom[*atom] = true;
         }
@@ -240,7 +244,9 @@ impl Net {
     fn note_edges(&mut self) {
         for arc in &self.arcs {
             for source in &arc.sources {
-                arc.edge_atoms.iter().for_each(|atom| add(&mut self.edge_atoms[*source], *atom));
+                for atom in &arc.edge_atoms {
+                    add(&mut self.edge_atoms[*source], *atom);
+                }
             }
         }
         let mut common: Vec<usize> = Vec::new();
@@ -248,10 +254,14 @@ impl Net {
             self.collect(formula, &mut Vec::new(), &mut common);
         }
         for transition in &self.sourceless {
-            self.arcs[*transition].edge_atoms.iter().for_each(|atom| add(&mut common, *atom));
+            for atom in &self.arcs[*transition].edge_atoms {
+                add(&mut common, *atom);
+            }
         }
         self.common_edge_atoms = common;
-        self.edge_atoms.iter_mut().for_each(|atoms| atoms.sort_unstable());
+        for atoms in &mut self.edge_atoms {
+            atoms.sort_unstable();
+        }
     }
 
     /// The piece of a transition.
@@ -316,7 +326,7 @@ fn parts(model: &Model) -> Vec<Part> {
         orders.entry(force.target.index()).or_default().push((force.step.index(), order));
     }
     let part = |(id, partial): (crate::model::PartialId, &crate::model::Partial)| Part {
-        enclosed_by: partial.enclosed_by.map(|step| step.index()),
+        enclosed_by: partial.enclosed_by.map(Id::index),
         linked: pick(partial, |step| step.linked),
         orders: orders.remove(&id.index()).unwrap_or_default(),
     };

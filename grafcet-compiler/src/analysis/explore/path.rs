@@ -121,14 +121,13 @@ impl Given {
     pub fn text(&self, model: &Model) -> String {
         let what = text(model, &self.what);
         match self.demand {
-            Demand::Is(true) => what,
+            Demand::Is(true) | Demand::Within(None, None) => what,
             Demand::Is(false) if what.contains(' ') => format!("!({what})"),
             Demand::Is(false) => format!("!{what}"),
             Demand::Within(Some(low), Some(high)) if low == high => format!("{what} == {low}"),
             Demand::Within(Some(low), Some(high)) => format!("{what} in {low}..={high}"),
             Demand::Within(Some(low), None) => format!("{what} >= {low}"),
             Demand::Within(None, Some(high)) => format!("{what} <= {high}"),
-            Demand::Within(None, None) => what,
         }
     }
 }

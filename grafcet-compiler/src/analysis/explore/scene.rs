@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::formula::{Formula, Kind};
-use super::knowledge::{Knowledge, Known, Tape};
+use super::knowledge::{Knowledge, Known, Learnt, Tape};
 use super::net::Net;
 use super::slots::Bit;
 use super::waiting::{Groups, Waits};
@@ -113,7 +113,9 @@ impl<'n> Scene<'n> {
     pub(super) fn begin(&mut self, state: &State) {
         self.work += 2 + state.active.len() as u64;
         self.reset();
-        state.before.iter().for_each(|(atom, known)| self.recorded.learn(*atom, *known));
+        for (atom, known) in &state.before {
+            self.recorded.learn(*atom, *known);
+        }
         self.now.active.clear();
         self.now.active.extend(&state.active[..]);
         self.now.slots.clear();
@@ -145,8 +147,12 @@ impl<'n> Scene<'n> {
     pub(super) fn resume(&mut self, other: &Self, given: &[(usize, Known)], recorded: &[(usize, Known)]) {
         self.work += 1;
         self.reset();
-        given.iter().for_each(|(atom, known)| self.given.learn(*atom, *known));
-        recorded.iter().for_each(|(atom, known)| self.recorded.learn(*atom, *known));
+        for (atom, known) in given {
+            self.given.learn(*atom, *known);
+        }
+        for (atom, known) in recorded {
+            self.recorded.learn(*atom, *known);
+        }
         self.now.clone_from(&other.now);
         self.start.clone_from(&other.start);
         self.previous.clone_from(&other.previous);
@@ -155,7 +161,7 @@ impl<'n> Scene<'n> {
     }
 
     /// What is known of these atoms in this cycle, and in the snapshot that edges compare with.
-    pub(super) fn knowledge_of(&self, atoms: &[usize]) -> (Vec<(usize, Known)>, Vec<(usize, Known)>) {
+    pub(super) fn knowledge_of(&self, atoms: &[usize]) -> (Learnt, Learnt) {
         let known = |knowledge: &Knowledge| -> Vec<(usize, Known)> {
             let pairs = atoms.iter().map(|atom| (*atom, knowledge.get(*atom)));
             pairs.filter(|(_, known)| *known != Known::Unknown).collect()
@@ -166,7 +172,9 @@ impl<'n> Scene<'n> {
     /// The transitions wait in this cycle, under these values of what edges look at.
     pub(super) fn wait(&mut self, transitions: &[usize], values: &[(usize, Known)]) {
         let net = self.net;
-        values.iter().for_each(|(atom, known)| self.given.learn(*atom, *known));
+        for (atom, known) in values {
+            self.given.learn(*atom, *known);
+        }
         for transition in transitions {
             self.still.push(*transition);
             self.is_still[*transition] = true;
@@ -299,14 +307,13 @@ impl<'n> Scene<'n> {
             return self.recorded_value(atom, kind);
         }
         match kind {
-            Kind::Free => self.given.get(atom),
             Kind::Number(low, high) => match self.given.get(atom) {
                 Known::Unknown => Known::Range(low, high),
                 known => known,
             },
             Kind::Step(step) if self.is_own(step) => Known::Bool(self.at(when).active.binary_search(&step).is_ok()),
             Kind::Macro(id) if self.owns(id) => Known::Bool(self.any_active(id, when)),
-            Kind::Step(_) | Kind::Macro(_) => self.given.get(atom),
+            Kind::Free | Kind::Step(_) | Kind::Macro(_) => self.given.get(atom),
             Kind::Slot(slot) => self.slot(slot, when),
             Kind::Since(step) => {
                 let active = self.at(when).active.binary_search(&step).is_ok();
@@ -427,7 +434,7 @@ impl<'n> Scene<'n> {
     }
 
     /// What was decided about this cycle, and about the cycle before it, ascending.
-    pub(super) fn decided(&self) -> (Vec<(usize, Known)>, Vec<(usize, Known)>) {
+    pub(super) fn decided(&self) -> (Learnt, Learnt) {
         let decided = |knowledge: &Knowledge| {
             let pairs = knowledge.learnt().iter().map(|atom| (*atom, knowledge.get(*atom)));
             let mut pairs: Vec<_> = pairs.filter(|(_, known)| *known != Known::Unknown).collect();

@@ -196,7 +196,9 @@ impl<'n, 's> Search<'n, 's> {
     fn root(&mut self, first: bool, active: Vec<usize>) -> usize {
         let mut slots = self.scene.net.initial_slots.clone();
         if first {
-            self.foreign.iter().for_each(|slot| slots[*slot] = Bit::Any);
+            for slot in &self.foreign {
+                slots[*slot] = Bit::Any;
+            }
         } else {
             slots.fill(Bit::Any);
         }
@@ -229,17 +231,21 @@ impl<'n, 's> Search<'n, 's> {
         let net = self.scene.net;
         let state = Rc::clone(&self.graph.states[number]);
         let enabled = cycle::enabled(net, self.scene.unit, &state.active);
-        if !(state.first && !net.grafcet) {
-            enabled.iter().for_each(|transition| self.seen.enabled[*transition] = true);
+        if net.grafcet || !state.first {
+            for transition in &enabled {
+                self.seen.enabled[*transition] = true;
+            }
         }
         let mut leaves = None;
-        if self.lazy && !(state.first && !net.grafcet) {
+        if self.lazy && (net.grafcet || !state.first) {
             self.scene.begin(&state);
             self.scene.groups = waiting::at_start(&mut self.scene, &enabled).map(Rc::new);
             leaves = self.runs(&state, &enabled, true);
         }
         let Some(leaves) = leaves.or_else(|| self.runs(&state, &enabled, false)) else { return false };
-        leaves.into_iter().for_each(|leaf| self.commit(number, leaf));
+        for leaf in leaves {
+            self.commit(number, leaf);
+        }
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
             let cycle = Cycle { given: Vec::new(), past: Vec::new(), cleared: Vec::new() };
@@ -267,7 +273,9 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.tape.restart();
         loop {
             let (mut next, done) = cycle::run(&mut self.scene, state, enabled);
-            self.foreign.iter().for_each(|slot| next.slots[*slot] = Bit::Any);
+            for slot in &self.foreign {
+                next.slots[*slot] = Bit::Any;
+            }
             let mut watched = Vec::new();
             self.scene.forget_volatile();
             for index in 0..self.graph.watched.len() {
@@ -311,9 +319,15 @@ impl<'n, 's> Search<'n, 's> {
     fn commit(&mut self, from: usize, leaf: Leaf) {
         let net = self.scene.net;
         let Leaf { next, done, given, past, watched } = leaf;
-        done.transient.iter().for_each(|active| self.seen.situation(active));
-        done.able.iter().for_each(|transition| self.seen.able[*transition] = true);
-        done.enabled_later.iter().for_each(|transition| self.seen.enabled[*transition] = true);
+        for active in &done.transient {
+            self.seen.situation(active);
+        }
+        for transition in &done.able {
+            self.seen.able[*transition] = true;
+        }
+        for transition in &done.enabled_later {
+            self.seen.enabled[*transition] = true;
+        }
         let cycle = Cycle { given, past, cleared: done.cleared };
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };

@@ -84,7 +84,7 @@ fn act(scene: &mut Scene<'_>, change: &Change) {
                 control(scene, change, (*slot, *flip_flop), by, &mut runs);
             }
             Target::Assigned { slot, initial, by } => {
-                let active = by.iter().filter(|action| is_on(scene, change, action)).next_back();
+                let active = by.iter().rfind(|action| is_on(scene, change, action));
                 let effect = match active {
                     Some(action) => Effect::Run(&action.program),
                     None => Effect::Put(*slot, *initial),
@@ -115,11 +115,15 @@ fn act(scene: &mut Scene<'_>, change: &Change) {
                 scene.own.clear();
                 perform(scene, program);
                 let written = std::mem::take(&mut scene.own);
-                written.into_iter().for_each(|(slot, bit)| write(scene, slot, bit, &mut outputs));
+                for (slot, bit) in written {
+                    write(scene, slot, bit, &mut outputs);
+                }
             }
         }
     }
-    outputs.into_iter().for_each(|(slot, bit)| scene.now.slots[slot] = bit);
+    for (slot, bit) in outputs {
+        scene.now.slots[slot] = bit;
+    }
 }
 
 fn write(scene: &mut Scene<'_>, slot: usize, bit: Bit, outputs: &mut Vec<(usize, Bit)>) {

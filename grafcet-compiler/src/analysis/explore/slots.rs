@@ -63,7 +63,9 @@ fn initial(model: &Model, place: Place) -> Bit {
 fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> BTreeSet<Place> {
     let mut needed = BTreeSet::new();
     let mut reads: Vec<Read> = model.transitions.values().flat_map(|t| t.condition.reads.iter().copied()).collect();
-    watched.iter().for_each(|tree| reads_of(tree, &mut reads));
+    for tree in watched {
+        reads_of(tree, &mut reads);
+    }
     let mut edges = BTreeSet::new();
     while let Some(read) = reads.pop() {
         let place = match read {

@@ -8,7 +8,9 @@ pub(super) fn of(model: &Model) -> (Vec<usize>, usize) {
     for transition in model.transitions.values() {
         let mut steps = transition.sources.iter().chain(&transition.targets).map(|step| step.index());
         let Some(first) = steps.next() else { continue };
-        steps.for_each(|other| union.join(first, other));
+        for other in steps {
+            union.join(first, other);
+        }
     }
     let mut numbers = vec![usize::MAX; model.steps.len()];
     let mut count = 0;

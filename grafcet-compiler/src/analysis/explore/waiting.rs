@@ -13,7 +13,7 @@
 use std::collections::BTreeMap;
 
 use super::formula::Formula;
-use super::knowledge::Known;
+use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, When};
 use super::units::Union;
@@ -29,14 +29,14 @@ pub(super) enum Wait {
 }
 
 /// All that decides whether a group can wait.
-type Key = (Vec<usize>, Vec<(usize, Known)>, Vec<(usize, Known)>, Vec<usize>, bool, bool);
+type Key = (Vec<usize>, Learnt, Learnt, Vec<usize>, bool, bool);
 
 /// The answers so far.
 pub(super) type Waits = BTreeMap<Key, Wait>;
 
 /// How the transitions that are enabled at the start of a cycle may be tried: the same in all runs from one state.
 pub(super) struct Groups {
-    groups: Vec<Vec<usize>>,
+    members: Vec<Vec<usize>>,
     /// Atoms that several groups read, ascending.
     shared: Vec<usize>,
     /// Where no atom is shared, how each group can wait.
@@ -49,11 +49,11 @@ pub(super) fn at_start(scene: &mut Scene<'_>, enabled: &[usize]) -> Option<Group
         return None;
     }
     let mut found = find(scene.net, enabled);
-    if found.groups.len() < 2 {
+    if found.members.len() < 2 {
         return None;
     }
     if found.shared.is_empty() {
-        found.waits = Some(found.groups.iter().map(|group| can_wait(scene, group)).collect());
+        found.waits = Some(found.members.iter().map(|group| can_wait(scene, group)).collect());
     }
     Some(found)
 }
@@ -61,7 +61,7 @@ pub(super) fn at_start(scene: &mut Scene<'_>, enabled: &[usize]) -> Option<Group
 fn find(net: &Net, open: &[usize]) -> Groups {
     let groups = groups(net, open);
     let shared = shared(net, &groups);
-    Groups { groups, shared, waits: None }
+    Groups { members: groups, shared, waits: None }
 }
 
 /// `grafcet`: what becomes enabled later in the cycle waits if it can.
@@ -80,7 +80,7 @@ pub(super) fn arbitrate(scene: &mut Scene<'_>, found: &Groups, may_move: bool) -
     let mut free: Vec<usize> = Vec::new();
     let mut waiting: Vec<(&Vec<usize>, Wait)> = Vec::new();
     let mut moved = false;
-    for (number, group) in found.groups.iter().enumerate() {
+    for (number, group) in found.members.iter().enumerate() {
         for transition in group {
             decide_shared(scene, &net.arcs[*transition].condition, &found.shared);
         }
@@ -101,12 +101,12 @@ pub(super) fn arbitrate(scene: &mut Scene<'_>, found: &Groups, may_move: bool) -
         free.sort_unstable();
         return free;
     }
-    let mover = if may_move { scene.tape.choose(waiting.len() + 1) } else { waiting.len() };
+    let chosen = if may_move { scene.tape.choose(waiting.len() + 1) } else { waiting.len() };
     for (number, (group, wait)) in waiting.iter().enumerate() {
-        if number == mover {
+        if number == chosen {
             // Where it waits as well, it is the run in which all wait.
-            let moves = group.iter().any(|transition| scene.decide(&net.arcs[*transition].condition, When::Now));
-            scene.redundant = !moves;
+            let could_move = group.iter().any(|transition| scene.decide(&net.arcs[*transition].condition, When::Now));
+            scene.redundant = !could_move;
             free.extend(*group);
         } else if let Wait::With(values) = wait {
             scene.wait(group, values);
