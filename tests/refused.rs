@@ -37,10 +37,10 @@ fn a08_an_output_is_assigned_or_allocated_and_never_both() {
 /// Two charts with a master each, and a third one that both can force.
 fn masters(first: &str, second: &str) -> String {
     format!(
-        "input a, b: bool; output q: bool;
+        "input a, b, c: bool; output q: bool;
          partial G1 {{ initial step A1; step B1 {{ {first} }} A1 -[a]-> B1 -[!a]-> A1; }}
          partial G2 {{ initial step A2; step B2 {{ {second} }} A2 -[b]-> B2 -[!b]-> A2; }}
-         partial G3 {{ initial step A3; step B3 {{ q; }} A3 -[a && b]-> B3 -[!a]-> A3; }}"
+         partial G3 {{ initial step A3; step B3 {{ q; }} A3 -[c]-> B3 -[!c]-> A3; }}"
     )
 }
 
@@ -60,11 +60,11 @@ fn a14_forcing_has_no_circle() {
 fn a16_a_partial_grafcet_in_an_enclosure_is_not_forced() {
     let chart = |forced: &str| {
         format!(
-            "input a, b: bool; output q: bool;
+            "input a, b, c: bool; output q: bool;
              partial Top {{ initial step A; step B {{ force {forced} {{}}; }} A -[a]-> B -[!a]-> A; }}
              partial Outer {{
                  initial step C;
-                 enclosing step F {{ partial Inner {{ linked step G {{ q; }} step H; G -[a]-> H -[!a]-> G; }} }}
+                 enclosing step F {{ partial Inner {{ linked step G {{ q; }} step H; G -[c]-> H -[!c]-> G; }} }}
                  C -[b]-> F -[!b]-> C;
              }}"
         )
@@ -90,7 +90,7 @@ fn a18_an_enclosure_has_a_linked_step() {
 fn a21_only_a_partial_grafcet_with_an_initial_step_is_initialised() {
     let chart = |initial: &str| {
         format!(
-            "input a, b: bool; output q: bool;
+            "input a, b, c: bool; output q: bool;
              partial Top {{ initial step A; step B {{ force Low {{INIT}}; }} step C {{ force Low {{F}}; }}
                  A -[a]-> B -[!a]-> C -[b]-> A; }}
              partial Low {{ {initial} step E {{ q; }} step F; E -[b]-> F -[!b]-> E; }}"

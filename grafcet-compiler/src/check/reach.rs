@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::analysis::explore::{Exploration, situation};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
+use crate::model::{Dialect, ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
 
 /// Reports, and returns the transitions that never clear although their sources can be active.
 /// `said` are those of which it has been said that they never clear.
@@ -110,9 +110,13 @@ fn unreachable(model: &Model, id: StepId) -> String {
 }
 
 fn never_wins(model: &Model, step: &Step, arc: &Transition) -> String {
+    let first = match model.dialect {
+        Dialect::Sfc => "another one that comes first is cleared instead",
+        Dialect::Grafcet => "an order or the end of its enclosing step comes first",
+    };
     format!(
-        "step `{}` is never active: whenever the transition from {} to it could clear, another one that comes first is cleared \
-         instead; give it a condition under which the others do not hold",
+        "step `{}` is never active: whenever the transition from {} to it could clear, {first}; give it a condition under which \
+         the others do not hold",
         step.name,
         named(model, &arc.sources)
     )
