@@ -1,12 +1,12 @@
 //! `sfc`: the `ACTION_CONTROL` of IEC 61131-3 for the targets that need it, and the order of the runs (A29).
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::bind::Moment;
 use super::segments::Item;
 use super::{Cx, names};
-use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
+use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, TimeRef};
 use crate::plan::{Target, What, source_order};
 
 /// The qualifiers whose flag is the activity of a step; the others are events.
@@ -51,8 +51,9 @@ impl Cx<'_> {
         };
         let numbers = [(Qualifier::P0, "number_p0"), (Qualifier::P1, "number_p1")];
         let numbers = numbers.iter().filter(chooses).map(|(_, prefix)| {
-            let (number, p) = (names::target(prefix, self.model, index, target), &self.p);
-            quote!(let mut #number: #p::u8 = 0;)
+            let number = names::target(prefix, self.model, index, target);
+            let ty = names::number_type(target.associations.len(), &self.p);
+            quote!(let mut #number: #ty = 0;)
         });
         quote!(#(#flags)* #(#restarts)* #(#left)* #(#numbers)*)
     }
@@ -66,8 +67,8 @@ impl Cx<'_> {
         if target.remembers_time(self.model, association.qualifier) {
             let prefix = format!("time_{}", names::flag(association.qualifier));
             let field = names::target(&prefix, self.model, index, target);
-            let time = association.time.map(|time| self.time(time));
-            set.extend(quote!(self.#field = #time;));
+            let number = names::association_number(target, id);
+            set.extend(quote!(self.#field = #number;));
         }
         if let Some(condition) = &association.condition {
             let condition = self.value(condition, Moment::Action);
@@ -240,14 +241,28 @@ impl Cx<'_> {
         }
     }
 
-    /// The time of a target's timer: that of the association active last where they differ.
+    /// The time of a target's timer: that of the association active last where they differ, read anew in each cycle.
     pub(super) fn target_time(&self, index: usize, target: &Target, qualifier: Qualifier) -> TokenStream {
-        if target.remembers_time(self.model, qualifier) {
-            let field = names::target(&format!("time_{}", names::flag(qualifier)), self.model, index, target);
-            return quote!(self.#field);
+        let mut times: Vec<(TimeRef, Vec<Literal>)> = Vec::new();
+        for id in target.under(self.model, qualifier) {
+            let Some(time) = self.model.associations[id].time else { continue };
+            let number = names::association_number(target, id);
+            match times.iter_mut().find(|(other, _)| *other == time) {
+                Some((_, numbers)) => numbers.push(number),
+                None => times.push((time, vec![number])),
+            }
         }
-        let time = target.under(self.model, qualifier).find_map(|id| self.model.associations[id].time);
-        time.map(|time| self.time(time)).unwrap_or_default()
+        let Some(((last, _), others)) = times.split_last() else { return TokenStream::new() };
+        let last = self.time(*last);
+        if others.is_empty() {
+            return last;
+        }
+        let field = names::target(&format!("time_{}", names::flag(qualifier)), self.model, index, target);
+        let arms = others.iter().map(|(time, numbers)| {
+            let time = self.time(*time);
+            quote!(#(#numbers)|* => #time,)
+        });
+        quote!(match self.#field { #(#arms)* _ => #last })
     }
 
     /// Final calls caused by leaving a step are told apart from the others (A29).

@@ -1,6 +1,6 @@
 //! Every name in the generated code.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::model::{
@@ -240,9 +240,16 @@ pub(super) fn flag(qualifier: Qualifier) -> &'static str {
 }
 
 /// The number of an association among those of its target, as it is remembered.
-pub(super) fn association_number(target: &Target, id: AssociationId) -> u8 {
-    let position = target.associations.iter().position(|other| *other == id).unwrap_or_default();
-    u8::try_from(position).unwrap_or(u8::MAX)
+pub(super) fn association_number(target: &Target, id: AssociationId) -> Literal {
+    Literal::usize_unsuffixed(target.associations.iter().position(|other| *other == id).unwrap_or_default())
+}
+
+/// The type in which a number below `count` is remembered.
+pub(super) fn number_type(count: usize, p: &TokenStream) -> TokenStream {
+    match count {
+        0..=256 => quote!(#p::u8),
+        _ => quote!(#p::u16),
+    }
 }
 
 /// A step as a variant of a private enum.

@@ -199,8 +199,8 @@ impl Cx<'_> {
                 fields.push(Field { name: name(&format!("timer_{flag}")), ty, initial });
             }
             if target.remembers_time(self.model, qualifier) {
-                let (ty, initial) = (quote!(#p::Ticks), quote!(#p::Ticks::ZERO));
-                fields.push(Field { name: name(&format!("time_{flag}")), ty, initial });
+                let ty = names::number_type(target.associations.len(), p);
+                fields.push(Field { name: name(&format!("time_{flag}")), ty, initial: quote!(0) });
             }
         }
         if target.remembers_q && target.remembers_terms(self.model) {
@@ -212,7 +212,11 @@ impl Cx<'_> {
             fields.push(self.flag(&name("kept_q").to_string(), false));
         }
         if target.remembers_association {
-            fields.push(Field { name: name("association"), ty: quote!(#p::u8), initial: quote!(0) });
+            fields.push(Field {
+                name: name("association"),
+                ty: names::number_type(target.associations.len(), p),
+                initial: quote!(0),
+            });
         }
         fields
     }
@@ -240,8 +244,8 @@ impl Cx<'_> {
         for action in self.model.actions.ids().filter(|id| !self.continuous_calls_of(*id).is_empty()) {
             fields.push(self.flag(&names::called(self.model, action).to_string(), false));
             if self.remembers_call(action) {
-                let (name, p) = (names::called_number(self.model, action), &self.p);
-                fields.push(Field { name, ty: quote!(#p::u8), initial: quote!(0) });
+                let ty = names::number_type(self.continuous_calls_of(action).len(), &self.p);
+                fields.push(Field { name: names::called_number(self.model, action), ty, initial: quote!(0) });
             }
         }
         fields
