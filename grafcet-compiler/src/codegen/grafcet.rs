@@ -15,7 +15,6 @@ impl Cx<'_> {
     pub(super) fn grafcet_cycle(&self) -> TokenStream {
         let time = self.pass_time();
         let start = self.start_cycle();
-        let delays = self.sample_on_start();
         let search = self.search();
         let (stable, outputs) = (self.stable_situation(), self.declare_outputs());
         let continuous = self.continuous();
@@ -23,24 +22,30 @@ impl Cx<'_> {
         let result = self.result();
         let (forget, note) = self.note_instability();
         // The outputs come first: behind the search, the compiler would clear them again in every arm.
-        quote!(#outputs #forget #time #start #delays #search #stable #continuous #calls #note #result)
+        quote!(#outputs #forget #time #start #search #stable #continuous #calls #note #result)
     }
 
-    /// A37: the activation of the initial situation is an evolution of its own.
+    /// A37: the activation of the initial situation is an evolution of its own. Delays are sampled on the initial situation
+    /// with the values from before its actions (A36).
     fn start_cycle(&self) -> TokenStream {
+        let delays = self.sample_on_start();
         if !self.plan.has_start {
-            return TokenStream::new();
+            return delays;
         }
         let (field, initial, first) = (names::region_field(0, self.plan), self.initial(0), self.first());
         let stored = self.initial_stored();
         let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(let mut fresh = #first;));
-        // Delays see the initial situation, so it is entered before they are sampled.
+        if delays.is_empty() || stored.is_empty() {
+            return quote!(#fresh if #first { self.#field = #initial; #stored } #delays);
+        }
         quote! {
             #fresh
-            if #first {
+            let first = #first;
+            if first {
                 self.#field = #initial;
-                #stored
             }
+            #delays
+            if first { #stored }
         }
     }
 
