@@ -55,7 +55,11 @@ impl Cx<'_> {
             let ty = names::number_type(target.associations.len(), &self.p);
             quote!(let mut #number: #ty = 0;)
         });
-        quote!(#(#flags)* #(#restarts)* #(#left)* #(#numbers)*)
+        let held = target.remembers_held.iter().map(|id| {
+            let (before, held) = self.held(*id, index, target);
+            quote!(let #before = self.#held; self.#held = false;)
+        });
+        quote!(#(#flags)* #(#restarts)* #(#left)* #(#numbers)* #(#held)*)
     }
 
     /// What one association adds to the flags of its target.
@@ -69,6 +73,10 @@ impl Cx<'_> {
             let field = names::target(&prefix, self.model, index, target);
             let number = names::association_number(target, id);
             set.extend(quote!(self.#field = #number;));
+        }
+        if target.remembers_held.contains(&id) {
+            let held = self.held(id, index, target).1;
+            set.extend(quote!(self.#held = true;));
         }
         if let Some(condition) = &association.condition {
             let condition = self.value(condition, Moment::Action);
@@ -136,6 +144,12 @@ impl Cx<'_> {
     /// The local that says that a step with this qualifier has been left.
     fn left(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
         names::target(&format!("left_{}", names::flag(qualifier)), self.model, index, target)
+    }
+
+    /// Whether the condition of an association held in the cycle before: the local, and the field.
+    fn held(&self, id: AssociationId, index: usize, target: &Target) -> (Ident, Ident) {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        (name(&format!("before_{}", names::held(target, id))), name(&names::held(target, id)))
     }
 
     /// Whether the end of N, L or D by leaving a step has caused the fall of Q (A29).
@@ -274,13 +288,17 @@ impl Cx<'_> {
                 return None;
             }
             let left = self.left(index, target, association.qualifier);
+            let note = match target.remembers_held.contains(&id).then(|| self.held(id, index, target).0) {
+                Some(before) => quote!(#left |= #before;),
+                None => quote!(#left = true;),
+            };
             if association.qualifier == Qualifier::D {
                 // On a self-loop the delay begins again: that ends the action.
-                return Some(self.if_left(association.step, &quote!(#left = true;)));
+                return Some(self.if_left(association.step, &note));
             }
             let (after, variant) =
                 (names::after(self.plan.regions.of_step(association.step), self.plan), self.variant(association.step));
-            Some(Item::Before(association.step, quote!(if #after != #variant { #left = true; })))
+            Some(Item::Before(association.step, quote!(if #after != #variant { #note })))
         });
         self.in_order(items)
     }

@@ -244,6 +244,11 @@ pub(super) fn association_number(target: &Target, id: AssociationId) -> Literal 
     Literal::usize_unsuffixed(target.associations.iter().position(|other| *other == id).unwrap_or_default())
 }
 
+/// The prefix of the field for the condition of an association in the cycle before.
+pub(super) fn held(target: &Target, id: AssociationId) -> String {
+    format!("held_{}", association_number(target, id))
+}
+
 /// The type in which a number below `count` is remembered.
 pub(super) fn number_type(count: usize, p: &TokenStream) -> TokenStream {
     match count {

@@ -208,6 +208,9 @@ impl Cx<'_> {
                 fields.push(self.flag(&name(&format!("kept_{}", names::flag(qualifier))).to_string(), false));
             }
         }
+        for id in &target.remembers_held {
+            fields.push(self.flag(&name(&names::held(target, *id)).to_string(), false));
+        }
         if target.remembers_q {
             fields.push(self.flag(&name("kept_q").to_string(), false));
         }

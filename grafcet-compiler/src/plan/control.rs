@@ -4,6 +4,7 @@
 //! assignment or block under N, P1 or P0 runs in them. What is left over gets a [`Target`]: its flags are collected
 //! first, then its Q is computed, then it runs in its place.
 
+use crate::analysis::Concurrency;
 use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier};
 
 /// A target whose associations are combined by the action control.
@@ -15,6 +16,8 @@ pub struct Target {
     pub remembers_q: bool,
     /// Several associations give arguments, so the one that was active last is remembered.
     pub remembers_association: bool,
+    /// Associations whose condition in the cycle before is remembered: only what has held Q up ends it by leaving (A29).
+    pub remembers_held: Vec<AssociationId>,
 }
 
 /// What a target is.
@@ -70,7 +73,7 @@ pub struct Control {
 }
 
 impl Control {
-    pub(super) fn of(model: &Model) -> Self {
+    pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
         let mut control = Self { targets: Vec::new(), of_association: vec![None; model.associations.len()] };
         if model.dialect != Dialect::Sfc {
             return control;
@@ -89,7 +92,13 @@ impl Control {
                     _ => What::Runs,
                 };
                 let associations = Vec::new();
-                control.targets.push(Target { what, associations, remembers_q: false, remembers_association: false });
+                control.targets.push(Target {
+                    what,
+                    associations,
+                    remembers_q: false,
+                    remembers_association: false,
+                    remembers_held: Vec::new(),
+                });
                 keys.len() - 1
             });
             control.targets[target].associations.push(id);
@@ -98,6 +107,7 @@ impl Control {
         for target in &mut control.targets {
             target.remembers_q = target.what == What::Runs && has_q(model, target);
             target.remembers_association = remembers_association(model, target);
+            target.remembers_held = remembers_held(model, concurrency, target);
         }
         control
     }
@@ -155,4 +165,19 @@ fn remembers_association(model: &Model, target: &Target) -> bool {
             && matches!(&association.effect, Effect::Call(_, arguments) if !arguments.is_empty())
     };
     target.associations.iter().filter(with_arguments).count() > 1 && has_q(model, target)
+}
+
+/// Beside another step of the same qualifier, a step that is left need not be the one whose condition held.
+fn remembers_held(model: &Model, concurrency: &Concurrency, target: &Target) -> Vec<AssociationId> {
+    if !target.remembers_q {
+        return Vec::new();
+    }
+    let leavable = |id: &AssociationId| {
+        let association = &model.associations[*id];
+        let beside = |other: AssociationId| concurrency.together(association.step, model.associations[other].step);
+        matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
+            && association.condition.is_some()
+            && target.under(model, association.qualifier).any(beside)
+    };
+    target.associations.iter().copied().filter(leavable).collect()
 }

@@ -50,7 +50,7 @@ impl Plan {
         let concurrency = Concurrency::of(model);
         let initial = hierarchy::initial_situation(model);
         let mut regions = Regions::of(model, &concurrency, &initial);
-        let control = Control::of(model);
+        let control = Control::of(model, &concurrency);
         let drives = drive::all(model, &concurrency, &control);
         let evolution = Evolution::of(model, &concurrency);
         regions.allow_leaving(&evolution.entered_last);
