@@ -22,6 +22,9 @@ impl Stored {
         }
         for transition in model.transitions.values() {
             stored.collected.extend(transition.clearing.iter().flat_map(writes));
+            stored
+                .collected
+                .extend(transition.clearing.iter().flat_map(|effect| effect.reads()).flatten().filter_map(place));
         }
         let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).collect();
         for action in &actions {
@@ -75,9 +78,13 @@ pub fn writes(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
 
 fn reads(association: &Association) -> impl Iterator<Item = Place> + '_ {
     let conditions = association.condition.iter().chain(&association.event).map(|e| &e.reads[..]);
-    conditions.chain(association.effect.reads()).flatten().filter_map(|read| match read {
+    conditions.chain(association.effect.reads()).flatten().filter_map(place)
+}
+
+fn place(read: &Read) -> Option<Place> {
+    match read {
         Read::Name(Name::Output(id)) => Some(Place::Output(*id)),
         Read::Name(Name::Var(id)) => Some(Place::Var(*id)),
         _ => None,
-    })
+    }
 }
