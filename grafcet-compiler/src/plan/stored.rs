@@ -22,9 +22,7 @@ impl Stored {
         }
         for transition in model.transitions.values() {
             stored.collected.extend(transition.clearing.iter().flat_map(writes));
-            stored
-                .collected
-                .extend(transition.clearing.iter().flat_map(|effect| effect.reads()).flatten().filter_map(place));
+            stored.collected.extend(transition.clearing.iter().flat_map(Effect::reads).flatten().filter_map(place));
         }
         let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).collect();
         for action in &actions {
