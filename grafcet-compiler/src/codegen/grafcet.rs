@@ -7,7 +7,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::{Cx, names};
 use crate::analysis::combinational;
-use crate::model::{ActionId, Association, Effect, Place, Qualifier};
+use crate::model::{ActionId, Association, Effect, Place, Qualifier, VarId};
 use crate::plan::source_order;
 
 impl Cx<'_> {
@@ -54,14 +54,13 @@ impl Cx<'_> {
         if self.model.delays.is_empty() {
             return TokenStream::new();
         }
-        let (snapshot, combinational) = (self.befores(), self.combinational(Moment::Condition));
-        let samples = self.sample_delays(&quote!(fresh));
-        quote!({ #snapshot #combinational #samples })
+        let (snapshot, samples) = (self.befores(), self.sample_delays(&quote!(fresh)));
+        quote!({ #snapshot #samples })
     }
 
     /// The search for stability.
     fn search(&self) -> TokenStream {
-        let (snapshot, combinational) = (self.snapshot(), self.combinational(Moment::Condition));
+        let (snapshot, combinational) = (self.snapshot(), self.all_combinational(Moment::Condition));
         let (declare_bound, bound) = self.bound();
         let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(fresh)));
         let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
@@ -164,22 +163,24 @@ impl Cx<'_> {
             let (after, field) = (names::after(region, self.plan), names::region_field(region, self.plan));
             quote!(let #after = self.#field;)
         });
-        let combinational = self.combinational(Moment::Stable);
+        let combinational = self.all_combinational(Moment::Stable);
         quote!(#(#states)* #combinational)
     }
 
     /// Variables that follow from the situation (A22), each behind those it reads.
-    fn combinational(&self, moment: Moment) -> TokenStream {
-        let vars = self.plan.memory.combinational.iter().map(|var| {
-            let local = names::combinational(self.model, *var);
-            let terms = combinational::asserted(self.model, *var).map(|association| {
-                let active = self.is_active(association.step, moment);
-                let condition = self.continuous_condition(association, moment).map(|condition| quote!(&& #condition));
-                quote!((#active #condition))
-            });
-            quote!(let #local = #(#terms)||*;)
+    fn all_combinational(&self, moment: Moment) -> TokenStream {
+        self.plan.memory.combinational.iter().map(|var| self.combinational(*var, moment)).collect()
+    }
+
+    /// A variable that follows from the situation.
+    pub(super) fn combinational(&self, var: VarId, moment: Moment) -> TokenStream {
+        let local = names::combinational(self.model, var);
+        let terms = combinational::asserted(self.model, var).map(|association| {
+            let active = self.is_active(association.step, moment);
+            let condition = self.continuous_condition(association, moment).map(|condition| quote!(&& #condition));
+            quote!((#active #condition))
         });
-        quote!(#(#vars)*)
+        quote!(let #local = #(#terms)||*;)
     }
 
     /// Behind `if`, and what L and D mean here: `q if !(t/Step)` and `q if t/Step` (A32).

@@ -5,13 +5,15 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::{Cx, names};
-use crate::model::{DelayId, EdgeId, Expr, Read};
+use crate::analysis::combinational::asserted;
+use crate::model::{DelayId, EdgeId, Expr, Name, Read, VarId};
 
 /// Something that is sampled at the begin of a cycle or an evolution.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Sample {
     Edge(EdgeId),
     Delay(DelayId),
+    Combinational(VarId),
 }
 
 impl Cx<'_> {
@@ -68,12 +70,12 @@ impl Cx<'_> {
     }
 
     /// The general delays of a `grafcet`, sampled once per cycle on the situation it starts from (A36), with the edges
-    /// they look at.
+    /// and combinational variables they look at.
     pub(super) fn sample_delays(&self, none: &TokenStream) -> TokenStream {
         let samples = self.samples();
         let declare = samples.iter().filter_map(|sample| match sample {
             Sample::Edge(id) => Some(*id),
-            Sample::Delay(_) => None,
+            Sample::Delay(_) | Sample::Combinational(_) => None,
         });
         let declare: Vec<_> = declare.filter(|id| self.feeds_a_delay(*id)).collect();
         let locals = self.edge_locals(&declare);
@@ -81,6 +83,7 @@ impl Cx<'_> {
             Sample::Delay(id) => self.sample_delay(id),
             Sample::Edge(id) if declare.contains(&id) => self.look_at_edge(id, none),
             Sample::Edge(_) => TokenStream::new(),
+            Sample::Combinational(var) => self.combinational(var, Moment::Sample),
         });
         quote!(#locals #(#samples)*)
     }
@@ -90,6 +93,7 @@ impl Cx<'_> {
         let samples = self.samples().into_iter().map(|sample| match sample {
             Sample::Delay(id) => self.sample_delay(id),
             Sample::Edge(id) => self.sample_edge(id, none),
+            Sample::Combinational(_) => TokenStream::new(),
         });
         samples.collect()
     }
@@ -99,11 +103,12 @@ impl Cx<'_> {
         self.plan.memory.edges.iter().map(|(id, ..)| self.sample_edge(*id, none)).collect()
     }
 
-    /// All edges and delays in an order in which each comes behind those in its expression.
+    /// All edges, delays and combinational variables in an order in which each comes behind those it reads.
     fn samples(&self) -> Vec<Sample> {
         let mut order = Vec::new();
         let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).collect();
         waiting.extend(self.model.delays.ids().map(Sample::Delay));
+        waiting.extend(self.plan.memory.combinational.iter().copied().map(Sample::Combinational));
         while let Some(next) = waiting.iter().position(|sample| !self.looks_at(*sample, &waiting)) {
             order.push(waiting.remove(next));
         }
@@ -111,15 +116,20 @@ impl Cx<'_> {
     }
 
     fn looks_at(&self, sample: Sample, others: &[Sample]) -> bool {
-        let of = match sample {
-            Sample::Edge(id) => &self.model.edges[id].of,
-            Sample::Delay(id) => &self.model.delays[id].of,
-        };
-        of.reads.iter().any(|read| match read {
+        let waits = |read: &Read| match read {
             Read::Rising(id) | Read::Falling(id) => others.contains(&Sample::Edge(*id)),
             Read::Delay(id) => others.contains(&Sample::Delay(*id)),
+            Read::Name(Name::Var(id)) => others.contains(&Sample::Combinational(*id)),
             _ => false,
-        })
+        };
+        match sample {
+            Sample::Edge(id) => self.model.edges[id].of.reads.iter().any(waits),
+            Sample::Delay(id) => self.model.delays[id].of.reads.iter().any(waits),
+            Sample::Combinational(id) => {
+                let mut conditions = asserted(self.model, id).filter_map(|association| association.condition.as_ref());
+                conditions.any(|condition| condition.reads.iter().any(waits))
+            }
+        }
     }
 
     /// Whether the expression of a delay looks at the edge, directly or through other edges.
