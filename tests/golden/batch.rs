@@ -400,7 +400,7 @@ impl Batch {
         match after_1 {
             __BatchRegion1::Heat => {
                 flag_n_heat = true;
-                self.association_heat = 0u8;
+                self.association_heat = 0;
                 flag_l_lamp = true;
                 flag_d_pump = true;
             }
@@ -409,7 +409,7 @@ impl Batch {
         match after_0 {
             __BatchRegion0::Stir => {
                 flag_n_heat = true;
-                self.association_heat = 1u8;
+                self.association_heat = 1;
                 flag_sd_pump = true;
             }
             __BatchRegion0::Drain => {
@@ -472,7 +472,7 @@ impl Batch {
         if self.kept_q_heat && !q_heat && ((left_flag_n_heat && !(flag_n_heat))) {
             self.settled = false;
             match self.association_heat {
-                0u8 => {
+                0 => {
                     actions
                         .heat(
                             ::grafcet::__private::Phase::Final,
@@ -523,7 +523,7 @@ impl Batch {
             if self.kept_q_heat {
                 self.settled = false;
                 match self.association_heat {
-                    0u8 => {
+                    0 => {
                         actions
                             .heat(
                                 ::grafcet::__private::Phase::Repeated,
@@ -540,7 +540,7 @@ impl Batch {
             } else {
                 self.settled = false;
                 match self.association_heat {
-                    0u8 => {
+                    0 => {
                         actions
                             .heat(
                                 ::grafcet::__private::Phase::First,
@@ -559,7 +559,7 @@ impl Batch {
         {
             self.settled = false;
             match self.association_heat {
-                0u8 => {
+                0 => {
                     actions
                         .heat(
                             ::grafcet::__private::Phase::Final,
