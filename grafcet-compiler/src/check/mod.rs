@@ -1,5 +1,6 @@
 //! The rules: each pass looks at the model and the facts about it, and reports.
 
+mod assumptions;
 mod branches;
 mod conditions;
 mod contention;
@@ -9,7 +10,6 @@ mod events;
 mod initial;
 mod meeting;
 mod modes;
-mod not_yet;
 mod race;
 mod reach;
 mod safety;
@@ -21,7 +21,6 @@ mod usage;
 mod waits;
 
 pub use initial::initial_values;
-pub use not_yet::not_yet;
 
 use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Concurrency, Logic};
@@ -33,6 +32,9 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
     drawing::check(model, sink);
     targets::check(model, sink);
     modes::check(model, sink);
+    if !model.incomplete {
+        assumptions::check(model, sink);
+    }
     if model.is_grafcet() && !model.incomplete {
         structure::check(model, sink);
         continuous::check(model, sink);
@@ -42,10 +44,11 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order.
 pub fn evolution(model: &Model, sink: &mut Sink) {
-    let concurrency = Concurrency::of(model);
-    let exploration = Exploration::of(model, &Limits::default());
-    // What the plant excludes: `assume never …;` is not compiled yet.
-    let never: &[&Tree] = &[];
+    let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
+    let never = &assumed[..];
+    let concurrency = Concurrency::assuming(model, never);
+    let limits = model.budget.map_or_else(Limits::default, Limits::situations);
+    let exploration = Exploration::assuming(model, &limits, &[], never);
     let logic = Logic::within(model, &concurrency, never);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
     let mut said = conditions::check(model, &logic, &conditions, sink);

@@ -445,24 +445,32 @@ impl<'n> Scene<'n> {
         (decided(&self.given), decided(&self.recorded))
     }
 
-    /// Whether something is known of an atom of the formula.
-    pub(super) fn touches(&self, formula: &Formula) -> bool {
+    /// Whether something is known of an atom of the formula, which is about inputs: in this cycle, or the one before.
+    pub(super) fn touches(&self, formula: &Formula, when: When) -> bool {
+        let knowledge = if when == When::Before { &self.recorded } else { &self.given };
         match formula {
-            Formula::Const(_) => false,
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
-                self.given.get(*atom) != Known::Unknown
+                knowledge.get(*atom) != Known::Unknown
             }
-            Formula::Not(inner) => self.touches(inner),
-            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => self.touches(a) || self.touches(b),
-            Formula::Rising(edge) | Formula::Falling(edge) => {
-                self.net.edges[*edge].as_ref().is_some_and(|of| self.touches(of))
+            Formula::Not(inner) => self.touches(inner, when),
+            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
+                self.touches(a, when) || self.touches(b, when)
             }
-            Formula::Shared(index) => self.touches(&self.net.shared[*index]),
+            Formula::Const(_) | Formula::Rising(_) | Formula::Falling(_) | Formula::Shared(_) => false,
         }
     }
 
+    /// The same as [`Scene::decide`] for what is about inputs: in this cycle, or the one before.
+    pub(super) fn decide_inputs(&mut self, formula: &Formula, when: When) -> bool {
+        // Between evolutions of one cycle the inputs do not change.
+        let previous = self.previous.take();
+        let value = self.decide(formula, when);
+        self.previous = previous;
+        value
+    }
+
     /// What the edges that may be asked for in the next cycle compare with.
-    pub(super) fn sample(&mut self, when: When) -> Vec<(usize, Known)> {
+    pub(super) fn sample(&self, when: When) -> Vec<(usize, Known)> {
         let net = self.net;
         let mut atoms: Vec<usize> = Vec::new();
         for step in &self.now.active {

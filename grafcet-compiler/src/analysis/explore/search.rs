@@ -272,7 +272,10 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.lazy = lazy;
         self.scene.tape.restart();
         loop {
-            let (mut next, done) = cycle::run(&mut self.scene, state, enabled);
+            let (when, done) = cycle::run(&mut self.scene, state, enabled);
+            // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
+            let mut assumed = self.is_assumed();
+            let mut next = cycle::end(&self.scene, when);
             for slot in &self.foreign {
                 next.slots[*slot] = Bit::Any;
             }
@@ -283,7 +286,7 @@ impl<'n, 's> Search<'n, 's> {
                     watched.push(index);
                 }
             }
-            let assumed = self.is_assumed();
+            assumed = assumed && self.is_assumed();
             if self.scene.spoilt {
                 return None;
             }
@@ -301,16 +304,20 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    /// Whether the run is one that the assumptions allow.
+    /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before.
     fn is_assumed(&mut self) -> bool {
+        self.allows(When::Now) && self.allows(When::Before)
+    }
+
+    fn allows(&mut self, when: When) -> bool {
         let net = self.scene.net;
         let mut open: Vec<usize> = (0..net.assumed_never.len()).collect();
         loop {
             // Only assumptions about something that matters in this run are decided.
-            let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index]));
+            let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index], when));
             let Some(touched) = touched else { return true };
             let index = open.remove(touched);
-            if self.scene.decide(&net.assumed_never[index], When::Now) {
+            if self.scene.decide_inputs(&net.assumed_never[index], when) {
                 return false;
             }
         }
