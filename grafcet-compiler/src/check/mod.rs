@@ -10,6 +10,7 @@ mod events;
 mod initial;
 mod meeting;
 mod modes;
+mod properties;
 mod race;
 mod reach;
 mod safety;
@@ -22,7 +23,7 @@ mod waits;
 
 pub use initial::initial_values;
 
-use crate::analysis::explore::{Exploration, Limits};
+use crate::analysis::explore::Limits;
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::Sink;
 use crate::model::{Model, Tree};
@@ -47,9 +48,9 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
     let never = &assumed[..];
     let concurrency = Concurrency::assuming(model, never);
-    let limits = model.budget.map_or_else(Limits::default, Limits::situations);
-    let exploration = Exploration::assuming(model, &limits, &[], never);
     let logic = Logic::within(model, &concurrency, never);
+    let limits = model.budget.map_or_else(Limits::default, Limits::situations);
+    let exploration = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
     let mut said = conditions::check(model, &logic, &conditions, sink);
     said.extend(branches::check(model, &concurrency, &logic, &conditions, &said, sink));

@@ -42,7 +42,7 @@ impl Resolver<'_> {
             },
             Setting::Budget { count, .. } => match count.base10_parse() {
                 Ok(0) => {
-                    self.sink.notation(count.span(), "with a budget of 0 nothing can be explored; write 1 or more")
+                    self.sink.notation(count.span(), "with a budget of 0 nothing can be explored; write 1 or more");
                 }
                 Ok(count) => self.model.budget = Some(count),
                 Err(_) => self
