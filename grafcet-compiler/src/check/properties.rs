@@ -8,13 +8,7 @@ use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{Claim, LevelAttr, Model, Property, StepId, Tree};
 
 /// Returns the exploration, for the other rules.
-pub(super) fn check(
-    model: &Model,
-    logic: &Logic<'_>,
-    limits: Limits,
-    never: &[&Tree],
-    sink: &mut Sink,
-) -> Exploration {
+pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&Tree], sink: &mut Sink) -> Exploration {
     let open: Vec<(&Property, Tree)> = model
         .properties
         .iter()

@@ -21,4 +21,32 @@ grafcet! {
     }
 }
 
+grafcet! {
+    sfc Lamps {
+        input a, b, c, d, stop: bool;
+        output lit: bool;
+
+        budget 5_000;
+
+        initial step Start;
+        step Dark { R lit; }
+        step Lit { S lit; }
+        step Low;
+        step High;
+        step Left;
+        step Right;
+        step In;
+        step Out;
+
+        Start -[true]-> (Dark, Low, Left, In);
+        Dark -[a]-> Lit -[!a]-> Dark;
+        Low -[b && !stop]-> High -[!b]-> Low;
+        Left -[c && !stop]-> Right -[!c]-> Left;
+        In -[d && !stop]-> Out -[!d]-> In;
+        (Dark, Low, Left, In) -[stop && !a]-> Start;
+
+        never lit && Dark.X;
+    }
+}
+
 fn main() {}

@@ -23,29 +23,29 @@ grafcet! {
 
 grafcet! {
     sfc Lamps {
-        input a, b, c, d, e, f: bool;
+        input a, b, c, d, stop: bool;
         output lit: bool;
 
-        budget 1;
+        budget 5;
 
         initial step Start;
-        step One { S lit; }
-        step Two;
-        step Three { R lit; }
-        step Four;
-        step Five;
-        step Six;
+        step Dark { R lit; }
+        step Lit { S lit; }
+        step Low;
+        step High;
+        step Left;
+        step Right;
+        step In;
+        step Out;
 
-        Start -[a]-> (One, Three, Five);
-        One -[b || rising(c)]-> Two -[c || falling(e)]-> One;
-        Three -[d || rising(e)]-> Four -[e || falling(a)]-> Three;
-        Five -[f || rising(a)]-> Six -[a || falling(c)]-> Five;
-        (Two, Four, Six) -[a && c && e]-> Start;
+        Start -[true]-> (Dark, Low, Left, In);
+        Dark -[a]-> Lit -[!a]-> Dark;
+        Low -[b && !stop]-> High -[!b]-> Low;
+        Left -[c && !stop]-> Right -[!c]-> Left;
+        In -[d && !stop]-> Out -[!d]-> In;
+        (Dark, Low, Left, In) -[stop && !a]-> Start;
 
-        never lit && One.X && Four.X && Six.X && a && b && !b;
-        never lit && a && b && c && d && e && f && Start.X && Two.X;
-        always lit || One.X || !Start.X || !lit;
-        always lit => !Start.X || a || !a || lit;
+        never lit && Dark.X;
     }
 }
 
