@@ -29,8 +29,9 @@ neighbours! {
         duplicate_name, duplicate_transition, isolated_step, no_initial_step, repeated_step, reserved_name,
         several_initial_steps, sink_transition, source_transition, steps_without_transition,
         transitions_without_step, unknown_name, unknown_partial, unknown_step;
-    evolution: dead_transition, deadlock, stuck_join, unreachable_step, unsafe_step;
+    evolution: dead_transition, deadlock, not_home, stuck_join, unreachable_step, unsafe_step;
     levels: allow, warnings;
+    properties: property_undecided, property_violated;
     structure:
         enclosure_without_link, forced_enclosure, forced_step_outside, forcing_circle, init_without_initial,
         macro_entry_exit, two_masters;

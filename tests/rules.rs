@@ -11,7 +11,7 @@ use grafcet_compiler::ast::Dialect;
 use grafcet_compiler::diagnostic::rules::{ALL, Rule, Severity};
 
 /// The folders of `tests/ui` whose files are named after rules.
-const GROUPS: &[&str] = &["drawing", "evolution", "actions", "conditions", "structure"];
+const GROUPS: &[&str] = &["drawing", "evolution", "actions", "conditions", "structure", "properties"];
 
 /// What the compiler makes of the charts in a piece of Rust.
 fn expansions(rust: &str) -> Vec<String> {

@@ -30,7 +30,6 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     };
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
-    check::not_yet(&chart, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     if complete && !sink.has_errors() {
         check::evolution(&model, &mut sink);

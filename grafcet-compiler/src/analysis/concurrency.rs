@@ -8,7 +8,7 @@
 use std::collections::VecDeque;
 
 use super::{Logic, Relation};
-use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition};
+use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, Tree};
 
 /// Steps that can be active together.
 #[derive(Debug)]
@@ -24,16 +24,23 @@ impl Concurrency {
     /// Computes the relation.
     #[must_use]
     pub fn of(model: &Model) -> Self {
-        Self::computed(model, model.is_grafcet())
+        Self::assuming(model, &[])
+    }
+
+    /// The same where none of `never` ever holds. The generated code must not rely on that: the plant may break it.
+    #[must_use]
+    pub fn assuming(model: &Model, never: &[&Tree]) -> Self {
+        Self::computed(model, model.is_grafcet().then(|| Logic::assuming(model, never)))
     }
 
     /// The relation in a chart whose branches are taken one at a time.
     #[must_use]
     pub fn of_exclusive_branches(model: &Model) -> Self {
-        Self::computed(model, false)
+        Self::computed(model, None)
     }
 
-    fn computed(model: &Model, overlapping: bool) -> Self {
+    /// `overlapping` tells which branches exclude each other, where several can be taken together.
+    fn computed(model: &Model, overlapping: Option<Logic<'_>>) -> Self {
         let mut search = Search::new(model);
         search.seed(overlapping);
         search.run();
@@ -107,15 +114,15 @@ impl<'m> Search<'m> {
 
     /// Situations that do not come from a transition inside the partial grafcet: initial, linked and forced steps.
     /// Different partial grafcets evolve independently, so all their steps can be active together.
-    fn seed(&mut self, overlapping: bool) {
+    fn seed(&mut self, overlapping: Option<Logic<'_>>) {
         for (id, _) in self.model.partials.iter() {
             for group in self.starts(id) {
                 self.enter_together(&group);
             }
         }
         self.seed_across_partials();
-        if overlapping {
-            self.seed_overlapping_branches();
+        if let Some(logic) = overlapping {
+            self.seed_overlapping_branches(&logic);
         }
         self.queue_sources();
     }
@@ -148,8 +155,7 @@ impl<'m> Search<'m> {
     }
 
     /// IEC 60848 rule 4: branches that are not exclusive clear together.
-    fn seed_overlapping_branches(&mut self) {
-        let logic = Logic::new(self.model);
+    fn seed_overlapping_branches(&mut self, logic: &Logic<'_>) {
         let transitions: Vec<&Transition> = self.model.transitions.values().collect();
         for leaving in self.leaving.clone() {
             let read = |index: &usize| (*index, logic.condition(&transitions[*index].condition.tree));

@@ -8,6 +8,7 @@ pub mod hierarchy;
 mod logic;
 mod relation;
 mod stability;
+pub mod visible;
 
 pub use concurrency::Concurrency;
 pub use logic::{Answer, Condition, Logic};

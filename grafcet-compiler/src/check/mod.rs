@@ -1,5 +1,6 @@
 //! The rules: each pass looks at the model and the facts about it, and reports.
 
+mod assumptions;
 mod branches;
 mod conditions;
 mod contention;
@@ -9,7 +10,7 @@ mod events;
 mod initial;
 mod meeting;
 mod modes;
-mod not_yet;
+mod properties;
 mod race;
 mod reach;
 mod safety;
@@ -21,9 +22,8 @@ mod usage;
 mod waits;
 
 pub use initial::initial_values;
-pub use not_yet::not_yet;
 
-use crate::analysis::explore::{Exploration, Limits};
+use crate::analysis::explore::Limits;
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::Sink;
 use crate::model::{Model, Tree};
@@ -33,6 +33,9 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
     drawing::check(model, sink);
     targets::check(model, sink);
     modes::check(model, sink);
+    if !model.incomplete {
+        assumptions::check(model, sink);
+    }
     if model.is_grafcet() && !model.incomplete {
         structure::check(model, sink);
         continuous::check(model, sink);
@@ -42,11 +45,12 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order.
 pub fn evolution(model: &Model, sink: &mut Sink) {
-    let concurrency = Concurrency::of(model);
-    let exploration = Exploration::of(model, &Limits::default());
-    // What the plant excludes: `assume never …;` is not compiled yet.
-    let never: &[&Tree] = &[];
+    let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
+    let never = &assumed[..];
+    let concurrency = Concurrency::assuming(model, never);
     let logic = Logic::within(model, &concurrency, never);
+    let limits = model.budget.map_or_else(Limits::default, Limits::situations);
+    let exploration = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
     let mut said = conditions::check(model, &logic, &conditions, sink);
     said.extend(branches::check(model, &concurrency, &logic, &conditions, &said, sink));

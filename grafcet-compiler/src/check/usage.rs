@@ -85,6 +85,8 @@ impl Usage {
             usage.times([delay.on, delay.off]);
         }
         model.edges.values().for_each(|edge| usage.expr(&edge.of));
+        model.assumptions.iter().for_each(|assumption| usage.expr(&assumption.never));
+        model.properties.iter().flat_map(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
         for effect in effects(model) {
             match effect {
                 Effect::Control(_) => {}

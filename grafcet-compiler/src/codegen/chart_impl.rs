@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+use super::bind::Moment;
 use super::state::step_name;
 use super::{Cx, names, types};
 use crate::model::StepId;
@@ -16,7 +17,7 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
     let is_active = is_active(cx);
     let (situation_type, situation) = (situation_type(cx), situation(cx));
     let (stable, deadline) = (is_stable(cx), cx.deadline());
-    let ticks = ticks(cx);
+    let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
     let (situation_struct, levels) = (situation_struct(cx), types::levels(model));
     quote! {
         #situation_struct
@@ -47,8 +48,32 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
             #stable
             #deadline
             #ticks
+            #assumptions
         }
     }
+}
+
+/// `Motor::assumptions_hold(&inputs)`
+fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
+    let Cx { model, p, names, .. } = cx;
+    let (vis, inputs) = (&model.vis, &names.inputs);
+    let excluded: Vec<_> =
+        (0..model.assumptions.len()).map(|index| names::local(&format!("excluded_{index}"))).collect();
+    let values = model.assumptions.iter().map(|assumption| cx.value(&assumption.never, Moment::Condition));
+    let reads_nothing = model.assumptions.iter().all(|assumption| assumption.never.reads.is_empty());
+    let unread = reads_nothing.then(|| quote!(let _ = inputs;));
+    (!excluded.is_empty()).then(|| {
+        quote! {
+            /// Whether the plant keeps to what the chart assumes of it (`assume never …;`): what was proved when the chart
+            /// was compiled holds as long as this is true in every cycle.
+            #[must_use]
+            #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool {
+                #unread
+                #(let #excluded: #p::bool = #values;)*
+                #(!#excluded)&&*
+            }
+        }
+    })
 }
 
 fn cycle(cx: &Cx<'_>) -> TokenStream {

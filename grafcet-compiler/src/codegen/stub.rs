@@ -100,6 +100,7 @@ fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             #vis fn situation(&self) -> #step { loop {} }
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
+            #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool { loop {} }
             #vis fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { loop {} }
         }
     }

@@ -16,7 +16,11 @@ fn one(diagnostic: &Diagnostic) -> TokenStream {
         .iter()
         .map(|(mark, message)| {
             let message = match diagnostic.rule {
-                Some(rule) => format!("{message} [grafcet::{}]", rule.name),
+                // A table stands below the sentence.
+                Some(rule) => match message.split_once('\n') {
+                    Some((sentence, table)) => format!("{sentence} [grafcet::{}]\n{table}", rule.name),
+                    None => format!("{message} [grafcet::{}]", rule.name),
+                },
                 None => message.clone(),
             };
             match diagnostic.severity {

@@ -103,6 +103,7 @@ rules! {
     UNSAFE_STEP = warn_in_grafcet("unsafe_step");
     STUCK_JOIN = deny("stuck_join");
     DEADLOCK = deny("deadlock");
+    NOT_HOME = error("not_home");
     CLEARING_ACTION = error("clearing_action");
     WRONG_TARGET = error("wrong_target");
     BAD_TIME = error("bad_time");
@@ -135,10 +136,9 @@ rules! {
     FORCED_ENCLOSURE = error("forced_enclosure");
     ENCLOSURE_WITHOUT_LINK = error("enclosure_without_link");
     MACRO_ENTRY_EXIT = error("macro_entry_exit");
+    PROPERTY_VIOLATED = error("property_violated");
+    PROPERTY_UNDECIDED = deny("property_undecided");
 }
-
-/// Rules that are planned and not checked yet. A chart may allow them, so that it stays as it is when they come.
-const LATER: &[&str] = &["not_home", "property_violated", "property_undecided"];
 
 /// Why an attribute cannot set `rule` to `level`; `None` if it can.
 #[must_use]
@@ -148,12 +148,7 @@ pub fn refuse_level(rule: &str, level: Severity) -> Option<String> {
         return lowered
             .then(|| format!("the rule `{rule}` cannot be switched off or lowered; mend the chart, and remove this"));
     }
-    if LATER.contains(&rule) {
-        return (level != Severity::Allow)
-            .then(|| format!("the rule `{rule}` is not checked yet; it can only be allowed"));
-    }
-    let names = ALL.iter().map(|rule| rule.name).chain(LATER.iter().copied());
-    let nearest = names.map(|name| (strsim::osa_distance(rule, name), name)).min();
+    let nearest = ALL.iter().map(|rule| rule.name).map(|name| (strsim::osa_distance(rule, name), name)).min();
     Some(match nearest {
         Some((distance, name)) if distance <= name.len() / 3 => {
             format!("no rule is called `{rule}`; did you mean `grafcet::{name}`?")

@@ -49,6 +49,38 @@ pub struct Model {
     pub forces: Arena<ForceId, Force>,
     pub edges: Arena<EdgeId, Edge>,
     pub delays: Arena<DelayId, Delay>,
+    /// `budget 100_000;`: how many situations the checker may explore.
+    pub budget: Option<u64>,
+    /// What the plant excludes, in source order.
+    pub assumptions: Vec<Assumption>,
+    /// What the checker shall prove, in source order.
+    pub properties: Vec<Property>,
+}
+
+/// `assume never b1 && b3;`
+pub struct Assumption {
+    /// A condition over inputs under which the chart is never scanned.
+    pub never: Expr,
+    /// The whole line without its `;`.
+    pub mark: Mark,
+}
+
+/// Something about the ends of cycles that the checker shall prove.
+pub struct Property {
+    pub claim: Claim,
+    pub levels: Vec<LevelAttr>,
+    /// The whole line without its `;`.
+    pub mark: Mark,
+}
+
+/// What a property says.
+pub enum Claim {
+    /// `never Up.X && Down.X;`
+    Never(Expr),
+    /// `always relay => On.X;`, `always !a || b;`
+    Always { premise: Option<Expr>, condition: Expr },
+    /// `home (A, B);`, with the tokens that name the situation.
+    Home(Vec<StepId>, Mark),
 }
 
 /// A declared type.

@@ -1,6 +1,6 @@
 //! Questions that several passes ask of a model.
 
-use super::{Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty};
+use super::{Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty, Unary};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
@@ -179,6 +179,32 @@ impl Effect {
             Effect::Control(at) if *at == place => Some(None),
             Effect::Assign(at, value) if *at == place => Some(Some(&value.tree)),
             _ => None,
+        }
+    }
+}
+
+impl Claim {
+    /// The expressions in it.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        let (first, second) = match self {
+            Self::Never(condition) => (Some(condition), None),
+            Self::Always { premise, condition } => (premise.as_ref(), Some(condition)),
+            Self::Home(..) => (None, None),
+        };
+        first.into_iter().chain(second)
+    }
+
+    /// What holds at the end of a cycle that violates it; none for a home situation.
+    #[must_use]
+    pub fn violation(&self) -> Option<Tree> {
+        let not = |tree: &Tree| Tree::Unary(Unary::Not, Box::new(tree.clone()));
+        match self {
+            Self::Never(condition) => Some(condition.tree.clone()),
+            Self::Always { premise: None, condition } => Some(not(&condition.tree)),
+            Self::Always { premise: Some(premise), condition } => {
+                Some(Tree::Binary(Binary::And, Box::new(premise.tree.clone()), Box::new(not(&condition.tree))))
+            }
+            Self::Home(..) => None,
         }
     }
 }

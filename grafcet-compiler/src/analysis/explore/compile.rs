@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::formula::{Atom, Formula, Kind};
 use crate::analysis::combinational;
 use crate::model::{
-    Binary, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
+    Binary, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
 };
 
 /// Numbers the atoms of a chart.
@@ -203,6 +203,7 @@ impl<'m> Compiler<'m> {
             Read::Name(Name::Output(id)) => self.place(tree, Place::Output(id)),
             Read::Rising(id) => self.edge(tree, id, Formula::Rising),
             Read::Falling(id) => self.edge(tree, id, Formula::Falling),
+            Read::Delay(id) => self.delay(tree, id),
             _ => self.unknown(tree),
         }
     }
@@ -219,6 +220,17 @@ impl<'m> Compiler<'m> {
             self.edges[id.index()] = Some(of);
         }
         edge(id.index())
+    }
+
+    /// `t/e` is true with `e` only; when, is open.
+    fn delay(&mut self, tree: &Tree, id: DelayId) -> Formula {
+        let delay = &self.model.delays[id];
+        let stands_still = |read: &Read| matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_));
+        let late = self.unknown(tree);
+        if delay.off == TimeRef::Ticks(0) && delay.of.reads.iter().all(stands_still) {
+            return self.formula(&delay.of.tree).and(late);
+        }
+        late
     }
 
     fn place(&mut self, tree: &Tree, place: Place) -> Formula {

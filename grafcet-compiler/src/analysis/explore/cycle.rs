@@ -1,7 +1,7 @@
 //! What one cycle does, in both dialects, as far as it matters to the situations.
 
 use super::net::Net;
-use super::scene::{Scene, Snapshot, State};
+use super::scene::{Scene, Snapshot, State, When};
 use super::waiting::arbitrate;
 use super::{grafcet, sfc};
 
@@ -51,8 +51,8 @@ pub(super) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<u
     enabled
 }
 
-/// Runs one cycle from `state`.
-pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (State, Done) {
+/// Runs one cycle from `state`; also returns which snapshot the edges of the next one compare with.
+pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
     scene.begin(state);
     let mut done = Done::default();
     let when = if scene.net.grafcet {
@@ -60,15 +60,14 @@ pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (S
     } else {
         sfc::cycle(scene, state, enabled, &mut done)
     };
+    (when, done)
+}
+
+/// The state that a cycle leaves behind.
+pub(super) fn end(scene: &Scene<'_>, when: When) -> State {
     let before = scene.sample(when).into_boxed_slice();
     let Snapshot { active, slots } = &scene.now;
-    let next = State {
-        first: false,
-        active: active.clone().into_boxed_slice(),
-        slots: slots.clone().into_boxed_slice(),
-        before,
-    };
-    (next, done)
+    State { first: false, active: active.clone().into_boxed_slice(), slots: slots.clone().into_boxed_slice(), before }
 }
 
 /// `(active − left) ∪ targets`, ascending.

@@ -53,6 +53,9 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
             return When::Before;
         }
         evolutions += 1;
+        if writes_more(scene, &after, &cleared) {
+            scene.forget_volatile();
+        }
         done.cleared.extend(cleared);
         commit(scene, after, outcome.writes);
         done.transient.push(scene.now.active.clone());
@@ -83,6 +86,12 @@ fn step(scene: &Scene<'_>, fireable: &[usize], done: &mut Done) -> (Vec<usize>, 
     }
     note_doubled(net, &scene.now.active, &left, fireable, done);
     (evolve(&scene.now.active, &left, &targets), fireable.to_vec())
+}
+
+/// Whether the evolution may change values that are not followed.
+fn writes_more(scene: &Scene<'_>, after: &[usize], cleared: &[usize]) -> bool {
+    let (steps, transitions) = &scene.net.writes_more;
+    scene.now.active.iter().chain(after).any(|step| steps[*step]) || cleared.iter().any(|id| transitions[*id])
 }
 
 fn commit(scene: &mut Scene<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {

@@ -114,6 +114,17 @@ impl Future {
     }
 }
 
+/// Per state those from which a cycle leads to it.
+pub(super) fn backwards(graph: &Graph) -> Vec<Vec<usize>> {
+    let mut back = vec![Vec::new(); graph.states.len()];
+    for (from, edges) in graph.edges.iter().enumerate() {
+        for edge in edges {
+            back[edge.to].push(from);
+        }
+    }
+    back
+}
+
 fn mark(row: &mut [u64], bit: Option<usize>) {
     if let Some(bit) = bit {
         set(row, bit);

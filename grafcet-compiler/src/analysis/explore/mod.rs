@@ -16,6 +16,7 @@ mod formula;
 mod grafcet;
 mod graph;
 mod hierarchy;
+mod home;
 mod knowledge;
 mod net;
 mod path;
@@ -23,14 +24,16 @@ mod scene;
 mod search;
 mod sfc;
 mod slots;
+mod table;
 mod tokens;
+mod unfollowed;
 mod units;
 mod verdicts;
 mod waiting;
 
 use std::collections::BTreeMap;
 
-pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
+pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation, text};
 pub use tokens::{Meeting, Parting};
 
 use self::graph::Future;
@@ -59,6 +62,12 @@ impl Limits {
     pub fn situations(count: u64) -> Self {
         Self { work: count.saturating_mul(64) }
     }
+
+    /// For how many situations to ask where these did not suffice.
+    #[must_use]
+    pub fn more(&self) -> u64 {
+        (self.work / 64).saturating_mul(10).max(100_000)
+    }
 }
 
 /// The answer to whether something can happen.
@@ -68,8 +77,17 @@ pub enum Answer {
     Never,
     /// The shortest way there.
     Possible(Path),
-    /// The budget ran out, or the chart was only explored part by part.
-    Unknown,
+    /// It could not be decided.
+    Unknown(Doubt),
+}
+
+/// Why something could not be decided.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Doubt {
+    /// The budget ran out.
+    Budget,
+    /// It depends on these values, which are not followed from cycle to cycle, or on Rust that is not looked into.
+    Unfollowed(Vec<Tree>),
 }
 
 /// The reachable situations of a chart.
@@ -90,6 +108,9 @@ pub struct Exploration {
     max_active: Option<usize>,
     /// Something was taken as unknown.
     approximate: bool,
+    /// Per watched expression the shortest way to its holding.
+    watched: Vec<Option<Path>>,
+    limit: u64,
     work: u64,
 }
 
@@ -115,7 +136,14 @@ impl Exploration {
         let limit = limits.work.saturating_add(60 * (net.leaving.len() + net.arcs.len()) as u64);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
         let mut budget = Budget { limit, work: 0 };
-        let (whole, approximate) = explore_whole(&net, several, &mut budget, &mut seen);
+        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, false);
+        // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
+        let approximate = net.approximate || net.grafcet && sooner.is_some();
+        let watched = (0..net.watched.len()).map(|index| {
+            let graphs = sooner.iter().chain([&whole]);
+            graphs.into_iter().find_map(|graph| Report { net: &net, graph }.path_to_watched(index))
+        });
+        let watched = watched.collect();
         let mut covered = vec![whole.complete; net.units];
         let mut pieces = Vec::new();
         if !whole.complete && several {
@@ -139,6 +167,8 @@ impl Exploration {
             covered,
             structure,
             approximate,
+            watched,
+            limit,
             work: budget.work,
         };
         exploration.judge(&pieces);
@@ -257,42 +287,11 @@ impl Exploration {
     /// Whether the watched expression can hold at the end of a cycle.
     #[must_use]
     pub fn watched(&self, index: usize) -> Answer {
-        match &self.whole.watched[index] {
-            Some((from, cycle, end)) => {
-                let report = Report { net: &self.net, graph: &self.whole };
-                Answer::Possible(report.path_beyond(*from, cycle, &end.active))
-            }
-            None if self.whole.complete => Answer::Never,
-            None => Answer::Unknown,
-        }
-    }
-
-    /// Whether a situation can be reached from which there is no way to exactly `home` (at the end of a cycle).
-    #[must_use]
-    pub fn away_from(&self, home: &[StepId]) -> Answer {
-        if !self.whole.complete {
-            return Answer::Unknown;
-        }
-        let mut home: Vec<usize> = home.iter().map(|step| step.index()).collect();
-        home.sort_unstable();
-        let states = &self.whole.states;
-        let mut back: Vec<Vec<usize>> = vec![Vec::new(); states.len()];
-        for (from, edges) in self.whole.edges.iter().enumerate() {
-            for edge in edges {
-                back[edge.to].push(from);
-            }
-        }
-        let is_home = |state: &usize| !states[*state].first && *states[*state].active == home[..];
-        let mut work: Vec<usize> = (0..states.len()).filter(is_home).collect();
-        let mut returns = vec![false; states.len()];
-        while let Some(state) = work.pop() {
-            if !std::mem::replace(&mut returns[state], true) {
-                work.extend(&back[state]);
-            }
-        }
-        match returns.iter().position(|returns| !returns) {
-            Some(state) => Answer::Possible(Report { net: &self.net, graph: &self.whole }.path_to(state)),
-            None => Answer::Never,
+        match &self.watched[index] {
+            Some(path) if path.granted.is_empty() => Answer::Possible(path.clone()),
+            Some(path) => Answer::Unknown(Doubt::Unfollowed(path.granted.clone())),
+            None if self.whole.complete && !self.whole.cut_off => Answer::Never,
+            None => Answer::Unknown(Doubt::Budget),
         }
     }
 }
@@ -315,18 +314,28 @@ impl Budget {
     }
 }
 
-/// The whole chart, as far as the budget suffices, and whether something was taken as unknown.
+/// The whole chart, as far as the budget suffices; and the graph of a first attempt that was given up.
 ///
 /// First everything is tried in all combinations, which gives the shortest ways, then not what has nothing to do with
-/// each other. In a `grafcet` that is exact but for a search for stability that does not come to an end: it stops wherever
-/// its bound lies.
-fn explore_whole(net: &Net, several: bool, budget: &mut Budget, seen: &mut Seen) -> (Graph, bool) {
+/// each other.
+fn explore_whole(
+    net: &Net,
+    several: bool,
+    budget: &mut Budget,
+    seen: &mut Seen,
+    thorough: bool,
+) -> (Graph, Option<Graph>) {
     let share = if several { budget.limit / 2 } else { budget.limit };
-    let lazy = !net.grafcet || net.is_calm(None);
-    let graph = budget.run(Search::new(net, None, false, if lazy { share / 3 } else { share }, seen));
+    // What waits may rely on values that nobody can choose.
+    let may_wait = !thorough || !net.unfollowed.contains(&true);
+    let lazy = may_wait && (!net.grafcet || net.is_calm(None));
+    let mut run = |lazy: bool, limit: u64| {
+        let search = Search::new(net, None, lazy, limit.saturating_sub(budget.work), seen);
+        budget.run(if thorough { search.thoroughly() } else { search })
+    };
+    let graph = run(false, if lazy { share / 3 } else { share });
     if graph.complete || !lazy {
-        return (graph, net.approximate);
+        return (graph, None);
     }
-    let graph = budget.run(Search::new(net, None, true, share.saturating_sub(budget.work), seen));
-    (graph, net.approximate || net.grafcet)
+    (run(true, share), Some(graph))
 }

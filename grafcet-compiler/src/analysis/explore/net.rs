@@ -6,7 +6,7 @@ use super::actions::{self, Actions};
 use super::compile::Compiler;
 use super::formula::{Atom, Formula, Kind};
 use super::slots::{Bit, Slots};
-use super::units;
+use super::{unfollowed, units};
 use crate::model::{ForceOrder, Id, Model, Step, Tree};
 
 /// A transition.
@@ -72,6 +72,10 @@ pub(super) struct Net {
     pub(super) is_edge_atom: Vec<bool>,
     /// Atoms of assumptions and watched expressions.
     pub(super) is_common: Vec<bool>,
+    /// See [`unfollowed::atoms`].
+    pub(super) unfollowed: Vec<bool>,
+    /// Steps and transitions with actions that write what is not followed.
+    pub(super) writes_more: (Vec<bool>, Vec<bool>),
     /// See [`Net::is_calm`]: of the whole chart, and of each piece alone.
     calm: (bool, Vec<bool>),
     pub(super) watched: Vec<Formula>,
@@ -92,6 +96,7 @@ impl Net {
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();
         let Compiler { atoms, edges, shared, .. } = compiler;
+        let unfollowed = unfollowed::atoms(&atoms);
         let count = atoms.len();
         let (unit_of, units) = units::of(model);
         let mut net = Self {
@@ -103,7 +108,7 @@ impl Net {
             edges,
             shared,
             actions,
-            initial_slots: slots.initial,
+            initial_slots: slots.initial.clone(),
             initial: super::super::hierarchy::initial_situation(model).iter().map(|step| step.index()).collect(),
             parts: parts(model),
             hierarchy: Vec::new(),
@@ -117,6 +122,8 @@ impl Net {
             common_edge_atoms: Vec::new(),
             is_edge_atom: vec![false; count],
             is_common: vec![false; count],
+            unfollowed,
+            writes_more: unfollowed::writers(model, &slots),
             calm: (true, vec![true; units]),
             watched,
             assumed_never,

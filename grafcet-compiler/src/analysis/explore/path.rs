@@ -7,8 +7,12 @@ use crate::model::{Binary, Model, Name, PartialId, Read, StepId, TimeRef, Transi
 pub struct Path {
     /// Active before the first of the cycles.
     pub start: Vec<StepId>,
-    /// In their order; the very first cycle of a chart, in which nothing can happen, is left out.
+    /// In their order.
     pub cycles: Vec<PathCycle>,
+    /// The very first cycle of the chart is left out, because nothing can happen in it.
+    pub skips_first: bool,
+    /// What it takes for granted of values that are not followed: whether the way exists depends on them.
+    pub granted: Vec<Tree>,
 }
 
 /// One cycle.
@@ -95,7 +99,7 @@ impl Path {
     #[must_use]
     pub fn before_last(&self) -> Self {
         let count = self.cycles.len().saturating_sub(1);
-        Self { start: self.start.clone(), cycles: self.cycles[..count].to_vec() }
+        Self { cycles: self.cycles[..count].to_vec(), ..self.clone() }
     }
 
     /// The active steps at its end.
@@ -120,20 +124,31 @@ impl Given {
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         let what = text(model, &self.what);
+        let number =
+            |number: i128| if is_time(model, &self.what) { model.time_text(number) } else { number.to_string() };
         match self.demand {
             Demand::Is(true) | Demand::Within(None, None) => what,
             Demand::Is(false) if what.contains(' ') => format!("!({what})"),
             Demand::Is(false) => format!("!{what}"),
-            Demand::Within(Some(low), Some(high)) if low == high => format!("{what} == {low}"),
-            Demand::Within(Some(low), Some(high)) => format!("{what} in {low}..={high}"),
-            Demand::Within(Some(low), None) => format!("{what} >= {low}"),
-            Demand::Within(None, Some(high)) => format!("{what} <= {high}"),
+            Demand::Within(Some(low), Some(high)) if low == high => format!("{what} == {}", number(low)),
+            Demand::Within(Some(low), Some(high)) => format!("{what} in {}..={}", number(low), number(high)),
+            Demand::Within(Some(low), None) => format!("{what} >= {}", number(low)),
+            Demand::Within(None, Some(high)) => format!("{what} <= {}", number(high)),
         }
     }
 }
 
+fn is_time(model: &Model, tree: &Tree) -> bool {
+    match tree {
+        Tree::Read(Read::Since(_) | Read::MacroSince(_)) => true,
+        Tree::Read(Read::Name(name)) => model.is_time(*name),
+        _ => false,
+    }
+}
+
 /// An expression as the user would write it.
-fn text(model: &Model, tree: &Tree) -> String {
+#[must_use]
+pub fn text(model: &Model, tree: &Tree) -> String {
     match tree {
         Tree::Bool(value) => value.to_string(),
         Tree::Int(value) => value.to_string(),
@@ -167,7 +182,7 @@ fn read_text(model: &Model, read: Read) -> String {
             let delay = &model.delays[id];
             format!("{}/({})/{}", time(model, delay.on), delay.of.text, time(model, delay.off))
         }
-        Read::Ticks(ticks) => ticks.to_string(),
+        Read::Ticks(ticks) => model.time_text(i128::from(ticks)),
         Read::Elapsed(at, id) => format!("{}/{}", time(model, at), step(id)),
         Read::MacroElapsed(at, id) => format!("{}/{}", time(model, at), model.macros[id].name),
     }
@@ -175,7 +190,7 @@ fn read_text(model: &Model, read: Read) -> String {
 
 fn time(model: &Model, time: TimeRef) -> String {
     match time {
-        TimeRef::Ticks(ticks) => ticks.to_string(),
+        TimeRef::Ticks(ticks) => model.time_text(i128::from(ticks)),
         TimeRef::Param(id) => model.value_name(Name::Param(id)).to_string(),
         TimeRef::Var(id) => model.value_name(Name::Var(id)).to_string(),
     }

@@ -73,6 +73,12 @@ pub(super) struct Scene<'n> {
     pub(super) spoilt: bool,
     /// Another run shows the same.
     pub(super) redundant: bool,
+    /// What this run takes for granted of atoms that are not followed; see [`super::unfollowed`].
+    pub(super) granted: Learnt,
+    /// Some of that was asked for when actions might have changed it already.
+    pub(super) late: bool,
+    /// Actions that are not followed may have run in this cycle.
+    acted: bool,
     pub(super) waits: Waits,
     /// For trying out whether transitions can wait.
     pub(super) trial: Option<Box<Scene<'n>>>,
@@ -103,6 +109,9 @@ impl<'n> Scene<'n> {
             reserved_atoms: Vec::new(),
             spoilt: false,
             redundant: false,
+            granted: Vec::new(),
+            late: false,
+            acted: false,
             waits: Waits::new(),
             trial: None,
             work: 0,
@@ -141,6 +150,9 @@ impl<'n> Scene<'n> {
         }
         self.spoilt = false;
         self.redundant = false;
+        self.granted.clear();
+        self.late = false;
+        self.acted = false;
     }
 
     /// Begins in the middle of another scene's cycle, knowing only this.
@@ -179,6 +191,9 @@ impl<'n> Scene<'n> {
             self.still.push(*transition);
             self.is_still[*transition] = true;
             for atom in &net.arcs[*transition].atoms {
+                if net.unfollowed[*atom] {
+                    self.granted.push((*atom, Known::Unknown));
+                }
                 let free = match net.atoms[*atom].kind {
                     Kind::Free | Kind::Number(..) | Kind::Since(_) | Kind::MacroSince(_) => true,
                     Kind::Step(step) => !self.is_own(step),
@@ -407,6 +422,11 @@ impl<'n> Scene<'n> {
     }
 
     fn learn(&mut self, atom: usize, when: When, known: Known) {
+        if self.net.unfollowed[atom] || matches!(self.net.atoms[atom].kind, Kind::Slot(_)) {
+            self.late |= self.acted;
+            self.granted.retain(|(other, _)| *other != atom);
+            self.granted.push((atom, known));
+        }
         if when == When::Before && self.previous.is_none() {
             self.recorded.learn(atom, known);
             return;
@@ -426,6 +446,7 @@ impl<'n> Scene<'n> {
 
     /// Actions that are not followed may have changed what is known of variables.
     pub(super) fn forget_volatile(&mut self) {
+        self.acted = true;
         for atom in self.given.learnt().to_vec() {
             if self.net.atoms[atom].volatile {
                 self.given.forget(atom);
@@ -445,34 +466,57 @@ impl<'n> Scene<'n> {
         (decided(&self.given), decided(&self.recorded))
     }
 
-    /// Whether something is known of an atom of the formula.
-    pub(super) fn touches(&self, formula: &Formula) -> bool {
+    /// Whether something is known of an atom of the formula, which is about inputs: in this cycle, or the one before.
+    pub(super) fn touches(&self, formula: &Formula, when: When) -> bool {
+        let knowledge = if when == When::Before { &self.recorded } else { &self.given };
         match formula {
-            Formula::Const(_) => false,
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
-                self.given.get(*atom) != Known::Unknown
+                knowledge.get(*atom) != Known::Unknown
             }
-            Formula::Not(inner) => self.touches(inner),
-            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => self.touches(a) || self.touches(b),
-            Formula::Rising(edge) | Formula::Falling(edge) => {
-                self.net.edges[*edge].as_ref().is_some_and(|of| self.touches(of))
+            Formula::Not(inner) => self.touches(inner, when),
+            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
+                self.touches(a, when) || self.touches(b, when)
             }
-            Formula::Shared(index) => self.touches(&self.net.shared[*index]),
+            Formula::Const(_) | Formula::Rising(_) | Formula::Falling(_) | Formula::Shared(_) => false,
+        }
+    }
+
+    /// The same as [`Scene::decide`] for what is about inputs: in this cycle, or the one before.
+    pub(super) fn decide_inputs(&mut self, formula: &Formula, when: When) -> bool {
+        // Between evolutions of one cycle the inputs do not change.
+        let previous = self.previous.take();
+        let value = self.decide(formula, when);
+        self.previous = previous;
+        value
+    }
+
+    /// The atoms that edges look at which may be asked for in the next cycle, ascending.
+    fn edge_atoms(&self) -> Vec<usize> {
+        let mut atoms: Vec<usize> = Vec::new();
+        for step in &self.now.active {
+            atoms.extend(&self.net.edge_atoms[*step]);
+        }
+        atoms.extend(&self.net.common_edge_atoms);
+        atoms.sort_unstable();
+        atoms.dedup();
+        atoms
+    }
+
+    /// Decides all that the edges of the next cycle may compare with.
+    pub(super) fn decide_edges(&mut self, when: When) {
+        let (net, atoms) = (self.net, self.edge_atoms());
+        for (edge, of) in net.edges.iter().enumerate() {
+            if let Some(of) = of.as_ref().filter(|_| net.edge_reads(edge, &atoms)) {
+                self.decide(of, when);
+            }
         }
     }
 
     /// What the edges that may be asked for in the next cycle compare with.
-    pub(super) fn sample(&mut self, when: When) -> Vec<(usize, Known)> {
+    pub(super) fn sample(&self, when: When) -> Vec<(usize, Known)> {
         let net = self.net;
-        let mut atoms: Vec<usize> = Vec::new();
-        for step in &self.now.active {
-            atoms.extend(&net.edge_atoms[*step]);
-        }
-        atoms.extend(&net.common_edge_atoms);
-        atoms.sort_unstable();
-        atoms.dedup();
         let mut sampled = Vec::new();
-        for atom in atoms {
+        for atom in self.edge_atoms() {
             let known = self.value_of(atom, when);
             let said = match net.atoms[atom].kind {
                 Kind::Number(low, high) => known != Known::Range(low, high),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::cycle::{self, Done};
-use super::knowledge::Known;
+use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
@@ -57,6 +57,8 @@ pub(super) struct Cycle {
     pub(super) given: Vec<(usize, Known)>,
     /// What it demands of the cycle before, because of edges.
     pub(super) past: Vec<(usize, Known)>,
+    /// What it takes for granted of atoms that are not followed.
+    pub(super) granted: Learnt,
     pub(super) cleared: Vec<usize>,
 }
 
@@ -69,6 +71,9 @@ pub(super) struct Edge {
     pub(super) joins: Box<[usize]>,
     /// Steps that what stands above has left or entered in between.
     pub(super) changed: Box<[usize]>,
+    /// In a thorough search what it takes for granted, as values that atoms have before the cycle; none where it is not that
+    /// simple.
+    pub(super) granted: Option<Box<[(usize, Known)]>>,
 }
 
 /// A cycle that activates a step while it is active.
@@ -96,6 +101,9 @@ pub(super) struct Graph {
     pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
     /// All of it was explored.
     pub(super) complete: bool,
+    /// Not everything was tried in all combinations, and a search for stability did not come to its end: it stops elsewhere
+    /// when more clears at once.
+    pub(super) cut_off: bool,
 }
 
 /// The outcome of one run.
@@ -104,6 +112,8 @@ struct Leaf {
     done: Done,
     given: Vec<(usize, Known)>,
     past: Vec<(usize, Known)>,
+    granted: Learnt,
+    late: bool,
     watched: Vec<usize>,
 }
 
@@ -120,6 +130,8 @@ pub(super) struct Search<'n, 's> {
     lazy: bool,
     /// Orders or an enclosing step can hold the piece as it is.
     commanded: bool,
+    /// See [`Search::thoroughly`].
+    thorough: bool,
 }
 
 impl<'n, 's> Search<'n, 's> {
@@ -134,6 +146,7 @@ impl<'n, 's> Search<'n, 's> {
             doubled: BTreeMap::new(),
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
+            cut_off: false,
         };
         Self {
             scene: Scene::new(net, unit),
@@ -144,7 +157,17 @@ impl<'n, 's> Search<'n, 's> {
             foreign,
             lazy,
             commanded: false,
+            thorough: false,
         }
+    }
+
+    /// Whatever can be done from a state can be done from each situation that it stands for: what the edges of the next
+    /// cycle compare with is decided, and states that agree in less are not taken for one. The watched expressions are left
+    /// out.
+    pub(super) fn thoroughly(mut self) -> Self {
+        self.thorough = true;
+        self.graph.watched.clear();
+        self
     }
 
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
@@ -208,7 +231,7 @@ impl<'n, 's> Search<'n, 's> {
 
     /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
     fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
-        if !state.before.is_empty() {
+        if !state.before.is_empty() && !self.thorough {
             let general = State { before: Box::default(), ..state.clone() };
             if let Some(known) = self.index.get(&general) {
                 return *known;
@@ -248,13 +271,14 @@ impl<'n, 's> Search<'n, 's> {
         }
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
-            let cycle = Cycle { given: Vec::new(), past: Vec::new(), cleared: Vec::new() };
+            let cycle = Cycle { given: Vec::new(), past: Vec::new(), granted: Vec::new(), cleared: Vec::new() };
             let to = self.insert(held, Some(Origin { from: number, cycle }));
             self.graph.edges[number].push(Edge {
                 to,
                 cleared: Box::default(),
                 joins: Box::default(),
                 changed: Box::default(),
+                granted: None,
             });
         }
         self.graph.edges[number].sort_unstable();
@@ -272,7 +296,13 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.lazy = lazy;
         self.scene.tape.restart();
         loop {
-            let (mut next, done) = cycle::run(&mut self.scene, state, enabled);
+            let (when, done) = cycle::run(&mut self.scene, state, enabled);
+            // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
+            if self.thorough {
+                self.scene.decide_edges(when);
+            }
+            let mut assumed = self.is_assumed();
+            let mut next = cycle::end(&self.scene, when);
             for slot in &self.foreign {
                 next.slots[*slot] = Bit::Any;
             }
@@ -283,14 +313,16 @@ impl<'n, 's> Search<'n, 's> {
                     watched.push(index);
                 }
             }
-            let assumed = self.is_assumed();
+            assumed = assumed && self.is_assumed();
             if self.scene.spoilt {
                 return None;
             }
             if assumed && !self.scene.redundant {
                 let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
                 let (given, past) = if news { self.scene.decided() } else { (Vec::new(), Vec::new()) };
-                leaves.push(Leaf { next, done, given, past, watched });
+                self.graph.cut_off |= lazy && done.unstable;
+                let (granted, late) = (self.scene.granted.clone(), self.scene.late);
+                leaves.push(Leaf { next, done, given, past, granted, late, watched });
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -301,16 +333,20 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    /// Whether the run is one that the assumptions allow.
+    /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before.
     fn is_assumed(&mut self) -> bool {
+        self.allows(When::Now) && self.allows(When::Before)
+    }
+
+    fn allows(&mut self, when: When) -> bool {
         let net = self.scene.net;
         let mut open: Vec<usize> = (0..net.assumed_never.len()).collect();
         loop {
             // Only assumptions about something that matters in this run are decided.
-            let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index]));
+            let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index], when));
             let Some(touched) = touched else { return true };
             let index = open.remove(touched);
-            if self.scene.decide(&net.assumed_never[index], When::Now) {
+            if self.scene.decide_inputs(&net.assumed_never[index], when) {
                 return false;
             }
         }
@@ -318,7 +354,7 @@ impl<'n, 's> Search<'n, 's> {
 
     fn commit(&mut self, from: usize, leaf: Leaf) {
         let net = self.scene.net;
-        let Leaf { next, done, given, past, watched } = leaf;
+        let Leaf { next, done, given, past, mut granted, late, watched } = leaf;
         for active in &done.transient {
             self.seen.situation(active);
         }
@@ -328,7 +364,9 @@ impl<'n, 's> Search<'n, 's> {
         for transition in &done.enabled_later {
             self.seen.enabled[*transition] = true;
         }
-        let cycle = Cycle { given, past, cleared: done.cleared };
+        granted.sort_unstable();
+        let demands = (self.thorough && !late).then(|| granted.clone().into_boxed_slice());
+        let cycle = Cycle { given, past, granted, cleared: done.cleared };
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
             self.graph.doubled.entry(step).or_insert_with(doubled);
@@ -345,7 +383,7 @@ impl<'n, 's> Search<'n, 's> {
         let changed = self.changed(from, &next, &done.transient).into_boxed_slice();
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
         let to = self.insert(next, Some(Origin { from, cycle }));
-        self.graph.edges[from].push(Edge { to, cleared, joins, changed });
+        self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
     }
 
     /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and

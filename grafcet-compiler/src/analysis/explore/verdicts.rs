@@ -27,9 +27,12 @@ impl Report<'_> {
         let mut path = Path::default();
         let (mut at, mut known) = (state, known.to_vec());
         while let Some(origin) = &self.graph.origins[at] {
+            self.note(&origin.cycle, &mut path);
             let cycle = self.cycle(&origin.cycle, &known, &self.graph.states[at].active);
             // The cycle that only enters the initial situation shows nothing.
-            if !(self.graph.states[origin.from].first && cycle.cleared.is_empty() && cycle.given.is_empty()) {
+            path.skips_first =
+                self.graph.states[origin.from].first && cycle.cleared.is_empty() && cycle.given.is_empty();
+            if !path.skips_first {
                 path.cycles.push(cycle);
             }
             known.clone_from(&origin.cycle.past);
@@ -40,11 +43,28 @@ impl Report<'_> {
         path
     }
 
+    /// The shortest way to a cycle at whose end a watched expression holds.
+    pub(super) fn path_to_watched(&self, index: usize) -> Option<Path> {
+        let (from, cycle, end) = self.graph.watched[index].as_ref()?;
+        Some(self.path_beyond(*from, cycle, &end.active))
+    }
+
     /// A way to a state, and one more cycle.
     pub(super) fn path_beyond(&self, from: usize, cycle: &Cycle, active: &[usize]) -> Path {
         let mut path = self.path_with(from, &cycle.past);
         path.cycles.push(self.cycle(cycle, &[], active));
+        self.note(cycle, &mut path);
         path
+    }
+
+    /// Notes what a cycle of a way takes for granted.
+    fn note(&self, cycle: &Cycle, path: &mut Path) {
+        for (atom, _) in &cycle.granted {
+            let what = &self.net.atoms[*atom].what;
+            if !path.granted.contains(what) {
+                path.granted.push(what.clone());
+            }
+        }
     }
 
     /// A cycle; `later` is what the next one demands of it.

@@ -18,6 +18,8 @@ pub(super) enum Key {
     Number(Tree),
     /// How two values compare: -1 less, 0 equal, 1 greater, 2 none of these.
     Order(Tree, Tree),
+    /// What another atom was in the cycle before, with which edges compare.
+    Before,
 }
 
 /// One atom.
@@ -39,6 +41,7 @@ pub(super) struct Atoms {
     booleans: BTreeMap<Tree, AtomId>,
     numbers: BTreeMap<Tree, AtomId>,
     orders: BTreeMap<Tree, BTreeMap<Tree, AtomId>>,
+    before: BTreeMap<AtomId, AtomId>,
 }
 
 impl Atoms {
@@ -81,6 +84,17 @@ impl Atoms {
         let atom = self.push(Key::Order(a.clone(), b.clone()), domain, is_loose, false);
         self.orders.entry(a.clone()).or_default().insert(b.clone(), atom);
         atom
+    }
+
+    /// What the atom was in the cycle before.
+    pub(super) fn before(&mut self, atom: AtomId) -> AtomId {
+        if let Some(known) = self.before.get(&atom) {
+            return *known;
+        }
+        let Some(Atom { domain, is_loose, is_float, .. }) = self.get(atom).cloned() else { return atom };
+        let before = self.push(Key::Before, domain, is_loose, is_float);
+        self.before.insert(atom, before);
+        before
     }
 
     fn push(&mut self, key: Key, domain: Ranges, is_loose: bool, is_float: bool) -> AtomId {

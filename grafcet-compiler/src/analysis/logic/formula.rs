@@ -78,6 +78,18 @@ impl Formula {
         }
     }
 
+    /// The same function of other atoms.
+    pub(super) fn of_others(&self, other: &mut impl FnMut(AtomId) -> AtomId) -> Self {
+        match self {
+            Self::Const(value) => Self::Const(*value),
+            Self::Leaf { atom, low, high } => Self::Leaf { atom: other(*atom), low: *low, high: *high },
+            Self::Not(inner) => Self::Not(Box::new(inner.of_others(other))),
+            Self::All(parts) => Self::All(parts.iter().map(|part| part.of_others(other)).collect()),
+            Self::Any(parts) => Self::Any(parts.iter().map(|part| part.of_others(other)).collect()),
+            Self::Same(a, b) => Self::Same(Box::new(a.of_others(other)), Box::new(b.of_others(other))),
+        }
+    }
+
     /// Between which values atoms lie wherever the function is true, as far as that is seen at once; by atom.
     pub(super) fn demands(&self) -> Vec<(AtomId, i128, i128)> {
         let mut demands = Vec::new();

@@ -7,7 +7,7 @@ use super::Concurrency;
 use super::atoms::{Atoms, Key};
 use super::formula::{AtomId, Formula};
 use super::read::{Reader, is_constant};
-use crate::model::{DelayId, MacroId, Model, PartialId, Read, StepId, TimeRef, Tree};
+use crate::model::{DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
 
 /// Step variables of one question that are related to each other pair by pair.
 const STEPS: usize = 32;
@@ -29,9 +29,15 @@ pub(super) struct Links {
 }
 
 impl Links {
-    /// Valuations in which `formula` holds do not count.
-    pub(super) fn assume_never(&mut self, formula: Formula) {
-        let formula = Rc::new(formula.not());
+    /// Valuations in which `formula`, which is about inputs, holds do not count: neither in this cycle nor in the one
+    /// before, with which edges compare.
+    pub(super) fn assume_never(&mut self, formula: &Formula, atoms: &mut Atoms) {
+        self.assume(formula.clone().not());
+        self.assume(formula.of_others(&mut |atom| atoms.before(atom)).not());
+    }
+
+    fn assume(&mut self, formula: Formula) {
+        let formula = Rc::new(formula);
         let mut atoms = BTreeSet::new();
         formula.each_atom(&mut |atom| _ = atoms.insert(atom));
         for atom in atoms {
@@ -55,7 +61,12 @@ impl Links {
         let mut found = Vec::new();
         let mut work: Vec<AtomId> = asked.iter().copied().collect();
         while let Some(atom) = work.pop() {
-            let own = self.own.entry(atom).or_insert_with(|| own(model, atoms, atom));
+            let compares = self.has_assumptions();
+            let own = self.own.entry(atom).or_insert_with(|| {
+                let mut links = own(model, atoms, atom);
+                links.extend(compares.then(|| before(model, atoms, atom)).flatten());
+                links
+            });
             let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| &link.formula);
             for formula in own.chain(self.assumed.get(&atom).into_iter().flatten()) {
                 if found.iter().any(|known| Rc::ptr_eq(known, formula)) {
@@ -122,6 +133,24 @@ fn own(model: &Model, atoms: &mut Atoms, atom: AtomId) -> Vec<Link> {
         }
         _ => Vec::new(),
     }
+}
+
+/// On an edge of inputs, their values in the cycle before were others. Only assumptions say anything about these.
+fn before(model: &Model, atoms: &mut Atoms, atom: AtomId) -> Option<Link> {
+    let (id, rising) = match atoms.get(atom)?.key {
+        Key::Boolean(Tree::Read(Read::Rising(id))) => (id, true),
+        Key::Boolean(Tree::Read(Read::Falling(id))) => (id, false),
+        _ => return None,
+    };
+    let of = &model.edges[id].of.tree;
+    let mut inputs = true;
+    of.each_read(&mut |read| inputs &= matches!(read, Read::Name(Name::Input(_)) | Read::Ticks(_)));
+    if !inputs {
+        return None;
+    }
+    let of = Reader { model, atoms }.formula(of).of_others(&mut |atom| atoms.before(atom));
+    let was = if rising { of.not() } else { of };
+    Some(Link { formula: Rc::new(Formula::is_true(atom).implies(was)), in_actions: true })
 }
 
 /// A step variable, or that of a macro-step, and the steps of which one is active then.

@@ -101,15 +101,22 @@ impl<'m> Logic<'m> {
         }
     }
 
-    /// About conditions in the situations that the chart can reach, where none of `never` holds.
+    /// The same where none of `never`, which are about inputs, ever holds.
     #[must_use]
-    pub fn within(model: &'m Model, concurrency: &'m Concurrency, never: &[&Tree]) -> Self {
-        let logic = Self { concurrency: Some(concurrency), ..Self::new(model) };
+    pub fn assuming(model: &'m Model, never: &[&Tree]) -> Self {
+        let logic = Self::new(model);
         for tree in never {
             let formula = logic.formula(tree);
-            logic.links.borrow_mut().assume_never(formula);
+            logic.links.borrow_mut().assume_never(&formula, &mut logic.atoms.borrow_mut());
         }
         logic
+    }
+
+    /// About conditions in the situations that the chart can reach, where none of `never`, which are about inputs, ever
+    /// holds.
+    #[must_use]
+    pub fn within(model: &'m Model, concurrency: &'m Concurrency, never: &[&Tree]) -> Self {
+        Self { concurrency: Some(concurrency), ..Self::assuming(model, never) }
     }
 
     fn budget(model: &Model) -> u32 {

@@ -37,7 +37,8 @@ impl Resolver<'_> {
                     self.declare_partial(inner, None);
                 }
                 Item::Setting(setting) => self.setting(setting, place),
-                Item::Property(_) | Item::Chain(_) => {}
+                Item::Property(property) => self.refuse_property(property, place),
+                Item::Chain(_) => {}
             }
         }
     }

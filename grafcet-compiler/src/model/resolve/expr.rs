@@ -14,29 +14,36 @@ use crate::model::{Binary, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Una
 
 /// Resolves one expression of the user.
 pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
+    resolve_with_places(expr, resolver).0
+}
+
+/// The same, and where everything that it reads is mentioned, in source order.
+pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> (Expr, Vec<(Read, Mark)>) {
     let mut lower = Lower::new(resolver);
     locals_of_expr(&mut expr.clone(), &mut lower.locals);
     let mut tokens = expr.clone();
     let before = lower.resolver.sink.count();
     let tree = lower.lower(&mut tokens);
     let broken = lower.resolver.sink.count() > before;
-    let (reads, text) = (lower.reads, super::text::of(expr));
+    let (reads, places, text) = (lower.reads, lower.places, super::text::of(expr));
     // An expression with a mistake equals only its own text.
     let tree = if broken { Tree::Opaque { text: text.clone(), reads: reads.clone() } } else { tree };
-    Expr { tree, tokens, reads, text, mark: Mark::of(expr) }
+    (Expr { tree, tokens, reads, text, mark: Mark::of(expr) }, places)
 }
 
 /// Rewrites expressions in place and takes note of what they read.
 pub(super) struct Lower<'r, 's> {
     pub(super) resolver: &'r mut Resolver<'s>,
     pub(super) reads: Vec<Read>,
+    /// Every mention.
+    places: Vec<(Read, Mark)>,
     /// Names bound inside the expression, by `let`, a closure or a pattern.
     pub(super) locals: BTreeSet<String>,
 }
 
 impl<'r, 's> Lower<'r, 's> {
     pub(super) fn new(resolver: &'r mut Resolver<'s>) -> Self {
-        Self { resolver, reads: Vec::new(), locals: BTreeSet::new() }
+        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: BTreeSet::new() }
     }
 
     /// Rewrites `expr` and returns its meaning.
@@ -108,6 +115,7 @@ impl<'r, 's> Lower<'r, 's> {
     pub(super) fn replace(&mut self, expr: &mut syn::Expr, read: Read) -> Tree {
         self.note(read);
         let mark = Mark::of(&*expr);
+        self.places.push((read, mark));
         if let Some(name) = placeholder::ident(read, mark.start) {
             *expr = syn::Expr::Verbatim(name.into_token_stream());
         }
@@ -126,6 +134,7 @@ impl<'r, 's> Lower<'r, 's> {
         match self.resolver.scope.get(&name) {
             Some(Meaning::Value(value)) => {
                 self.note(Read::Name(value));
+                self.places.push((Read::Name(value), (&name).into()));
                 self.join(expr, value);
                 Tree::Read(Read::Name(value))
             }
@@ -288,6 +297,7 @@ impl<'r, 's> Lower<'r, 's> {
         let is_field = matches!(out.last(), Some(TokenTree::Punct(p)) if p.as_char() == '.');
         if let (false, Some(Meaning::Value(value))) = (is_field, self.resolver.scope.get(name)) {
             self.note(Read::Name(value));
+            self.places.push((Read::Name(value), name.into()));
             let mut name = name.clone();
             name.set_span(name.span().resolved_at(self.resolver.model.value_name(value).span()));
             out.push(TokenTree::Ident(name));

@@ -2,7 +2,7 @@
 
 use super::Resolver;
 use super::declare::Where;
-use crate::ast::{self, Setting, StepKind};
+use crate::ast::{self, Property, Setting, StepKind};
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Dialect, PartialId};
 
@@ -40,7 +40,31 @@ impl Resolver<'_> {
                 Ok(count) => self.model.max_evolutions = Some(count),
                 Err(_) => self.sink.notation(count.span(), "more than 4_294_967_295 evolutions cannot be counted"),
             },
-            Setting::Budget { .. } | Setting::AssumeNever { .. } => {}
+            Setting::Budget { count, .. } => match count.base10_parse() {
+                Ok(0) => {
+                    self.sink.notation(count.span(), "with a budget of 0 nothing can be explored; write 1 or more");
+                }
+                Ok(count) => self.model.budget = Some(count),
+                Err(_) => self
+                    .sink
+                    .notation(count.span(), "more than 18_446_744_073_709_551_615 situations cannot be counted"),
+            },
+            // Names are known only later.
+            Setting::AssumeNever { .. } => {}
+        }
+    }
+
+    /// Properties are about the chart as a whole.
+    pub(super) fn refuse_property(&mut self, property: &Property, place: Where) {
+        let (word, keyword) = match property {
+            Property::Never { keyword, .. } => ("never", *keyword),
+            Property::Always { keyword, .. } => ("always", *keyword),
+            Property::Home { keyword, .. } => ("home", *keyword),
+        };
+        if place != Where::Chart {
+            let message =
+                format!("`{word}` is about the whole chart and stands directly in it, not in {}", place.text());
+            self.sink.notation(keyword, message);
         }
     }
 

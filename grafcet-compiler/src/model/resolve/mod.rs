@@ -9,6 +9,7 @@ mod declare;
 mod delay;
 mod expr;
 mod misplaced;
+mod properties;
 mod scope;
 mod text;
 mod time;
@@ -86,6 +87,9 @@ fn empty(chart: &ast::Chart) -> Model {
         forces: Arena::default(),
         edges: Arena::default(),
         delays: Arena::default(),
+        budget: None,
+        assumptions: Vec::new(),
+        properties: Vec::new(),
     }
 }
 
@@ -96,7 +100,11 @@ impl Resolver<'_> {
         for item in &body.items {
             match item {
                 ast::Item::Decl(decl) => self.initial_value(decl),
-                ast::Item::Action(_) | ast::Item::Setting(_) | ast::Item::Property(_) => {}
+                ast::Item::Setting(ast::Setting::AssumeNever { keyword, condition }) => {
+                    self.assumption(*keyword, condition);
+                }
+                ast::Item::Action(_) | ast::Item::Setting(_) => {}
+                ast::Item::Property(property) => self.property(property),
                 ast::Item::Step(step) => self.step(step, partial, cursor),
                 ast::Item::Chain(chain) => self.chain(chain, partial),
                 ast::Item::Partial(inner) => self.partial(inner, cursor),

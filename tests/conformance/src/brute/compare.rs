@@ -143,8 +143,8 @@ impl Both<'_> {
         match answer {
             Answer::Never => self.same(kind, || what.to_owned(), naive, false),
             Answer::Possible(_) => self.same(kind, || what.to_owned(), naive, true),
-            Answer::Unknown if self.exact => self.differ(&format!("{kind} not answered"), what.to_owned()),
-            Answer::Unknown => {}
+            Answer::Unknown(_) if self.exact => self.differ(&format!("{kind} not answered"), what.to_owned()),
+            Answer::Unknown(_) => {}
         }
     }
 

@@ -8,6 +8,10 @@ grafcet! {
         input b1, b2, b3, b4, b5: bool;
         output q1, q2, q3: bool;
 
+        assume never b1 && b3;
+        assume never (b2 && b4) || (!b1 && b2 && b5);
+        assume never !(b1 || b2 || !b3);
+
         initial step S1 { q1; }
         step S2 { S q2; }
         step S3 { q3 if b5; }

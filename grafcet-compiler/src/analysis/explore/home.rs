@@ -1,0 +1,175 @@
+//! Whether there is always a way back to a situation.
+
+use super::graph::backwards;
+use super::knowledge::Known;
+use super::net::Net;
+use super::search::{Edge, Graph, Seen};
+use super::slots::Bit;
+use super::verdicts::Report;
+use super::{Answer, Budget, Doubt, Exploration, explore_whole};
+use crate::model::{Id, StepId, Tree};
+
+/// In how many cases it is looked whether one of several ways exists.
+const CASES: usize = 1000;
+
+impl Exploration {
+    /// Whether a situation can be reached at the end of a cycle from which there is no way to exactly `home` (at the end
+    /// of a cycle).
+    ///
+    /// Inputs and times may be chosen on the way back, values that are not followed may not.
+    #[must_use]
+    pub fn away_from(&self, home: &[StepId]) -> Answer {
+        let explored = if self.is_plain() { None } else { Some(self.explored_thoroughly()) };
+        let graph = explored.as_ref().unwrap_or(&self.whole);
+        if !graph.complete || graph.cut_off {
+            return Answer::Unknown(Doubt::Budget);
+        }
+        let home = At::of(graph, home);
+        let lost = home.lost(graph);
+        let report = Report { net: &self.net, graph };
+        let mut doubtful = None;
+        for state in lost {
+            let path = report.path_to(state);
+            if path.granted.is_empty() {
+                return Answer::Possible(path);
+            }
+            doubtful.get_or_insert(path.granted);
+        }
+        match doubtful.or_else(|| home.doubt(&self.net, graph)) {
+            Some(granted) => Answer::Unknown(Doubt::Unfollowed(granted)),
+            None => Answer::Never,
+        }
+    }
+
+    /// Whether what can be done from a state can be done from each situation that it stands for.
+    fn is_plain(&self) -> bool {
+        let net = &self.net;
+        net.edges.iter().all(Option::is_none)
+            && !net.unfollowed.contains(&true)
+            && !net.initial_slots.contains(&Bit::Any)
+    }
+
+    fn explored_thoroughly(&self) -> Graph {
+        let mut budget = Budget { limit: self.limit, work: 0 };
+        explore_whole(&self.net, false, &mut budget, &mut Seen::nothing(&self.net), true).0
+    }
+}
+
+/// The states in which exactly the home situation is active.
+struct At {
+    home: Vec<usize>,
+    /// Per state those from which a cycle leads to it.
+    back: Vec<Vec<usize>>,
+}
+
+impl At {
+    fn of(graph: &Graph, home: &[StepId]) -> Self {
+        let mut steps: Vec<usize> = home.iter().map(|step| step.index()).collect();
+        steps.sort_unstable();
+        let states = graph.states.iter().enumerate();
+        let at_home = states.filter(|(_, state)| !state.first && *state.active == steps[..]);
+        Self { home: at_home.map(|(number, _)| number).collect(), back: backwards(graph) }
+    }
+
+    /// The ends of cycles from which nothing leads home, the nearest first.
+    fn lost(&self, graph: &Graph) -> Vec<usize> {
+        let mut returns = vec![false; graph.states.len()];
+        let mut work = self.home.clone();
+        while let Some(state) = work.pop() {
+            if !std::mem::replace(&mut returns[state], true) {
+                work.extend(&self.back[state]);
+            }
+        }
+        (0..returns.len()).filter(|state| !returns[*state] && !graph.states[*state].first).collect()
+    }
+
+    /// What the way home depends on from some state, where it exists for some values only that are not followed.
+    fn doubt(&self, net: &Net, graph: &Graph) -> Option<Vec<Tree>> {
+        let mut returns = vec![false; graph.states.len()];
+        let mut work = self.home.clone();
+        while let Some(state) = work.pop() {
+            if std::mem::replace(&mut returns[state], true) {
+                continue;
+            }
+            for before in &self.back[state] {
+                let leads = |edge: &&Edge| edge.to == state || returns[edge.to];
+                if !returns[*before] && exists(net, graph.edges[*before].iter().filter(leads)) {
+                    work.push(*before);
+                }
+            }
+        }
+        let mut open = (0..returns.len()).filter(|state| !returns[*state]).peekable();
+        open.peek()?;
+        let mut what: Vec<Tree> = Vec::new();
+        let edges = open.flat_map(|state| &graph.edges[state]);
+        let granted = edges.filter_map(|edge| edge.granted.as_deref()).flatten();
+        for tree in granted.map(|(atom, _)| &net.atoms[*atom].what) {
+            if !what.contains(tree) {
+                what.push(tree.clone());
+            }
+        }
+        Some(what)
+    }
+}
+
+/// Whether one of the cycles can be taken whatever the values are that they take for granted.
+fn exists<'g>(net: &Net, edges: impl Iterator<Item = &'g Edge>) -> bool {
+    // Where nothing can be taken for granted, nothing is written down.
+    let nothing = !net.unfollowed.contains(&true) && !net.initial_slots.contains(&Bit::Any);
+    let ways = edges.filter_map(|edge| if nothing { Some(&[][..]) } else { edge.granted.as_deref() });
+    let ways: Vec<&[(usize, Known)]> = ways.collect();
+    covers(net, &ways, &[], &mut CASES.clone())
+}
+
+/// Whether in every case one of the ways is open, where this is `known` already.
+fn covers(net: &Net, ways: &[&[(usize, Known)]], known: &[(usize, Known)], cases: &mut usize) -> bool {
+    if *cases == 0 {
+        return false;
+    }
+    *cases -= 1;
+    let of = |known: &[(usize, Known)], atom: usize| known.iter().find(|(other, _)| *other == atom).map(|(_, is)| *is);
+    let possible =
+        |way: &&&[(usize, Known)]| way.iter().all(|(atom, demand)| of(known, *atom).is_none_or(|is| meet(is, *demand)));
+    let ways: Vec<&[(usize, Known)]> = ways.iter().filter(possible).copied().collect();
+    let Some(first) = ways.first() else { return false };
+    let open = first.iter().find(|(atom, demand)| !of(known, *atom).is_some_and(|is| within(is, *demand)));
+    let Some((atom, demand)) = open else { return true };
+    let (whole, (first, last)) = (of(known, *atom), net.range(*atom));
+    let others: Vec<(usize, Known)> = known.iter().filter(|(other, _)| other != atom).copied().collect();
+    parts(whole.unwrap_or(Known::Range(first, last)), *demand).into_iter().all(|part| {
+        let mut known = others.clone();
+        known.push((*atom, part));
+        covers(net, &ways, &known, cases)
+    })
+}
+
+/// The cases to be told apart, for a value of which `whole` is known, where a way demands something of it.
+fn parts(whole: Known, demand: Known) -> Vec<Known> {
+    let (Known::Range(low, high), Known::Range(first, last)) = (demand, whole) else {
+        return vec![Known::Bool(false), Known::Bool(true)];
+    };
+    let mut parts = vec![Known::Range(low.max(first), high.min(last))];
+    if first < low {
+        parts.push(Known::Range(first, low - 1));
+    }
+    if high < last {
+        parts.push(Known::Range(high + 1, last));
+    }
+    parts
+}
+
+/// Whether a known value can be as demanded.
+fn meet(known: Known, demand: Known) -> bool {
+    match (known, demand) {
+        (Known::Range(a, b), Known::Range(low, high)) => a <= high && low <= b,
+        (a, b) => a == b,
+    }
+}
+
+/// Whether all that a known value can be is as demanded.
+fn within(known: Known, demand: Known) -> bool {
+    match (known, demand) {
+        (Known::Range(a, b), Known::Range(low, high)) => low <= a && b <= high,
+        (a, b) => a == b,
+    }
+}

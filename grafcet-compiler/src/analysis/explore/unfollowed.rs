@@ -1,0 +1,66 @@
+//! What is not followed from cycle to cycle, so that a way that relies on it may not exist.
+
+use std::collections::BTreeMap;
+
+use super::formula::{Atom, Kind};
+use super::slots::{Slots, written};
+use crate::model::{Association, Effect, Model, Name, Qualifier, Read, Step, Tree};
+
+/// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
+/// not looked into, or on each other. Inputs can be anything in each cycle, and times count as unknown.
+pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
+    let mut readers: BTreeMap<Name, usize> = BTreeMap::new();
+    for atom in atoms {
+        for name in names(&atom.what) {
+            *readers.entry(name).or_default() += 1;
+        }
+    }
+    let own = |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1);
+    atoms.iter().map(|atom| !is_free(atom) && !is_open(atom, &own)).collect()
+}
+
+/// An input, a param, a time, or something that is followed.
+fn is_free(atom: &Atom) -> bool {
+    let free = matches!(
+        atom.what,
+        Tree::Read(Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_))
+            | Tree::Elapsed(..)
+            | Tree::MacroElapsed(..)
+    );
+    free || !matches!(atom.kind, Kind::Free | Kind::Number(..))
+}
+
+/// Whether it reads something of its `own` that can be chosen to suit, and nothing that is not followed.
+fn is_open(atom: &Atom, own: &impl Fn(&Name) -> bool) -> bool {
+    let mut known = true;
+    atom.what.each_read(&mut |read| {
+        known &= matches!(
+            read,
+            Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_) | Read::Since(_) | Read::MacroSince(_)
+        );
+    });
+    known && names(&atom.what).iter().any(own)
+}
+
+fn names(tree: &Tree) -> Vec<Name> {
+    let mut names = Vec::new();
+    tree.each_read(&mut |read| {
+        if let Read::Name(name) = read {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    });
+    names
+}
+
+/// The steps and the transitions with stored actions that write what is not followed.
+pub(super) fn writers(model: &Model, slots: &Slots) -> (Vec<bool>, Vec<bool>) {
+    let more = |effect: &Effect| written(effect).any(|place| !slots.numbers.contains_key(&place));
+    let stored = |association: &Association| {
+        !matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D) && more(&association.effect)
+    };
+    let of_step = |step: &Step| step.associations.iter().any(|id| stored(&model.associations[*id]));
+    let steps = model.steps.values().map(of_step).collect();
+    (steps, model.transitions.values().map(|transition| transition.clearing.iter().any(more)).collect())
+}

@@ -1,0 +1,127 @@
+//! `property_violated`, `property_undecided`, `not_home`: what the chart itself says that it does.
+//!
+//! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
+
+use crate::analysis::explore::{Answer, Doubt, Exploration, Limits, Path, situation, text};
+use crate::analysis::{Logic, visible};
+use crate::diagnostic::{Mark, Rule, Sink, rules};
+use crate::model::{Claim, LevelAttr, Model, Property, StepId, Tree};
+
+/// Returns the exploration, for the other rules.
+pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&Tree], sink: &mut Sink) -> Exploration {
+    let open: Vec<(&Property, Tree)> = model
+        .properties
+        .iter()
+        .filter_map(|property| Some((property, property.claim.violation()?)))
+        .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))))
+        .collect();
+    let watched: Vec<&Tree> = open.iter().map(|(_, violation)| violation).collect();
+    let exploration = Exploration::assuming(model, &limits, &watched, never);
+    let report = Report { model, limits };
+    for (index, (property, _)) in open.iter().enumerate() {
+        match exploration.watched(index) {
+            Answer::Never => {}
+            Answer::Possible(path) => report.violated(property, &path, sink),
+            Answer::Unknown(doubt) => report.undecided(property, &exploration, &doubt, sink),
+        }
+    }
+    for property in &model.properties {
+        let Claim::Home(home, mark) = &property.claim else { continue };
+        match exploration.away_from(home) {
+            Answer::Never => {}
+            Answer::Possible(path) => report.not_home(property, (home, *mark), &path, sink),
+            Answer::Unknown(doubt) => report.undecided(property, &exploration, &doubt, sink),
+        }
+    }
+    if watched.is_empty() || exploration.is_complete() {
+        return exploration;
+    }
+    // To follow what the properties are about takes more than the rules need.
+    Exploration::assuming(model, &limits, &[], never)
+}
+
+struct Report<'m> {
+    model: &'m Model,
+    limits: Limits,
+}
+
+impl Report<'_> {
+    fn say(&self, rule: &'static Rule, property: &Property, notes: Vec<(Mark, String)>, sink: &mut Sink) {
+        let scopes: [&[LevelAttr]; 2] = [&property.levels, &self.model.levels];
+        sink.rule(rule, &scopes, notes);
+    }
+
+    fn violated(&self, property: &Property, path: &Path, sink: &mut Sink) {
+        let count = path.cycles.len() + usize::from(path.skips_first);
+        let what = match &property.claim {
+            Claim::Always { premise: Some(premise), condition } => {
+                format!("`{}` holds and `{}` does not", premise.text, condition.text)
+            }
+            Claim::Always { premise: None, condition } => format!("`{}` does not hold", condition.text),
+            Claim::Never(condition) => format!("`{}` holds", condition.text),
+            Claim::Home(..) => return,
+        };
+        let when = if count == 1 { "the first cycle".to_owned() } else { format!("cycle {count}") };
+        let message = format!(
+            "at the end of {when} {what}: mend the chart on this way, exclude its inputs by `assume never …;`, or correct \
+             the property\n{}",
+            path.table(self.model)
+        );
+        self.say(&rules::PROPERTY_VIOLATED, property, vec![(property.mark, message)], sink);
+    }
+
+    fn undecided(&self, property: &Property, exploration: &Exploration, doubt: &Doubt, sink: &mut Sink) {
+        let message = match doubt {
+            Doubt::Budget => format!(
+                "whether this holds is not decided: the budget ran out after {} situations; let more be explored, \
+                 `budget {};`, or divide the chart",
+                exploration.states(),
+                grouped(self.limits.more())
+            ),
+            Doubt::Unfollowed(values) => {
+                let values: Vec<String> = values.iter().map(|tree| format!("`{}`", text(self.model, tree))).collect();
+                let what = if values.is_empty() { "values".to_owned() } else { values.join(", ") };
+                format!(
+                    "whether this holds is not decided: it depends on {what}, and the checker follows steps and plain boolean \
+                     outputs and variables only; state it of steps, or allow this"
+                )
+            }
+        };
+        self.say(&rules::PROPERTY_UNDECIDED, property, vec![(property.mark, message)], sink);
+    }
+
+    fn not_home(&self, property: &Property, (home, mark): (&[StepId], Mark), path: &Path, sink: &mut Sink) {
+        let model = self.model;
+        let (home, lost, table) = (situation(model, home), situation(model, path.end()), path.table(model));
+        let Some(end) = path.cycles.last().filter(|end| !end.cleared.is_empty()) else {
+            let message = format!(
+                "exactly `{home}` is never reached: from `{lost}` on there is no way to it; draw one, or correct the property\n{table}"
+            );
+            return self.say(&rules::NOT_HOME, property, vec![(mark, message)], sink);
+        };
+        let message = format!(
+            "from `{lost}`, reached so, there is no way back to exactly `{home}`; draw one, or correct the property\n{table}"
+        );
+        let mut notes = vec![(mark, message)];
+        for id in &end.cleared {
+            let transition = &model.transitions[*id];
+            let message =
+                format!("once this transition has cleared on the way to `{lost}`, there is no way back to `{home}`");
+            notes.push((transition.mark, message));
+        }
+        self.say(&rules::NOT_HOME, property, notes, sink);
+    }
+}
+
+/// `1_000_000`
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index) % 3 == 0 {
+            text.push('_');
+        }
+        text.push(digit);
+    }
+    text
+}

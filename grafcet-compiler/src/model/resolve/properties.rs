@@ -1,0 +1,112 @@
+//! What the plant excludes, and what the checker shall prove.
+
+use proc_macro2::{Ident, Span};
+
+use super::scope::Meaning;
+use super::{Resolver, expr};
+use crate::ast;
+use crate::diagnostic::Mark;
+use crate::model::{Assumption, Claim, Expr, Name, Property, Read, StepId, Ty};
+
+impl Resolver<'_> {
+    /// `assume never b1 && b3;` It is about one snapshot of the inputs: nothing else can be excluded by the plant, and
+    /// nothing else is there when the program asks whether the assumptions hold.
+    pub(super) fn assumption(&mut self, keyword: Span, condition: &syn::Expr) {
+        let (never, places) = expr::resolve_with_places(condition, self);
+        let why = "an assumption is about the inputs of one cycle";
+        for (read, mark) in places {
+            let name = |resolver: &Self, name| format!("`{}`", resolver.model.value_name(name));
+            let what = match read {
+                Read::Name(Name::Input(_)) | Read::Ticks(_) => continue,
+                Read::Active(_) | Read::MacroActive(_) => {
+                    let message = format!(
+                        "{why}, and this is a step; what the chart shall never do is a property: `never …;` without `assume`"
+                    );
+                    self.sink.notation(mark, message);
+                    continue;
+                }
+                Read::Rising(_) | Read::Falling(_) => {
+                    "an edge takes two; exclude the inputs together, without `rising` or `falling`".to_owned()
+                }
+                Read::Name(value @ Name::Output(_)) => format!("{} is an output", name(self, value)),
+                Read::Name(value @ Name::Var(_)) => format!("{} is a variable", name(self, value)),
+                Read::Name(value @ Name::Param(_)) => format!("{} is a param", name(self, value)),
+                Read::Since(_) | Read::MacroSince(_) | Read::Delay(_) | Read::Elapsed(..) | Read::MacroElapsed(..) => {
+                    "this is a time".to_owned()
+                }
+            };
+            self.sink.notation(mark, format!("{why}, and {what}"));
+        }
+        let mark = Mark::from(keyword).to(never.mark);
+        self.model.assumptions.push(Assumption { never, mark });
+    }
+
+    /// `never …;` `always …;` `home …;`
+    pub(super) fn property(&mut self, property: &ast::Property) {
+        let (attrs, keyword, claim, end) = match property {
+            ast::Property::Never { attrs, keyword, condition } => {
+                let condition = self.claimed(condition);
+                let end = condition.mark;
+                (attrs, keyword, Claim::Never(condition), end)
+            }
+            ast::Property::Always { attrs, keyword, premise, condition } => {
+                let premise = premise.as_ref().map(|premise| self.claimed(premise));
+                let condition = self.claimed(condition);
+                let end = condition.mark;
+                (attrs, keyword, Claim::Always { premise, condition }, end)
+            }
+            ast::Property::Home { attrs, keyword, steps } => {
+                let Some((first, last)) = steps.first().zip(steps.last()) else { return };
+                let mark = Mark::from(first).to(last);
+                (attrs, keyword, Claim::Home(self.home(steps), mark), mark)
+            }
+        };
+        let mark = Mark::from(*keyword).to(end);
+        self.model.properties.push(Property { claim, levels: attrs.levels.clone(), mark });
+    }
+
+    /// A condition of a property: what can be seen at the end of a cycle.
+    fn claimed(&mut self, condition: &syn::Expr) -> Expr {
+        let (condition, places) = expr::resolve_with_places(condition, self);
+        let why = "a property is about steps, inputs and boolean outputs at the end of a cycle";
+        for (read, mark) in places {
+            let what = match read {
+                Read::Name(Name::Output(id)) if !matches!(self.model.outputs[id].ty, Ty::Bool(_)) => {
+                    let name = &self.model.outputs[id].name;
+                    format!(
+                        "the values of `{name}`, which is no `bool`, are not followed; name the steps that give them"
+                    )
+                }
+                Read::Name(Name::Var(id)) => {
+                    format!("`{}` is a variable; name the steps or outputs that matter", self.model.vars[id].name)
+                }
+                Read::Rising(_) | Read::Falling(_) => "an edge takes two; name what holds at the end of one".to_owned(),
+                Read::Since(_) | Read::MacroSince(_) | Read::Delay(_) | Read::Elapsed(..) | Read::MacroElapsed(..) => {
+                    "this is a time, which counts as unknown; name the steps or outputs that matter".to_owned()
+                }
+                Read::Name(_) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => continue,
+            };
+            self.sink.notation(mark, format!("{why}; {what}"));
+        }
+        condition
+    }
+
+    fn home(&mut self, names: &[Ident]) -> Vec<StepId> {
+        let mut steps = Vec::new();
+        for name in names {
+            match self.scope.step(name, self.sink) {
+                Some(Meaning::Step(step)) => match names.iter().find(|first| *first == name) {
+                    Some(first) if steps.contains(&step) => self.repeated_step(first, name),
+                    _ => steps.push(step),
+                },
+                Some(_) => {
+                    let message = format!("`{name}` is a macro-step; name the step of its expansion that is meant");
+                    self.sink.notation(name, message);
+                    self.lose();
+                }
+                None => self.lose(),
+            }
+        }
+        steps
+    }
+}

@@ -1,0 +1,307 @@
+//! `never`, `always`, `home`: proved, violated by the shortest way, or undecided with a reason.
+
+use grafcet_compiler::diagnostic::{Diagnostic, Sink};
+use grafcet_compiler::{check, model, parse};
+
+/// What is said about a chart.
+fn diagnostics(chart: &str) -> Vec<Diagnostic> {
+    let mut sink = Sink::new();
+    let tokens = chart.parse().expect("tokens");
+    if let Some(chart) = parse::chart(tokens, &mut sink) {
+        let model = model::resolve(&chart, &mut sink);
+        check::drawing(&model, &mut sink);
+        if !sink.has_errors() {
+            check::evolution(&model, &mut sink);
+        }
+    }
+    sink.finish()
+}
+
+/// `rule: first message` of everything that is said.
+fn said(chart: &str) -> Vec<String> {
+    let text = |one: Diagnostic| format!("{}: {}", one.rule.map_or("notation", |rule| rule.name), one.notes[0].1);
+    diagnostics(chart).into_iter().map(text).collect()
+}
+
+/// The chart is right.
+fn holds(chart: &str) {
+    assert_eq!(said(chart), Vec::<String>::new(), "{chart}");
+}
+
+/// The only thing that is wrong with the chart; returned are the lines of its message behind the first.
+fn fails(chart: &str, rule: &str, word: &str) -> Vec<String> {
+    let said = said(chart);
+    let [one] = &said[..] else { panic!("{chart}: {said:#?}") };
+    assert!(one.starts_with(&format!("{rule}: ")) && one.contains(word), "{chart}: {one}");
+    one.lines().skip(1).map(str::to_owned).collect()
+}
+
+/// `never` and `always` in a chart of two steps.
+fn motor(property: &str) -> String {
+    format!(
+        "sfc Motor {{ input on, off, hot: bool; output relay, green, red: bool; \
+         initial step Off {{ N red; }} step On {{ N relay; N green if !hot; }} \
+         Off -[on && !hot]-> On -[off || hot]-> Off; {property} }}"
+    )
+}
+
+#[test]
+fn what_holds() {
+    for property in [
+        "never red && relay;",
+        "never Off.X && On.X;",
+        "always Off.X || On.X;",
+        "always relay => On.X;",
+        "always red == Off.X;",
+        "always green => !hot && On.X;",
+        "always red != relay;",
+        "never relay && hot;",
+        "home Off;",
+        "home On;",
+        "never !(relay || red);",
+    ] {
+        holds(&motor(property));
+    }
+}
+
+#[test]
+fn what_does_not() {
+    let table = fails(&motor("never relay && off;"), "property_violated", "at the end of cycle 2 `relay && off` holds");
+    assert_eq!(
+        table,
+        [
+            "cycle | inputs        | cleared  | active",
+            "1     | any           | -        | Off",
+            "2     | on, !hot, off | Off → On | On"
+        ]
+    );
+    let table = fails(
+        &motor("always relay => green && !off;"),
+        "property_violated",
+        "`relay` holds and `green && !off` does not",
+    );
+    assert_eq!(table.len(), 3);
+    let table =
+        fails(&motor("always !red;"), "property_violated", "at the end of the first cycle `!red` does not hold");
+    assert_eq!(table, ["cycle | inputs | cleared | active", "1     | any    | -       | Off"]);
+    let all = diagnostics(&motor("never relay; home Off; never red;"));
+    assert_eq!(all.len(), 2);
+}
+
+/// In a `grafcet` the first cycle evaluates conditions, and transient situations are not seen.
+#[test]
+fn grafcet() {
+    let chart = |property: &str| {
+        format!(
+            "grafcet Line {{ input a, b: bool; output q, r: bool; initial step One {{ q; }} step Two {{ S r; }} step Three {{ R r; }} \
+             One -[a]-> Two -[b]-> Three -[!a]-> One; {property} }}"
+        )
+    };
+    let table = fails(&chart("never Two.X;"), "property_violated", "at the end of the first cycle `Two.X` holds");
+    assert_eq!(table[1], "1     | a, !b  | One → Two | Two");
+    holds(&chart("never Two.X && b;"));
+    holds(&chart("always r == Two.X;"));
+    holds(&chart("never q && r;"));
+    holds(&chart("home One;"));
+    let table = fails(&chart("never Three.X && r || One.X && !b && !a;"), "property_violated", "first cycle");
+    assert_eq!(table[1], "1     | !a, !b | -       | One");
+}
+
+/// Stored outputs are followed from cycle to cycle.
+#[test]
+fn stored_outputs() {
+    let chart = |property: &str| {
+        format!(
+            "sfc Door {{ input open, shut: bool; output light, lock: bool; initial step Wait; step Opening {{ S light; P1 lock = false; }} \
+             step Shutting {{ P1 lock = open; }} step Shut {{ R light; }} \
+             Wait -[open]-> Opening -[shut]-> Shutting -[true]-> Shut -[true]-> Wait; {property} }}"
+        )
+    };
+    holds(&chart("always Opening.X || Shutting.X => light;"));
+    holds(&chart("never Wait.X && light;"));
+    holds(&chart("never Opening.X && lock;"));
+    let table = fails(&chart("never Wait.X && lock;"), "property_violated", "cycle 5");
+    assert_eq!(table.len(), 6);
+    assert!(table[3].starts_with("3     | open, shut "), "{table:#?}");
+}
+
+#[test]
+fn assumptions_make_it_hold() {
+    let chart = |assumption: &str| {
+        format!(
+            "grafcet Hoist {{ input up, down: bool; output raise, lower: bool; initial step Wait; step Raise {{ raise; }} step Lower {{ lower; }} \
+             #[allow(grafcet::overlapping_branches, grafcet::unsafe_step)] Wait -[up]-> Raise -[!up]-> Wait -[down]-> Lower -[!down]-> Wait; \
+             {assumption} never raise && lower; never up && down && Wait.X; }}"
+        )
+    };
+    let all = said(&chart("#[allow(grafcet::unsafe_step)]"));
+    assert!(all.iter().any(|one| one.starts_with("property_violated")), "{all:?}");
+    holds(&chart("assume never up && down;"));
+}
+
+/// Times count as unknown.
+#[test]
+fn times() {
+    let chart = |property: &str| {
+        format!(
+            "sfc Oven {{ input start, door: bool; output lamp, fan, horn, heat: bool; initial step Idle {{ D 5s horn; }} \
+             step Bake {{ L 10s heat; N lamp if 2s/Bake; SD 3s fan; }} step Cool {{ R fan; }} \
+             Idle -[start]-> Bake -[30s/Bake]-> Cool -[door && 5s/Cool]-> Idle; {property} }}"
+        )
+    };
+    holds(&chart("never lamp && Idle.X;"));
+    holds(&chart("home Idle;"));
+    let table = fails(&chart("never Cool.X;"), "property_violated", "cycle 3");
+    assert_eq!(table[3], "3     | Bake.T >= 30s | Bake → Cool | Cool");
+    fails(&chart("always Bake.X => lamp;"), "property_violated", "cycle 2");
+}
+
+#[test]
+fn hierarchy() {
+    let chart = |property: &str| {
+        format!(
+            "grafcet Cell {{ input estop, start, full: bool; output belt, lamp: bool; \
+             partial Safety {{ initial step Ready; step Stopped {{ force Production {{}}; lamp; }} step Restart {{ force Production {{INIT}}; }} \
+             Ready -[estop]-> Stopped -[!estop]-> Restart -[true]-> Ready; }} \
+             partial Production {{ initial step Idle; step Feed {{ belt; }} enclosing step Auto {{ partial Inner {{ linked step Count; }} }} \
+             Idle -[start]-> Feed -[full]-> Auto -[!full]-> Idle; }} {property} }}"
+        )
+    };
+    holds(&chart("never Stopped.X && belt;"));
+    holds(&chart("always Count.X == Auto.X;"));
+    holds(&chart("home (Ready, Idle);"));
+    holds(&chart("home Stopped;"));
+    fails(&chart("home (Stopped, Idle);"), "not_home", "is never reached");
+    fails(&chart("never Production::Auto.X && full;"), "property_violated", "first cycle");
+}
+
+#[test]
+fn home() {
+    let chart = |body: &str| {
+        format!(
+            "#[allow(grafcet::unused_input)] sfc C {{ input a, b, c: bool; initial step One; step Two; step Three; step Four; step Five; {body} }}"
+        )
+    };
+    // From Four there is no way back: Two is entered on `b`, so that there is no edge.
+    let lost = "One -[b]-> Three; Three -[c]-> Two; Four -[b]-> Two; Two -[rising(b)]-> Five; Five -[b]-> One; Two -[true]-> Four;";
+    fails(
+        &chart(&format!("{lost} home One;")),
+        "not_home",
+        "from `Two`, reached so, there is no way back to exactly `One`",
+    );
+    holds(&chart(&format!("{} home One;", lost.replace("Four -[b]", "Four -[a]"))));
+    let all = diagnostics(
+        "sfc C { input a, b: bool; initial step A; step B; step C; A -[a]-> B -[!a]-> A; B -[b]-> C -[a]-> C; home A; }",
+    );
+    let notes: Vec<_> = all.iter().flat_map(|one| &one.notes).map(|(_, text)| &text[..]).collect();
+    assert!(notes[0].starts_with("from `C`, reached so, there is no way back to exactly `A`"), "{notes:?}");
+    assert!(notes[1].starts_with("once this transition has cleared"), "{notes:?}");
+    let parallel = "sfc C { input a, b: bool; initial step A; step B; step E; A -[a]-> (B, E); (B, E) -[b]-> A;";
+    holds(&format!("{parallel} home (B, E); home (E, B); home A; }}"));
+    fails(&format!("{parallel} home B; }}"), "not_home", "is never reached");
+}
+
+/// What is not followed proves nothing, neither way.
+#[test]
+fn unfollowed() {
+    let count = |property: &str, back: &str| {
+        format!(
+            "sfc Count {{ input go: bool; output full: bool; var n: u8; initial step Idle {{ P1 n = 0; }} \
+             step Add {{ P1 n = n + 1; }} step Wait; step Full {{ N full; }} \
+             Idle -[go]-> Add -[!go]-> Wait; Wait -[n >= 3]-> Full; Wait -[n < 3 && go]-> {back}; Full -[!go]-> Idle; {property} }}"
+        )
+    };
+    // Whether three is ever reached is not followed.
+    let said = fails(&count("home Idle;", "Add"), "property_undecided", "depends on `n`");
+    assert!(said.is_empty());
+    // Whatever the count is, there is a way back.
+    holds(&count("home Idle;", "Idle"));
+    holds(&count("always full => Full.X;", "Add"));
+    fails(&count("never full;", "Add"), "property_undecided", "depends on `n`");
+    let opaque = |property: &str| {
+        format!(
+            "sfc C {{ input x, y: u8; initial step A; step B; A -[near(x) && y > 3]-> B -[y < 2]-> A; {property} }}"
+        )
+    };
+    fails(&opaque("never B.X;"), "property_violated", "cycle 2");
+    holds(&opaque("home A;"));
+    fails(&opaque("never B.X && near(y);"), "property_undecided", "depends on");
+    let allowed = "#[allow(grafcet::property_undecided)] never full;";
+    holds(&count(allowed, "Add"));
+}
+
+/// Variables that change within a cycle of a `grafcet` in ways that are not followed.
+#[test]
+fn unfollowed_within_a_cycle() {
+    let chart = |property: &str| {
+        format!(
+            "grafcet C {{ input go: bool; var n: u8; initial step A; step B {{ P1 n = n + 1; }} step C; step Zero {{ P1 n = 0; }} \
+             A -[n == 0]-> B -[n != 0]-> C; C -[go]-> Zero; Zero -[!go]-> A; {property} }}"
+        )
+    };
+    let undecided = said(&chart("never C.X;"));
+    assert!(undecided.iter().any(|one| one.starts_with("property_undecided")), "{undecided:?}");
+}
+
+/// Eight partial grafcets that have nothing to do with each other: too many situations to look at.
+#[test]
+fn budget() {
+    let mut chart = String::from("grafcet Wide { input a, b, c, d: bool; output q: bool; ");
+    for index in 0..8 {
+        let steps: Vec<String> = (0..8).map(|step| format!("S{index}{step}")).collect();
+        chart += &format!("partial Part{index} {{ initial step {} {{ q; }} ", steps[0]);
+        for step in &steps[1..] {
+            chart += &format!("step {step}; ");
+        }
+        let chain: Vec<String> = steps
+            .iter()
+            .enumerate()
+            .map(|(at, step)| {
+                format!("{step} -[{}]-> ", ["a", "!b", "c", "!d", "!a", "b", "!c", "d"][(at + index) % 8])
+            })
+            .collect();
+        chart += &format!("{}{}; }} ", chain.concat(), steps[0]);
+    }
+    // The steps of one partial grafcet exclude each other, whatever the others do.
+    holds(&format!("{chart} budget 20; never S00.X && S03.X || S41.X && S47.X; }}"));
+    let message = said(&format!("{chart} budget 20; always q; }}"));
+    assert!(message[0].contains("the budget ran out after") && message[0].contains("`budget 100_000;`"), "{message:?}");
+}
+
+#[test]
+fn contents() {
+    let chart = |property: &str| {
+        format!(
+            "grafcet C {{ input a: bool; input level: u8; output q: bool; output speed: u8; var v: bool; \
+             initial step A {{ q; speed = level; }} macro step M {{ entry step E; exit step F {{ S v; }} E -[a]-> F; }} step B {{ R v; }} \
+             A -[rising(a)]-> M -[!a && v]-> B -[a]-> A; {property} }}"
+        )
+    };
+    holds(&chart("never M.X && A.X; always level > 5 && A.X => q; never F.X && E.X; always true;"));
+    for (property, word) in [
+        ("never speed > 3;", "`speed`"),
+        ("never v && A.X;", "`v` is a variable"),
+        ("never rising(a) && B.X;", "an edge takes two"),
+        ("never 5s/A;", "this is a time"),
+        ("always A.T < 5s;", "this is a time"),
+        ("never 5s/a;", "this is a time"),
+        ("always a => w;", "unknown_name"),
+        ("home Nowhere;", "unknown_step"),
+        ("home M;", "is a macro-step"),
+        ("home (B, B);", "repeated_step"),
+        ("home a;", "unknown_step"),
+        ("never A && a;", "`A` is a step"),
+    ] {
+        let said = said(&chart(property));
+        assert!(matches!(&said[..], [one] if one.contains(word)), "{property}: {said:?}");
+    }
+    let inside =
+        "grafcet C { input a: bool; partial Part { initial step A; step B; A -[a]-> B -[!a]-> A; never B.X; } }";
+    assert!(said(inside)[0].contains("stands directly in it"), "{:?}", said(inside));
+}
+
+/// What only a property reads is used.
+#[test]
+fn usage() {
+    holds("sfc C { input a, b: bool; initial step A; step B; A -[a]-> B -[!a]-> A; always b || !b; }");
+}
