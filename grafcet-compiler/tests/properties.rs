@@ -1,5 +1,7 @@
 //! `never`, `always`, `home`: proved, violated by the shortest way, or undecided with a reason.
 
+use std::fmt::Write as _;
+
 use grafcet_compiler::diagnostic::{Diagnostic, Sink};
 use grafcet_compiler::{check, model, parse};
 
@@ -249,9 +251,9 @@ fn budget() {
     let mut chart = String::from("grafcet Wide { input a, b, c, d: bool; output q: bool; ");
     for index in 0..8 {
         let steps: Vec<String> = (0..8).map(|step| format!("S{index}{step}")).collect();
-        chart += &format!("partial Part{index} {{ initial step {} {{ q; }} ", steps[0]);
+        _ = write!(chart, "partial Part{index} {{ initial step {} {{ q; }} ", steps[0]);
         for step in &steps[1..] {
-            chart += &format!("step {step}; ");
+            _ = write!(chart, "step {step}; ");
         }
         let chain: Vec<String> = steps
             .iter()
@@ -260,7 +262,7 @@ fn budget() {
                 format!("{step} -[{}]-> ", ["a", "!b", "c", "!d", "!a", "b", "!c", "d"][(at + index) % 8])
             })
             .collect();
-        chart += &format!("{}{}; }} ", chain.concat(), steps[0]);
+        _ = write!(chart, "{}{}; }} ", chain.concat(), steps[0]);
     }
     // The steps of one partial grafcet exclude each other, whatever the others do.
     holds(&format!("{chart} budget 20; never S00.X && S03.X || S41.X && S47.X; }}"));
