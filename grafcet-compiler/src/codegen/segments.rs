@@ -111,7 +111,7 @@ impl Cx<'_> {
 
     /// In the search of a chart with one region, an evolution that changes anything goes from one step to another.
     fn always_moves(&self) -> bool {
-        self.model.is_grafcet() && self.plan.regions.all().len() == 1 && self.collected_unchanged().is_empty()
+        self.model.is_grafcet() && self.plan.regions.all().len() == 1 && self.only_situation
     }
 
     /// `|| again`, where a step of the region can be left and entered in one evolution.
