@@ -259,7 +259,7 @@ fn situation(cx: &Cx<'_>) -> TokenStream {
 fn unstable_steps(cx: &Cx<'_>) -> TokenStream {
     let region = cx.names.region(0, cx.plan);
     let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
-        let twin = names::unstable_twin(cx.model, &names::private_variant(cx.model, *id));
+        let twin = cx.names.unstable_twin(&names::private_variant(cx.model, *id));
         let name = step_name(cx, *id);
         quote!(#region::#twin => #name,)
     });
@@ -271,7 +271,7 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
     if cx.plan.regions.is_single() {
         return None;
     }
-    let Cx { model, p, names, plan } = cx;
+    let Cx { model, p, names, plan, .. } = cx;
     let (vis, name, step, chart) = (&model.vis, &names.situation, &names.step, &names.chart);
     let fields = (0..plan.regions.all().len()).map(|region| {
         let (field, ty) = (names::region_field(region, plan), cx.names.region(region, plan));

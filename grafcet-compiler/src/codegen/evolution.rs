@@ -48,7 +48,7 @@ impl Cx<'_> {
     /// Whether the evolution is one `match` from a step to the next: one region, each transition from one step to one,
     /// and in a `grafcet` no change but that of the situation.
     pub(super) fn is_one_match(&self) -> bool {
-        let search = self.collected_unchanged().is_empty()
+        let search = self.only_situation
             && self.model.transitions.values().any(|t| t.sources != t.targets)
             && self.plan.evolution.exclusive.iter().all(|exclusive| *exclusive);
         self.plan.regions.is_single()

@@ -1,5 +1,7 @@
 //! Every name in the generated code.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -32,12 +34,15 @@ pub(super) struct Names {
     /// The variant of the first region's state for "the first cycle is still to come".
     pub(super) start: Ident,
     transitions: Vec<Ident>,
+    /// The names of the steps.
+    steps: BTreeSet<String>,
 }
 
 impl Names {
     pub(super) fn of(model: &Model) -> Self {
         let chart = &model.name;
         let with = |suffix: &str| format_ident!("{chart}{suffix}");
+        let steps: BTreeSet<String> = model.steps.values().map(|step| step.name.to_string()).collect();
         Self {
             chart: chart.clone(),
             inputs: with("Inputs"),
@@ -47,10 +52,16 @@ impl Names {
             situation: with("Situation"),
             params: with("Params"),
             actions: with("Actions"),
-            empty: fresh(model, "NONE"),
+            empty: fresh(&steps, "NONE"),
             start: local("INIT"),
             transitions: transitions(model),
+            steps,
         }
+    }
+
+    /// The variant of a state after an unstable search.
+    pub(super) fn unstable_twin(&self, state: &Ident) -> Ident {
+        fresh(&self.steps, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
     }
 
     /// The private enum of a region's steps.
@@ -264,11 +275,6 @@ pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
     name
 }
 
-/// The variant of a state after an unstable search.
-pub(super) fn unstable_twin(model: &Model, state: &Ident) -> Ident {
-    fresh(model, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
-}
-
 /// Whether a block has written a place: `written_speed`.
 pub(super) fn written(name: &Ident) -> Ident {
     prefixed("written_", name)
@@ -284,9 +290,9 @@ fn prefixed(prefix: &str, name: &Ident) -> Ident {
 }
 
 /// `name`, with underscores behind it until no step is called so.
-fn fresh(model: &Model, name: &str) -> Ident {
+fn fresh(steps: &BTreeSet<String>, name: &str) -> Ident {
     let mut name = name.to_owned();
-    while model.steps.values().any(|step| step.name == name) {
+    while steps.contains(&name) {
         name.push('_');
     }
     local(&name)
@@ -294,7 +300,7 @@ fn fresh(model: &Model, name: &str) -> Ident {
 
 /// `Go` for `-[go: x]->`; else from the steps, `OffToOn`; numbered where that is taken.
 fn transitions(model: &Model) -> Vec<Ident> {
-    let mut taken = std::collections::BTreeSet::new();
+    let mut taken = BTreeSet::new();
     let mut names = vec![None; model.transitions.len()];
     // The names the user chose come first.
     for (id, transition) in model.transitions.iter() {

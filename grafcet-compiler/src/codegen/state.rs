@@ -50,7 +50,7 @@ fn unstable_twins(cx: &Cx<'_>, id: RegionId) -> (TokenStream, TokenStream) {
         .map(|step| names::private_variant(cx.model, *step))
         .chain(region.may_be_empty.then(|| cx.names.empty.clone()))
         .collect();
-    let twins: Vec<Ident> = states.iter().map(|state| names::unstable_twin(cx.model, state)).collect();
+    let twins: Vec<Ident> = states.iter().map(|state| cx.names.unstable_twin(state)).collect();
     let methods = quote! {
         impl #name {
             const fn plain(self) -> Self {
