@@ -63,6 +63,11 @@ impl Names {
         Ident::new(&name.replace("r#", ""), Span::mixed_site().located_at(chart.span()))
     }
 
+    /// The first region's state together with the mark of an unstable search.
+    pub(super) fn marked(&self, plan: &Plan) -> Ident {
+        format_ident!("{}Mark", self.region(0, plan))
+    }
+
     /// The variant of a transition in `MotorTransition`.
     pub(super) fn transition_variant(&self, id: TransitionId) -> &Ident {
         &self.transitions[id.index()]
@@ -250,11 +255,6 @@ pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
     let mut name = model.steps[step].name.clone();
     name.set_span(Span::mixed_site());
     name
-}
-
-/// The variant of a state after an unstable search.
-pub(super) fn unstable_twin(model: &Model, state: &Ident) -> Ident {
-    fresh(model, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
 }
 
 /// Whether a block has written a place: `written_speed`.
