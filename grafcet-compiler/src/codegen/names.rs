@@ -74,6 +74,11 @@ impl Names {
         Ident::new(&name.replace("r#", ""), Span::mixed_site().located_at(chart.span()))
     }
 
+    /// The first region's state together with the mark of an unstable search.
+    pub(super) fn marked(&self, plan: &Plan) -> Ident {
+        format_ident!("{}Mark", self.region(0, plan))
+    }
+
     /// The variant of a transition in `MotorTransition`.
     pub(super) fn transition_variant(&self, id: TransitionId) -> &Ident {
         &self.transitions[id.index()]

@@ -83,8 +83,7 @@ impl Cx<'_> {
     pub(super) fn states(&self, region: RegionId) -> usize {
         let plan = &self.plan.regions.all()[region];
         let states = plan.steps.len() + usize::from(plan.may_be_empty);
-        let twins = if self.has_unstable_twins(region) { states } else { 0 };
-        states + twins + usize::from(self.has_start_variant(region))
+        states + usize::from(self.has_start_variant(region))
     }
 
     /// `body`, if the step has been left.
