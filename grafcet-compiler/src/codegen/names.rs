@@ -34,8 +34,6 @@ pub(super) struct Names {
     /// The variant of the first region's state for "the first cycle is still to come".
     pub(super) start: Ident,
     transitions: Vec<Ident>,
-    /// The names of the steps.
-    steps: BTreeSet<String>,
 }
 
 impl Names {
@@ -55,13 +53,7 @@ impl Names {
             empty: fresh(&steps, "NONE"),
             start: local("INIT"),
             transitions: transitions(model),
-            steps,
         }
-    }
-
-    /// The variant of a state after an unstable search.
-    pub(super) fn unstable_twin(&self, state: &Ident) -> Ident {
-        fresh(&self.steps, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
     }
 
     /// The private enum of a region's steps.
