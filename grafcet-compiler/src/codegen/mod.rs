@@ -1,6 +1,7 @@
 //! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
 
 mod bind;
+mod branches;
 mod chart_impl;
 mod control;
 mod cycle;
