@@ -1,4 +1,4 @@
-//! `never_true`, `always_true`, `level_source_transition`: what is wrong with a condition by itself.
+//! `never_true`, `always_true`, `level_source_transition`, `event_without_edge`: what is wrong with a condition by itself.
 
 use std::collections::BTreeSet;
 
@@ -33,6 +33,9 @@ pub(super) fn check(
                 report(rule, expr, "this action never acts", &model.levels_of(step), sink);
             }
         }
+        if let (true, Some(event)) = (model.is_grafcet(), &association.event) {
+            level_event(logic, event, sink);
+        }
     }
     dead
 }
@@ -65,14 +68,8 @@ fn level_source(model: &Model, logic: &Logic<'_>, transition: &Transition, condi
         return;
     }
     let expr = &transition.condition;
-    let is_edge = |read: &&Read| matches!(read, Read::Rising(_) | Read::Falling(_));
-    let edges: Vec<Condition> =
-        expr.reads.iter().filter(is_edge).map(|read| logic.condition(&Tree::Read(*read))).collect();
-    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).collect();
-    goals.push((condition, true));
     // Without any edge it is a level whatever it reads.
-    let is_level = edges.is_empty() || matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_));
-    if is_level {
+    if !has_edge(expr) || holds_without_edge(logic, expr, condition) {
         let mend = match &expr.tree {
             Tree::Read(_) => format!("`rising({})`", expr.text),
             _ => "`rising(…)`".to_owned(),
@@ -85,4 +82,32 @@ fn level_source(model: &Model, logic: &Logic<'_>, transition: &Transition, condi
         let scopes = model.levels_of_transition(transition);
         sink.rule(&rules::LEVEL_SOURCE_TRANSITION, &scopes, vec![(expr.mark, message)]);
     }
+}
+
+/// IEC 60848: an event is an edge; one without any is found with the drawing.
+fn level_event(logic: &Logic<'_>, event: &Expr, sink: &mut Sink) {
+    if has_edge(event) && holds_without_edge(logic, event, &logic.of_action(&event.tree)) {
+        let message = format!(
+            "an event happens at an instant, and `{}` also holds without an edge; write one into each alternative: \
+             `rising(…) && …`",
+            event.text
+        );
+        sink.rule(&rules::EVENT_WITHOUT_EDGE, &[], vec![(event.mark, message)]);
+    }
+}
+
+fn edges(expr: &Expr) -> impl Iterator<Item = Read> + '_ {
+    expr.reads.iter().copied().filter(|read| matches!(read, Read::Rising(_) | Read::Falling(_)))
+}
+
+pub(super) fn has_edge(expr: &Expr) -> bool {
+    edges(expr).next().is_some()
+}
+
+/// Whether the condition certainly can hold while none of its edges does.
+fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Condition) -> bool {
+    let edges: Vec<Condition> = edges(expr).map(|read| logic.condition(&Tree::Read(read))).collect();
+    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).collect();
+    goals.push((condition, true));
+    matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_))
 }

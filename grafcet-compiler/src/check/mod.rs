@@ -53,16 +53,21 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let exploration = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
     let mut said = conditions::check(model, &logic, &conditions, sink);
-    said.extend(branches::check(model, &concurrency, &logic, &conditions, &said, sink));
+    // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and behind an evolution act
+    // in the same cycle, so that steps can race which are never active together.
+    let seen = concurrency.without(|a, b| !exploration.together(a, b));
+    let racing = if model.is_grafcet() { &seen } else { &concurrency };
+    let idle = said.union(&reach::idle(model, &exploration)).copied().collect();
+    said.extend(branches::check(model, &seen, &logic, &conditions, &idle, sink));
     let dead = reach::check(model, &exploration, &said, sink);
     safety::check(model, &exploration, sink);
     waits::check(model, &exploration, &dead, sink);
-    race::check(model, &concurrency, never, sink);
-    contention::check(model, &concurrency, never, sink);
+    race::check(model, racing, never, sink);
+    contention::check(model, &seen, never, sink);
     set_reset::check(model, &concurrency, sink);
     usage::check(model, sink);
     if model.is_grafcet() {
-        structure::two_masters(model, &concurrency, sink);
+        structure::two_masters(model, &seen, sink);
         unstable::check(model, &concurrency, never, sink);
     }
 }
