@@ -180,7 +180,7 @@ impl Net {
     }
 
     /// The atoms of a condition, those of its edges beside.
-    fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
+    pub(super) fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
         match formula {
             Formula::Const(_) => {}
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => add(atoms, *atom),
