@@ -222,6 +222,16 @@ impl<'m> Compiler<'m> {
         edge(id.index())
     }
 
+    /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
+    pub(super) fn time_of(&mut self, qualifier: Qualifier, place: Place) -> Formula {
+        let text = format!("{} {}", format!("{qualifier:?}").to_uppercase(), self.model.place_name(place));
+        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new() });
+        if let Formula::Is(atom) = time {
+            self.atoms[atom].is_time = true;
+        }
+        time
+    }
+
     /// `t/e` is true with `e` only; when, is open.
     fn delay(&mut self, tree: &Tree, id: DelayId) -> Formula {
         let delay = &self.model.delays[id];
@@ -313,7 +323,7 @@ impl<'m> Compiler<'m> {
             return *number;
         }
         let number = self.atoms.len();
-        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree) });
+        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree), is_time: false });
         self.numbers.insert(tree.clone(), number);
         number
     }

@@ -51,6 +51,8 @@ pub(super) struct Net {
     pub(super) shared: Vec<Formula>,
     pub(super) actions: Actions,
     pub(super) initial_slots: Vec<Bit>,
+    /// Slots that hold nothing for the next cycle.
+    pub(super) shown_slots: Vec<usize>,
     /// Steps active before the first cycle.
     pub(super) initial: Vec<usize>,
     pub(super) parts: Vec<Part>,
@@ -113,6 +115,7 @@ impl Net {
             shared,
             actions,
             initial_slots: slots.initial.clone(),
+            shown_slots: slots.shown.clone(),
             initial: super::super::hierarchy::initial_situation(model).iter().map(|step| step.index()).collect(),
             parts: parts(model),
             commands: model.steps.values().map(|step| !step.forces.is_empty()).collect(),
