@@ -267,6 +267,25 @@ fn unfollowed() {
     holds(&count(allowed, "Add"));
 }
 
+/// Comparisons of one float with literals are related to each other.
+#[test]
+fn floats() {
+    let chart = |ty: &str, property: &str| {
+        format!(
+            "sfc Heater {{ input temp: {ty}; output heat: bool; initial step Cold {{ N heat; }} step Warm; \
+             Cold -[temp > 80.5]-> Warm -[temp <= 60.1]-> Cold; {property} }}"
+        )
+    };
+    for ty in ["f32", "f64"] {
+        holds(&chart(ty, "home Cold;"));
+        holds(&chart(ty, "never Warm.X && temp < 60.1 && temp > 60.2;"));
+        let table = fails(&chart(ty, "never Warm.X && temp < 90.0;"), "property_violated", "cycle 2");
+        assert!(table[2].contains("temp > 80.5, temp < 90 "), "{table:#?}");
+        let table = fails(&chart(ty, "never Cold.X && temp == 60.1;"), "property_violated", "the first cycle");
+        assert!(table[1].contains("temp == 60.1"), "{table:#?}");
+    }
+}
+
 /// Variables that change within a cycle of a `grafcet` in ways that are not followed.
 #[test]
 fn unfollowed_within_a_cycle() {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::formula::{Atom, Formula, Kind};
 use crate::analysis::combinational;
+use crate::analysis::logic::{FAR, float, float_constant};
 use crate::model::{
     Binary, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
 };
@@ -88,19 +89,36 @@ impl<'m> Compiler<'m> {
                 _ => {}
             }
         }
-        self.comparison(operator, a, b).unwrap_or_else(|| self.unknown(tree))
+        let found = self.float_comparison(operator, a, b).or_else(|| self.comparison(operator, a, b));
+        found.unwrap_or_else(|| self.unknown(tree))
+    }
+
+    /// A comparison of a float with a literal: its position among all floats is the number. What is no number at all
+    /// (NaN) lies beyond all of them, and only `!=` holds of it.
+    fn float_comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
+        let float = float(self.model, a).or_else(|| float(self.model, b))?;
+        let flipped = flipped(operator)?;
+        let (value, operator, bound) = match (float_constant(a, float), float_constant(b, float)) {
+            (None, Some(bound)) => (a, operator, bound),
+            (Some(bound), None) => (b, flipped, bound),
+            _ => return None,
+        };
+        self.approximate |= !matches!(value, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
+        let atom = self.atom(value, Kind::Number(-FAR, FAR + 1));
+        let below = |bound| Formula::Below(atom, bound);
+        Some(match operator {
+            Binary::Eq => Formula::Equals(atom, bound),
+            Binary::Ne => Formula::Equals(atom, bound).negate(),
+            Binary::Lt => below(bound),
+            Binary::Le => below(bound + 1),
+            Binary::Gt => below(bound + 1).negate().and(below(FAR + 1)),
+            _ => below(bound).negate().and(below(FAR + 1)),
+        })
     }
 
     /// A comparison of a number with a constant, or of two numbers, whose difference then is the number.
     fn comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
-        let flipped = match operator {
-            Binary::Eq | Binary::Ne => operator,
-            Binary::Lt => Binary::Gt,
-            Binary::Le => Binary::Ge,
-            Binary::Gt => Binary::Lt,
-            Binary::Ge => Binary::Le,
-            _ => return None,
-        };
+        let flipped = flipped(operator)?;
         let (number, operator, bound) = match (constant(a), constant(b)) {
             (Some(a), Some(b)) => return Some(Formula::Const(compare(operator, a, b))),
             (None, Some(bound)) => (self.number(a)?, operator, bound),
@@ -344,6 +362,18 @@ impl<'m> Compiler<'m> {
             Tree::Int(_) | Tree::Opaque { .. } => false,
         }
     }
+}
+
+/// `a < b` is `b > a`; none where it is no comparison.
+fn flipped(operator: Binary) -> Option<Binary> {
+    Some(match operator {
+        Binary::Eq | Binary::Ne => operator,
+        Binary::Lt => Binary::Gt,
+        Binary::Le => Binary::Ge,
+        Binary::Gt => Binary::Lt,
+        Binary::Ge => Binary::Le,
+        _ => return None,
+    })
 }
 
 fn var_is_continuous(model: &Model, id: VarId) -> bool {
