@@ -1,5 +1,7 @@
 //! `never`, `always`, `home`: proved, violated by the shortest way, or undecided with a reason.
 
+use std::fmt::Write as _;
+
 use grafcet_compiler::diagnostic::{Diagnostic, Sink};
 use grafcet_compiler::{check, model, parse};
 
@@ -246,15 +248,22 @@ fn unfollowed_within_a_cycle() {
 /// Eight partial grafcets that have nothing to do with each other: too many situations to look at.
 #[test]
 fn budget() {
-    let part = |index: usize| {
-        let conditions = ["a", "!b", "c", "!d", "!a", "b", "!c", "d"];
-        let others: String = (1..8).map(|step| format!("step S{index}{step}; ")).collect();
-        let chain: String =
-            (0..8).map(|step| format!("S{index}{step} -[{}]-> ", conditions[(step + index) % 8])).collect();
-        format!("partial Part{index} {{ initial step S{index}0 {{ q; }} {others} {chain} S{index}0; }} ")
-    };
-    let parts: String = (0..8).map(part).collect();
-    let chart = format!("grafcet Wide {{ input a, b, c, d: bool; output q: bool; {parts}");
+    let mut chart = String::from("grafcet Wide { input a, b, c, d: bool; output q: bool; ");
+    for index in 0..8 {
+        let steps: Vec<String> = (0..8).map(|step| format!("S{index}{step}")).collect();
+        _ = write!(chart, "partial Part{index} {{ initial step {} {{ q; }} ", steps[0]);
+        for step in &steps[1..] {
+            _ = write!(chart, "step {step}; ");
+        }
+        let chain: Vec<String> = steps
+            .iter()
+            .enumerate()
+            .map(|(at, step)| {
+                format!("{step} -[{}]-> ", ["a", "!b", "c", "!d", "!a", "b", "!c", "d"][(at + index) % 8])
+            })
+            .collect();
+        _ = write!(chart, "{}{}; }} ", chain.concat(), steps[0]);
+    }
     // The steps of one partial grafcet exclude each other, whatever the others do.
     holds(&format!("{chart} budget 20; never S00.X && S03.X || S41.X && S47.X; }}"));
     let message = said(&format!("{chart} budget 20; always q; }}"));

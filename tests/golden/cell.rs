@@ -117,32 +117,37 @@ enum __CellRegion0 {
     Stopped,
     Restart,
     INIT,
-    ReadyUnstable,
-    StoppedUnstable,
-    RestartUnstable,
 }
-impl __CellRegion0 {
-    const fn plain(self) -> Self {
-        match self {
-            Self::ReadyUnstable => Self::Ready,
-            Self::StoppedUnstable => Self::Stopped,
-            Self::RestartUnstable => Self::Restart,
-            plain => plain,
+/// A state, and above it the mark of a search that did not become stable.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+struct __CellRegion0Mark(::grafcet::__private::u8);
+impl __CellRegion0Mark {
+    const fn of(state: __CellRegion0) -> Self {
+        Self(state as ::grafcet::__private::u8)
+    }
+    const fn state(self) -> __CellRegion0 {
+        match self.0 & 3u8 {
+            0u8 => __CellRegion0::Ready,
+            1u8 => __CellRegion0::Stopped,
+            2u8 => __CellRegion0::Restart,
+            _ => __CellRegion0::INIT,
         }
     }
-    const fn unstable(self) -> Self {
-        match self {
-            Self::Ready => Self::ReadyUnstable,
-            Self::Stopped => Self::StoppedUnstable,
-            Self::Restart => Self::RestartUnstable,
-            other => other,
-        }
+    const fn unmarked(self) -> Self {
+        Self(self.0 & 3u8)
     }
-    const fn is_unstable(self) -> ::grafcet::__private::bool {
-        match self {
-            Self::ReadyUnstable | Self::StoppedUnstable | Self::RestartUnstable => true,
-            _ => false,
-        }
+    const fn marked(self) -> Self {
+        Self(self.0 | 4u8)
+    }
+    const fn is_marked(self) -> ::grafcet::__private::bool {
+        self.0 & 4u8 != 0
     }
 }
 #[derive(
@@ -182,7 +187,7 @@ enum __CellRegion2 {
     ::grafcet::__private::core::cmp::Eq
 )]
 pub struct Cell {
-    region_0: __CellRegion0,
+    region_0: __CellRegion0Mark,
     region_1: __CellRegion1,
     region_2: __CellRegion2,
     out_clamp: ::grafcet::__private::core::primitive::bool,
@@ -194,7 +199,7 @@ impl Cell {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            region_0: __CellRegion0::INIT,
+            region_0: __CellRegion0Mark::of(__CellRegion0::INIT),
             region_1: __CellRegion1::Idle,
             region_2: __CellRegion2::NONE,
             out_clamp: false,
@@ -261,17 +266,16 @@ impl Cell {
             lamp: false,
             bell: false,
         };
-        self.region_0 = self.region_0.plain();
-        let mut fresh = self.region_0 == __CellRegion0::INIT;
-        if self.region_0 == __CellRegion0::INIT {
-            self.region_0 = __CellRegion0::Ready;
+        self.region_0 = self.region_0.unmarked();
+        let mut fresh = self.region_0.state() == __CellRegion0::INIT;
+        if self.region_0.state() == __CellRegion0::INIT {
+            self.region_0 = __CellRegion0Mark::of(__CellRegion0::Ready);
         }
         let mut evolutions_left: ::grafcet::__private::u32 = 20;
-        let mut stable = true;
         let mut rising_now_0 = false;
         loop {
             let inputs = ::grafcet::__private::core::hint::black_box(inputs);
-            let before_0 = self.region_0;
+            let before_0 = self.region_0.state();
             let before_1 = self.region_1;
             let before_2 = self.region_2;
             let mut after_0 = before_0;
@@ -319,7 +323,7 @@ impl Cell {
                             auto && !start
                         } {
                             after_1 = __CellRegion1::Auto;
-                        }
+                        } else {}
                     }
                     __CellRegion1::Feed => {
                         if inputs.full {
@@ -377,7 +381,7 @@ impl Cell {
                 break;
             }
             if evolutions_left == 0 {
-                stable = false;
+                self.region_0 = self.region_0.marked();
                 self.edge_0 = edge_before_0;
                 break;
             }
@@ -396,11 +400,11 @@ impl Cell {
                 _ => {}
             }
             self.var_n = next_n;
-            self.region_0 = after_0;
+            self.region_0 = __CellRegion0Mark::of(after_0);
             self.region_1 = after_1;
             self.region_2 = after_2;
         }
-        let after_0 = self.region_0;
+        let after_0 = self.region_0.state();
         let after_1 = self.region_1;
         let after_2 = self.region_2;
         match after_0 {
@@ -424,9 +428,6 @@ impl Cell {
             }
             _ => {}
         }
-        if !stable {
-            self.region_0 = self.region_0.unstable();
-        }
         outputs.clamp = self.out_clamp;
         outputs
     }
@@ -440,11 +441,11 @@ impl Cell {
     pub fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
         match step {
             CellStep::Ready => {
-                self.region_0.plain() == __CellRegion0::Ready
-                    || self.region_0.plain() == __CellRegion0::INIT
+                self.region_0.state() == __CellRegion0::Ready
+                    || self.region_0.state() == __CellRegion0::INIT
             }
-            CellStep::Stopped => self.region_0.plain() == __CellRegion0::Stopped,
-            CellStep::Restart => self.region_0.plain() == __CellRegion0::Restart,
+            CellStep::Stopped => self.region_0.state() == __CellRegion0::Stopped,
+            CellStep::Restart => self.region_0.state() == __CellRegion0::Restart,
             CellStep::Idle => self.region_1 == __CellRegion1::Idle,
             CellStep::Feed => self.region_1 == __CellRegion1::Feed,
             CellStep::Close => self.region_1 == __CellRegion1::Close,
@@ -457,15 +458,15 @@ impl Cell {
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
         let mut steps = ::grafcet::__private::heapless::Vec::new();
-        if self.region_0.plain() == __CellRegion0::Ready
-            || self.region_0.plain() == __CellRegion0::INIT
+        if self.region_0.state() == __CellRegion0::Ready
+            || self.region_0.state() == __CellRegion0::INIT
         {
             let _ = steps.push(CellStep::Ready);
         }
-        if self.region_0.plain() == __CellRegion0::Stopped {
+        if self.region_0.state() == __CellRegion0::Stopped {
             let _ = steps.push(CellStep::Stopped);
         }
-        if self.region_0.plain() == __CellRegion0::Restart {
+        if self.region_0.state() == __CellRegion0::Restart {
             let _ = steps.push(CellStep::Restart);
         }
         if self.region_1 == __CellRegion1::Idle {
@@ -492,7 +493,7 @@ impl Cell {
     #[must_use]
     pub const fn situation(&self) -> CellSituation {
         CellSituation {
-            region_0: match self.region_0.plain() {
+            region_0: match self.region_0.state() {
                 __CellRegion0::INIT => __CellRegion0::Ready,
                 entered => entered,
             },
@@ -504,7 +505,7 @@ impl Cell {
     /// and keeps the situation it had reached (decision A30).
     #[must_use]
     pub const fn is_stable(&self) -> ::grafcet::__private::bool {
-        !self.region_0.is_unstable()
+        !self.region_0.is_marked()
     }
 }
 impl ::grafcet::__private::Chart for Cell {

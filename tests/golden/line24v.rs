@@ -93,37 +93,37 @@ enum __Line24VState {
     S2,
     S3,
     S4,
-    S1Unstable,
-    S2Unstable,
-    S3Unstable,
-    S4Unstable,
 }
-impl __Line24VState {
-    const fn plain(self) -> Self {
-        match self {
-            Self::S1Unstable => Self::S1,
-            Self::S2Unstable => Self::S2,
-            Self::S3Unstable => Self::S3,
-            Self::S4Unstable => Self::S4,
-            plain => plain,
+/// A state, and above it the mark of a search that did not become stable.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::fmt::Debug,
+)]
+#[doc(hidden)]
+struct __Line24VStateMark(::grafcet::__private::u8);
+impl __Line24VStateMark {
+    const fn of(state: __Line24VState) -> Self {
+        Self(state as ::grafcet::__private::u8)
+    }
+    const fn state(self) -> __Line24VState {
+        match self.0 & 3u8 {
+            0u8 => __Line24VState::S1,
+            1u8 => __Line24VState::S2,
+            2u8 => __Line24VState::S3,
+            _ => __Line24VState::S4,
         }
     }
-    const fn unstable(self) -> Self {
-        match self {
-            Self::S1 => Self::S1Unstable,
-            Self::S2 => Self::S2Unstable,
-            Self::S3 => Self::S3Unstable,
-            Self::S4 => Self::S4Unstable,
-            other => other,
-        }
+    const fn unmarked(self) -> Self {
+        Self(self.0 & 3u8)
     }
-    const fn is_unstable(self) -> ::grafcet::__private::bool {
-        match self {
-            Self::S1Unstable | Self::S2Unstable | Self::S3Unstable | Self::S4Unstable => {
-                true
-            }
-            _ => false,
-        }
+    const fn marked(self) -> Self {
+        Self(self.0 | 4u8)
+    }
+    const fn is_marked(self) -> ::grafcet::__private::bool {
+        self.0 & 4u8 != 0
     }
 }
 /// The 24 V production line.
@@ -135,7 +135,7 @@ impl __Line24VState {
     ::grafcet::__private::core::cmp::Eq
 )]
 pub struct Line24V {
-    situation: __Line24VState,
+    situation: __Line24VStateMark,
     out_q2: ::grafcet::__private::core::primitive::bool,
 }
 impl Line24V {
@@ -143,7 +143,7 @@ impl Line24V {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            situation: __Line24VState::S1,
+            situation: __Line24VStateMark::of(__Line24VState::S1),
             out_q2: false,
         }
     }
@@ -162,21 +162,19 @@ impl Line24V {
             q2: false,
             q3: false,
         };
-        self.situation = self.situation.plain();
+        self.situation = self.situation.unmarked();
         let mut evolutions_left: ::grafcet::__private::u32 = 10;
-        let mut stable = true;
         loop {
             let inputs = ::grafcet::__private::core::hint::black_box(inputs);
-            let before = self.situation;
+            let before = self.situation.state();
             let after = match before {
                 __Line24VState::S1 => if inputs.b1 { __Line24VState::S2 } else { break }
                 __Line24VState::S2 => if inputs.b2 { __Line24VState::S3 } else { break }
                 __Line24VState::S3 => if inputs.b3 { __Line24VState::S4 } else { break }
                 __Line24VState::S4 => if inputs.b4 { __Line24VState::S1 } else { break }
-                _ => break,
             };
             if evolutions_left == 0 {
-                stable = false;
+                self.situation = self.situation.marked();
                 break;
             }
             evolutions_left -= 1;
@@ -189,12 +187,12 @@ impl Line24V {
                 }
                 _ => {}
             }
-            self.situation = after;
+            self.situation = __Line24VStateMark::of(after);
         }
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
-        let after = self.situation;
+        let after = self.situation.state();
         match after {
             __Line24VState::S1 => {
                 outputs.q1 = true;
@@ -205,9 +203,6 @@ impl Line24V {
                 }
             }
             _ => {}
-        }
-        if !stable {
-            self.situation = self.situation.unstable();
         }
         outputs.q2 = self.out_q2;
         outputs
@@ -232,22 +227,18 @@ impl Line24V {
     /// The situation: which steps are active.
     #[must_use]
     pub const fn situation(&self) -> Line24VStep {
-        match self.situation {
+        match self.situation.state() {
             __Line24VState::S1 => Line24VStep::S1,
             __Line24VState::S2 => Line24VStep::S2,
             __Line24VState::S3 => Line24VStep::S3,
             __Line24VState::S4 => Line24VStep::S4,
-            __Line24VState::S1Unstable => Line24VStep::S1,
-            __Line24VState::S2Unstable => Line24VStep::S2,
-            __Line24VState::S3Unstable => Line24VStep::S3,
-            __Line24VState::S4Unstable => Line24VStep::S4,
         }
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).
     #[must_use]
     pub const fn is_stable(&self) -> ::grafcet::__private::bool {
-        !self.situation.is_unstable()
+        !self.situation.is_marked()
     }
 }
 impl ::grafcet::__private::Chart for Line24V {

@@ -1,5 +1,6 @@
 //! Tasks of the project: `cargo xtask <task>`.
 
+mod bench;
 mod bless;
 mod ci;
 mod command;
@@ -16,6 +17,8 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 Usage: cargo xtask <task>
 
+  bench check [NAME]
+            how long charts take to compile in a compiler without optimisation; only those whose name holds NAME
   brute [--charts N] [--first N] [--cycles N] [--shrink N]
             what the checker says about random charts, beside a naive exploration
   bless     record the expansions and messages anew that the tests compare with
@@ -31,6 +34,8 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
+        ["bench", "check"] => bench::check(None),
+        ["bench", "check", name] => bench::check(Some(name)),
         ["bless"] => bless::run(),
         ["brute", ref rest @ ..] => conformance::brute(rest),
         ["ci"] => ci::run(),

@@ -34,7 +34,7 @@ impl Relation {
 
     /// Everything related to `a`, ascending.
     pub fn of(&self, a: usize) -> impl Iterator<Item = usize> + '_ {
-        self.row(a).iter().enumerate().flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit))
+        set(self.row(a))
     }
 
     /// Everything related to all of `items` (everything there is, if there are none) and not yet to `to`, ascending.
@@ -49,8 +49,7 @@ impl Relation {
         for (word, known) in words.iter_mut().zip(self.row(to)) {
             *word &= !known;
         }
-        let found = words.iter().enumerate().flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit));
-        found.take_while(|item| *item < self.size).collect()
+        set(&words).take_while(|item| *item < self.size).collect()
     }
 
     fn row(&self, a: usize) -> &[u64] {
@@ -58,7 +57,13 @@ impl Relation {
     }
 }
 
-/// The positions of the set bits, ascending.
+/// The positions of the set bits of a row, ascending.
+fn set(row: &[u64]) -> impl Iterator<Item = usize> + '_ {
+    let some = row.iter().enumerate().filter(|(_, word)| **word != 0);
+    some.flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit))
+}
+
+/// The same of one word.
 fn bits(mut word: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = word.trailing_zeros();

@@ -16,7 +16,9 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
     }
     let mut reported: BTreeSet<TransitionId> = BTreeSet::new();
     let mut waiting: BTreeSet<StepId> = BTreeSet::new();
-    let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join);
+    // Of convergences that never clear nothing has been said before.
+    let joins: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join && !joins.contains(id));
     for stuck in exploration.stuck_joins() {
         if stuck.culprit.is_none() && others_dead(stuck.join) {
             continue;

@@ -242,8 +242,7 @@ fn situation(cx: &Cx<'_>) -> TokenStream {
         });
         return quote!(#name { #(#regions)* });
     }
-    let field = names::region_field(0, cx.plan);
-    let unstable = cx.has_unstable_twins(0).then(|| unstable_steps(cx));
+    let state = cx.plain_state(0);
     let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
         let (variant, name) = (cx.variant(*id), step_name(cx, *id));
         let starting = (cx.has_start_variant(0) && cx.plan.initial.contains(id)).then(|| {
@@ -252,18 +251,7 @@ fn situation(cx: &Cx<'_>) -> TokenStream {
         });
         quote!(#variant #starting => #name,)
     });
-    quote!(match self.#field { #(#arms)* #unstable })
-}
-
-/// The states after an unstable search, as the steps they stand for.
-fn unstable_steps(cx: &Cx<'_>) -> TokenStream {
-    let region = cx.names.region(0, cx.plan);
-    let arms = cx.plan.regions.all()[0].steps.iter().map(|id| {
-        let twin = names::unstable_twin(cx.model, &names::private_variant(cx.model, *id));
-        let name = step_name(cx, *id);
-        quote!(#region::#twin => #name,)
-    });
-    arms.collect()
+    quote!(match #state { #(#arms)* })
 }
 
 /// `MotorSituation`: the states of all regions.
@@ -271,7 +259,7 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
     if cx.plan.regions.is_single() {
         return None;
     }
-    let Cx { model, p, names, plan } = cx;
+    let Cx { model, p, names, plan, .. } = cx;
     let (vis, name, step, chart) = (&model.vis, &names.situation, &names.step, &names.chart);
     let fields = (0..plan.regions.all().len()).map(|region| {
         let (field, ty) = (names::region_field(region, plan), cx.names.region(region, plan));
@@ -317,7 +305,7 @@ fn is_stable(cx: &Cx<'_>) -> Option<TokenStream> {
         return None;
     }
     let field = names::region_field(0, cx.plan);
-    let value = if cx.plan.may_be_unstable { quote!(!self.#field.is_unstable()) } else { quote!(true) };
+    let value = if cx.plan.may_be_unstable { quote!(!self.#field.is_marked()) } else { quote!(true) };
     Some(quote! {
         /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
         /// and keeps the situation it had reached (decision A30).

@@ -56,7 +56,7 @@ impl Cx<'_> {
             quote!(let mut #number: #ty = 0;)
         });
         let held = target.remembers_held.iter().map(|id| {
-            let (before, held) = self.held(*id, index, target);
+            let (before, held) = self.held_before(*id, index, target);
             quote!(let #before = self.#held; self.#held = false;)
         });
         quote!(#(#flags)* #(#restarts)* #(#left)* #(#numbers)* #(#held)*)
@@ -75,7 +75,7 @@ impl Cx<'_> {
             set.extend(quote!(self.#field = #number;));
         }
         if target.remembers_held.contains(&id) {
-            let held = self.held(id, index, target).1;
+            let held = self.held_before(id, index, target).1;
             set.extend(quote!(self.#held = true;));
         }
         if let Some(condition) = &association.condition {
@@ -147,7 +147,7 @@ impl Cx<'_> {
     }
 
     /// Whether the condition of an association held in the cycle before: the local, and the field.
-    fn held(&self, id: AssociationId, index: usize, target: &Target) -> (Ident, Ident) {
+    fn held_before(&self, id: AssociationId, index: usize, target: &Target) -> (Ident, Ident) {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         (name(&format!("before_{}", names::held(target, id))), name(&names::held(target, id)))
     }
@@ -288,7 +288,7 @@ impl Cx<'_> {
                 return None;
             }
             let left = self.left(index, target, association.qualifier);
-            let note = match target.remembers_held.contains(&id).then(|| self.held(id, index, target).0) {
+            let note = match target.remembers_held.contains(&id).then(|| self.held_before(id, index, target).0) {
                 Some(before) => quote!(#left |= #before;),
                 None => quote!(#left = true;),
             };

@@ -19,12 +19,12 @@ impl Cx<'_> {
     /// The situation before the evolution.
     pub(super) fn befores(&self) -> TokenStream {
         let regions = (0..self.plan.regions.all().len()).map(|region| {
-            let (before, field) = (names::before(region, self.plan), names::region_field(region, self.plan));
+            let (before, state) = (names::before(region, self.plan), self.plain_state(region));
             if self.enters_first(region) {
                 let (first, start, empty) = (names::before(0, self.plan), self.start(), self.empty(region));
-                return quote!(let #before = if #first == #start { #empty } else { self.#field };);
+                return quote!(let #before = if #first == #start { #empty } else { #state };);
             }
-            quote!(let #before = self.#field;)
+            quote!(let #before = #state;)
         });
         quote!(#(#regions)*)
     }
@@ -52,8 +52,8 @@ impl Cx<'_> {
     /// The situation after the evolution becomes the chart's.
     pub(super) fn commit(&self) -> TokenStream {
         let regions = (0..self.plan.regions.all().len()).map(|region| {
-            let (field, after) = (names::region_field(region, self.plan), names::after(region, self.plan));
-            quote!(self.#field = #after;)
+            let after = names::after(region, self.plan);
+            self.set_state(region, &quote!(#after))
         });
         quote!(#(#regions)*)
     }

@@ -67,15 +67,15 @@ impl Cx<'_> {
         let (active, since) = match clock {
             Clock::Step(step) => {
                 let region = self.plan.regions.of_step(step);
-                let (field, variant) = (names::region_field(region, self.plan), self.variant(step));
+                let (state, variant) = (self.plain_state(region), self.variant(step));
                 let since = names::step_time(region, self.plan);
-                (quote!(self.#field == #variant), quote!(self.#since))
+                (quote!(#state == #variant), quote!(self.#since))
             }
             Clock::Macro(id) => {
                 let active = self.model.macros[id].steps.iter().map(|step| {
-                    let field = names::region_field(self.plan.regions.of_step(*step), self.plan);
+                    let state = self.plain_state(self.plan.regions.of_step(*step));
                     let variant = self.variant(*step);
-                    quote!(self.#field == #variant)
+                    quote!(#state == #variant)
                 });
                 let (active, since) = (active.collect::<Vec<_>>(), names::macro_time(id));
                 (quote!(#(#active)||*), quote!(self.#since))

@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::bind::Moment;
+use super::branches::Branch;
 use super::{Cx, names};
-use crate::model::{Id, PartialId, StepId, Transition, TransitionId, Tree};
+use crate::model::{Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
 
 impl Cx<'_> {
@@ -48,7 +49,7 @@ impl Cx<'_> {
     /// Whether the evolution is one `match` from a step to the next: one region, each transition from one step to one,
     /// and in a `grafcet` no change but that of the situation.
     pub(super) fn is_one_match(&self) -> bool {
-        let search = self.collected_unchanged().is_empty()
+        let search = self.only_situation
             && self.model.transitions.values().any(|t| t.sources != t.targets)
             && self.plan.evolution.exclusive.iter().all(|exclusive| *exclusive);
         self.plan.regions.is_single()
@@ -87,19 +88,19 @@ impl Cx<'_> {
 
     /// `{ if … { On } else { Off } }`
     fn next_step(&self, step: StepId) -> TokenStream {
-        let mut chain = TokenStream::new();
-        for id in &self.plan.evolution.owned[step.index()] {
-            let transition = &self.model.transitions[*id];
-            let clear = self.clear_to(*id);
-            match self.enabled(transition) {
-                Some(condition) => chain.extend(quote!(if #condition { #clear } else)),
-                None if chain.is_empty() => return quote!({ #clear }),
-                // Always fireable: nothing behind it in the chain can clear.
-                None => return quote!({ #chain { #clear } }),
-            }
-        }
+        let leaving = &self.plan.evolution.owned[step.index()];
         let stay = self.stay(step);
-        if chain.is_empty() { stay } else { quote!({ #chain { #stay } }) }
+        if leaving.is_empty() {
+            return stay;
+        }
+        let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });
+        self.branches(branches.collect(), &stay)
+    }
+
+    /// The condition of a transition, `None` for `true`.
+    fn condition(&self, id: TransitionId) -> Option<Expr> {
+        let condition = &self.model.transitions[id].condition;
+        (condition.tree != Tree::Bool(true)).then(|| condition.clone())
     }
 
     /// A path on which nothing clears: in a search it is the end of it.
@@ -167,6 +168,10 @@ impl Cx<'_> {
     /// `if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude each
     /// other.
     fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
+        if leaving.len() > 1 && leaving.iter().all(|id| self.model.transitions[*id].sources.len() == 1) {
+            let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear(*id) });
+            return self.branches(branches.collect(), &TokenStream::new());
+        }
         let mut chain = TokenStream::new();
         for (i, id) in leaving.iter().enumerate() {
             let clear = self.clear(*id);

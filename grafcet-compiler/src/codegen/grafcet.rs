@@ -20,9 +20,9 @@ impl Cx<'_> {
         let continuous = self.continuous();
         let calls = self.continuous_calls();
         let result = self.result();
-        let (forget, note) = self.note_instability();
+        let forget = self.forget_instability();
         // The outputs come first: behind the search, the compiler would clear them again in every arm.
-        quote!(#outputs #forget #time #start #search #stable #continuous #calls #note #result)
+        quote!(#outputs #forget #time #start #search #stable #continuous #calls #result)
     }
 
     /// A37: the activation of the initial situation is an evolution of its own. Delays are sampled on the initial situation
@@ -32,17 +32,17 @@ impl Cx<'_> {
         if !self.plan.has_start {
             return delays;
         }
-        let (field, initial, first) = (names::region_field(0, self.plan), self.initial(0), self.first());
+        let (first, enter) = (self.first(), self.set_state(0, &self.initial(0)));
         let stored = self.initial_stored();
         let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(let mut fresh = #first;));
         if delays.is_empty() || stored.is_empty() {
-            return quote!(#fresh if #first { self.#field = #initial; #stored } #delays);
+            return quote!(#fresh if #first { #enter #stored } #delays);
         }
         quote! {
             #fresh
             let first = #first;
             if first {
-                self.#field = #initial;
+                #enter
             }
             #delays
             if first { #stored }
@@ -129,12 +129,13 @@ impl Cx<'_> {
         let put_back = self.keep_edges().1;
         let declare = quote! {
             let mut evolutions_left: #p::u32 = #limit;
-            let mut stable = true;
         };
         let unsettle = self.unsettle();
+        let field = names::region_field(0, self.plan);
+        let mark = quote!(self.#field = self.#field.marked(););
         let bound = quote! {
             if evolutions_left == 0 {
-                stable = false;
+                #mark
                 #unsettle
                 #put_back
                 break;
@@ -144,13 +145,12 @@ impl Cx<'_> {
         (declare, bound)
     }
 
-    /// The mark of an unstable search is taken away at the begin of a cycle and set at its end.
-    fn note_instability(&self) -> (TokenStream, TokenStream) {
-        if !self.plan.may_be_unstable {
-            return (TokenStream::new(), TokenStream::new());
-        }
-        let field = names::region_field(0, self.plan);
-        (quote!(self.#field = self.#field.plain();), quote!(if !stable { self.#field = self.#field.unstable(); }))
+    /// The mark of an unstable search is taken away at the begin of the next cycle.
+    fn forget_instability(&self) -> Option<TokenStream> {
+        self.is_marked(0).then(|| {
+            let field = names::region_field(0, self.plan);
+            quote!(self.#field = self.#field.unmarked();)
+        })
     }
 
     /// The situation the search has reached, for the continuous actions.
@@ -160,8 +160,8 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let states = (0..self.plan.regions.all().len()).map(|region| {
-            let (after, field) = (names::after(region, self.plan), names::region_field(region, self.plan));
-            quote!(let #after = self.#field;)
+            let (after, state) = (names::after(region, self.plan), self.plain_state(region));
+            quote!(let #after = #state;)
         });
         let combinational = self.all_combinational(Moment::Stable);
         quote!(#(#states)* #combinational)

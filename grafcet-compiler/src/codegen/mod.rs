@@ -1,6 +1,7 @@
 //! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
 
 mod bind;
+mod branches;
 mod chart_impl;
 mod control;
 mod cycle;
@@ -35,11 +36,14 @@ struct Cx<'m> {
     names: Names,
     /// The facade's hidden module, by absolute path.
     p: TokenStream,
+    /// An evolution changes the situation or nothing.
+    only_situation: bool,
 }
 
 /// The items of a chart.
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
-    let cx = Cx { model, plan, names: Names::of(model), p: quote!(#root::__private) };
+    let mut cx = Cx { model, plan, names: Names::of(model), p: quote!(#root::__private), only_situation: false };
+    cx.only_situation = cx.collected_unchanged().is_empty();
     let types = types::all(&cx);
     let recipe = recipe::all(&cx);
     let state = state::all(&cx);

@@ -1,5 +1,7 @@
 //! Every name in the generated code.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -38,6 +40,7 @@ impl Names {
     pub(super) fn of(model: &Model) -> Self {
         let chart = &model.name;
         let with = |suffix: &str| format_ident!("{chart}{suffix}");
+        let steps: BTreeSet<String> = model.steps.values().map(|step| step.name.to_string()).collect();
         Self {
             chart: chart.clone(),
             inputs: with("Inputs"),
@@ -47,7 +50,7 @@ impl Names {
             situation: with("Situation"),
             params: with("Params"),
             actions: with("Actions"),
-            empty: fresh(model, "NONE"),
+            empty: fresh(&steps, "NONE"),
             start: local("INIT"),
             transitions: transitions(model),
         }
@@ -61,6 +64,11 @@ impl Names {
             _ => format!("__{chart}Region{region}"),
         };
         Ident::new(&name.replace("r#", ""), Span::mixed_site().located_at(chart.span()))
+    }
+
+    /// The first region's state together with the mark of an unstable search.
+    pub(super) fn marked(&self, plan: &Plan) -> Ident {
+        format_ident!("{}Mark", self.region(0, plan))
     }
 
     /// The variant of a transition in `MotorTransition`.
@@ -264,11 +272,6 @@ pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
     name
 }
 
-/// The variant of a state after an unstable search.
-pub(super) fn unstable_twin(model: &Model, state: &Ident) -> Ident {
-    fresh(model, &format!("{}Unstable", state.to_string().trim_start_matches("r#")))
-}
-
 /// Whether a block has written a place: `written_speed`.
 pub(super) fn written(name: &Ident) -> Ident {
     prefixed("written_", name)
@@ -284,9 +287,9 @@ fn prefixed(prefix: &str, name: &Ident) -> Ident {
 }
 
 /// `name`, with underscores behind it until no step is called so.
-fn fresh(model: &Model, name: &str) -> Ident {
+fn fresh(steps: &BTreeSet<String>, name: &str) -> Ident {
     let mut name = name.to_owned();
-    while model.steps.values().any(|step| step.name == name) {
+    while steps.contains(&name) {
         name.push('_');
     }
     local(&name)
@@ -294,7 +297,7 @@ fn fresh(model: &Model, name: &str) -> Ident {
 
 /// `Go` for `-[go: x]->`; else from the steps, `OffToOn`; numbered where that is taken.
 fn transitions(model: &Model) -> Vec<Ident> {
-    let mut taken = std::collections::BTreeSet::new();
+    let mut taken = BTreeSet::new();
     let mut names = vec![None; model.transitions.len()];
     // The names the user chose come first.
     for (id, transition) in model.transitions.iter() {

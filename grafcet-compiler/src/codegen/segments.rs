@@ -1,5 +1,7 @@
 //! Actions in their order, as few `match`es as that allows.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -22,6 +24,8 @@ struct Segment {
     before: bool,
     region: RegionId,
     arms: Vec<(StepId, TokenStream)>,
+    /// Where each step's arm stands.
+    places: BTreeMap<StepId, usize>,
 }
 
 impl Cx<'_> {
@@ -46,14 +50,17 @@ impl Cx<'_> {
             let region = self.plan.regions.of_step(step);
             match &mut open {
                 Some(segment) if segment.before == before && segment.region == region => {
-                    match segment.arms.iter_mut().find(|(other, _)| *other == step) {
-                        Some((_, arm)) => arm.extend(body),
-                        None => segment.arms.push((step, body)),
-                    }
+                    let arms = &mut segment.arms;
+                    let place = *segment.places.entry(step).or_insert_with(|| {
+                        arms.push((step, TokenStream::new()));
+                        arms.len() - 1
+                    });
+                    arms[place].1.extend(body);
                 }
                 _ => {
                     tokens.extend(open.take().map(|segment| self.segment(segment)));
-                    open = Some(Segment { before, region, arms: vec![(step, body)] });
+                    open =
+                        Some(Segment { before, region, arms: vec![(step, body)], places: BTreeMap::from([(step, 0)]) });
                 }
             }
         }
@@ -62,7 +69,7 @@ impl Cx<'_> {
     }
 
     fn segment(&self, segment: Segment) -> TokenStream {
-        let Segment { before, region, arms } = segment;
+        let Segment { before, region, arms, .. } = segment;
         let state = if before { names::before(region, self.plan) } else { names::after(region, self.plan) };
         let rest = (arms.len() < self.states(region)).then(|| quote!(_ => {}));
         let arms = arms.iter().map(|(step, body)| {
@@ -76,8 +83,7 @@ impl Cx<'_> {
     pub(super) fn states(&self, region: RegionId) -> usize {
         let plan = &self.plan.regions.all()[region];
         let states = plan.steps.len() + usize::from(plan.may_be_empty);
-        let twins = if self.has_unstable_twins(region) { states } else { 0 };
-        states + twins + usize::from(self.has_start_variant(region))
+        states + usize::from(self.has_start_variant(region))
     }
 
     /// `body`, if the step has been left.
@@ -104,7 +110,7 @@ impl Cx<'_> {
 
     /// In the search of a chart with one region, an evolution that changes anything goes from one step to another.
     fn always_moves(&self) -> bool {
-        self.model.is_grafcet() && self.plan.regions.all().len() == 1 && self.collected_unchanged().is_empty()
+        self.model.is_grafcet() && self.plan.regions.all().len() == 1 && self.only_situation
     }
 
     /// `|| again`, where a step of the region can be left and entered in one evolution.

@@ -1,6 +1,6 @@
 //! The chart's struct and the private enums of its regions.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::{Cx, names, types};
@@ -21,52 +21,67 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     let steps = region.steps.iter().map(|step| names::private_variant(cx.model, *step));
     let empty = region.may_be_empty.then(|| cx.names.empty.clone());
     let start = cx.has_start_variant(id).then(|| cx.names.start.clone());
-    let variants = steps.chain(empty).chain(start);
-    let (twins, twin_methods) = unstable_twins(cx, id);
+    let variants: Vec<Ident> = steps.chain(empty).chain(start).collect();
+    let marked = cx.is_marked(id).then(|| marked(cx, &variants));
     quote! {
         #[derive(
             #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
             #p::core::fmt::Debug,
         )]
         #[doc(hidden)]
-        enum #name { #(#variants,)* #twins }
+        enum #name { #(#variants,)* }
 
-        #twin_methods
+        #marked
     }
 }
 
-/// A30: that the last search did not become stable is told by a second variant for each state of the first region, so
-/// that it takes no byte of its own.
-fn unstable_twins(cx: &Cx<'_>, id: RegionId) -> (TokenStream, TokenStream) {
-    if !cx.has_unstable_twins(id) {
-        return (TokenStream::new(), TokenStream::new());
-    }
+/// A30: that the last search did not become stable is told by a bit above the first region's state, so that it takes no
+/// byte of its own.
+fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
     let p = &cx.p;
-    let region = &cx.plan.regions.all()[id];
-    let name = cx.names.region(id, cx.plan);
-    let states: Vec<Ident> = region
-        .steps
-        .iter()
-        .map(|step| names::private_variant(cx.model, *step))
-        .chain(region.may_be_empty.then(|| cx.names.empty.clone()))
-        .collect();
-    let twins: Vec<Ident> = states.iter().map(|state| names::unstable_twin(cx.model, state)).collect();
-    let methods = quote! {
+    let (name, state) = (cx.names.marked(cx.plan), cx.names.region(0, cx.plan));
+    let mark = variants.len().next_power_of_two();
+    let (number, literal): (_, fn(usize) -> Literal) = match mark {
+        0..=128 => (quote!(#p::u8), |n| Literal::u8_suffixed(u8::try_from(n).unwrap_or(u8::MAX))),
+        _ => (quote!(#p::u16), |n| Literal::u16_suffixed(u16::try_from(n).unwrap_or(u16::MAX))),
+    };
+    let (mark, below) = (literal(mark), literal(mark - 1));
+    let last = variants.last();
+    let arms = variants.iter().enumerate().take(variants.len() - 1).map(|(i, variant)| {
+        let number = literal(i);
+        quote!(#number => #state::#variant,)
+    });
+    quote! {
+        /// A state, and above it the mark of a search that did not become stable.
+        #[derive(
+            #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
+            #p::core::fmt::Debug,
+        )]
+        #[doc(hidden)]
+        struct #name(#number);
+
         impl #name {
-            const fn plain(self) -> Self {
-                match self { #(Self::#twins => Self::#states,)* plain => plain }
+            const fn of(state: #state) -> Self {
+                Self(state as #number)
             }
 
-            const fn unstable(self) -> Self {
-                match self { #(Self::#states => Self::#twins,)* other => other }
+            const fn state(self) -> #state {
+                match self.0 & #below { #(#arms)* _ => #state::#last }
             }
 
-            const fn is_unstable(self) -> #p::bool {
-                match self { #(Self::#twins)|* => true, _ => false }
+            const fn unmarked(self) -> Self {
+                Self(self.0 & #below)
+            }
+
+            const fn marked(self) -> Self {
+                Self(self.0 | #mark)
+            }
+
+            const fn is_marked(self) -> #p::bool {
+                self.0 & #mark != 0
             }
         }
-    };
-    (quote!(#(#twins,)*), methods)
+    }
 }
 
 /// A field of the chart's struct.
@@ -83,15 +98,30 @@ impl Cx<'_> {
     }
 
     /// The first region's state also says that the last search did not become stable.
-    pub(super) fn has_unstable_twins(&self, region: RegionId) -> bool {
+    pub(super) fn is_marked(&self, region: RegionId) -> bool {
         region == 0 && self.plan.may_be_unstable
     }
 
-    /// The state of a region between two cycles, without the mark of an unstable search.
+    /// The state of a region as the chart holds it.
     pub(super) fn plain_state(&self, region: RegionId) -> TokenStream {
         let field = names::region_field(region, self.plan);
-        let plain = self.has_unstable_twins(region).then(|| quote!(.plain()));
-        quote!(self.#field #plain)
+        let state = self.is_marked(region).then(|| quote!(.state()));
+        quote!(self.#field #state)
+    }
+
+    /// `state` as a value of the region's field.
+    fn held(&self, region: RegionId, state: &TokenStream) -> TokenStream {
+        if !self.is_marked(region) {
+            return state.clone();
+        }
+        let marked = self.names.marked(self.plan);
+        quote!(#marked::of(#state))
+    }
+
+    /// The chart holds `state` from now on.
+    pub(super) fn set_state(&self, region: RegionId, state: &TokenStream) -> TokenStream {
+        let (field, held) = (names::region_field(region, self.plan), self.held(region, state));
+        quote!(self.#field = #held;)
     }
 
     /// `__MotorState::INIT`
@@ -126,10 +156,14 @@ impl Cx<'_> {
         let one = |region| Field {
             name: names::region_field(region, self.plan),
             ty: {
-                let name = self.names.region(region, self.plan);
+                let marked = self.is_marked(region).then(|| self.names.marked(self.plan));
+                let name = marked.unwrap_or_else(|| self.names.region(region, self.plan));
                 quote!(#name)
             },
-            initial: if self.has_start_variant(region) { self.start() } else { self.initial(region) },
+            initial: {
+                let start = self.has_start_variant(region);
+                self.held(region, &if start { self.start() } else { self.initial(region) })
+            },
         };
         (0..self.plan.regions.all().len()).map(one).collect()
     }

@@ -9,7 +9,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::segments::Item;
 use super::{Cx, names, types};
-use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, TransitionId};
+use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, Transition, TransitionId};
 use crate::plan::{is_stored, source_order};
 
 /// When an association of a `grafcet` acts.
@@ -113,7 +113,7 @@ impl Cx<'_> {
         let effects = self.model.transitions[id].clearing.iter();
         let writes = effects.filter(|effect| !matches!(effect, Effect::Call(..)));
         let writes = writes.map(|effect| self.stored_effect(effect, Moment::Stored));
-        let call = self.clearing_calls().any(|other| other == id).then(|| {
+        let call = calls_on_clearing(&self.model.transitions[id]).then(|| {
             let due = names::due("clearing", id.index());
             quote!(#due = true;)
         });
@@ -121,8 +121,7 @@ impl Cx<'_> {
     }
 
     fn clearing_calls(&self) -> impl Iterator<Item = TransitionId> + '_ {
-        let calls = |effect: &Effect| matches!(effect, Effect::Call(..));
-        self.model.transitions.iter().filter(move |(_, t)| t.clearing.iter().any(calls)).map(|(id, _)| id)
+        self.model.transitions.iter().filter(|(_, transition)| calls_on_clearing(transition)).map(|(id, _)| id)
     }
 
     /// Calls on an event, by the number of their association.
@@ -220,6 +219,10 @@ impl Cx<'_> {
         let field = names::place_field(self.model, place);
         quote!(self.#field)
     }
+}
+
+fn calls_on_clearing(transition: &Transition) -> bool {
+    transition.clearing.iter().any(|effect| matches!(effect, Effect::Call(..)))
 }
 
 fn is_event_call(association: &Association) -> bool {

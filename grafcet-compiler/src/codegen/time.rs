@@ -205,7 +205,7 @@ impl Cx<'_> {
         if !self.plan.has_start {
             return quote!(false);
         }
-        let (field, start) = (names::region_field(0, self.plan), self.start());
-        quote!(self.#field == #start)
+        let (state, start) = (self.plain_state(0), self.start());
+        quote!(#state == #start)
     }
 }

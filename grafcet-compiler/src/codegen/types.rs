@@ -44,7 +44,7 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let (by_derive, default) = default_outputs(cx);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     // Processors without unaligned stores clear many single bytes through a call, words at once.
-    let align = (model.outputs.len() > 8).then(|| quote!(#[repr(align(4))]));
+    let align = (model.outputs.len() > 4).then(|| quote!(#[repr(align(4))]));
     quote! {
         #[doc = #doc]
         #[derive(#derives #by_derive)]

@@ -4,6 +4,8 @@
 //! assignment or block under N, P1 or P0 runs in them. What is left over gets a [`Target`]: its flags are collected
 //! first, then its Q is computed, then it runs in its place.
 
+use std::collections::BTreeMap;
+
 use crate::analysis::Concurrency;
 use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier};
 
@@ -78,15 +80,15 @@ impl Control {
         if model.dialect != Dialect::Sfc {
             return control;
         }
-        let mut keys: Vec<Key> = Vec::new();
+        let mut numbers: BTreeMap<Key, usize> = BTreeMap::new();
+        let simple = simple_outputs(model);
         for id in source_order(model) {
             let association = &model.associations[id];
             let key = key(id, &association.effect);
-            if is_local(model, &key, association) {
+            if is_local(&simple, association) {
                 continue;
             }
-            let target = keys.iter().position(|other| *other == key).unwrap_or_else(|| {
-                keys.push(key);
+            let target = *numbers.entry(key).or_insert_with(|| {
                 let what = match association.effect {
                     Effect::Control(place) => What::Boolean(place),
                     _ => What::Runs,
@@ -99,7 +101,7 @@ impl Control {
                     remembers_association: false,
                     remembers_held: Vec::new(),
                 });
-                keys.len() - 1
+                control.targets.len() - 1
             });
             control.targets[target].associations.push(id);
             control.of_association[id.index()] = Some(target);
@@ -119,7 +121,7 @@ pub fn source_order(model: &Model) -> impl Iterator<Item = AssociationId> + '_ {
 }
 
 /// What makes two associations one target.
-#[derive(PartialEq, Eq)]
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Place(Place),
     Action(usize),
@@ -134,16 +136,24 @@ fn key(id: AssociationId, effect: &Effect) -> Key {
     }
 }
 
-/// Whether the arms of the step do it all.
-fn is_local(model: &Model, key: &Key, association: &Association) -> bool {
-    let simple = |a: &Association| matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P);
-    match (&association.effect, key) {
-        (Effect::Control(Place::Output(output)), _) => {
-            let same = |a: &&Association| matches!(a.effect, Effect::Control(Place::Output(other)) if other == *output);
-            model.associations.values().filter(same).all(simple)
+/// By output, whether it is controlled by no other qualifiers than N, S, R and P.
+fn simple_outputs(model: &Model) -> Vec<bool> {
+    let mut simple = vec![true; model.outputs.len()];
+    for association in model.associations.values() {
+        if let Effect::Control(Place::Output(output)) = association.effect {
+            simple[output.index()] &=
+                matches!(association.qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P);
         }
-        (Effect::Assign(Place::Output(_), _), _) if association.qualifier == Qualifier::N => true,
-        (Effect::Assign(..) | Effect::Block(_), _) => {
+    }
+    simple
+}
+
+/// Whether the arms of the step do it all.
+fn is_local(simple: &[bool], association: &Association) -> bool {
+    match &association.effect {
+        Effect::Control(Place::Output(output)) => simple[output.index()],
+        Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => true,
+        Effect::Assign(..) | Effect::Block(_) => {
             matches!(association.qualifier, Qualifier::P1 | Qualifier::P0)
                 || association.qualifier == Qualifier::N && association.condition.is_none()
         }

@@ -1,8 +1,10 @@
 //! How each output gets its value.
 
+use std::collections::BTreeSet;
+
 use super::{Control, What};
 use crate::analysis::Concurrency;
-use crate::model::{Association, Dialect, Effect, Model, Name, OutputId, Place, Qualifier, Read, StepId};
+use crate::model::{Association, Dialect, Effect, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId};
 
 /// How one output gets its value.
 pub struct Drive {
@@ -22,42 +24,35 @@ pub struct Drive {
 
 /// The drives of all outputs.
 pub(super) fn all(model: &Model, concurrency: &Concurrency, control: &Control) -> Vec<Drive> {
-    model.outputs.ids().map(|output| of(model, concurrency, control, output)).collect()
+    let uses = Uses::of(model, control);
+    model.outputs.ids().map(|output| of(concurrency, &uses, output)).collect()
 }
 
-fn of(model: &Model, concurrency: &Concurrency, control: &Control, output: OutputId) -> Drive {
-    let mine = |association: &&Association| writes(&association.effect, output);
-    let associations: Vec<_> = model.associations.values().filter(mine).collect();
+fn of(concurrency: &Concurrency, uses: &Uses<'_>, output: OutputId) -> Drive {
+    let associations = &uses.associations[output.index()];
     let steps = |qualifier: Qualifier| {
         associations.iter().filter(|a| a.qualifier == qualifier).map(|a| a.step).collect::<Vec<StepId>>()
     };
     let continuous = associations.iter().any(|a| is_continuous(a));
     let resets = steps(Qualifier::R);
     let stored = associations.iter().any(|a| !is_continuous(a) && a.qualifier != Qualifier::R)
-        || model.transitions.values().flat_map(|t| &t.clearing).any(|effect| writes(effect, output))
+        || uses.cleared.contains(&output)
         || !resets.is_empty() && !continuous;
     let contended = steps(Qualifier::S)
         .iter()
         .any(|set| resets.iter().any(|reset| set == reset || concurrency.together(*set, *reset)));
-    let read = reads(model, output);
-    if control.targets.iter().any(|target| target.what == What::Boolean(Place::Output(output))) {
+    let (read, by_actions) = (uses.read.contains(&output), uses.read_by_actions.contains(&output));
+    if uses.controlled.contains(&output) {
         // The action control computes its Q into a local.
-        return Drive {
-            continuous: true,
-            stored: false,
-            reset_flag: false,
-            read_by_actions: false,
-            read: read.anywhere,
-            last: read.anywhere,
-        };
+        return Drive { continuous: true, stored: false, reset_flag: false, read_by_actions: false, read, last: read };
     }
     Drive {
         continuous,
         stored,
         reset_flag: !resets.is_empty() && (continuous || contended),
-        read_by_actions: stored && !continuous && read.by_actions,
-        read: read.anywhere,
-        last: (continuous || !stored) && read.anywhere,
+        read_by_actions: stored && !continuous && by_actions,
+        read,
+        last: (continuous || !stored) && read,
     }
 }
 
@@ -73,28 +68,62 @@ fn is_continuous(association: &Association) -> bool {
     }
 }
 
-fn writes(effect: &Effect, output: OutputId) -> bool {
-    match effect {
-        Effect::Control(place) | Effect::Assign(place, _) => *place == Place::Output(output),
-        Effect::Block(code) => code.writes.contains(&Place::Output(output)),
-        Effect::Call(..) => false,
+/// What is said of the outputs, collected in one walk.
+struct Uses<'m> {
+    /// By output, the associations that write it.
+    associations: Vec<Vec<&'m Association>>,
+    /// Outputs that actions on clearing write.
+    cleared: BTreeSet<OutputId>,
+    /// Outputs whose Q the action control computes.
+    controlled: BTreeSet<OutputId>,
+    /// In a `grafcet` only stored outputs can be read (A22), and their fields hold what is read: none is in here.
+    read: BTreeSet<OutputId>,
+    read_by_actions: BTreeSet<OutputId>,
+}
+
+impl<'m> Uses<'m> {
+    fn of(model: &'m Model, control: &Control) -> Self {
+        let mut associations = vec![Vec::new(); model.outputs.len()];
+        for association in model.associations.values() {
+            let written: BTreeSet<OutputId> = written(&association.effect).collect();
+            for output in written {
+                associations[output.index()].push(association);
+            }
+        }
+        let by_actions = model.associations.values().flat_map(|a| {
+            let conditions = a.condition.iter().chain(&a.event).map(|e| &e.reads[..]);
+            conditions.chain(a.effect.reads()).flatten()
+        });
+        let controlled = control.targets.iter().filter_map(|target| match target.what {
+            What::Boolean(Place::Output(output)) => Some(output),
+            _ => None,
+        });
+        let expressions = model.expressions().filter(|_| model.dialect == Dialect::Sfc);
+        Self {
+            associations,
+            cleared: model.transitions.values().flat_map(|t| &t.clearing).flat_map(written).collect(),
+            controlled: controlled.collect(),
+            read: expressions.flatten().filter_map(output).collect(),
+            read_by_actions: by_actions.filter_map(output).collect(),
+        }
     }
 }
 
-struct Reads {
-    anywhere: bool,
-    by_actions: bool,
+fn output(read: &Read) -> Option<OutputId> {
+    match read {
+        Read::Name(Name::Output(output)) => Some(*output),
+        _ => None,
+    }
 }
 
-fn reads(model: &Model, output: OutputId) -> Reads {
-    let read = Read::Name(Name::Output(output));
-    let by_actions = model.associations.values().any(|a| {
-        let conditions = a.condition.iter().chain(&a.event).map(|e| &e.reads[..]);
-        conditions.chain(a.effect.reads()).any(|reads| reads.contains(&read))
-    });
-    Reads {
-        // In a `grafcet` only stored outputs can be read (A22), and their fields hold what is read.
-        anywhere: model.dialect == Dialect::Sfc && model.expressions().any(|reads| reads.contains(&read)),
-        by_actions,
-    }
+fn written(effect: &Effect) -> impl Iterator<Item = OutputId> + '_ {
+    let (one, many): (Option<&Place>, &[Place]) = match effect {
+        Effect::Control(place) | Effect::Assign(place, _) => (Some(place), &[]),
+        Effect::Block(code) => (None, &code.writes),
+        Effect::Call(..) => (None, &[]),
+    };
+    one.into_iter().chain(many).filter_map(|place| match place {
+        Place::Output(output) => Some(*output),
+        Place::Var(_) => None,
+    })
 }

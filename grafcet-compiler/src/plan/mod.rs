@@ -20,7 +20,7 @@ pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored, writes};
 
 use crate::analysis::{Concurrency, Stability, hierarchy};
-use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Ty};
+use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Ty};
 
 /// The plan for one chart.
 pub struct Plan {
@@ -58,7 +58,7 @@ impl Plan {
             // Before the first cycle nothing is active yet: its activation is seen as a change of the situation.
             regions.allow_leaving(&initial);
         }
-        let sees_reentry = (0..regions.all().len()).map(|r| sees_reentry(model, &regions, &evolution, r)).collect();
+        let sees_reentry = sees_reentry(model, &regions, &evolution);
         Self {
             memory: Memory::of(model, &regions, &drives),
             has_start: has_start(model, &initial),
@@ -77,22 +77,27 @@ impl Plan {
 
 /// A4s: in an `sfc`, a step that is left and entered in one cycle is deactivated and activated. In a `grafcet` (A4g)
 /// nothing happens to it.
-fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution, id: RegionId) -> bool {
-    let region = &regions.all()[id];
-    let looks = |step: StepId| {
-        let associations = model.steps[step].associations.iter().map(|id| &model.associations[*id]);
-        associations.into_iter().any(|a| !matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R))
-            || model.expressions().flatten().any(|read| is_time_of(*read, step))
+fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<bool> {
+    let mut sees = vec![false; regions.all().len()];
+    if model.dialect != Dialect::Sfc {
+        return sees;
+    }
+    let timed = |read: &Read| match read {
+        Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
+        _ => None,
     };
-    let reentered = |step: StepId| {
-        evolution.entered_last.contains(&step)
-            || model.transitions.values().any(|t| t.sources.contains(&step) && t.targets.contains(&step))
+    let timed: BTreeSet<StepId> = model.expressions().flatten().filter_map(timed).collect();
+    let looks = |step: &StepId| {
+        let mut associations = model.steps[*step].associations.iter().map(|id| &model.associations[*id]);
+        associations.any(|a| !matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R)) || timed.contains(step)
     };
-    model.dialect == Dialect::Sfc && region.steps.iter().any(|step| reentered(*step) && looks(*step))
-}
-
-fn is_time_of(read: Read, step: StepId) -> bool {
-    matches!(read, Read::Since(other) | Read::Elapsed(_, other) if other == step)
+    let self_loops =
+        |t: &Transition| t.sources.iter().filter(|step| t.targets.contains(step)).copied().collect::<Vec<_>>();
+    let reentered = evolution.entered_last.iter().copied().chain(model.transitions.values().flat_map(self_loops));
+    for step in reentered.filter(looks) {
+        sees[regions.of_step(step)] = true;
+    }
+    sees
 }
 
 /// Whether the first cycle differs from the others.

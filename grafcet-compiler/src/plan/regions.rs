@@ -38,10 +38,12 @@ impl Regions {
         let mut of_step = Vec::with_capacity(model.steps.len());
         for step in model.steps.ids() {
             let partial = model.steps[step].partial;
-            let fits = |region: &Region| {
-                region.partial == partial && region.steps.iter().all(|other| !concurrency.together(step, *other))
-            };
-            let region = regions.iter().position(fits).unwrap_or_else(|| {
+            let mut meets = vec![false; regions.len()];
+            for other in concurrency.beside(step).take_while(|other| *other < step) {
+                meets[of_step[other.index()]] = true;
+            }
+            let fits = |(id, region): (usize, &Region)| region.partial == partial && !meets[id];
+            let region = regions.iter().enumerate().position(fits).unwrap_or_else(|| {
                 regions.push(Region { partial, steps: Vec::new(), initial: None, may_be_empty: true });
                 regions.len() - 1
             });

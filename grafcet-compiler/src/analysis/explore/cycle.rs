@@ -42,9 +42,10 @@ pub(super) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<u
     }
     if unit.is_none() && !net.hierarchy.is_empty() {
         // A13, A17: frozen by an order, or inside an enclosing step that is not active.
+        let ordered = net.orders_any(active);
         enabled.retain(|transition| {
             let part = net.arcs[*transition].partial;
-            net.parts[part].enclosed_by.as_ref().is_none_or(has) && net.order(part, active).is_none()
+            net.parts[part].enclosed_by.as_ref().is_none_or(has) && !(ordered && net.order(part, active).is_some())
         });
     }
     enabled.sort_unstable();

@@ -39,7 +39,9 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
             }
         }
         done.able.extend(&fireable);
-        let (after, cleared) = step(scene, &fireable, done);
+        // An order of the initial situation takes hold with the first evolution.
+        let settled = !state.first || evolutions > 0;
+        let (after, cleared) = step(scene, &fireable, settled, done);
         let outcome = actions(scene, &after, &cleared);
         let changes = outcome.more
             || after != scene.now.active
@@ -74,9 +76,12 @@ fn activate(scene: &mut Scene<'_>) {
 }
 
 /// The situation after the evolution, and the transitions cleared in it.
-fn step(scene: &Scene<'_>, fireable: &[usize], done: &mut Done) -> (Vec<usize>, Vec<usize>) {
+fn step(scene: &Scene<'_>, fireable: &[usize], settled: bool, done: &mut Done) -> (Vec<usize>, Vec<usize>) {
     let net = scene.net;
-    if scene.unit.is_none() && !net.hierarchy.is_empty() {
+    if settled && fireable.is_empty() {
+        return (scene.now.active.clone(), Vec::new());
+    }
+    if scene.unit.is_none() && !net.hierarchy.is_empty() && !(settled && hierarchy::is_free(net, fireable)) {
         return hierarchy::evolve(net, &scene.now.active, fireable, done);
     }
     let (mut left, mut targets) = (Vec::new(), Vec::new());

@@ -3,6 +3,14 @@
 use super::cycle::{Done, evolve as clear, note_doubled};
 use super::net::{Net, Order};
 
+/// Whether what stands above imposes nothing new in an evolution from a situation that an evolution has led to: no step
+/// that gives orders or encloses is left or entered.
+pub(super) fn is_free(net: &Net, fireable: &[usize]) -> bool {
+    let governs = |step: &usize| net.governs[*step];
+    let mut arcs = fireable.iter().map(|transition| &net.arcs[*transition]);
+    !arcs.any(|arc| arc.sources.iter().chain(&arc.targets).any(governs))
+}
+
 /// The situation after the evolution, and the transitions cleared in it.
 pub(super) fn evolve(net: &Net, before: &[usize], fireable: &[usize], done: &mut Done) -> (Vec<usize>, Vec<usize>) {
     let mut after: Vec<usize> = Vec::new();

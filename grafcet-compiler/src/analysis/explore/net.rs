@@ -54,6 +54,10 @@ pub(super) struct Net {
     /// Steps active before the first cycle.
     pub(super) initial: Vec<usize>,
     pub(super) parts: Vec<Part>,
+    /// Steps that give orders to other partial grafcets.
+    commands: Vec<bool>,
+    /// Those, and the steps that enclose some.
+    pub(super) governs: Vec<bool>,
     /// From top to bottom; empty where no partial grafcet acts on another.
     pub(super) hierarchy: Vec<usize>,
     pub(super) part_of: Vec<usize>,
@@ -111,6 +115,8 @@ impl Net {
             initial_slots: slots.initial.clone(),
             initial: super::super::hierarchy::initial_situation(model).iter().map(|step| step.index()).collect(),
             parts: parts(model),
+            commands: model.steps.values().map(|step| !step.forces.is_empty()).collect(),
+            governs: model.steps.values().map(|step| !step.forces.is_empty() || !step.encloses.is_empty()).collect(),
             hierarchy: Vec::new(),
             part_of: model.steps.values().map(|step| step.partial.index()).collect(),
             has_arcs: vec![false; units],
@@ -297,6 +303,11 @@ impl Net {
         slots.sort_unstable();
         slots.dedup();
         slots
+    }
+
+    /// Whether a situation gives any orders.
+    pub(super) fn orders_any(&self, active: &[usize]) -> bool {
+        active.iter().any(|step| self.commands[*step])
     }
 
     /// The order that a situation gives to a partial grafcet; A14 leaves at most one.

@@ -463,7 +463,10 @@ impl<'n> Scene<'n> {
             pairs.dedup();
             pairs
         };
-        (decided(&self.given), decided(&self.recorded))
+        // What assumptions say of other inputs of the cycle before need not be what was decided there.
+        let mut past = decided(&self.recorded);
+        past.retain(|(atom, _)| self.net.is_edge_atom[*atom]);
+        (decided(&self.given), past)
     }
 
     /// Whether something is known of an atom of the formula, which is about inputs: in this cycle, or the one before.

@@ -46,6 +46,7 @@ fn charts(kind: Kind, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
     let name =
         format!("{}{}", if kind.grafcet { "grafcet" } else { "sfc" }, if kind.timed { " with times" } else { "" });
     let (mut compared, mut exact, mut large, mut differing) = (0, 0, 0, 0);
+    let mut claims = [0; 3];
     let (mut refused, mut kinds) = (BTreeMap::<String, usize>::new(), BTreeMap::<String, usize>::new());
     for index in options["--first"]..options["--first"] + options["--charts"] {
         let (text, outcome) = number(index, kind)?;
@@ -55,6 +56,7 @@ fn charts(kind: Kind, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
             Outcome::Compared(comparison) => {
                 compared += 1;
                 exact += usize::from(comparison.exact);
+                claims.iter_mut().zip(comparison.claims).for_each(|(all, own)| *all += own);
                 if let Some(first) = comparison.differences.first() {
                     differing += 1;
                     let count = kinds.entry(first.kind.clone()).or_default();
@@ -67,6 +69,8 @@ fn charts(kind: Kind, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
         }
     }
     println!("{name}: {compared} compared, {exact} of them exactly, {differing} differ, {large} too large");
+    let [proved, broken, undecided] = claims;
+    println!("  properties: {proved} proved, {broken} broken, {undecided} undecided");
     for (kind, count) in kinds {
         println!("  {count:6}  {kind}");
     }

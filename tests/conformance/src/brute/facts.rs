@@ -32,7 +32,7 @@ impl Facts<'_> {
     }
 
     fn concurrency(&mut self, verdicts: &Verdicts) {
-        let (model, concurrency) = (self.model, Concurrency::of(self.model));
+        let (model, concurrency) = (self.model, Concurrency::assuming(self.model, &assumed(self.model)));
         let name = |step: &StepId| model.steps[*step].name.to_string();
         for step in verdicts.reachable.iter().filter(|step| !concurrency.reachable(**step)) {
             self.report("never active", name(step));
@@ -48,11 +48,12 @@ impl Facts<'_> {
     /// What is shown about conditions, in general and in the situations that can be reached.
     fn logic(&mut self, graph: &Graph) {
         let model = self.model;
-        let concurrency = Concurrency::of(model);
+        let never = assumed(model);
+        let concurrency = Concurrency::assuming(model, &never);
         // Which transitions were enabled, and of which of them the conditions held.
         let evolutions = graph.cycles().flat_map(|(_, edge)| &edge.evolutions);
         let seen: BTreeSet<_> = evolutions.map(|evolution| (&evolution.enabled, &evolution.fireable)).collect();
-        for logic in [Logic::new(model), Logic::within(model, &concurrency, &[])] {
+        for logic in [Logic::new(model), Logic::within(model, &concurrency, &never)] {
             let conditions: Vec<Condition> =
                 model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
             let of = |id: &TransitionId| &conditions[id.index()];
@@ -91,6 +92,10 @@ impl Facts<'_> {
             }
         }
     }
+}
+
+fn assumed(model: &Model) -> Vec<&Tree> {
+    model.assumptions.iter().map(|assumption| &assumption.never.tree).collect()
 }
 
 /// The places to which two stored actions behind S, R, P1 or P0 give different values in one evolution of a `grafcet`.

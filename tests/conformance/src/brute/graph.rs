@@ -65,7 +65,10 @@ impl Graph {
     /// The interpreter does not understand the chart, or its arithmetic fails.
     pub fn of(model: &Model, most: usize) -> Result<Option<Self>, String> {
         let mut machine = Interpreter::new(model).map_err(|error| error.to_string())?;
-        let Some(valuations) = valuations(model, most) else { return Ok(None) };
+        let Some(mut valuations) = valuations(model, most) else { return Ok(None) };
+        let excluded = excluded(model, &machine, &valuations)?;
+        let mut excluded = excluded.into_iter();
+        valuations.retain(|_| !excluded.next().unwrap_or(false));
         let mut numbers = BTreeMap::from([(machine.memory().clone(), 0)]);
         let mut graph = Self { states: vec![State::new(&machine)], valuations };
         let times: &[u32] = if model.uses_time() { &[0, LEAP] } else { &[0] };
@@ -178,6 +181,15 @@ fn valuations(model: &Model, most: usize) -> Option<Vec<Vec<Value>>> {
     Some(all)
 }
 
+/// Which inputs the plant excludes.
+fn excluded(model: &Model, machine: &Interpreter<'_>, valuations: &[Vec<Value>]) -> Result<Vec<bool>, String> {
+    let excluded = |inputs: &Vec<Value>| {
+        let mut holds = model.assumptions.iter().map(|assumption| machine.holds(&assumption.never.tree, inputs));
+        holds.try_fold(false, |any, one| Ok(any || one.map_err(|error| error.to_string())?))
+    };
+    valuations.iter().map(excluded).collect()
+}
+
 fn representatives(model: &Model, signed: bool, bits: u32) -> Vec<Value> {
     let (first, last) = if signed { (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) } else { (0, (1_i128 << bits) - 1) };
     let mut values = BTreeSet::from([first, last]);
@@ -185,7 +197,9 @@ fn representatives(model: &Model, signed: bool, bits: u32) -> Vec<Value> {
     let edges = model.edges.values().map(|edge| &edge.of.tree);
     let others = model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event)).map(|expr| &expr.tree);
     let assigned = model.associations.values().flat_map(|a| a.effect.expressions()).map(|expr| &expr.tree);
-    for tree in conditions.chain(edges).chain(others).chain(assigned) {
+    let assumed = model.assumptions.iter().map(|assumption| &assumption.never.tree);
+    let claimed = model.properties.iter().flat_map(|property| property.claim.expressions()).map(|expr| &expr.tree);
+    for tree in conditions.chain(edges).chain(others).chain(assigned).chain(assumed).chain(claimed) {
         constants(tree, &mut |constant| values.extend([constant - 1, constant, constant + 1]));
     }
     values.into_iter().filter(|value| (first..=last).contains(value)).map(Value::Int).collect()

@@ -44,6 +44,7 @@ pub fn chart(number: u64, grafcet: bool, timed: bool) -> String {
     }
     lines.append(&mut words.declarations());
     lines.append(&mut inside);
+    lines.append(&mut words.claims(&mut maker));
     lines.push("}".to_owned());
     let mut text = String::new();
     for line in lines {

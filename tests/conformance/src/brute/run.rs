@@ -4,7 +4,7 @@ use grafcet_compiler::model::{Binary, Id, Model, Name, Read, StepId, Tree, Ty, U
 
 use super::compare::{Comparison, Difference, compare};
 use super::graph::Graph;
-use super::{make, resolve, rules};
+use super::{claims, make, resolve, rules};
 use crate::random::Rng;
 use crate::simpler::simpler;
 
@@ -46,15 +46,33 @@ pub fn number(number: u64, kind: Kind) -> Result<(String, Outcome), String> {
 pub fn chart(text: &str, cycles: usize) -> Result<Outcome, String> {
     let model = match resolve(text) {
         Ok(model) => model,
+        Err(rule) if rule.contains("nothing is left") => return nothing_left(text, cycles),
         Err(rule) => return Ok(Outcome::Refused(rule)),
     };
     let Some(graph) = Graph::of(&model, cycles)? else { return Ok(Outcome::Large) };
+    if graph.valuations.is_empty() {
+        return Err("assumptions that exclude everything are not refused".to_owned());
+    }
     let mut rng = Rng::new(0x9ab5);
     let watched: Vec<Tree> = (0..4).map(|_| property(&model, &mut rng, 2)).collect();
     let initial: Vec<StepId> = model.steps.iter().filter(|(_, step)| step.initial).map(|(id, _)| id).collect();
     let mut comparison = compare(&model, &graph, &watched, &initial)?;
     comparison.differences.extend(rules::check(&model, &graph, text, comparison.exact));
+    claims::check(&model, &graph, text, &mut comparison)?;
     Ok(Outcome::Compared(comparison))
+}
+
+/// Assumptions that are refused because they exclude every input.
+fn nothing_left(text: &str, cycles: usize) -> Result<Outcome, String> {
+    let refused = Outcome::Refused("assumptions that exclude everything".to_owned());
+    let Some(model) = super::look(text).0 else { return Ok(refused) };
+    let Some(graph) = Graph::of(&model, cycles)? else { return Ok(refused) };
+    if graph.valuations.is_empty() {
+        return Ok(refused);
+    }
+    let difference =
+        Difference { kind: "assumptions leave something".to_owned(), text: format!("{:?}", graph.valuations[0]) };
+    Ok(Outcome::Compared(Comparison { differences: vec![difference], exact: true, claims: [0; 3] }))
 }
 
 /// The smallest chart found with a difference of the same kind, and that difference.

@@ -10,8 +10,22 @@ pub(super) struct Words {
     /// `level: u8`
     number: bool,
     vars: Vec<Var>,
+    /// Outputs that only properties read.
+    shown: Vec<(String, Shown)>,
     steps: Vec<String>,
+    initial: Vec<String>,
     edges: bool,
+}
+
+/// How an output is given its value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// N.
+    Continuous,
+    /// S and R; in `sfc` N and P beside.
+    Stored,
+    /// `q = …`
+    Assigned,
 }
 
 /// How a boolean is written.
@@ -47,11 +61,16 @@ impl Words {
             let initial = mode != Mode::Combinational && rng.chance(15) && (mode == Mode::Assigned || maker.grafcet);
             vars.push(Var { name: format!("v{index}"), mode, output, initial });
         }
-        let mut steps = Vec::new();
+        let (mut steps, mut initial) = (Vec::new(), Vec::new());
         for body in bodies {
             collect(body, &mut steps);
+            let starts = body.steps.iter().filter(|step| step.words.contains("initial"));
+            initial.extend(starts.map(|step| step.name.clone()));
         }
-        Self { inputs, number: rng.chance(20), vars, steps, edges: rng.chance(40) }
+        let (number, edges) = (rng.chance(20), rng.chance(40));
+        let ways = [Shown::Continuous, Shown::Continuous, Shown::Stored, Shown::Assigned];
+        let shown = (0..*rng.pick(&[0, 0, 1, 1, 2])).map(|index| (format!("q{index}"), *rng.pick(&ways))).collect();
+        Self { inputs, number, vars, shown, steps, initial, edges }
     }
 
     pub(super) fn declarations(&self) -> Vec<String> {
@@ -63,6 +82,7 @@ impl Words {
             let (word, initial) = (if var.output { "output" } else { "var" }, if var.initial { " = true" } else { "" });
             lines.push(format!("{word} {}: bool{initial};", var.name));
         }
+        lines.extend(self.shown.iter().map(|(name, _)| format!("output {name}: bool;")));
         lines
     }
 
@@ -155,7 +175,89 @@ impl Words {
                 (Mode::Assigned, _) => format!("N {name} = {value};"),
             });
         }
+        lines.append(&mut self.shows(maker));
         lines
+    }
+
+    /// Actions on the outputs that nothing reads.
+    fn shows(&self, maker: &mut Maker) -> Vec<String> {
+        let mut lines = Vec::new();
+        for (name, way) in &self.shown {
+            if !maker.rng.chance(45) {
+                continue;
+            }
+            let depth = usize::from(maker.rng.chance(40));
+            // In a `grafcet` the value of an assignation is a level.
+            let value = self.expr(maker, depth, if maker.grafcet { 0 } else { self.vars.len() });
+            let level = if value.contains("rising") || value.contains("falling") { "!a".to_owned() } else { value };
+            lines.push(match (way, maker.rng.below(6)) {
+                (Shown::Continuous, 0..=2) => format!("N {name};"),
+                (Shown::Continuous, _) => format!("N {name} if {level};"),
+                (Shown::Stored, 0..=1) => format!("S {name};"),
+                (Shown::Stored, 2) if !maker.grafcet => format!("N {name};"),
+                (Shown::Stored, 3) if !maker.grafcet => format!("P {name};"),
+                (Shown::Stored, _) => format!("R {name};"),
+                (Shown::Assigned, _) => format!("{name} = {level};"),
+            });
+        }
+        lines
+    }
+
+    /// Assumptions and properties.
+    pub(super) fn claims(&self, maker: &mut Maker) -> Vec<String> {
+        let mut lines = Vec::new();
+        if maker.rng.chance(35) {
+            for _ in 0..maker.rng.between(1, 2) {
+                let count = maker.rng.between(1, 3);
+                let parts: Vec<String> = (0..count).map(|_| self.excluded(maker)).collect();
+                lines.push(format!("assume never {};", parts.join(*maker.rng.pick(&[" && ", " && ", " || "]))));
+            }
+        }
+        for _ in 0..*maker.rng.pick(&[0, 1, 1, 2, 2]) {
+            let depth = maker.rng.between(1, 2);
+            let claim = self.claimed(maker, depth);
+            lines.push(match maker.rng.below(4) {
+                0 => format!("always {claim};"),
+                1 => format!("always {} => {claim};", self.claimed(maker, 0)),
+                _ => format!("never {claim};"),
+            });
+        }
+        let steps: Vec<&String> = self.steps.iter().filter(|name| name.starts_with('S')).collect();
+        if maker.rng.chance(45) {
+            let (one, other) = ((*maker.rng.pick(&steps)).clone(), (*maker.rng.pick(&steps)).clone());
+            let initial = self.initial.iter().all(|name| name.starts_with('S')) && !self.initial.is_empty();
+            lines.push(match maker.rng.below(5) {
+                0..=1 if initial => format!("home ({});", self.initial.join(", ")),
+                2 if one != other => format!("home ({one}, {other});"),
+                _ => format!("home {one};"),
+            });
+        }
+        lines
+    }
+
+    /// A condition over inputs.
+    fn excluded(&self, maker: &mut Maker) -> String {
+        let not = if maker.rng.chance(40) { "!" } else { "" };
+        if self.number && maker.rng.chance(25) {
+            return format!("{not}(level {} {})", maker.rng.pick(&["<", ">=", "=="]), maker.rng.pick(&[0, 3, 4, 200]));
+        }
+        format!("{not}{}", maker.rng.pick(&self.inputs))
+    }
+
+    /// A condition over inputs, outputs and steps.
+    fn claimed(&self, maker: &mut Maker, depth: usize) -> String {
+        if depth > 0 {
+            let (left, right) = (self.claimed(maker, depth - 1), self.claimed(maker, depth - 1));
+            return format!("({left} {} {right})", maker.rng.pick(&["&&", "&&", "||", "=="]));
+        }
+        let not = if maker.rng.chance(35) { "!" } else { "" };
+        let outputs = self.vars.iter().filter(|var| var.output).map(|var| &var.name);
+        let outputs: Vec<&String> = outputs.chain(self.shown.iter().map(|(name, _)| name)).collect();
+        match maker.rng.below(10) {
+            0 | 1 => self.excluded(maker),
+            2..=5 if !outputs.is_empty() => format!("{not}{}", maker.rng.pick(&outputs)),
+            _ => format!("{not}{}.X", maker.rng.pick(&self.steps)),
+        }
     }
 }
 
