@@ -2,7 +2,7 @@
 //! tokens, and nothing else is said. Near misses, which are no faults, are among them.
 //!
 //! `mistakes/good` holds the charts. In the lists beside it a fault is `# name : chart`, then `= rule @ marked ¦ marked ; …`
-//! (or `= none`), then what is replaced (`-`) by what (`+`); in `alone.txt` a chart of its own follows.
+//! (or `= none`), then what is replaced (`-`) by what (`+`); in `alone.txt` and `malformed.txt` a chart of its own follows.
 
 use std::fs;
 use std::path::Path;
@@ -176,4 +176,9 @@ fn structure() {
 #[test]
 fn charts_of_their_own() {
     judge("alone.txt", 30);
+}
+
+#[test]
+fn what_is_half_written_or_nonsense() {
+    judge("malformed.txt", 30);
 }
