@@ -4,6 +4,7 @@
 //! `mistakes/good` holds the charts. In the lists beside it a fault is `# name : chart`, then `= rule @ marked ¦ marked ; …`
 //! (or `= none`), then what is replaced (`-`) by what (`+`); in `alone.txt` and `malformed.txt` a chart of its own follows.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
@@ -120,7 +121,7 @@ fn judge(list: &str, least: usize) {
         };
         let verdict = verdict(&chart);
         if verdict != expected {
-            differences += &format!("{title}\n  expected {expected}\n  found    {verdict}\n");
+            _ = writeln!(differences, "{title}\n  expected {expected}\n  found    {verdict}");
         }
         count += 1;
     }
