@@ -54,7 +54,8 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
     let mut said = conditions::check(model, &logic, &conditions, sink);
     said.extend(branches::check(model, &concurrency, &logic, &conditions, &said, sink));
-    let dead = reach::check(model, &exploration, &said, sink);
+    let mut dead = reach::check(model, &exploration, &said, sink);
+    dead.extend(&said);
     safety::check(model, &exploration, sink);
     waits::check(model, &exploration, &dead, sink);
     race::check(model, &concurrency, never, sink);

@@ -107,9 +107,9 @@ pub(super) struct Graph {
 }
 
 /// The outcome of one run.
-struct Leaf {
+pub(super) struct Leaf {
     next: State,
-    done: Done,
+    pub(super) done: Done,
     given: Vec<(usize, Known)>,
     past: Vec<(usize, Known)>,
     granted: Learnt,
@@ -119,11 +119,11 @@ struct Leaf {
 
 /// Explores one piece of a chart, or all of it.
 pub(super) struct Search<'n, 's> {
-    scene: Scene<'n>,
-    graph: Graph,
+    pub(super) scene: Scene<'n>,
+    pub(super) graph: Graph,
     index: BTreeMap<Rc<State>, usize>,
-    seen: &'s mut Seen,
-    limit: u64,
+    pub(super) seen: &'s mut Seen,
+    pub(super) limit: u64,
     /// Slots that other pieces write, too.
     foreign: Vec<usize>,
     /// What has nothing to do with each other is not tried in all combinations.
@@ -173,7 +173,9 @@ impl<'n, 's> Search<'n, 's> {
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
     /// Returns the units of work it took.
     pub(super) fn run(mut self) -> (Graph, u64) {
-        self.roots();
+        if self.graph.states.is_empty() {
+            self.roots();
+        }
         let mut next = 0;
         while next < self.graph.states.len() {
             if !self.expand(next) {
@@ -185,7 +187,7 @@ impl<'n, 's> Search<'n, 's> {
         (self.graph, self.scene.work)
     }
 
-    fn roots(&mut self) {
+    pub(super) fn roots(&mut self) {
         let net = self.scene.net;
         let Some(unit) = self.scene.unit else {
             self.root(true, net.initial.clone());
@@ -230,7 +232,7 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
-    fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
+    pub(super) fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
         if !state.before.is_empty() && !self.thorough {
             let general = State { before: Box::default(), ..state.clone() };
             if let Some(known) = self.index.get(&general) {
@@ -297,32 +299,13 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.tape.restart();
         loop {
             let (when, done) = cycle::run(&mut self.scene, state, enabled);
-            // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
-            if self.thorough {
-                self.scene.decide_edges(when);
-            }
-            let mut assumed = self.is_assumed();
-            let mut next = cycle::end(&self.scene, when);
-            for slot in &self.foreign {
-                next.slots[*slot] = Bit::Any;
-            }
-            let mut watched = Vec::new();
-            self.scene.forget_volatile();
-            for index in 0..self.graph.watched.len() {
-                if self.graph.watched[index].is_none() && self.scene.decide(&self.scene.net.watched[index], When::Now) {
-                    watched.push(index);
-                }
-            }
-            assumed = assumed && self.is_assumed();
+            let leaf = self.leaf(when, done);
             if self.scene.spoilt {
                 return None;
             }
-            if assumed && !self.scene.redundant {
-                let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
-                let (given, past) = if news { self.scene.decided() } else { (Vec::new(), Vec::new()) };
-                self.graph.cut_off |= lazy && done.unstable;
-                let (granted, late) = (self.scene.granted.clone(), self.scene.late);
-                leaves.push(Leaf { next, done, given, past, granted, late, watched });
+            if let Some(leaf) = leaf {
+                self.graph.cut_off |= lazy && leaf.done.unstable;
+                leaves.push(leaf);
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -331,6 +314,33 @@ impl<'n, 's> Search<'n, 's> {
                 return Some(leaves);
             }
         }
+    }
+
+    /// What a run has led to; none where the assumptions exclude it, or it shows nothing that another does not.
+    pub(super) fn leaf(&mut self, when: When, done: Done) -> Option<Leaf> {
+        // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
+        if self.thorough {
+            self.scene.decide_edges(when);
+        }
+        let assumed = self.is_assumed();
+        let mut next = cycle::end(&self.scene, when);
+        for slot in &self.foreign {
+            next.slots[*slot] = Bit::Any;
+        }
+        let mut watched = Vec::new();
+        self.scene.forget_volatile();
+        for index in 0..self.graph.watched.len() {
+            if self.graph.watched[index].is_none() && self.scene.decide(&self.scene.net.watched[index], When::Now) {
+                watched.push(index);
+            }
+        }
+        if !assumed || !self.is_assumed() || self.scene.redundant {
+            return None;
+        }
+        let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
+        let (given, past) = if news { self.scene.decided() } else { (Vec::new(), Vec::new()) };
+        let (granted, late) = (self.scene.granted.clone(), self.scene.late);
+        Some(Leaf { next, done, given, past, granted, late, watched })
     }
 
     /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before.
@@ -352,7 +362,8 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    fn commit(&mut self, from: usize, leaf: Leaf) {
+    /// The number of the state to which it leads.
+    pub(super) fn commit(&mut self, from: usize, leaf: Leaf) -> usize {
         let net = self.scene.net;
         let Leaf { next, done, given, past, mut granted, late, watched } = leaf;
         for active in &done.transient {
@@ -384,6 +395,7 @@ impl<'n, 's> Search<'n, 's> {
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
         let to = self.insert(next, Some(Origin { from, cycle }));
         self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
+        to
     }
 
     /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and
