@@ -55,6 +55,11 @@ pub(super) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<u
 /// Runs one cycle from `state`; also returns which snapshot the edges of the next one compare with.
 pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
     scene.begin(state);
+    go_on(scene, state, enabled)
+}
+
+/// The same, where something has been decided about its inputs before.
+pub(super) fn go_on(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
     let mut done = Done::default();
     let when = if scene.net.grafcet {
         grafcet::cycle(scene, state, enabled, &mut done)

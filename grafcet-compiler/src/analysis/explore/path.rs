@@ -85,7 +85,9 @@ impl Path {
         const SHOWN: usize = 8;
         let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).chain(self.situations()).collect();
         situations.dedup();
-        let mut names: Vec<String> = situations.iter().map(|steps| situation(model, steps)).collect();
+        let befores = std::iter::once(&[][..]).chain(situations.iter().map(|steps| &steps[..]));
+        let mut names: Vec<String> =
+            situations.iter().zip(befores).map(|(steps, before)| in_short(model, steps, before)).collect();
         if names.len() > SHOWN {
             names.splice(2..=names.len() - SHOWN + 2, ["…".to_owned()]);
         }
@@ -108,6 +110,18 @@ impl Path {
     pub fn end(&self) -> &[StepId] {
         self.cycles.last().map_or(&self.start, |cycle| &cycle.active)
     }
+}
+
+/// A situation on a way; of many steps a few of those that were entered with it.
+fn in_short(model: &Model, steps: &[StepId], before: &[StepId]) -> String {
+    const SHOWN: usize = 8;
+    if steps.len() <= SHOWN {
+        return situation(model, steps);
+    }
+    let entered: Vec<StepId> = steps.iter().filter(|step| !before.contains(step)).copied().collect();
+    let shown = if entered.is_empty() { steps } else { &entered[..] };
+    let names: Vec<String> = shown.iter().take(SHOWN / 2).map(|step| model.steps[*step].name.to_string()).collect();
+    format!("({}, and {} more)", names.join(", "), steps.len() - names.len())
 }
 
 /// `A`, `(A, B)`, `()`.

@@ -107,9 +107,9 @@ pub(super) struct Graph {
 }
 
 /// The outcome of one run.
-struct Leaf {
+pub(super) struct Leaf {
     next: State,
-    done: Done,
+    pub(super) done: Done,
     cycle: Cycle,
     late: bool,
     /// The watched expressions that hold, each with what it takes.
@@ -118,11 +118,11 @@ struct Leaf {
 
 /// Explores one piece of a chart, or all of it.
 pub(super) struct Search<'n, 's> {
-    scene: Scene<'n>,
-    graph: Graph,
+    pub(super) scene: Scene<'n>,
+    pub(super) graph: Graph,
     index: BTreeMap<Rc<State>, usize>,
-    seen: &'s mut Seen,
-    limit: u64,
+    pub(super) seen: &'s mut Seen,
+    pub(super) limit: u64,
     /// Slots that other pieces write, too.
     foreign: Vec<usize>,
     /// What has nothing to do with each other is not tried in all combinations.
@@ -172,7 +172,9 @@ impl<'n, 's> Search<'n, 's> {
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
     /// Returns the units of work it took.
     pub(super) fn run(mut self) -> (Graph, u64) {
-        self.roots();
+        if self.graph.states.is_empty() {
+            self.roots();
+        }
         let mut next = 0;
         while next < self.graph.states.len() {
             if !self.expand(next) {
@@ -184,7 +186,7 @@ impl<'n, 's> Search<'n, 's> {
         (self.graph, self.scene.work)
     }
 
-    fn roots(&mut self) {
+    pub(super) fn roots(&mut self) {
         let net = self.scene.net;
         let Some(unit) = self.scene.unit else {
             self.root(true, net.initial.clone());
@@ -229,7 +231,7 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
-    fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
+    pub(super) fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
         if !state.before.is_empty() && !self.thorough {
             let general = State { before: Box::default(), ..state.clone() };
             if let Some(known) = self.index.get(&general) {
@@ -296,29 +298,13 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.tape.restart();
         loop {
             let (when, done) = cycle::run(&mut self.scene, state, enabled);
-            // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
-            if self.thorough {
-                self.scene.decide_edges(when);
-            }
-            let mut assumed = self.is_assumed();
-            let mut next = cycle::end(&self.scene, when);
-            for slot in &self.foreign {
-                next.slots[*slot] = Bit::Any;
-            }
-            // What the watched expressions ask for is no part of the way on.
-            let news = !done.doubled.is_empty() || !self.index.contains_key(&next);
-            let (given, past) = if news || self.watches() { self.scene.decided() } else { (Vec::new(), Vec::new()) };
-            let (granted, late) = (self.scene.granted.clone(), self.scene.late);
-            let cycle = Cycle { given, past, granted, cleared: done.cleared.clone() };
-            let holding = self.holding();
-            assumed = assumed && self.is_assumed();
+            let leaf = self.leaf(when, done);
             if self.scene.spoilt {
                 return None;
             }
-            if assumed && !self.scene.redundant {
-                self.graph.cut_off |= lazy && done.unstable;
-                let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
-                leaves.push(Leaf { next, done, cycle, late, watched });
+            if let Some(leaf) = leaf {
+                self.graph.cut_off |= lazy && leaf.done.unstable;
+                leaves.push(leaf);
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -327,6 +313,30 @@ impl<'n, 's> Search<'n, 's> {
                 return Some(leaves);
             }
         }
+    }
+
+    /// What a run has led to; none where the assumptions exclude it, or it shows nothing that another does not.
+    pub(super) fn leaf(&mut self, when: When, done: Done) -> Option<Leaf> {
+        // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
+        if self.thorough {
+            self.scene.decide_edges(when);
+        }
+        let assumed = self.is_assumed();
+        let mut next = cycle::end(&self.scene, when);
+        for slot in &self.foreign {
+            next.slots[*slot] = Bit::Any;
+        }
+        // What the watched expressions ask for is no part of the way on.
+        let news = !done.doubled.is_empty() || !self.index.contains_key(&next);
+        let (given, past) = if news || self.watches() { self.scene.decided() } else { (Vec::new(), Vec::new()) };
+        let (granted, late) = (self.scene.granted.clone(), self.scene.late);
+        let cycle = Cycle { given, past, granted, cleared: done.cleared.clone() };
+        let holding = self.holding();
+        if !assumed || !self.is_assumed() || self.scene.redundant {
+            return None;
+        }
+        let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
+        Some(Leaf { next, done, cycle, late, watched })
     }
 
     /// Whether watched expressions are left that have not been seen to hold.
@@ -382,7 +392,8 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    fn commit(&mut self, from: usize, leaf: Leaf) {
+    /// The number of the state to which it leads.
+    pub(super) fn commit(&mut self, from: usize, leaf: Leaf) -> usize {
         let net = self.scene.net;
         let Leaf { next, done, mut cycle, late, watched } = leaf;
         for active in &done.transient {
@@ -413,6 +424,7 @@ impl<'n, 's> Search<'n, 's> {
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
         let to = self.insert(next, Some(Origin { from, cycle }));
         self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
+        to
     }
 
     /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and
