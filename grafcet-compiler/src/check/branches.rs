@@ -5,7 +5,10 @@ use std::collections::BTreeSet;
 use super::drawing;
 use crate::analysis::{Answer, Concurrency, Condition, Logic};
 use crate::diagnostic::{Sink, rules};
-use crate::model::{Id, LevelAttr, Model, Read, StepId, TransitionId, Tree};
+use crate::model::{Binary, Id, LevelAttr, Model, Name, Read, StepId, TransitionId, Tree};
+
+/// More pairs of branches than this are not told to the exploration.
+const PRESUMED: usize = 1000;
 
 /// Of a step with more branches each is compared with this many before it.
 const NEIGHBOURS: usize = 200;
@@ -25,10 +28,7 @@ impl Branches<'_> {
     pub(super) fn check(&self, dead: &BTreeSet<TransitionId>, sink: &mut Sink) -> BTreeSet<TransitionId> {
         let model = self.model;
         let mut shadowed = BTreeSet::new();
-        let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-        for (id, transition) in model.transitions.iter() {
-            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-        }
+        let leaving = self.leaving();
         for id in model.transitions.ids().filter(|id| !dead.contains(id)) {
             // What competes with it and stands before it.
             let others = model.transitions[id].sources.iter().flat_map(|step| leaving[step.index()].iter().copied());
@@ -45,6 +45,43 @@ impl Branches<'_> {
             }
         }
         shadowed
+    }
+
+    /// By step, the transitions that leave it.
+    fn leaving(&self) -> Vec<Vec<TransitionId>> {
+        let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); self.model.steps.len()];
+        for (id, transition) in self.model.transitions.iter() {
+            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+        }
+        leaving
+    }
+
+    /// Branches of a step whose conditions nobody can relate: conditions that hold where both do. They are meant to exclude
+    /// each other, as `mode == Mode::Auto` and `mode == Mode::Manual`; where that matters and they do not, nothing is said.
+    pub(super) fn presumed_exclusive(&self) -> Vec<Tree> {
+        let mut presumed = Vec::new();
+        let known = |id: &TransitionId| {
+            let still = |read: &Read| matches!(read, Read::Name(Name::Input(_) | Name::Param(_)));
+            self.model.transitions[*id].condition.reads.iter().all(still)
+        };
+        for leaving in self.leaving().into_iter().filter(|branches| self.model.is_grafcet() && branches.len() > 1) {
+            let leaving: Vec<TransitionId> = leaving.into_iter().filter(known).collect();
+            for (i, a) in leaving.iter().enumerate() {
+                for b in &leaving[i + 1..] {
+                    if presumed.len() < PRESUMED && self.is_undecided(*a, *b) {
+                        let tree = |id: TransitionId| Box::new(self.model.transitions[id].condition.tree.clone());
+                        presumed.push(Tree::Binary(Binary::And, tree(*a), tree(*b)));
+                    }
+                }
+            }
+        }
+        presumed
+    }
+
+    fn is_undecided(&self, a: TransitionId, b: TransitionId) -> bool {
+        let (a, b) = (self.condition(a), self.condition(b));
+        let holds = |answer: &Answer| matches!(answer, Answer::Witness(_));
+        !self.logic.exclusive(a, b) && !holds(&self.logic.certainly_together(&[(a, true), (b, true)], &[]))
     }
 
     fn condition(&self, id: TransitionId) -> &Condition {

@@ -23,7 +23,7 @@ mod waits;
 
 pub use initial::initial_values;
 
-use crate::analysis::explore::Limits;
+use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::Sink;
 use crate::model::{Model, Tree};
@@ -63,7 +63,13 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     said.extend(branches.check(&dead, sink));
     let mut dead = reach::check(model, &exploration, &said, sink);
     dead.extend(&said);
-    safety::check(model, &exploration, sink);
+    let presumed = branches.presumed_exclusive();
+    if presumed.is_empty() {
+        safety::check(model, &exploration, sink);
+    } else {
+        let never: Vec<&Tree> = never.iter().copied().chain(&presumed).collect();
+        safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink);
+    }
     waits::check(model, &exploration, &dead, sink);
     race::check(model, racing, never, sink);
     contention::check(model, &seen, never, sink);

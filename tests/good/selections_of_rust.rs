@@ -1,0 +1,31 @@
+use grafcet::grafcet;
+
+/// A type of the surrounding program.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+enum Mode {
+    #[default]
+    Stop,
+    Auto,
+    Manual,
+    Jog,
+}
+
+// Branches that Rust tells apart in ways the checker does not look into.
+grafcet! {
+    grafcet Enum {
+        input mode: Mode; input done: bool; output a, b, c: bool;
+        initial step I; step A { a; } step B { b; } step C { c; }
+        I -[mode == Mode::Auto]-> A; I -[mode == Mode::Manual]-> B; I -[matches!(mode, Mode::Jog | Mode::Stop)]-> C;
+        A -[done && mode != Mode::Auto]-> I; B -[done && mode != Mode::Manual]-> I; C -[!matches!(mode, Mode::Jog | Mode::Stop)]-> I;
+    }
+}
+
+// Comparisons with what the recipe may change.
+grafcet! {
+    grafcet Float {
+        input t: f32; input on: bool; param low: f32 = 20.0; param high: f32 = 80.0; output heat, cool: bool;
+        initial step I; step H { heat; } step C { cool; }
+        I -[on && t < low]-> H; I -[on && t > high]-> C;
+        H -[t >= low + 2.0 || !on]-> I; C -[t <= high - 2.0 || !on]-> I;
+    }
+}
