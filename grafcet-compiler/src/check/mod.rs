@@ -52,13 +52,15 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let exploration = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
-    let mut said = conditions::check(model, &logic, &conditions, sink);
+    let conditions::Said { never: mut said, always } = conditions::check(model, &logic, &conditions, sink);
     // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and behind an evolution act
     // in the same cycle, so that steps can race which are never active together.
     let seen = concurrency.without(|a, b| !exploration.together(a, b));
     let racing = if model.is_grafcet() { &seen } else { &concurrency };
-    let idle = said.union(&reach::idle(model, &exploration)).copied().collect();
-    said.extend(branches::check(model, &seen, &logic, &conditions, &idle, sink));
+    let dead = reach::idle(model, &exploration).union(&said).copied().collect();
+    let branches =
+        branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
+    said.extend(branches.check(&dead, sink));
     let dead = reach::check(model, &exploration, &said, sink);
     safety::check(model, &exploration, sink);
     waits::check(model, &exploration, &dead, sink);
