@@ -23,6 +23,11 @@ grafcet! {
             Ready -[estop]-> Stopped -[!estop && rising(ack)]-> Restart -[true]-> Ready;
         }
 
+        // Proved when the chart is compiled.
+        always drill || stamp => clamp && !conveyor;
+        never alarm && (conveyor || drill || stamp);
+        home (Ready, Manual);
+
         partial Modes {
             // Stored: an emergency stop leaves the clamp closed, and only here it is opened.
             initial step Manual { R clamp; }

@@ -361,3 +361,20 @@ fn contents() {
 fn usage() {
     holds("sfc C { input a, b: bool; initial step A; step B; A -[a]-> B -[!a]-> A; always b || !b; }");
 }
+
+/// A long chart overflows no stack, and the budget ends what takes too long.
+#[test]
+fn long() {
+    for dialect in ["sfc", "grafcet"] {
+        let mut chart = format!("{dialect} Long {{ input a: bool; output q: bool; initial step Step0 {{ q; }} ");
+        for step in 1..3_000 {
+            _ = write!(chart, "step Step{step} {{ q if !a; }} ");
+        }
+        for step in 0..3_000 {
+            _ = write!(chart, "Step{step} -[{}a]-> ", if step % 2 == 0 { "" } else { "!" });
+        }
+        let said = said(&format!("{chart} Step0; never q && Step1.X && a; always q || a; }}"));
+        let undecided = |one: &String| one.starts_with("property_undecided") && one.contains("budget");
+        assert!(said.iter().all(undecided), "{said:?}");
+    }
+}

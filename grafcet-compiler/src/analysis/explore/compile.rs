@@ -295,11 +295,13 @@ impl<'m> Compiler<'m> {
         if !boolean {
             return None;
         }
+        let mut assignments = 0;
         let mut value = match init.as_ref().map(|init| &init.tree) {
             None => Formula::Const(false),
             Some(Tree::Bool(value)) => Formula::Const(*value),
             Some(other) => self.unknown(other),
         };
+        let mut asserted = Vec::new();
         for association in model.associations.values() {
             let when = match association.qualifier {
                 Qualifier::N | Qualifier::L | Qualifier::D => association.effect.continuous_value(place),
@@ -316,18 +318,20 @@ impl<'m> Compiler<'m> {
             if let Some(condition) = &association.condition {
                 asserts = asserts.and(self.formula(&condition.tree));
             }
-            value = match assigned {
-                None => value.or(asserts),
+            match assigned {
+                None => asserted.push(asserts),
                 Some(tree) => {
                     // The last in the source wins: `asserts && tree || !asserts && value`.
                     let index = self.shared.len();
                     self.shared.push(asserts);
                     let on = Formula::Shared(index).and(self.formula(tree));
-                    on.or(Formula::Shared(index).negate().and(value))
+                    value = on.or(Formula::Shared(index).negate().and(value));
+                    assignments += 1;
                 }
-            };
+            }
         }
-        Some(value)
+        // Each assignment lies a level deeper.
+        (assignments < 200).then(|| value.or(any(asserted)))
     }
 
     /// A boolean about which nothing is known.
@@ -374,6 +378,15 @@ fn flipped(operator: Binary) -> Option<Binary> {
         Binary::Ge => Binary::Le,
         _ => return None,
     })
+}
+
+/// One of these holds. Halves, so that a long list lies not deep.
+fn any(mut all: Vec<Formula>) -> Formula {
+    if all.len() < 2 {
+        return all.pop().unwrap_or(Formula::Const(false));
+    }
+    let rest = all.split_off(all.len() / 2);
+    any(all).or(any(rest))
 }
 
 fn var_is_continuous(model: &Model, id: VarId) -> bool {

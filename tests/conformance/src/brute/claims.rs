@@ -32,6 +32,8 @@ impl Said {
 /// Adds what is said wrongly.
 pub(super) fn check(model: &Model, graph: &Graph, text: &str, comparison: &mut Comparison) -> Result<(), String> {
     let depths = graph.depths();
+    // A search without end costs more than a chart as people draw it.
+    let large = graph.states.len() > 50 || graph.cycles().any(|(_, edge)| !edge.stable);
     for (index, property) in model.properties.iter().enumerate() {
         let (line, alone) = alone(text, index);
         let naive = broken(model, graph, &depths, property)?;
@@ -46,9 +48,7 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, comparison: &mut C
             (Said::Broken(length), Some(shortest)) if *length > shortest && !(home && timed) => "not the shortest",
             (Said::Broken(length), Some(shortest)) if *length < shortest && !timed => "too short",
             // The budget is for charts as people draw them.
-            (Said::Undecided(why), _) if comparison.exact && !(why.contains("budget") && graph.states.len() > 50) => {
-                "undecided"
-            }
+            (Said::Undecided(why), _) if comparison.exact && !(why.contains("budget") && large) => "undecided",
             _ => continue,
         };
         let what = match said {
