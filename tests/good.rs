@@ -19,11 +19,12 @@ macro_rules! good {
 }
 
 good! {
-    alternating_pumps batch_recipe bottle_filling car_wash commissioning drill_station elevator emergency_stop
-    garage_gate hierarchy interlocked jumps latched_requests light_switch machining_cell macro_steps modes nested
-    overlapping_parts packaging_line parking pick_and_place pipeline protocol qualifiers qualifiers_grafcet rendezvous
-    retry reversing_drive shared_crane shared_crane_grafcet sorting_line star_delta tank_levels thirty_programmes
-    token_ring traffic_light two_hand_press washing_machine watchdog
+    abort_branches alternating_pumps batch_recipe bottle_filling buffer busy car_wash carton_line commissioning
+    debounce drill_station elevator emergency_stop garage_gate handshake hierarchy interlocked jumps
+    latched_requests light_switch machining_cell macro_steps modes mutual_interlock nested overlapping_parts
+    packaging_line parking pick_and_place pipeline protocol qualifiers qualifiers_grafcet rendezvous retry
+    reversing_drive rotary_plant shared_crane shared_crane_grafcet sorting_line star_delta tank_levels
+    thirty_programmes token_ring traffic_light two_hand_press washing_machine watchdog
 }
 
 /// The same without rustc, for the message.

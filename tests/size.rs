@@ -120,13 +120,13 @@ fn time() {
 
 /// A sequence of these steps.
 macro_rules! sequence {
-    ($name:ident: $first:ident $($step:ident)*) => {
+    ($dialect:ident $name:ident: $first:ident $($step:ident)*) => {
         grafcet! {
-            sfc $name {
-                input go: bool;
+            $dialect $name {
+                input go, back: bool;
                 initial step $first;
                 $(step $step;)*
-                $first $(-[go]-> $step)* -[go]-> $first;
+                $first $(-[go]-> $step)* -[back]-> $first;
             }
         }
     };
@@ -134,8 +134,8 @@ macro_rules! sequence {
 
 /// A sequence of two hundred steps and more.
 macro_rules! long {
-    ($name:ident: $($more:ident)*) => {
-        sequence! { $name:
+    ($dialect:ident $name:ident: $($more:ident)*) => {
+        sequence! { $dialect $name:
             S000 S001 S002 S003 S004 S005 S006 S007 S008 S009 S010 S011 S012 S013 S014 S015 S016 S017 S018 S019
             S020 S021 S022 S023 S024 S025 S026 S027 S028 S029 S030 S031 S032 S033 S034 S035 S036 S037 S038 S039
             S040 S041 S042 S043 S044 S045 S046 S047 S048 S049 S050 S051 S052 S053 S054 S055 S056 S057 S058 S059
@@ -151,9 +151,10 @@ macro_rules! long {
     };
 }
 
-long! { TwoHundred: }
+long! { sfc TwoHundred: }
+long! { grafcet Marked: }
 long! {
-    ThreeHundred:
+    sfc ThreeHundred:
     S200 S201 S202 S203 S204 S205 S206 S207 S208 S209 S210 S211 S212 S213 S214 S215 S216 S217 S218 S219
     S220 S221 S222 S223 S224 S225 S226 S227 S228 S229 S230 S231 S232 S233 S234 S235 S236 S237 S238 S239
     S240 S241 S242 S243 S244 S245 S246 S247 S248 S249 S250 S251 S252 S253 S254 S255 S256 S257 S258 S259
@@ -165,9 +166,15 @@ long! {
 fn long_sequences() {
     assert_eq!(size_of::<TwoHundred>(), 1);
     assert_eq!(size_of::<ThreeHundred>(), 2, "more states than a byte has values");
+    assert_eq!(size_of::<Marked>(), 2, "the mark of an unstable search stands above the states");
+    let mut marked = Marked::new();
+    marked.cycle(&MarkedInputs { go: true, back: true });
+    assert!(!marked.is_stable() && marked.is_active(MarkedStep::S002), "402 evolutions");
+    marked.cycle(&MarkedInputs { go: false, back: false });
+    assert!(marked.is_stable() && marked.is_active(MarkedStep::S002));
     let mut chart = ThreeHundred::new();
     for _ in 0..300 {
-        chart.cycle(&ThreeHundredInputs { go: true });
+        chart.cycle(&ThreeHundredInputs { go: true, back: false });
     }
     assert!(chart.is_active(ThreeHundredStep::S299));
 }

@@ -1,12 +1,12 @@
 //! The charts in C, in `benches/c`: their types and functions as Rust sees them.
 
 macro_rules! dialects {
-    ($($chart:ident: $first:literal $($stored:ident)?;)*) => {
+    ($($chart:ident: $step:ident $first:literal $($stored:ident)?;)*) => {
         $(pub mod $chart {
             pub mod sfc {
                 pub use crate::signals::$chart::*;
                 #[repr(C)]
-                pub struct Chart { step: u8, $($stored: bool,)? }
+                pub struct Chart { step: $step, $($stored: bool,)? }
                 impl Chart {
                     /// `INIT`, behind the steps.
                     pub fn new() -> Self { Self { step: $first, $($stored: false,)? } }
@@ -20,7 +20,7 @@ macro_rules! dialects {
             pub mod grafcet {
                 pub use crate::signals::$chart::*;
                 #[repr(C)]
-                pub struct Chart { step: u8, $($stored: bool,)? stable: bool }
+                pub struct Chart { step: $step, $($stored: bool,)? stable: bool }
                 impl Chart {
                     pub fn new() -> Self { Self { step: 0, $($stored: false,)? stable: true } }
                     pub fn is_stable(&self) -> bool { self.stable }
@@ -36,11 +36,58 @@ macro_rules! dialects {
 }
 
 dialects! {
-    motor: 2;
-    line24v: 4 q2;
-    seq4: 4;
-    seq16: 16;
-    seq64: 64;
-    selection: 9;
-    washer: 7 locked;
+    motor: u8 2;
+    line24v: u8 4 q2;
+    seq4: u8 4;
+    seq16: u8 16;
+    seq64: u8 64;
+    chain10: u8 10;
+    chain100: u8 100;
+    chain1000: u16 1000;
+    selection: u8 9;
+    washer: u8 7 locked;
+}
+
+/// Its state in both dialects is one for the forks and one for each branch.
+pub mod par8 {
+    pub mod sfc {
+        pub use crate::signals::par8::*;
+        #[repr(C)]
+        pub struct Chart {
+            main: u8,
+            branches: [u8; 8],
+        }
+        impl Chart {
+            pub fn new() -> Self {
+                Self { main: 0, branches: [0; 8] }
+            }
+        }
+        unsafe extern "C" {
+            #[link_name = "par8_sfc_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
+    pub mod grafcet {
+        pub use crate::signals::par8::*;
+        #[repr(C)]
+        pub struct Chart {
+            main: u8,
+            branches: [u8; 8],
+            stable: bool,
+        }
+        impl Chart {
+            pub fn new() -> Self {
+                Self { main: 1, branches: [0; 8], stable: true }
+            }
+            pub fn is_stable(&self) -> bool {
+                self.stable
+            }
+        }
+        unsafe extern "C" {
+            #[link_name = "par8_grafcet_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
 }

@@ -91,7 +91,7 @@ macro_rules! benches {
     };
 }
 
-benches!(motor line24v seq4 seq16 seq64 selection washer);
+benches!(motor line24v seq4 seq16 seq64 chain10 chain100 chain1000 par8 selection washer);
 
 /// A root that keeps nothing: the image all others are compared with.
 #[unsafe(no_mangle)]

@@ -12,6 +12,14 @@ macro_rules! with_signals {
                 => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
             seq64: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
                 => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
+            chain10: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9
+                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9;
+            chain100: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
+            chain1000: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
+            par8: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
             selection: start, done { recipe: u8 = |bits| 1 + (bits % 8) as u8 }
                 => ready, pump, v1, v2, v3, v4, v5, v6, v7, v8;
             washer: start, full, hot, washed, empty, again, spun

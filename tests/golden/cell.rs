@@ -323,7 +323,7 @@ impl Cell {
                             auto && !start
                         } {
                             after_1 = __CellRegion1::Auto;
-                        }
+                        } else {}
                     }
                     __CellRegion1::Feed => {
                         if inputs.full {

@@ -21,6 +21,8 @@ macro_rules! both {
 }
 use both;
 
+include!(concat!(env!("OUT_DIR"), "/generated.rs"));
+
 both! { motor {
     input on, off, over_temp: bool;
     output relay, green, red: bool;

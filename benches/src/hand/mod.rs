@@ -81,3 +81,5 @@ macro_rules! dialects {
     };
 }
 use dialects;
+
+include!(concat!(env!("OUT_DIR"), "/hand.rs"));

@@ -48,6 +48,19 @@ impl Concurrency {
         Self { relation: search.relation, reachable: search.reachable, unsafe_steps: search.unsafe_steps }
     }
 
+    /// The relation without the pairs of which more is known: they never are active together.
+    #[must_use]
+    pub fn without(&self, apart: impl Fn(StepId, StepId) -> bool) -> Self {
+        let mut relation = Relation::new(self.reachable.len());
+        for a in 0..self.reachable.len() {
+            let later = self.relation.of(a).filter(|b| *b >= a);
+            for b in later.filter(|b| *b == a || !apart(StepId::new(a), StepId::new(*b))) {
+                relation.insert(a, b);
+            }
+        }
+        Self { relation, reachable: self.reachable.clone(), unsafe_steps: self.unsafe_steps.clone() }
+    }
+
     /// Whether two different steps can be active together.
     #[must_use]
     pub fn together(&self, a: StepId, b: StepId) -> bool {

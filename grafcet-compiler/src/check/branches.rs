@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::drawing;
 use crate::analysis::{Answer, Concurrency, Condition, Logic};
 use crate::diagnostic::{Sink, rules};
 use crate::model::{Id, LevelAttr, Model, Read, StepId, TransitionId, Tree};
@@ -9,50 +10,43 @@ use crate::model::{Id, LevelAttr, Model, Read, StepId, TransitionId, Tree};
 /// Of a step with more branches each is compared with this many before it.
 const NEIGHBOURS: usize = 200;
 
-pub(super) fn check(
-    model: &Model,
-    concurrency: &Concurrency,
-    logic: &Logic<'_>,
-    conditions: &[Condition],
-    dead: &BTreeSet<TransitionId>,
-    sink: &mut Sink,
-) -> BTreeSet<TransitionId> {
-    let mut shadowed = BTreeSet::new();
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-    }
-    let branches = Branches { model, concurrency, logic, conditions };
-    for id in model.transitions.ids().filter(|id| !dead.contains(id)) {
-        // What competes with it and stands before it.
-        let sources = &model.transitions[id].sources;
-        let before: BTreeSet<TransitionId> = sources
-            .iter()
-            .flat_map(|step| leaving[step.index()].iter().copied().filter(|other| *other < id && !dead.contains(other)))
-            .collect();
-        if before.is_empty() {
-            continue;
-        }
-        let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).collect();
-        before.reverse();
-        if model.is_grafcet() {
-            branches.overlapping(id, &before, sink);
-        } else if branches.shadowed(id, &before, sink) {
-            shadowed.insert(id);
-        }
-    }
-    shadowed
-}
-
-struct Branches<'m> {
-    model: &'m Model,
-    concurrency: &'m Concurrency,
-    logic: &'m Logic<'m>,
+pub(super) struct Branches<'m> {
+    pub(super) model: &'m Model,
+    pub(super) concurrency: &'m Concurrency,
+    pub(super) logic: &'m Logic<'m>,
     /// By transition.
-    conditions: &'m [Condition],
+    pub(super) conditions: &'m [Condition],
+    /// Transitions of which it was said that their condition always holds: that they shadow others need not be said.
+    pub(super) always: &'m BTreeSet<TransitionId>,
 }
 
 impl Branches<'_> {
+    /// Leaves out the transitions that never clear, and returns the shadowed ones.
+    pub(super) fn check(&self, dead: &BTreeSet<TransitionId>, sink: &mut Sink) -> BTreeSet<TransitionId> {
+        let model = self.model;
+        let mut shadowed = BTreeSet::new();
+        let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+        for (id, transition) in model.transitions.iter() {
+            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+        }
+        for id in model.transitions.ids().filter(|id| !dead.contains(id)) {
+            // What competes with it and stands before it.
+            let others = model.transitions[id].sources.iter().flat_map(|step| leaving[step.index()].iter().copied());
+            let before: BTreeSet<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
+            if before.is_empty() {
+                continue;
+            }
+            let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).collect();
+            before.reverse();
+            if model.is_grafcet() {
+                self.overlapping(id, &before, sink);
+            } else if self.shadowed(id, &before, sink) {
+                shadowed.insert(id);
+            }
+        }
+        shadowed
+    }
+
     fn condition(&self, id: TransitionId) -> &Condition {
         &self.conditions[id.index()]
     }
@@ -86,7 +80,11 @@ impl Branches<'_> {
             }
         }
         let shadowing: Vec<TransitionId> = first.iter().map(|(other, _)| *other).collect();
-        self.report_shadowed(id, &shadowing, sink);
+        match shadowing[..] {
+            _ if shadowing.iter().any(|other| self.always.contains(other)) => {}
+            [one] if self.is_duplicate(one, id) => drawing::duplicate_transition(self.model, one, id, sink),
+            _ => self.report_shadowed(id, &shadowing, sink),
+        }
         true
     }
 
@@ -107,10 +105,14 @@ impl Branches<'_> {
         let mut notes = vec![(transition.condition.mark, message)];
         for other in shadowing {
             let first = &self.model.transitions[*other];
-            let message = format!(
-                "{} stands before {own} and has priority; whenever `{text}` holds, it is cleared instead",
-                self.model.transition_text(first)
-            );
+            let (first_text, rest) = (self.model.transition_text(first), shadowing.len() - 1);
+            let instead = match rest {
+                0 => "it is cleared instead".to_owned(),
+                1 => "it or the other one before is cleared instead".to_owned(),
+                _ => format!("it or one of the {rest} others before is cleared instead"),
+            };
+            let message =
+                format!("{first_text} stands before {own} and has priority; whenever `{text}` holds, {instead}");
             notes.push((first.condition.mark, message));
         }
         sink.rule(&rules::SHADOWED_BRANCH, &self.model.levels_of_transition(transition), notes);
@@ -120,6 +122,9 @@ impl Branches<'_> {
     fn overlapping(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
         let own = self.condition(id);
         for other in before {
+            if self.is_duplicate(*other, id) {
+                return drawing::duplicate_transition(self.model, *other, id, sink);
+            }
             let excluded = self.logic.exclusive(self.condition(*other), own);
             if excluded || self.lead_to_the_same(id, *other) || !self.enabled_together(id, *other) {
                 continue;
@@ -148,6 +153,11 @@ impl Branches<'_> {
             sink.rule(&rules::OVERLAPPING_BRANCHES, &scopes, vec![note(id, *other), note(*other, id)]);
             return;
         }
+    }
+
+    /// The same arc with the same condition, written in another way.
+    fn is_duplicate(&self, a: TransitionId, b: TransitionId) -> bool {
+        self.lead_to_the_same(a, b) && self.logic.equivalent(self.condition(a), self.condition(b))
     }
 
     /// Whether it makes no difference that both clear.

@@ -1,27 +1,37 @@
-//! `never_true`, `always_true`, `level_source_transition`: what is wrong with a condition by itself.
+//! `never_true`, `always_true`, `level_source_transition`, `event_without_edge`: what is wrong with a condition by itself.
 
 use std::collections::BTreeSet;
 
+use crate::analysis::explore::situation;
 use crate::analysis::{Answer, Condition, Logic};
-use crate::diagnostic::{Rule, Sink, rules};
-use crate::model::{Expr, Model, Read, Transition, TransitionId, Tree};
+use crate::diagnostic::{Rule, Severity, Sink, rules};
+use crate::model::{Expr, LevelAttr, Model, Read, StepId, Transition, TransitionId, Tree};
 
-/// Returns the transitions whose condition never holds.
-pub(super) fn check(
-    model: &Model,
-    logic: &Logic<'_>,
-    conditions: &[Condition],
-    sink: &mut Sink,
-) -> BTreeSet<TransitionId> {
-    let mut dead = BTreeSet::new();
+/// The transitions of which something was said.
+#[derive(Default)]
+pub(super) struct Said {
+    /// Their condition never holds.
+    pub(super) never: BTreeSet<TransitionId>,
+    /// It always holds.
+    pub(super) always: BTreeSet<TransitionId>,
+}
+
+pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], sink: &mut Sink) -> Said {
+    let mut said = Said::default();
+    let plain = Logic::new(model);
     for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
         let scopes = model.levels_of_transition(transition);
         let Some(rule) = constant(logic, condition, &transition.condition.tree) else {
             level_source(model, logic, transition, condition, sink);
+            if holds_while_enabled(&plain, transition) && enabled_anyway(model, transition, &scopes, sink) {
+                said.always.insert(id);
+            }
             continue;
         };
         if rule.name == rules::NEVER_TRUE.name {
-            dead.insert(id);
+            said.never.insert(id);
+        } else if rule.severity_in(model.dialect, &scopes) != Severity::Allow {
+            said.always.insert(id);
         }
         let what = format!("{} never clears", model.transition_text(transition));
         report(rule, &transition.condition, &what, &scopes, sink);
@@ -33,8 +43,41 @@ pub(super) fn check(
                 report(rule, expr, "this action never acts", &model.levels_of(step), sink);
             }
         }
+        if let (true, Some(event)) = (model.is_grafcet(), &association.event) {
+            level_event(logic, event, sink);
+        }
     }
-    dead
+    said
+}
+
+/// Whether a condition holds because it asks for the steps in front of the transition. That another step is not active
+/// then, as in `!Other.X`, may be said to be safe.
+fn holds_while_enabled(logic: &Logic<'_>, transition: &Transition) -> bool {
+    let own = |read: &Read| matches!(read, Read::Active(step) if transition.sources.contains(step));
+    if !transition.condition.reads.iter().any(own) {
+        return false;
+    }
+    let condition = &logic.condition(&transition.condition.tree);
+    let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
+    let active: Vec<Condition> = transition.sources.iter().map(active).collect();
+    let mut goals: Vec<_> = active.iter().map(|source| (source, true)).collect();
+    if logic.impossible(&goals) {
+        return false;
+    }
+    goals.push((condition, false));
+    logic.impossible(&goals)
+}
+
+/// Reports a condition that waits for nothing; whether somebody sees it.
+fn enabled_anyway(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) -> bool {
+    let expr = &transition.condition;
+    let message = format!(
+        "`{}` always holds while `{}` is active, so nothing waits for it; correct the condition, or write `true`",
+        expr.text,
+        situation(model, &transition.sources)
+    );
+    sink.rule(&rules::ALWAYS_TRUE, scopes, vec![(expr.mark, message)]);
+    rules::ALWAYS_TRUE.severity_in(model.dialect, scopes) != Severity::Allow
 }
 
 /// The rule that a condition breaks which always has the same value.
@@ -49,7 +92,7 @@ fn constant(logic: &Logic<'_>, condition: &Condition, tree: &Tree) -> Option<&'s
     logic.always(condition).then_some(&rules::ALWAYS_TRUE)
 }
 
-fn report(rule: &'static Rule, expr: &Expr, what: &str, scopes: &[&[crate::model::LevelAttr]], sink: &mut Sink) {
+fn report(rule: &'static Rule, expr: &Expr, what: &str, scopes: &[&[LevelAttr]], sink: &mut Sink) {
     let text = &expr.text;
     let message = if rule.name == rules::NEVER_TRUE.name {
         format!("`{text}` never holds, so {what}; correct the condition, or delete what depends on it")
@@ -65,14 +108,8 @@ fn level_source(model: &Model, logic: &Logic<'_>, transition: &Transition, condi
         return;
     }
     let expr = &transition.condition;
-    let is_edge = |read: &&Read| matches!(read, Read::Rising(_) | Read::Falling(_));
-    let edges: Vec<Condition> =
-        expr.reads.iter().filter(is_edge).map(|read| logic.condition(&Tree::Read(*read))).collect();
-    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).collect();
-    goals.push((condition, true));
     // Without any edge it is a level whatever it reads.
-    let is_level = edges.is_empty() || matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_));
-    if is_level {
+    if !has_edge(expr) || holds_without_edge(logic, expr, condition) {
         let mend = match &expr.tree {
             Tree::Read(_) => format!("`rising({})`", expr.text),
             _ => "`rising(…)`".to_owned(),
@@ -85,4 +122,32 @@ fn level_source(model: &Model, logic: &Logic<'_>, transition: &Transition, condi
         let scopes = model.levels_of_transition(transition);
         sink.rule(&rules::LEVEL_SOURCE_TRANSITION, &scopes, vec![(expr.mark, message)]);
     }
+}
+
+/// IEC 60848: an event is an edge; one without any is found with the drawing.
+fn level_event(logic: &Logic<'_>, event: &Expr, sink: &mut Sink) {
+    if has_edge(event) && holds_without_edge(logic, event, &logic.of_action(&event.tree)) {
+        let message = format!(
+            "an event happens at an instant, and `{}` also holds without an edge; write one into each alternative: \
+             `rising(…) && …`",
+            event.text
+        );
+        sink.rule(&rules::EVENT_WITHOUT_EDGE, &[], vec![(event.mark, message)]);
+    }
+}
+
+fn edges(expr: &Expr) -> impl Iterator<Item = Read> + '_ {
+    expr.reads.iter().copied().filter(|read| matches!(read, Read::Rising(_) | Read::Falling(_)))
+}
+
+pub(super) fn has_edge(expr: &Expr) -> bool {
+    edges(expr).next().is_some()
+}
+
+/// Whether the condition certainly can hold while none of its edges does.
+fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Condition) -> bool {
+    let edges: Vec<Condition> = edges(expr).map(|read| logic.condition(&Tree::Read(read))).collect();
+    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).collect();
+    goals.push((condition, true));
+    matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_))
 }

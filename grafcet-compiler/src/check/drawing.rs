@@ -1,7 +1,7 @@
 //! The rules of drawing: initial steps, doubled transitions, steps on their own.
 
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId};
+use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId, TransitionId};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     initial_steps(model, sink);
@@ -53,10 +53,13 @@ fn no_initial_step(model: &Model, id: PartialId, sink: &mut Sink) {
 fn is_started_elsewhere(model: &Model, id: PartialId) -> bool {
     let partial = &model.partials[id];
     let holds_others = partial.name.is_none() && partial.steps.is_empty() && model.partials.len() > 1;
-    let forced = model
-        .forces
-        .values()
-        .any(|f| f.target == id && matches!(&f.order, ForceOrder::Steps(steps) if !steps.is_empty()));
+    // `{INIT}` without initial steps is an error of its own.
+    let starts = |order: &ForceOrder| match order {
+        ForceOrder::Steps(steps) => !steps.is_empty(),
+        ForceOrder::Init => true,
+        ForceOrder::Hold => false,
+    };
+    let forced = model.forces.values().any(|force| force.target == id && starts(&force.order));
     let source = partial.transitions.iter().any(|t| model.transitions[*t].sources.is_empty());
     holds_others || partial.enclosed_by.is_some() || forced || source && model.dialect == Dialect::Grafcet
 }
@@ -69,24 +72,22 @@ fn duplicate_transitions(model: &Model, sink: &mut Sink) {
         sources.sort_unstable();
         targets.sort_unstable();
         let key = (sources, targets, &transition.condition.tree);
-        let Some(first) = seen.insert(key, id) else { continue };
-        let (from, to) = (names(model, &transition.sources), names(model, &transition.targets));
-        let notes = vec![
-            (
-                model.transitions[first].mark,
-                format!(
-                    "this transition from {from} to {to} is drawn again further down, with the same condition; draw it once"
-                ),
-            ),
-            (
-                transition.mark,
-                format!(
-                    "this transition from {from} to {to} is drawn a second time, with the same condition; draw it once"
-                ),
-            ),
-        ];
-        sink.rule(&rules::DUPLICATE_TRANSITION, &[], notes);
+        if let Some(first) = seen.insert(key, id) {
+            duplicate_transition(model, first, id, sink);
+        }
     }
+}
+
+/// Both places of a transition that is drawn twice.
+pub(super) fn duplicate_transition(model: &Model, first: TransitionId, second: TransitionId, sink: &mut Sink) {
+    let transition = &model.transitions[second];
+    let (from, to) = (names(model, &transition.sources), names(model, &transition.targets));
+    let drawn = |mark: Mark, when: &str| {
+        (mark, format!("this transition from {from} to {to} is drawn {when}, with the same condition; draw it once"))
+    };
+    let notes =
+        vec![drawn(model.transitions[first].mark, "again further down"), drawn(transition.mark, "a second time")];
+    sink.rule(&rules::DUPLICATE_TRANSITION, &[], notes);
 }
 
 /// `` `A` ``, `` `(A, B)` ``

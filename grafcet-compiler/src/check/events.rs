@@ -1,7 +1,8 @@
 //! `grafcet`: IEC 60848's classes of conditions: an assignation condition is a level, an event is an edge.
 
+use super::conditions::has_edge;
 use crate::diagnostic::{Sink, rules};
-use crate::model::{Expr, Model, Qualifier, Read};
+use crate::model::{Effect, Model, Qualifier};
 use crate::plan::is_stored;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -14,6 +15,13 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
                 sink.rule(&rules::EDGE_IN_ASSIGNATION, &scopes, vec![(condition.mark, message.to_owned())]);
             }
         }
+        if let (Effect::Assign(_, value), false) = (&association.effect, is_stored(association)) {
+            if has_edge(value) {
+                let message = "an assigned value lasts as long as its action, and an edge has no duration; write the \
+                               level itself, or a stored action: `on rising(…) …`";
+                sink.rule(&rules::EDGE_IN_ASSIGNATION, &scopes, vec![(value.mark, message.to_owned())]);
+            }
+        }
         if let (Some(event), Qualifier::On) = (&association.event, association.qualifier) {
             if !has_edge(event) {
                 let message = format!(
@@ -24,8 +32,4 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
             }
         }
     }
-}
-
-fn has_edge(expr: &Expr) -> bool {
-    expr.reads.iter().any(|read| matches!(read, Read::Rising(_) | Read::Falling(_)))
 }

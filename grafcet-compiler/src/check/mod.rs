@@ -52,18 +52,25 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let exploration = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
-    let mut said = conditions::check(model, &logic, &conditions, sink);
-    said.extend(branches::check(model, &concurrency, &logic, &conditions, &said, sink));
+    let conditions::Said { never: mut said, always } = conditions::check(model, &logic, &conditions, sink);
+    // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and behind an evolution act
+    // in the same cycle, so that steps can race which are never active together.
+    let seen = concurrency.without(|a, b| !exploration.together(a, b));
+    let racing = if model.is_grafcet() { &seen } else { &concurrency };
+    let dead = reach::idle(model, &exploration).union(&said).copied().collect();
+    let branches =
+        branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
+    said.extend(branches.check(&dead, sink));
     let mut dead = reach::check(model, &exploration, &said, sink);
     dead.extend(&said);
     safety::check(model, &exploration, sink);
     waits::check(model, &exploration, &dead, sink);
-    race::check(model, &concurrency, never, sink);
-    contention::check(model, &concurrency, never, sink);
+    race::check(model, racing, never, sink);
+    contention::check(model, &seen, never, sink);
     set_reset::check(model, &concurrency, sink);
     usage::check(model, sink);
     if model.is_grafcet() {
-        structure::two_masters(model, &concurrency, sink);
+        structure::two_masters(model, &seen, sink);
         unstable::check(model, &concurrency, never, sink);
     }
 }

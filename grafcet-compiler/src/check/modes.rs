@@ -1,5 +1,6 @@
 //! `mixed_modes`: one output or variable has one kind of action (A8).
 
+use super::targets;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier};
 use crate::plan::{is_stored, writes};
@@ -48,13 +49,16 @@ struct Use {
 }
 
 fn uses(model: &Model, place: Place) -> Vec<Use> {
-    let of_steps = model.associations.values().filter(|a| writes(&a.effect).any(|other| other == place));
+    // What is refused as it stands takes no part.
+    let fits = |association: &&Association| targets::mistake(model, association).is_none();
+    let of_steps = model.associations.values().filter(|a| writes(&a.effect).any(|other| other == place)).filter(fits);
     let of_steps = of_steps.map(|association| Use {
         mode: mode(model, association),
         mark: association.mark,
         place: format!("step `{}`", model.steps[association.step].name),
     });
-    let clearings = model.transitions.values().flat_map(|t| t.clearing.iter().map(move |effect| (effect, t)));
+    let clearing = model.transitions.values().filter(|_| model.is_grafcet());
+    let clearings = clearing.flat_map(|t| t.clearing.iter().map(move |effect| (effect, t)));
     let clearings = clearings.filter(|(effect, _)| writes(effect).any(|other| other == place));
     let clearings = clearings.map(|(_, transition)| Use {
         mode: Mode::Written,

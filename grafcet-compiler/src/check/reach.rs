@@ -23,14 +23,7 @@ pub(super) fn check(
         let message = unreachable(model, id);
         sink.rule(&rules::UNREACHABLE_STEP, &scopes, vec![(Mark::from(&step.name), message)]);
     }
-    let dead: BTreeSet<TransitionId> = model
-        .transitions
-        .iter()
-        .filter(|(id, transition)| {
-            !exploration.can_clear(*id) && transition.sources.iter().all(|source| exploration.reachable(*source))
-        })
-        .map(|(id, _)| id)
-        .collect();
+    let dead = idle(model, exploration);
     for (id, step) in model.steps.iter().filter(|(id, _)| !exploration.reachable(*id) && drawn[id.index()]) {
         let open = |arc: TransitionId| {
             let sources = &model.transitions[arc].sources;
@@ -98,6 +91,14 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &BTreeSet<Transiti
         });
     }
     follow
+}
+
+/// The transitions that never clear although their sources can be active.
+pub(super) fn idle(model: &Model, exploration: &Exploration) -> BTreeSet<TransitionId> {
+    let is_idle = |(id, transition): &(TransitionId, &Transition)| {
+        !exploration.can_clear(*id) && transition.sources.iter().all(|source| exploration.reachable(*source))
+    };
+    model.transitions.iter().filter(is_idle).map(|(id, _)| id).collect()
 }
 
 /// The steps to which arrows lead from where the chart starts, whatever the conditions.

@@ -16,11 +16,16 @@ fn circles(model: &Model, sink: &mut Sink) {
     for force in model.forces.values() {
         let home = model.steps[force.step].partial;
         if reaches(model, force.target, home) {
-            let message = format!(
-                "this order forces {}, which acts on {} in turn; a partial grafcet cannot command its own commander",
-                name(model, force.target),
-                name(model, home)
-            );
+            let target = name(model, force.target);
+            let message = if force.target == home {
+                format!("this order of a step of {target} forces {target} itself; a partial grafcet commands others")
+            } else {
+                format!(
+                    "this order forces {target}, which acts on {} in turn; a partial grafcet cannot command its own \
+                     commander",
+                    name(model, home)
+                )
+            };
             sink.rule(&rules::FORCING_CIRCLE, &[], vec![(force.mark, message)]);
         }
     }
@@ -96,12 +101,15 @@ pub(super) fn two_masters(model: &Model, concurrency: &Concurrency, sink: &mut S
                 continue;
             }
             let note = |force: &Force, other: &Force| {
-                let message = format!(
-                    "`{}` can force {} while `{}` does; let only one of them be active at a time",
-                    model.steps[force.step].name,
-                    name(model, force.target),
-                    model.steps[other.step].name
-                );
+                let (step, target) = (&model.steps[force.step].name, name(model, force.target));
+                let message = if force.step == other.step {
+                    format!("`{step}` forces {target} in two ways at once; keep one of the orders")
+                } else {
+                    let other = &model.steps[other.step].name;
+                    format!(
+                        "`{step}` can force {target} while `{other}` does; let only one of them be active at a time"
+                    )
+                };
                 (force.mark, message)
             };
             sink.rule(&rules::TWO_MASTERS, &[], vec![note(first, second), note(second, first)]);

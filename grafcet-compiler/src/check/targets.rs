@@ -14,7 +14,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 }
 
 /// What is wrong, at the tokens that say it: the qualifier, its target, or from one to the other where only the pair is.
-fn mistake(model: &Model, association: &Association) -> Option<(Mark, String)> {
+pub(super) fn mistake(model: &Model, association: &Association) -> Option<(Mark, String)> {
     let target = association.target_mark;
     let qualifier = association.qualifier_mark.unwrap_or(target);
     let pair = qualifier.to(target);

@@ -287,7 +287,7 @@ pub(super) fn bare(term: TokenStream) -> TokenStream {
 }
 
 /// Whether a tree holds Rust that is not looked into.
-fn is_opaque(tree: &Tree) -> bool {
+pub(super) fn is_opaque(tree: &Tree) -> bool {
     match tree {
         Tree::Opaque { .. } => true,
         Tree::Unary(_, operand) => is_opaque(operand),

@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::bind::Moment;
+use super::branches::Branch;
 use super::{Cx, names};
-use crate::model::{Id, PartialId, StepId, Transition, TransitionId, Tree};
+use crate::model::{Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
 
 impl Cx<'_> {
@@ -63,6 +64,9 @@ impl Cx<'_> {
     /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
     pub(super) fn one_match(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
+        if self.is_sequence() {
+            return self.sequence();
+        }
         if self.model.is_grafcet() {
             let leaving = |step: &&StepId| !self.plan.evolution.owned[step.index()].is_empty();
             let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).collect();
@@ -87,19 +91,19 @@ impl Cx<'_> {
 
     /// `{ if … { On } else { Off } }`
     fn next_step(&self, step: StepId) -> TokenStream {
-        let mut chain = TokenStream::new();
-        for id in &self.plan.evolution.owned[step.index()] {
-            let transition = &self.model.transitions[*id];
-            let clear = self.clear_to(*id);
-            match self.enabled(transition) {
-                Some(condition) => chain.extend(quote!(if #condition { #clear } else)),
-                None if chain.is_empty() => return quote!({ #clear }),
-                // Always fireable: nothing behind it in the chain can clear.
-                None => return quote!({ #chain { #clear } }),
-            }
-        }
+        let leaving = &self.plan.evolution.owned[step.index()];
         let stay = self.stay(step);
-        if chain.is_empty() { stay } else { quote!({ #chain { #stay } }) }
+        if leaving.is_empty() {
+            return stay;
+        }
+        let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });
+        self.branches(branches.collect(), &stay)
+    }
+
+    /// The condition of a transition, `None` for `true`.
+    fn condition(&self, id: TransitionId) -> Option<Expr> {
+        let condition = &self.model.transitions[id].condition;
+        (condition.tree != Tree::Bool(true)).then(|| condition.clone())
     }
 
     /// A path on which nothing clears: in a search it is the end of it.
@@ -167,6 +171,10 @@ impl Cx<'_> {
     /// `if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude each
     /// other.
     fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
+        if leaving.len() > 1 && leaving.iter().all(|id| self.model.transitions[*id].sources.len() == 1) {
+            let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear(*id) });
+            return self.branches(branches.collect(), &TokenStream::new());
+        }
         let mut chain = TokenStream::new();
         for (i, id) in leaving.iter().enumerate() {
             let clear = self.clear(*id);

@@ -1,6 +1,7 @@
 //! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
 
 mod bind;
+mod branches;
 mod chart_impl;
 mod control;
 mod cycle;
@@ -12,6 +13,7 @@ mod names;
 mod outputs;
 mod recipe;
 mod segments;
+mod sequence;
 mod sfc;
 mod state;
 mod stored;

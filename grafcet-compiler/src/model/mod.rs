@@ -179,6 +179,8 @@ pub struct Step {
 /// lead to `entry`, those from it start at `exit`.
 pub struct MacroStep {
     pub name: Ident,
+    /// The macro-step in whose expansion it stands.
+    pub outer: Option<MacroId>,
     pub entry: StepId,
     pub exit: StepId,
     /// All steps of the expansion, those of macro-steps inside included.

@@ -21,7 +21,8 @@ pub(super) fn begins(input: &Input) -> bool {
 
 /// Whether an arrow, or something that was meant as one, is next.
 fn at_arrow(input: &Input) -> bool {
-    input.at("->") || input.at("<-") || input.at("--") || input.at_group(Delimiter::Bracket) || {
+    let double = input.at("=") && input.next().at_group(Delimiter::Bracket);
+    double || input.at("->") || input.at("<-") || input.at("--") || input.at_group(Delimiter::Bracket) || {
         // `never -x > 3` is a property, `-x->` an arrow.
         let behind = input.next();
         input.at("-") && (behind.at_group(Delimiter::Bracket) || behind.at("-") || head_follows(behind))
@@ -123,6 +124,8 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
         return Err(Error::new(start.span(), "arrows point forward: write `B -[x]-> A` in place of `A <-[x]- B`"));
     } else if input.eat("-") {
         doubled(input, &start, sink);
+    } else if input.eat("=") {
+        sink.notation(input.since(&start), "an arrow is drawn with single dashes: `-[x]->`");
     } else {
         sink.notation(input.span(), "in front of this `-` is missing: a transition is drawn `-[x]->`");
     }

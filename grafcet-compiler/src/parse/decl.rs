@@ -20,6 +20,12 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     if kind == DeclKind::Input && init.take().is_some() {
         sink.notation(input.since(&start), "an input has no initial value: each cycle reads it anew; remove this");
     }
+    let mut behind = *input;
+    if behind.eat(",") && behind.eat_ident().is_some() && behind.at(":") {
+        return Err(
+            input.error("a declaration has one type; begin another one for the next: `input a: u8; input b: bool;`")
+        );
+    }
     recover::semicolon(input, Place::Body, sink);
     Ok(Decl { attrs, kind, names, ty, init })
 }

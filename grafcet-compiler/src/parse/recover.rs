@@ -111,6 +111,13 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
             break;
         }
     }
+    // `speed: u32, direction: Direction`: several lists in one.
+    while is_list && !start.is_empty() && !start.at(";") && !start.on_new_line() {
+        let name = start;
+        if start.bump() && start.at(":") && !start.at("::") && !name.at(":") {
+            names.extend({ name }.eat_ident());
+        }
+    }
     names
 }
 

@@ -138,7 +138,7 @@ fn line(input: &mut Input, body: &mut StepBody, partials: Option<&mut Vec<Partia
     outer.refuse("a line of a step", sink);
     if input.eat(";") {
         sink.notation(input.last(), "this `;` ends nothing; remove it");
-    } else if input.at_word("force") && named {
+    } else if input.at_word("force") && (named || input.next().at_group(Delimiter::Brace)) {
         body.forces.push(force::parse(input)?);
     } else {
         body.associations.push(association::parse(input, sink)?);

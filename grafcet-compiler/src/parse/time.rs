@@ -32,11 +32,16 @@ pub fn time_literal(lit: &Lit) -> Option<Result<Time, String>> {
 
 /// The time at `input`, where nothing else than a time can stand; `None` is a number that was reported.
 pub(super) fn parse(input: &mut Input, literal: &Literal, sink: &mut Sink) -> Option<Time> {
-    let mark = Mark::from(input.span());
+    let mut mark = Mark::from(input.span());
     input.bump();
     let message = match time_literal(&Lit::new(literal.clone())) {
         Some(Ok(time)) => return Some(time),
         Some(Err(message)) => message,
+        None if UNITS.iter().any(|(unit, _)| input.at_word(unit)) && input.next().at_name() => {
+            mark = mark.to(input.span());
+            let unit = input.eat_ident().map(|unit| unit.to_string()).unwrap_or_default();
+            format!("number and unit stand together: write `{literal}{unit}`")
+        }
         None => format!("`{literal}` has no unit of time; the units are h, m, s, ms and us, as in `5s`"),
     };
     sink.rule(&rules::BAD_TIME, &[], vec![(mark, message)]);

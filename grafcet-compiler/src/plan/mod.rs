@@ -91,8 +91,9 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
         let mut associations = model.steps[*step].associations.iter().map(|id| &model.associations[*id]);
         associations.any(|a| !matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R)) || timed.contains(step)
     };
-    let again = |t: &Transition| t.sources.iter().filter(|step| t.targets.contains(step)).copied().collect::<Vec<_>>();
-    let reentered = evolution.entered_last.iter().copied().chain(model.transitions.values().flat_map(again));
+    let self_loops =
+        |t: &Transition| t.sources.iter().filter(|step| t.targets.contains(step)).copied().collect::<Vec<_>>();
+    let reentered = evolution.entered_last.iter().copied().chain(model.transitions.values().flat_map(self_loops));
     for step in reentered.filter(looks) {
         sees[regions.of_step(step)] = true;
     }

@@ -16,4 +16,17 @@ grafcet! {
     }
 }
 
+grafcet! {
+    sfc Kiln {
+        input start: bool;
+        param soak, rest: time = 5;
+        param late: time = -3s;
+
+        initial step Idle;
+        step Heat;
+
+        Idle -[start && rest/Idle]-> Heat -[soak/Heat && !start || late/Heat && start]-> Idle;
+    }
+}
+
 fn main() {}

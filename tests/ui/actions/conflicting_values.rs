@@ -32,7 +32,7 @@ grafcet! {
         partial Other {
             initial step Four;
             step Five { level = 4; }
-            Four -[a]-> Five -[!a]-> Four;
+            Four -[b]-> Five -[!b]-> Four;
         }
     }
 }

@@ -12,4 +12,19 @@ grafcet! {
     }
 }
 
+// That another step is not active may be said to be safe.
+grafcet! {
+    sfc Door {
+        input open, shut: bool;
+        output motor: bool;
+
+        initial step Closed;
+        step Opening { N motor; }
+        step Open;
+
+        Closed -[open]-> Opening -[shut && Opening.X]-> Open -[!Opening.X]-> Closed;
+        Opening -[!open]-> Closed;
+    }
+}
+
 fn main() {}

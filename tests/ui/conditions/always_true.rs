@@ -12,4 +12,19 @@ grafcet! {
     }
 }
 
+// Whoever waits for its own step waits for nothing, and a branch behind it is not reported beside it.
+grafcet! {
+    sfc Door {
+        input open, shut: bool;
+        output motor: bool;
+
+        initial step Closed;
+        step Opening { N motor; }
+        step Open;
+
+        Closed -[open]-> Opening -[shut || Opening.X]-> Open -[!open]-> Closed;
+        Opening -[!open]-> Closed;
+    }
+}
+
 fn main() {}

@@ -12,4 +12,16 @@ grafcet! {
     }
 }
 
+grafcet! {
+    grafcet Drive {
+        input start, fast: bool;
+        output speed: u16;
+
+        initial step Idle;
+        step Run { speed = if rising(fast) { 80 } else { 40 }; }
+
+        Idle -[start]-> Run -[!start]-> Idle;
+    }
+}
+
 fn main() {}

@@ -14,4 +14,18 @@ grafcet! {
     }
 }
 
+grafcet! {
+    grafcet Lamp {
+        input level: u16;
+        input on: bool;
+        output lamp: bool;
+
+        initial step Dark;
+        step Lit { lamp; }
+
+        Dark -[on && level > 4]-> Lit -[!on]-> Dark;
+        Dark -[level >= 6 && on]-> Lit;
+    }
+}
+
 fn main() {}

@@ -19,7 +19,7 @@ grafcet! {
         One --> Two;
         One -(a)-> Two;
         One -[b]- Two;
-        One =[a]=> Two;
+        One =[n > 3]=> Two;
         Two <-[a]- One;
         One, Two -[a]-> Three;
         One -[a]-> Two

@@ -16,4 +16,22 @@ grafcet! {
     }
 }
 
+grafcet! {
+    grafcet Gate {
+        input start, closed, jam: bool;
+        output close, horn: bool;
+
+        initial step Idle;
+        macro step Clamp {
+            entry step Close { close; }
+            exit step Hold;
+            Close -[closed]-> Hold;
+            Close -[jam && !closed]-> Alarm -[!jam]-> Hold;
+            step Alarm { horn; }
+        }
+
+        Idle -[start && !jam]-> Clamp -[!start]-> Idle;
+    }
+}
+
 fn main() {}

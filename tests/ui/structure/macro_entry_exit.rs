@@ -23,4 +23,23 @@ grafcet! {
     }
 }
 
+// The border of an expansion is crossed through the macro-step alone.
+grafcet! {
+    grafcet Gate {
+        input start, closed, jam: bool;
+        output close, horn: bool;
+
+        initial step Idle;
+        macro step Clamp {
+            entry step Close { close; }
+            exit step Hold;
+            Close -[closed]-> Hold;
+        }
+        step Alarm { horn; }
+
+        Idle -[start && !jam]-> Clamp -[!start]-> Idle;
+        Close -[jam && !closed]-> Alarm -[!jam]-> Hold;
+    }
+}
+
 fn main() {}

@@ -73,7 +73,11 @@ pub(super) fn go_on(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> 
 pub(super) fn end(scene: &Scene<'_>, when: When) -> State {
     let before = scene.sample(when).into_boxed_slice();
     let Snapshot { active, slots } = &scene.now;
-    State { first: false, active: active.clone().into_boxed_slice(), slots: slots.clone().into_boxed_slice(), before }
+    let mut slots = slots.clone();
+    for slot in &scene.net.shown_slots {
+        slots[*slot] = scene.net.initial_slots[*slot];
+    }
+    State { first: false, active: active.clone().into_boxed_slice(), slots: slots.into_boxed_slice(), before }
 }
 
 /// `(active − left) ∪ targets`, ascending.

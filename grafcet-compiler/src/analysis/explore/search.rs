@@ -110,11 +110,10 @@ pub(super) struct Graph {
 pub(super) struct Leaf {
     next: State,
     pub(super) done: Done,
-    given: Vec<(usize, Known)>,
-    past: Vec<(usize, Known)>,
-    granted: Learnt,
+    cycle: Cycle,
     late: bool,
-    watched: Vec<usize>,
+    /// The watched expressions that hold, each with what it takes.
+    watched: Vec<(usize, Cycle)>,
 }
 
 /// Explores one piece of a chart, or all of it.
@@ -327,20 +326,51 @@ impl<'n, 's> Search<'n, 's> {
         for slot in &self.foreign {
             next.slots[*slot] = Bit::Any;
         }
-        let mut watched = Vec::new();
-        self.scene.forget_volatile();
-        for index in 0..self.graph.watched.len() {
-            if self.graph.watched[index].is_none() && self.scene.decide(&self.scene.net.watched[index], When::Now) {
-                watched.push(index);
-            }
-        }
+        // What the watched expressions ask for is no part of the way on.
+        let news = !done.doubled.is_empty() || !self.index.contains_key(&next);
+        let (given, past) = if news || self.watches() { self.scene.decided() } else { (Vec::new(), Vec::new()) };
+        let (granted, late) = (self.scene.granted.clone(), self.scene.late);
+        let cycle = Cycle { given, past, granted, cleared: done.cleared.clone() };
+        let holding = self.holding();
         if !assumed || !self.is_assumed() || self.scene.redundant {
             return None;
         }
-        let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
-        let (given, past) = if news { self.scene.decided() } else { (Vec::new(), Vec::new()) };
-        let (granted, late) = (self.scene.granted.clone(), self.scene.late);
-        Some(Leaf { next, done, given, past, granted, late, watched })
+        let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
+        Some(Leaf { next, done, cycle, late, watched })
+    }
+
+    /// Whether watched expressions are left that have not been seen to hold.
+    fn watches(&self) -> bool {
+        self.graph.watched.iter().any(Option::is_none)
+    }
+
+    /// Those of them that hold at the end of this run.
+    fn holding(&mut self) -> Vec<usize> {
+        if !self.watches() {
+            return Vec::new();
+        }
+        self.scene.forget_volatile();
+        let net = self.scene.net;
+        let open: Vec<usize> =
+            (0..self.graph.watched.len()).filter(|index| self.graph.watched[*index].is_none()).collect();
+        open.into_iter().filter(|index| self.scene.decide(&net.watched[*index], When::Now)).collect()
+    }
+
+    /// The cycle with what a watched expression asked for, without what others did.
+    fn beside(&self, cycle: &Cycle, index: usize) -> Cycle {
+        let (mut atoms, net) = (Vec::new(), self.scene.net);
+        net.collect(&net.watched[index], &mut atoms, &mut Vec::new());
+        let own = |before: &Learnt, after: Learnt| -> Learnt {
+            let known = |atom: &usize| before.iter().any(|(other, _)| other == atom);
+            after.into_iter().filter(|(atom, _)| atoms.contains(atom) || known(atom)).collect()
+        };
+        let (given, past) = self.scene.decided();
+        Cycle {
+            given: own(&cycle.given, given),
+            past: own(&cycle.past, past),
+            granted: own(&cycle.granted, self.scene.granted.clone()),
+            cleared: cycle.cleared.clone(),
+        }
     }
 
     /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before.
@@ -365,7 +395,7 @@ impl<'n, 's> Search<'n, 's> {
     /// The number of the state to which it leads.
     pub(super) fn commit(&mut self, from: usize, leaf: Leaf) -> usize {
         let net = self.scene.net;
-        let Leaf { next, done, given, past, mut granted, late, watched } = leaf;
+        let Leaf { next, done, mut cycle, late, watched } = leaf;
         for active in &done.transient {
             self.seen.situation(active);
         }
@@ -375,16 +405,15 @@ impl<'n, 's> Search<'n, 's> {
         for transition in &done.enabled_later {
             self.seen.enabled[*transition] = true;
         }
-        granted.sort_unstable();
-        let demands = (self.thorough && !late).then(|| granted.clone().into_boxed_slice());
-        let cycle = Cycle { given, past, granted, cleared: done.cleared };
+        cycle.granted.sort_unstable();
+        let demands = (self.thorough && !late).then(|| cycle.granted.clone().into_boxed_slice());
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
             self.graph.doubled.entry(step).or_insert_with(doubled);
         }
-        for index in watched {
+        for (index, cycle) in watched {
             if self.graph.watched[index].is_none() {
-                self.graph.watched[index] = Some((from, cycle.clone(), Rc::new(next.clone())));
+                self.graph.watched[index] = Some((from, cycle, Rc::new(next.clone())));
             }
         }
         let mut joins: Vec<usize> = done.enabled_later;

@@ -53,9 +53,16 @@ impl Resolver<'_> {
 
     /// The output or variable `name`.
     fn place(&mut self, name: &Ident, wanted: &str, ty: &str) -> Option<Place> {
+        let places = self.scope.all(name).filter_map(|meaning| match meaning {
+            Meaning::Value(Name::Output(id)) => Some(Place::Output(id)),
+            Meaning::Value(Name::Var(id)) => Some(Place::Var(id)),
+            _ => None,
+        });
+        if let Some(place) = { places }.next() {
+            return Some(place);
+        }
         let message = match self.scope.get(name) {
-            Some(Meaning::Value(Name::Output(id))) => return Some(Place::Output(id)),
-            Some(Meaning::Value(Name::Var(id))) => return Some(Place::Var(id)),
+            Some(Meaning::Value(Name::Output(_) | Name::Var(_))) => return None,
             Some(Meaning::Value(Name::Input(_))) => {
                 format!("`{name}` is an input, which the plant writes; an action writes an `output` or a `var`")
             }

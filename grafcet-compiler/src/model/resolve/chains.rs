@@ -6,7 +6,7 @@ use super::scope::Meaning;
 use super::{Resolver, expr};
 use crate::ast::{self, Arrow, Node};
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Dialect, Effect, PartialId, StepId, Transition};
+use crate::model::{Dialect, Effect, MacroId, PartialId, StepId, Transition};
 
 /// At which end of an arrow a node stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -44,6 +44,7 @@ impl Resolver<'_> {
     ) {
         let sources = self.node(before, End::Source, partial);
         let targets = self.node(after, End::Target, partial);
+        self.crossing(before, after);
         let condition = expr::resolve(&transition.condition, self);
         if let Some(name) = &transition.name {
             self.scope.declare_transition(name, self.sink);
@@ -87,14 +88,12 @@ impl Resolver<'_> {
 
     /// The steps of a node: of a macro-step its entry or its exit.
     fn node(&mut self, node: &Node, end: End, partial: PartialId) -> Option<Vec<StepId>> {
-        let names: &[Ident] = match node {
-            Node::Step(name) => std::slice::from_ref(name),
-            Node::Group(names, _) => names,
-            Node::Missing(_) | Node::Forgotten(_) => return None,
-        };
+        if matches!(node, Node::Missing(_) | Node::Forgotten(_)) {
+            return None;
+        }
         let mut steps = Vec::new();
         let mut complete = true;
-        for name in names {
+        for name in names(node) {
             let step = match self.scope.step(name, self.sink) {
                 Some(Meaning::Step(step)) => step,
                 Some(Meaning::Macro(id)) if self.broken_macros.contains(&id) => {
@@ -124,6 +123,43 @@ impl Resolver<'_> {
             }
         }
         complete.then_some(steps)
+    }
+
+    /// An expansion is entered and left through its macro-step alone.
+    fn crossing(&mut self, before: &Node, after: &Node) {
+        let ends = names(before).iter().map(|name| (name, End::Source));
+        let ends = ends.chain(names(after).iter().map(|name| (name, End::Target)));
+        let placed: Vec<_> = ends.filter_map(|(name, end)| Some((name, end, self.expansion(name)?))).collect();
+        // Seen from outside: from where the fewest expansions are around it.
+        let Some((.., home)) = placed.iter().min_by_key(|(.., inside)| inside.len()) else { return };
+        for (name, end, inside) in &placed {
+            let Some(border) = inside.iter().find(|id| !home.contains(id)) else { continue };
+            let expansion = &self.model.macros[*border].name;
+            let way = match end {
+                End::Source => "one that leaves it starts at",
+                End::Target => "one that enters it leads to",
+            };
+            let message = format!(
+                "`{name}` stands in the expansion of macro-step `{expansion}`, and this transition crosses its border; {way} \
+                 `{expansion}` itself"
+            );
+            self.sink.rule(&rules::MACRO_ENTRY_EXIT, &[], vec![((*name).into(), message)]);
+        }
+    }
+
+    /// The macro-steps around a step, outwards.
+    fn expansion(&self, name: &Ident) -> Option<Vec<MacroId>> {
+        let mut inside = Vec::new();
+        let mut next = match self.scope.get(name)? {
+            Meaning::Step(step) => self.model.steps[step].macro_step,
+            Meaning::Macro(id) => self.model.macros[id].outer,
+            _ => return None,
+        };
+        while let Some(id) = next {
+            inside.push(id);
+            next = self.model.macros[id].outer;
+        }
+        Some(inside)
     }
 
     /// `(B, B)`: a step twice in one list.
@@ -211,6 +247,14 @@ impl Resolver<'_> {
             effects.extend(effect);
         }
         effects
+    }
+}
+
+fn names(node: &Node) -> &[Ident] {
+    match node {
+        Node::Step(name) => std::slice::from_ref(name),
+        Node::Group(names, _) => names,
+        Node::Missing(_) | Node::Forgotten(_) => &[],
     }
 }
 

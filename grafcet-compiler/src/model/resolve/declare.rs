@@ -8,7 +8,8 @@ use super::{Resolver, expr};
 use crate::ast::{self, DeclKind, Item, StepKind};
 use crate::diagnostic::{Mark, rules};
 use crate::model::{
-    Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, Ty, Var,
+    Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, Tree, Ty,
+    Unary, Var,
 };
 
 impl Resolver<'_> {
@@ -77,6 +78,14 @@ impl Resolver<'_> {
     pub(super) fn initial_value(&mut self, decl: &ast::Decl) {
         let Some(init) = &decl.init else { return };
         let init: Expr = expr::resolve(init, self);
+        let is_time = matches!(decl.ty, ast::Ty::Time(_));
+        if let (true, Some(number)) = (is_time && matches!(init.tree, Tree::Int(_)), &decl.init) {
+            self.no_unit(number);
+        }
+        if let (true, Tree::Unary(Unary::Neg, _)) = (is_time, &init.tree) {
+            let message = "time runs forward; a time is not negative".to_owned();
+            self.sink.rule(&rules::BAD_TIME, &[], vec![(Mark::of(decl.init.as_ref()), message)]);
+        }
         if init.reads.iter().any(|read| !matches!(read, Read::Ticks(_))) {
             let message = "an initial value is a constant; it cannot read a declared name or a step";
             self.sink.notation(Mark::of(decl.init.as_ref()), message);
@@ -127,7 +136,7 @@ impl Resolver<'_> {
     fn declare_step(&mut self, step: &ast::Step, partial: PartialId, place: Where) {
         self.refuse_words(step, partial, place);
         if let StepKind::Macro(_, body) = &step.kind {
-            return self.declare_macro(step, body, partial);
+            return self.declare_macro(step, body, partial, place);
         }
         let id = self.model.steps.push(Step {
             name: spelled(&step.name),
@@ -137,10 +146,7 @@ impl Resolver<'_> {
             initial: step.initial.is_some(),
             is_final: step.is_final.is_some(),
             linked: step.linked.is_some(),
-            macro_step: match place {
-                Where::Expansion(id) => Some(id),
-                _ => None,
-            },
+            macro_step: place.expansion(),
             encloses: Vec::new(),
             drawn: false,
             associations: Vec::new(),
@@ -159,10 +165,11 @@ impl Resolver<'_> {
     }
 
     /// A macro-step: its expansion's steps stand in the partial grafcet around it.
-    fn declare_macro(&mut self, step: &ast::Step, body: &ast::Body, partial: PartialId) {
+    fn declare_macro(&mut self, step: &ast::Step, body: &ast::Body, partial: PartialId, place: Where) {
         let unknown = StepId::new(0);
         let first = self.model.steps.len();
-        let macro_step = MacroStep { name: spelled(&step.name), entry: unknown, exit: unknown, steps: Vec::new() };
+        let (name, outer) = (spelled(&step.name), place.expansion());
+        let macro_step = MacroStep { name, outer, entry: unknown, exit: unknown, steps: Vec::new() };
         let id = self.model.macros.push(macro_step);
         self.scope.declare(&step.name, Meaning::Macro(id), self.sink);
         self.declare_body(body, partial, Where::Expansion(id));
@@ -238,6 +245,14 @@ pub(super) enum Where {
 }
 
 impl Where {
+    /// The macro-step in whose expansion this is.
+    fn expansion(self) -> Option<MacroId> {
+        match self {
+            Self::Expansion(id) => Some(id),
+            _ => None,
+        }
+    }
+
     pub(super) fn text(self) -> &'static str {
         match self {
             Self::Chart => "the chart",

@@ -1,5 +1,6 @@
 //! Times in expressions: `5s/Step`, `t1/e/t2`, and numbers that lack their unit.
 
+use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, ExprBinary};
 
@@ -49,9 +50,21 @@ impl Lower<'_, '_> {
                 self.resolver.no_unit(&division.left);
                 TimeRef::Ticks(0)
             }
-            None => return None,
+            // `soack/Soak`, too.
+            None => {
+                let name = single_name(&division.left)?;
+                if self.is_known(&name) || !looks_like_a_variable(&name) || !self.is_step(&division.right) {
+                    return None;
+                }
+                self.resolver.scope.unknown_name(&name, &format!("param {name}: time = 5s;"), self.resolver.sink);
+                TimeRef::Ticks(0)
+            }
         };
         Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
+    }
+
+    fn is_known(&self, name: &Ident) -> bool {
+        self.locals.contains(&name.to_string()) || self.resolver.scope.get(name).is_some()
     }
 
     fn is_step(&self, expr: &syn::Expr) -> bool {

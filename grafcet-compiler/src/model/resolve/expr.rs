@@ -149,7 +149,9 @@ impl<'r, 's> Lower<'r, 's> {
                 self.resolver.sink.notation(&name, message);
                 Tree::Bool(true)
             }
-            _ if self.locals.contains(&name.to_string()) || !looks_like_a_variable(&name) => {
+            _ if self.locals.contains(&name.to_string())
+                || !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) =>
+            {
                 Tree::Opaque { text: name.to_string(), reads: Vec::new() }
             }
             _ => {

@@ -120,6 +120,10 @@ impl Resolver<'_> {
             self.sink.notation(&partial.name, message);
         }
         self.only_in_grafcet(&partial.name, "partial charts");
+        if place != Where::Chart || self.model.dialect == Dialect::Sfc {
+            // Its steps are missing from where they were meant to be.
+            self.lose();
+        }
     }
 
     /// Reports a form of IEC 60848 in an `sfc`.

@@ -102,6 +102,11 @@ impl Scope {
         self.names.get(&key(name))?.first().map(|(meaning, _)| *meaning)
     }
 
+    /// Everything of that name: more than one thing is an error by itself.
+    pub(super) fn all(&self, name: &Ident) -> impl Iterator<Item = Meaning> + '_ {
+        self.names.get(&key(name)).into_iter().flatten().map(|(meaning, _)| *meaning)
+    }
+
     /// The partial grafcet `name`; an unknown one is reported.
     pub(super) fn partial(&self, name: &Ident, sink: &mut Sink) -> Option<PartialId> {
         if let Some((id, _)) = self.partials.get(&key(name)) {
@@ -162,6 +167,18 @@ impl Scope {
         self.broken.iter().any(|b| name == b)
     }
 
+    /// Whether a name that may be one of the surrounding Rust is rather a slip of the pen: `Endlage_vron`.
+    pub(super) fn is_misspelt(&self, name: &Ident) -> bool {
+        let text = key(name);
+        let is_upper = |c: char| c.is_uppercase();
+        let own = |meaning: Meaning| matches!(meaning, Meaning::Value(_));
+        text.starts_with(is_upper) && text.contains(char::is_lowercase) && {
+            let declared = self.names.values().flatten().filter(|(meaning, _)| own(*meaning)).map(|(_, name)| name);
+            let alike = declared.filter(|name| key(name).starts_with(is_upper));
+            alike.into_iter().any(|declared| strsim::osa_distance(&text, &key(declared)) <= text.chars().count() / 6)
+        }
+    }
+
     fn suggest(&self, name: &Ident, fits: impl Fn(Meaning) -> bool) -> Option<String> {
         nearest(name, self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared))
     }
@@ -173,8 +190,16 @@ fn key(name: &Ident) -> String {
 }
 
 /// "did you mean `Off`?", where something is near enough. `S5` is not a slip of the pen for `S1`.
-fn nearest<'a>(name: &Ident, candidates: impl Iterator<Item = &'a Ident>) -> Option<String> {
+fn nearest<'a>(name: &Ident, candidates: impl Iterator<Item = &'a Ident> + Clone) -> Option<String> {
     let lower = key(name).to_lowercase();
+    // Half of a name is nearer than it looks by its letters.
+    let begun = |candidate: &&Ident| {
+        let other = key(candidate).to_lowercase();
+        lower.chars().count() >= 4
+            && other.strip_prefix(&lower).is_some_and(|rest| rest.starts_with(char::is_alphabetic))
+    };
+    let mut beginning = candidates.clone().filter(begun);
+    let only = beginning.next().filter(|_| beginning.next().is_none());
     let letters = |name: &str| name.chars().filter(|c| !c.is_numeric()).collect::<String>();
     candidates
         .map(|candidate| (key(candidate).to_lowercase(), candidate))
@@ -182,7 +207,9 @@ fn nearest<'a>(name: &Ident, candidates: impl Iterator<Item = &'a Ident>) -> Opt
         .map(|(other, candidate)| (strsim::osa_distance(&lower, &other), other.chars().count(), candidate))
         .filter(|(distance, length, _)| *distance <= length / 3)
         .min_by_key(|(distance, ..)| *distance)
-        .map(|(.., candidate)| format!("did you mean `{candidate}`?"))
+        .map(|(.., candidate)| candidate)
+        .or(only)
+        .map(|candidate| format!("did you mean `{candidate}`?"))
 }
 
 /// Reports a name that the notation or Rust needs.

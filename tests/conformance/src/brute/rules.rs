@@ -32,9 +32,17 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, exact: bool) -> Ve
     // Where the drawing is wrong, nobody looks at how the chart evolves; an instable one has that to mend first.
     let evolves = ["several_initial_steps", "unstable"].iter().all(|rule| !rules.reported.contains(rule));
     if exact && evolves {
-        // What cannot go on or be reached is reported once, by one of the rules about it.
-        let dead_ends =
-            ["never_true", "shadowed_branch", "unreachable_step", "dead_transition", "stuck_join", "deadlock"];
+        // What cannot go on or be reached is reported once, by one of the rules about it: behind a branch that always
+        // holds that is `always_true`.
+        let dead_ends = [
+            "never_true",
+            "always_true",
+            "shadowed_branch",
+            "unreachable_step",
+            "dead_transition",
+            "stuck_join",
+            "deadlock",
+        ];
         rules.needs(unreachable || dead || !verdicts.deadlocks.is_empty(), &dead_ends, &mut wrong);
         // A source transition is meant to bring one token after the other.
         let sources = model.transitions.values().all(|transition| !transition.sources.is_empty());

@@ -1,6 +1,11 @@
-//! The linker script of the image; under the feature `c`, the charts in C, compiled as for a controller (`-Os`).
+//! The linker script of the image; the source of the charts that follow a rule, as each author writes them; under the
+//! feature `c`, the charts in C, compiled as for a controller (`-Os`).
+
+mod par8;
+mod rings;
 
 use std::env;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -11,26 +16,47 @@ fn main() {
     println!("cargo:rustc-link-search={}", firmware.display());
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
     println!("cargo:rerun-if-changed=c");
+    let out = PathBuf::from(variable("OUT_DIR"));
+    let authors: [(&str, fn(usize) -> String, fn() -> String); 2] =
+        [("generated", rings::generated, par8::generated), ("hand", rings::hand, par8::hand)];
+    for (author, ring, par8) in authors {
+        let rings: String = rings::STEPS.into_iter().map(ring).collect();
+        write(&out.join(format!("{author}.rs")), &format!("{rings}{}", par8()));
+    }
     if env::var_os("CARGO_FEATURE_C").is_some() {
-        compile(&folder.join("c"), &PathBuf::from(variable("OUT_DIR")));
+        let mut sources = files(&folder.join("c"));
+        for (name, text) in rings::STEPS.map(|steps| (format!("chain{steps}"), rings::c(steps))) {
+            sources.push(write(&out.join(format!("{name}.c")), &text));
+        }
+        sources.push(write(&out.join("par8.c"), &par8::c()));
+        compile(&sources, &folder.join("c"), &out);
     }
 }
 
-fn compile(sources: &Path, out: &Path) {
+fn write(path: &Path, text: &str) -> PathBuf {
+    fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    path.to_owned()
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = folder.read_dir().expect("benches/c is a folder");
+    entries.map(|entry| entry.expect("benches/c is readable").path()).collect()
+}
+
+fn compile(sources: &[PathBuf], headers: &Path, out: &Path) {
     let cpu = match variable("TARGET").as_str() {
         "thumbv6m-none-eabi" => "-mcpu=cortex-m0",
         "thumbv7m-none-eabi" => "-mcpu=cortex-m3",
         other => panic!("no compiler flags for {other}"),
     };
     let mut objects = Vec::new();
-    for entry in sources.read_dir().expect("benches/c is a folder") {
-        let source = entry.expect("benches/c is readable").path();
+    for source in sources {
         if source.extension().is_some_and(|extension| extension == "c") {
             let object = out.join(source.with_extension("o").file_name().expect("a file"));
             let flags = ["-Os", "-std=c11", "-Wall", "-Wextra", "-Werror", "-mthumb", cpu];
             let sections = ["-ffunction-sections", "-fdata-sections", "-c"];
             let mut gcc = Command::new("arm-none-eabi-gcc");
-            run(gcc.args(flags).args(sections).arg(&source).arg("-o").arg(&object));
+            run(gcc.args(flags).args(sections).arg("-I").arg(headers).arg(source).arg("-o").arg(&object));
             objects.push(object);
         }
     }
