@@ -41,10 +41,11 @@ pub(super) fn check(
         sink.rule(&rules::UNREACHABLE_STEP, &model.levels_of(step), vec![(Mark::from(&step.name), message)]);
     }
     let waiting: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    let follow = follow_ups(model, exploration, &dead);
     for id in &dead {
         let transition = &model.transitions[*id];
         // `stuck_join` says what is wrong.
-        if waiting.contains(id) || said.contains(id) {
+        if waiting.contains(id) || said.contains(id) || follow.contains(id) {
             continue;
         }
         let message =
@@ -53,6 +54,43 @@ pub(super) fn check(
         sink.rule(&rules::DEAD_TRANSITION, &scopes, vec![(transition.mark, message)]);
     }
     dead
+}
+
+/// The dead transitions that only wait for steps which other dead ones lead to.
+fn follow_ups(model: &Model, exploration: &Exploration, dead: &BTreeSet<TransitionId>) -> BTreeSet<TransitionId> {
+    let waits_for = |id: &TransitionId| -> Vec<StepId> {
+        let reads = model.transitions[*id].condition.reads.iter().flat_map(|read| match read {
+            Read::Active(step) | Read::Since(step) | Read::Elapsed(_, step) => std::slice::from_ref(step),
+            Read::MacroActive(id) | Read::MacroSince(id) | Read::MacroElapsed(_, id) => &model.macros[*id].steps[..],
+            _ => &[],
+        });
+        reads.filter(|step| !exploration.reachable(**step)).copied().collect()
+    };
+    let mut open: Vec<(TransitionId, Vec<StepId>)> = dead.iter().map(|id| (*id, waits_for(id))).collect();
+    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+    for (id, transition) in model.transitions.iter() {
+        transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
+    }
+    let mut behind = vec![false; model.steps.len()];
+    let mut follow = BTreeSet::new();
+    let causes = open.iter().filter(|(_, waits)| waits.is_empty());
+    let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).collect();
+    while !work.is_empty() {
+        while let Some(step) = work.pop() {
+            if !std::mem::replace(&mut behind[step.index()], true) {
+                work.extend(leaving[step.index()].iter().flat_map(|id| &model.transitions[*id].targets));
+            }
+        }
+        open.retain(|(id, waits)| {
+            let follows = waits.iter().any(|step| behind[step.index()]);
+            if follows {
+                follow.insert(*id);
+                work.extend(&model.transitions[*id].targets);
+            }
+            !follows
+        });
+    }
+    follow
 }
 
 /// The transitions that never clear although their sources can be active.

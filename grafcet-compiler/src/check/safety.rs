@@ -25,11 +25,11 @@ pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
         }
     }
     for (step, meeting, activation) in first.into_values() {
-        report(model, step, meeting, activation, sink);
+        report(model, step, &meeting, activation, sink);
     }
 }
 
-fn report(model: &Model, step: StepId, meeting: Meeting, activation: &Activation, sink: &mut Sink) {
+fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activation, sink: &mut Sink) {
     let name = &model.steps[step].name;
     let way = activation.path.before_last().text(model);
     let by = &model.transitions[activation.by];
@@ -48,6 +48,17 @@ fn report(model: &Model, step: StepId, meeting: Meeting, activation: &Activation
             let message = format!("the two ways that meet in `{name}` both come from here");
             notes.push((model.transitions[parting].mark, message));
         }
+    }
+    let starts: Vec<StepId> = meeting.starts.iter().filter(|start| model.steps[**start].initial).copied().collect();
+    if let (Parting::Start, [first, others @ ..]) = (meeting.parting, &starts[..]) {
+        notes.extend(others.iter().map(|other| {
+            let (name, first) = (&model.steps[*other].name, &model.steps[*first].name);
+            let message = format!(
+                "the chart starts in `{first}` and in `{name}`, and both ways lead to the same step; is `{name}` an \
+                 initial step too many?"
+            );
+            (Mark::from(name), message)
+        }));
     }
     let scopes = [&by.levels[..], &model.steps[step].levels, &model.partials[by.partial].levels, &model.levels];
     sink.rule_in(model.dialect, &rules::UNSAFE_STEP, &scopes, notes);

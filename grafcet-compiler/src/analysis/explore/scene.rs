@@ -332,14 +332,22 @@ impl<'n> Scene<'n> {
             Kind::Slot(slot) => self.slot(slot, when),
             Kind::Since(step) => {
                 let active = self.at(when).active.binary_search(&step).is_ok();
-                let zero = self.is_own(step) && (!active || self.fresh.contains(&step));
+                let timed = active || self.is_left(&[step], when);
+                let zero = self.is_own(step) && (!timed || self.fresh.contains(&step));
                 self.time(atom, zero)
             }
             Kind::MacroSince(id) => {
-                let zero = self.owns(id) && !self.any_active(id, when);
+                let timed = self.any_active(id, when) || self.is_left(&net.macros[id], when);
+                let zero = self.owns(id) && !timed;
                 self.time(atom, zero)
             }
         }
+    }
+
+    /// `sfc`: whether the actions run of a cycle in which one of the steps was left: it has the time it had reached (A34).
+    fn is_left(&self, steps: &[usize], when: When) -> bool {
+        let was = |start: &Snapshot| steps.iter().any(|step| start.active.binary_search(step).is_ok());
+        when == When::Now && self.start.as_ref().is_some_and(was)
     }
 
     fn recorded_value(&self, atom: usize, kind: Kind) -> Known {

@@ -6,12 +6,14 @@ use super::path::Activation;
 use crate::model::{Model, StepId, TransitionId};
 
 /// How two activations of a step come to meet.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Meeting {
     /// Where they have parted.
     pub parting: Parting,
     /// The transition by which the second went back to a step before that.
     pub back: Option<TransitionId>,
+    /// The steps that were active at the start and led to one of them.
+    pub starts: Vec<StepId>,
 }
 
 /// Where two ways have parted.
@@ -51,27 +53,32 @@ impl Activation {
                 events.push(Event { by: Some(*transition), causes });
                 if number == last && *transition == self.by {
                     let known = active.get(&step).copied().unwrap_or(event);
-                    return meeting(model, &events, known, event);
+                    let mut meeting = meeting(model, &events, known, event);
+                    let (first, second) = (causes_of(&events, known), causes_of(&events, event));
+                    let starts = self.path.start.iter().enumerate();
+                    let starts = starts.filter(|(start, _)| first[*start] || second[*start]);
+                    meeting.starts = starts.map(|(_, step)| *step).collect();
+                    return meeting;
                 }
                 // The sources stay known: other branches may clear in the same evolution.
                 active.extend(arc.targets.iter().map(|target| (*target, event)));
             }
         }
-        Meeting { parting: Parting::Start, back: None }
+        Meeting { parting: Parting::Start, back: None, starts: Vec::new() }
     }
 }
 
 fn meeting(model: &Model, events: &[Event], first: usize, second: usize) -> Meeting {
-    let (to_first, to_second) = (causes(events, first), causes(events, second));
+    let (to_first, to_second) = (causes_of(events, first), causes_of(events, second));
     let by = |event: usize| events[event].by;
     let Some(common) = (0..events.len()).rev().find(|event| to_first[*event] && to_second[*event]) else {
         let is_source = |transition: TransitionId| model.transitions[transition].sources.is_empty();
         let mut causes = (0..events.len()).filter(|event| to_first[*event] || to_second[*event]).filter_map(by);
         let parting = if causes.any(is_source) { Parting::Source } else { Parting::Start };
-        return Meeting { parting, back: None };
+        return Meeting { parting, back: None, starts: Vec::new() };
     };
     // The steps before the parting: sources of what led to it.
-    let before = causes(events, common);
+    let before = causes_of(events, common);
     let passed: Vec<StepId> = (0..events.len())
         .filter(|event| before[*event])
         .filter_map(by)
@@ -82,10 +89,10 @@ fn meeting(model: &Model, events: &[Event], first: usize, second: usize) -> Meet
         targets.iter().any(|target| passed.contains(target))
     };
     let mut since = (common + 1..second).filter(|event| to_second[*event]).filter_map(by);
-    Meeting { parting: by(common).map_or(Parting::Start, Parting::At), back: since.find(goes_back) }
+    Meeting { parting: by(common).map_or(Parting::Start, Parting::At), back: since.find(goes_back), starts: Vec::new() }
 }
 
-fn causes(events: &[Event], of: usize) -> Vec<bool> {
+fn causes_of(events: &[Event], of: usize) -> Vec<bool> {
     let mut found = vec![false; events.len()];
     let mut work = vec![of];
     while let Some(event) = work.pop() {
