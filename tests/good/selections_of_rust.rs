@@ -29,3 +29,12 @@ grafcet! {
         H -[t >= low + 2.0 || !on]-> I; C -[t <= high - 2.0 || !on]-> I;
     }
 }
+
+// What different variants choose does not conflict.
+grafcet! {
+    grafcet EnumWrite {
+        input mode: Mode; input go: bool; output speed: u16 = 0; output n: u8 = 0;
+        initial step I { speed = 10 if mode == Mode::Auto; speed = 20 if mode == Mode::Manual; } step A { P1 n = 1; } step B { P1 n = 2; }
+        I -[go && mode == Mode::Auto]-> A -[!go]-> I; I -[go && mode == Mode::Manual]-> B -[!go]-> I;
+    }
+}

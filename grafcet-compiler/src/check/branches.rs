@@ -79,9 +79,12 @@ impl Branches<'_> {
     }
 
     fn is_undecided(&self, a: TransitionId, b: TransitionId) -> bool {
-        let (a, b) = (self.condition(a), self.condition(b));
-        let holds = |answer: &Answer| matches!(answer, Answer::Witness(_));
-        !self.logic.exclusive(a, b) && !holds(&self.logic.certainly_together(&[(a, true), (b, true)], &[]))
+        let (first, second) = (self.condition(a), self.condition(b));
+        // The exploration does not know what Rust means.
+        let is_rust = |id: TransitionId| has_rust(&self.model.transitions[id].condition.tree);
+        let open = is_rust(a) && is_rust(b) || !self.logic.exclusive(first, second);
+        let answer = || self.logic.certainly_together(&[(first, true), (second, true)], &[]);
+        open && !matches!(answer(), Answer::Witness(_))
     }
 
     fn condition(&self, id: TransitionId) -> &Condition {
@@ -208,5 +211,15 @@ impl Branches<'_> {
     fn enabled_together(&self, a: TransitionId, b: TransitionId) -> bool {
         let (a, b) = (&self.model.transitions[a], &self.model.transitions[b]);
         a.sources.iter().all(|x| b.sources.iter().all(|y| x == y || self.concurrency.together(*x, *y)))
+    }
+}
+
+/// Whether a condition holds Rust that is not looked into.
+fn has_rust(tree: &Tree) -> bool {
+    match tree {
+        Tree::Opaque { .. } => true,
+        Tree::Unary(_, inner) => has_rust(inner),
+        Tree::Binary(_, a, b) => has_rust(a) || has_rust(b),
+        _ => false,
     }
 }

@@ -81,9 +81,39 @@ impl Links {
             }
         }
         let between = steps(model, concurrency, atoms, asked).into_iter().chain(delays(model, atoms, asked));
-        found.extend(between.map(Rc::new));
+        found.extend(between.chain(variants(atoms, asked)).map(Rc::new));
         found
     }
+}
+
+/// A value is one variant of its type: `mode == Mode::Auto` and `mode == Mode::Manual` exclude each other.
+fn variants(atoms: &Atoms, asked: &BTreeSet<AtomId>) -> Vec<Formula> {
+    let mut by_value: BTreeMap<&Tree, Vec<AtomId>> = BTreeMap::new();
+    for atom in asked {
+        if let Some(Key::Order(a, b)) = atoms.get(*atom).map(|atom| &atom.key) {
+            let value = if is_variant(b) { Some(a) } else { is_variant(a).then_some(b) };
+            if let Some(value) = value {
+                by_value.entry(value).or_default().push(*atom);
+            }
+        }
+    }
+    let is_it = |atom: AtomId| Formula::Leaf { atom, low: 0, high: 0 };
+    let apart = |a: AtomId, b: AtomId| is_it(a).implies(is_it(b).not());
+    let pairs = by_value.values().flat_map(|all| all.iter().enumerate().map(move |(i, a)| (*a, &all[i + 1..])));
+    pairs.flat_map(|(a, others)| others.iter().map(move |b| apart(a, *b))).collect()
+}
+
+/// `Mode::Auto`; constants (`Mode::MAX`) may be equal.
+fn is_variant(tree: &Tree) -> bool {
+    let Tree::Opaque { text, reads } = tree else { return false };
+    let is_name = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let Some((path, last)) = text.rsplit_once("::") else { return false };
+    let is_constant = last.chars().count() > 1 && !last.contains(char::is_lowercase);
+    reads.is_empty()
+        && path.split("::").all(is_name)
+        && is_name(last)
+        && last.starts_with(char::is_uppercase)
+        && !is_constant
 }
 
 /// The facts about one atom.
