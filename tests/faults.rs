@@ -160,3 +160,17 @@ fn each_fault_is_found_by_its_rule_and_named() {
     }
     assert!(missed.is_empty(), "\n{}", missed.join("\n"));
 }
+
+/// What only waits for steps behind the fault is not reported beside it.
+#[test]
+fn one_cause_is_one_message() {
+    let rust = CELL.replace("InOffer -[Robot::PickUp.X]-> InTaken", "InOffer -[Infeed::InStop.X]-> InTaken");
+    assert_eq!(messages(&rust, "dead_transition").len(), 1);
+}
+
+#[test]
+fn an_initial_step_too_many_is_named() {
+    let rust = CELL.replace("            step OutWait {", "            initial step OutWait {");
+    let said = messages(&rust, "unsafe_step");
+    assert!(said.iter().any(|message| message.contains("is `OutWait` an initial step too many?")), "{said:?}");
+}

@@ -81,3 +81,14 @@ fn probe() {
         println!("{chart}\n  {:#?}", explore(chart));
     }
 }
+
+/// A34: in the actions of the cycle that leaves a step, its time is what it had reached.
+#[test]
+fn a_step_just_left_keeps_its_time() {
+    let found = explore(
+        "sfc C { input a, b: bool; var v: bool; initial step S1; step S2; step S3; final step S4; step S5;
+         S1 -[!b]-> S2; S1 -[v]-> S4; S2 -[a]-> S3; S3 -[b]-> S5; S5 -[!b]-> S1; step S6 { P1 v = S2.T >= 1m; }
+         S2 -[!a && b]-> S6 -[b]-> S1; }",
+    );
+    assert_eq!(found, Found::default());
+}

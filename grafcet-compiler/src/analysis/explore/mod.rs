@@ -137,7 +137,8 @@ impl Exploration {
         let net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         // A long chart has many situations without being complicated.
-        let limit = limits.work.saturating_add(60 * (net.leaving.len() + net.arcs.len()) as u64);
+        let length = 60 * (net.leaving.len() + net.arcs.len()) as u64;
+        let limit = limits.work.saturating_add(length);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
         let mut budget = Budget { limit: if limits.only_ways { 0 } else { limit }, work: 0 };
         let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, false);
@@ -158,7 +159,7 @@ impl Exploration {
                 pieces.push(graph);
             }
         }
-        let ways = (!whole.complete).then(|| ways::go(&net, limit / 2, &mut seen));
+        let ways = (!whole.complete).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
         let structure = (!whole.complete).then(|| Concurrency::of(model));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
