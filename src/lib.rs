@@ -115,7 +115,7 @@ macro_rules! grafcet {
 pub mod __private {
     pub extern crate core;
     pub use core::option::Option;
-    pub use core::primitive::{bool, str, u8, u16, u32};
+    pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
     pub use grafcet_core::{Chart, Delay, OnDelay, Phase, Ticks, heapless, sooner, until};
     pub use grafcet_macros::chart;

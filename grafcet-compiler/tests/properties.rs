@@ -158,6 +158,41 @@ fn times() {
     fails(&chart("always Bake.X => lamp;"), "property_violated", "cycle 2");
 }
 
+/// Qualifiers with times: while they act, an output may be on or off.
+#[test]
+fn timed_outputs() {
+    let chart = |property: &str| {
+        format!(
+            "sfc Oven {{ input start, door: bool; output heat, horn, fan, lamp, bell: bool; \
+             initial step Idle {{ D 5s horn; R lamp; R bell; }} step Bake {{ L 10s heat; SD 3s fan; DS 3s lamp; SL 3s bell; }} \
+             step Cool {{ R fan; }} \
+             Idle -[start]-> Bake -[30s/Bake]-> Cool -[door && 5s/Cool]-> Idle; {property} }}"
+        )
+    };
+    for property in [
+        "never heat && Idle.X;",
+        "never heat && Cool.X;",
+        "always horn => Idle.X;",
+        "never fan && Cool.X;",
+        "never fan && Idle.X;",
+        "never lamp && Idle.X;",
+        "never bell && Idle.X;",
+    ] {
+        holds(&chart(property));
+    }
+    for (property, cycle) in [
+        ("never heat;", "cycle 2"),
+        ("always Bake.X => heat;", "cycle 2"),
+        ("never horn;", "the first cycle"),
+        ("never fan && heat;", "cycle 2"),
+        ("never lamp && Cool.X;", "cycle 3"),
+        ("never bell && Cool.X;", "cycle 3"),
+        ("always Cool.X => lamp || bell;", "cycle 3"),
+    ] {
+        fails(&chart(property), "property_violated", cycle);
+    }
+}
+
 #[test]
 fn hierarchy() {
     let chart = |property: &str| {
@@ -230,6 +265,25 @@ fn unfollowed() {
     fails(&opaque("never B.X && near(y);"), "property_undecided", "depends on");
     let allowed = "#[allow(grafcet::property_undecided)] never full;";
     holds(&count(allowed, "Add"));
+}
+
+/// Comparisons of one float with literals are related to each other.
+#[test]
+fn floats() {
+    let chart = |ty: &str, property: &str| {
+        format!(
+            "sfc Heater {{ input temp: {ty}; output heat: bool; initial step Cold {{ N heat; }} step Warm; \
+             Cold -[temp > 80.5]-> Warm -[temp <= 60.1]-> Cold; {property} }}"
+        )
+    };
+    for ty in ["f32", "f64"] {
+        holds(&chart(ty, "home Cold;"));
+        holds(&chart(ty, "never Warm.X && temp < 60.1 && temp > 60.2;"));
+        let table = fails(&chart(ty, "never Warm.X && temp < 90.0;"), "property_violated", "cycle 2");
+        assert!(table[2].contains("temp > 80.5, temp < 90 "), "{table:#?}");
+        let table = fails(&chart(ty, "never Cold.X && temp == 60.1;"), "property_violated", "the first cycle");
+        assert!(table[1].contains("temp == 60.1"), "{table:#?}");
+    }
 }
 
 /// Variables that change within a cycle of a `grafcet` in ways that are not followed.

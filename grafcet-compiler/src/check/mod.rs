@@ -61,7 +61,8 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let branches =
         branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
     said.extend(branches.check(&dead, sink));
-    let dead = reach::check(model, &exploration, &said, sink);
+    let mut dead = reach::check(model, &exploration, &said, sink);
+    dead.extend(&said);
     let presumed = branches.presumed_exclusive();
     if presumed.is_empty() {
         safety::check(model, &exploration, sink);

@@ -64,6 +64,9 @@ impl Cx<'_> {
     /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
     pub(super) fn one_match(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
+        if self.is_sequence() {
+            return self.sequence();
+        }
         if self.model.is_grafcet() {
             let leaving = |step: &&StepId| !self.plan.evolution.owned[step.index()].is_empty();
             let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).collect();

@@ -13,6 +13,7 @@ mod names;
 mod outputs;
 mod recipe;
 mod segments;
+mod sequence;
 mod sfc;
 mod state;
 mod stored;

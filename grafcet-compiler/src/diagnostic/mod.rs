@@ -71,6 +71,7 @@ impl Sink {
         scopes: &[&[LevelAttr]],
         notes: Vec<(Mark, String)>,
     ) {
+        debug_assert!(!notes.is_empty(), "`{}` is said nowhere", rule.name);
         let severity = rule.severity_in(dialect, scopes);
         if severity != Severity::Allow {
             self.diagnostics.push(Diagnostic { rule: Some(rule), severity, notes });

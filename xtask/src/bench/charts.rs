@@ -291,7 +291,9 @@ fn partials(reading: bool) -> String {
             let (input, next) = ((part * 8 + number) % INPUTS, (number + 1) % 8);
             let other = (part + 1) % 8;
             let condition = match (reading, number % 4) {
-                (true, 1) => format!("i{input} && G{other}::S{other}_{number}.X"),
+                (true, 1) => {
+                    format!("i{input} && G{other}::S{other}_{number}.X || i{input} && i{}", (input + 5) % INPUTS)
+                }
                 (true, 3) => format!("!G{other}::S{other}_{number}.X || i{input}"),
                 _ => format!("i{input}"),
             };

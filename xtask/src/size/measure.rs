@@ -122,6 +122,10 @@ impl Linker {
         command.args(["--gc-sections", "--no-warn-execstack", "--entry", root, "--require-defined", root]);
         command.arg("-o").arg(&self.image).arg(self.folder.join("libgrafcet_benches.a")).arg(&self.libgcc);
         run(&mut command)?;
+        let nm = tool("arm-none-eabi-nm", "binutils-arm-none-eabi")?;
+        if let Some(symbol) = panics(&capture(Command::new(nm).arg(&self.image))?) {
+            return Err(format!("{root} can panic: it reaches `{symbol}`"));
+        }
         let size = tool("arm-none-eabi-size", "binutils-arm-none-eabi")?;
         sum(&capture(Command::new(size).arg("-A").arg(&self.image))?)
     }
@@ -138,13 +142,19 @@ fn sum(sections: &str) -> Result<u32> {
     }
 }
 
+/// The first symbol of the panic machinery in what `nm` prints.
+fn panics(symbols: &str) -> Option<&str> {
+    let mut names = symbols.lines().filter_map(|line| line.split_whitespace().last());
+    names.find(|name| ["panic", "unwrap_failed", "expect_failed", "slice_index"].iter().any(|p| name.contains(p)))
+}
+
 fn tool(name: &str, package: &str) -> Result<PathBuf> {
     find(name).ok_or_else(|| format!("{name} is not in the PATH; on Debian `apt-get install {package}`"))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Count, parse, sum};
+    use super::{Count, panics, parse, sum};
 
     #[test]
     fn a_line_of_the_image() {
@@ -158,6 +168,14 @@ mod tests {
         };
         assert_eq!(parse("motor sfc 811c9dc5 53248 49152 1"), Ok(count));
         assert_eq!(parse("panicked at 3"), Err("not a count: panicked at 3".to_owned()));
+    }
+
+    #[test]
+    fn panic_machinery_is_found() {
+        let cycle = "00008000 T _RNvMs0_5chart5cycle\n00010000 D motor_sfc\n";
+        assert_eq!(panics(cycle), None);
+        let reached = format!("{cycle}00008040 t _RNvNtCs4core9panicking18panic_bounds_check\n");
+        assert_eq!(panics(&reached), Some("_RNvNtCs4core9panicking18panic_bounds_check"));
     }
 
     #[test]

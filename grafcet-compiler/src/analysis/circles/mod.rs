@@ -109,8 +109,10 @@ impl<'m> Circles<'m> {
         let entered = endless.iter().filter(|(id, _)| enters(id)).flat_map(|(_, rings)| rings.clone());
         let mut found: Vec<Ring> = at_start.into_iter().flatten().chain(entered).collect();
         let mut known = BTreeSet::new();
-        // What enters the circle in a stable situation, has to lead to no end, too.
-        found.retain(|ring| known.insert(set(ring)) && ring.iter().all(turns) && !self.has_several_marks(ring));
+        // What enters the circle in a stable situation, has to lead to no end, too. A search that goes on without a
+        // transition, by stored values alone, is no circle of the chart.
+        let is_circle = |ring: &Ring| !ring.is_empty() && ring.iter().all(turns) && !self.has_several_marks(ring);
+        found.retain(|ring| known.insert(set(ring)) && is_circle(ring));
         found.into_iter().map(|transitions| Circle { transitions, inputs: String::new() }).collect()
     }
 

@@ -29,11 +29,19 @@ pub(super) enum Command {
 /// `sfc`: what associations are combined for (A31).
 pub(super) enum Target {
     /// `N q`, `S q`, `R q`, `P q`
-    Control { slot: usize, flip_flop: Option<usize>, by: Vec<Action> },
+    Control { slot: usize, timed: Timed, by: Vec<Action> },
     /// `speed = …` on an output: the initial value while no association is active (A35).
     Assigned { slot: usize, initial: Bit, by: Vec<Action> },
     /// A block or a stored assignment.
     Own(Action),
+}
+
+/// What a place needs that more than S and R control: its flip-flops, and whether the times of its qualifiers have come
+/// (L: have not run out).
+#[derive(Default)]
+pub(super) struct Timed {
+    pub(super) flip_flops: Vec<(Qualifier, usize)>,
+    pub(super) times: Vec<(Qualifier, Formula)>,
 }
 
 /// The step whose action writes, or the transition on whose clearing is written.
@@ -50,6 +58,8 @@ pub(super) struct Actions {
     /// `sfc`: the targets in the order in which they first stand in the source, and those of each step.
     pub(super) targets: Vec<Target>,
     pub(super) targets_of: BTreeMap<usize, Vec<usize>>,
+    /// `sfc`: targets that go on as long as a flip-flop is set.
+    pub(super) lasting: Vec<(usize, usize)>,
     /// `sfc`: which slots are outputs; these are read as the previous cycle returned them.
     pub(super) is_output: Vec<bool>,
 }
@@ -116,7 +126,7 @@ fn collect<'a>(program: &'a [Command], formulas: &mut Vec<&'a Formula>) {
 
 pub(super) fn compile(model: &Model, slots: &Slots, compiler: &mut Compiler<'_>) -> Actions {
     let mut actions = Actions { is_output: vec![false; slots.initial.len()], ..Actions::default() };
-    for (place, slot) in slots.numbers.iter().chain(&slots.flip_flops) {
+    for (place, slot) in &slots.numbers {
         actions.is_output[*slot] = matches!(place, Place::Output(_));
     }
     let mut compile = Compile { slots, compiler };
@@ -185,7 +195,11 @@ impl Compile<'_, '_> {
                 }
                 (None, Some(place)) => {
                     numbers.insert(place, number);
-                    actions.targets.push(self.target(place, &association.effect, action));
+                    let target = self.target(model, place, &association.effect, action);
+                    if let Target::Control { timed, .. } = &target {
+                        actions.lasting.extend(timed.flip_flops.iter().map(|(_, slot)| (*slot, number)));
+                    }
+                    actions.targets.push(target);
                 }
                 (None, None) => actions.targets.push(Target::Own(action)),
             }
@@ -196,17 +210,27 @@ impl Compile<'_, '_> {
         }
     }
 
-    fn target(&self, place: Place, effect: &Effect, action: Action) -> Target {
+    fn target(&mut self, model: &Model, place: Place, effect: &Effect, action: Action) -> Target {
         let slot = self.slots.numbers[&place];
         let by = vec![action];
         match effect {
-            Effect::Control(_) => {
-                // Where only S and R control the place, it is its own flip-flop.
-                let flip_flop = self.slots.flip_flops.get(&place).copied();
-                Target::Control { slot, flip_flop, by }
-            }
+            Effect::Control(_) => Target::Control { slot, timed: self.timed(model, place), by },
             _ => Target::Assigned { slot, initial: self.slots.initial[slot], by },
         }
+    }
+
+    /// Where only S and R control the place, it is its own flip-flop.
+    fn timed(&mut self, model: &Model, place: Place) -> Timed {
+        let own =
+            |((of, qualifier), slot): (&(Place, Qualifier), &usize)| (*of == place).then_some((*qualifier, *slot));
+        let flip_flops = self.slots.flip_flops.iter().filter_map(own).collect();
+        let controls = |a: &&Association| matches!(a.effect, Effect::Control(of) if of == place);
+        let mut qualifiers: Vec<Qualifier> =
+            model.associations.values().filter(controls).filter(|a| a.time.is_some()).map(|a| a.qualifier).collect();
+        qualifiers.sort_unstable();
+        qualifiers.dedup();
+        let times = qualifiers.into_iter().map(|qualifier| (qualifier, self.compiler.time_of(qualifier, place)));
+        Timed { flip_flops, times: times.collect() }
     }
 
     fn is_followed(&self, effect: &Effect) -> bool {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::formula::{Atom, Formula, Kind};
 use crate::analysis::combinational;
+use crate::analysis::logic::{FAR, float, float_constant};
 use crate::model::{
     Binary, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
 };
@@ -88,19 +89,36 @@ impl<'m> Compiler<'m> {
                 _ => {}
             }
         }
-        self.comparison(operator, a, b).unwrap_or_else(|| self.unknown(tree))
+        let found = self.float_comparison(operator, a, b).or_else(|| self.comparison(operator, a, b));
+        found.unwrap_or_else(|| self.unknown(tree))
+    }
+
+    /// A comparison of a float with a literal: its position among all floats is the number. What is no number at all
+    /// (NaN) lies beyond all of them, and only `!=` holds of it.
+    fn float_comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
+        let float = float(self.model, a).or_else(|| float(self.model, b))?;
+        let flipped = flipped(operator)?;
+        let (value, operator, bound) = match (float_constant(a, float), float_constant(b, float)) {
+            (None, Some(bound)) => (a, operator, bound),
+            (Some(bound), None) => (b, flipped, bound),
+            _ => return None,
+        };
+        self.approximate |= !matches!(value, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
+        let atom = self.atom(value, Kind::Number(-FAR, FAR + 1));
+        let below = |bound| Formula::Below(atom, bound);
+        Some(match operator {
+            Binary::Eq => Formula::Equals(atom, bound),
+            Binary::Ne => Formula::Equals(atom, bound).negate(),
+            Binary::Lt => below(bound),
+            Binary::Le => below(bound + 1),
+            Binary::Gt => below(bound + 1).negate().and(below(FAR + 1)),
+            _ => below(bound).negate().and(below(FAR + 1)),
+        })
     }
 
     /// A comparison of a number with a constant, or of two numbers, whose difference then is the number.
     fn comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
-        let flipped = match operator {
-            Binary::Eq | Binary::Ne => operator,
-            Binary::Lt => Binary::Gt,
-            Binary::Le => Binary::Ge,
-            Binary::Gt => Binary::Lt,
-            Binary::Ge => Binary::Le,
-            _ => return None,
-        };
+        let flipped = flipped(operator)?;
         let (number, operator, bound) = match (constant(a), constant(b)) {
             (Some(a), Some(b)) => return Some(Formula::Const(compare(operator, a, b))),
             (None, Some(bound)) => (self.number(a)?, operator, bound),
@@ -222,6 +240,16 @@ impl<'m> Compiler<'m> {
         edge(id.index())
     }
 
+    /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
+    pub(super) fn time_of(&mut self, qualifier: Qualifier, place: Place) -> Formula {
+        let text = format!("{} {}", format!("{qualifier:?}").to_uppercase(), self.model.place_name(place));
+        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new() });
+        if let Formula::Is(atom) = time {
+            self.atoms[atom].is_time = true;
+        }
+        time
+    }
+
     /// `t/e` is true with `e` only; when, is open.
     fn delay(&mut self, tree: &Tree, id: DelayId) -> Formula {
         let delay = &self.model.delays[id];
@@ -313,7 +341,7 @@ impl<'m> Compiler<'m> {
             return *number;
         }
         let number = self.atoms.len();
-        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree) });
+        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree), is_time: false });
         self.numbers.insert(tree.clone(), number);
         number
     }
@@ -334,6 +362,18 @@ impl<'m> Compiler<'m> {
             Tree::Int(_) | Tree::Opaque { .. } => false,
         }
     }
+}
+
+/// `a < b` is `b > a`; none where it is no comparison.
+fn flipped(operator: Binary) -> Option<Binary> {
+    Some(match operator {
+        Binary::Eq | Binary::Ne => operator,
+        Binary::Lt => Binary::Gt,
+        Binary::Le => Binary::Ge,
+        Binary::Gt => Binary::Lt,
+        Binary::Ge => Binary::Le,
+        _ => return None,
+    })
 }
 
 fn var_is_continuous(model: &Model, id: VarId) -> bool {

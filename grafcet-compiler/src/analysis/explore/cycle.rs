@@ -55,6 +55,11 @@ pub(super) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<u
 /// Runs one cycle from `state`; also returns which snapshot the edges of the next one compare with.
 pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
     scene.begin(state);
+    go_on(scene, state, enabled)
+}
+
+/// The same, where something has been decided about its inputs before.
+pub(super) fn go_on(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
     let mut done = Done::default();
     let when = if scene.net.grafcet {
         grafcet::cycle(scene, state, enabled, &mut done)
@@ -68,7 +73,11 @@ pub(super) fn run(scene: &mut Scene<'_>, state: &State, enabled: &[usize]) -> (W
 pub(super) fn end(scene: &Scene<'_>, when: When) -> State {
     let before = scene.sample(when).into_boxed_slice();
     let Snapshot { active, slots } = &scene.now;
-    State { first: false, active: active.clone().into_boxed_slice(), slots: slots.clone().into_boxed_slice(), before }
+    let mut slots = slots.clone();
+    for slot in &scene.net.shown_slots {
+        slots[*slot] = scene.net.initial_slots[*slot];
+    }
+    State { first: false, active: active.clone().into_boxed_slice(), slots: slots.into_boxed_slice(), before }
 }
 
 /// `(active − left) ∪ targets`, ascending.

@@ -61,6 +61,8 @@ pub(super) struct Atom {
     pub(super) what: Tree,
     /// Written by actions that are not followed, so that it may change within a cycle.
     pub(super) volatile: bool,
+    /// Whether the time of an action has come.
+    pub(super) is_time: bool,
 }
 
 /// How the value of an atom is found.

@@ -141,6 +141,16 @@ fn unite(row: &mut [u64], other: &[u64]) {
     }
 }
 
+/// A state of each group of states that lead to each other and to no others. All of them must have been looked at.
+pub(super) fn ends(graph: &Graph, looked_at: &[bool]) -> Vec<usize> {
+    let (group_of, groups) = groups(graph);
+    let ends = groups.iter().enumerate().filter(|(number, members)| {
+        let stays = |member: &usize| graph.edges[*member].iter().all(|edge| group_of[edge.to] == *number);
+        members.iter().all(|member| looked_at[*member] && stays(member))
+    });
+    ends.map(|(_, members)| members[0]).collect()
+}
+
 /// The strongly connected groups of states (Tarjan), each behind those to which it leads; with an explicit stack.
 fn groups(graph: &Graph) -> (Vec<usize>, Vec<Vec<usize>>) {
     const NONE: usize = usize::MAX;

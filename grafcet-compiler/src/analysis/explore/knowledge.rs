@@ -89,6 +89,27 @@ impl Tape {
         false
     }
 
+    /// The same, where the first `floor` answers stay.
+    pub(super) fn advance_above(&mut self, floor: usize) -> bool {
+        self.answers.truncate(self.at);
+        self.at = 0;
+        while self.answers.len() > floor {
+            if let Some((answer, count)) = self.answers.pop() {
+                if answer + 1 < count {
+                    self.answers.push((answer + 1, count));
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    /// Gives the first `count` answers again, then new ones.
+    pub(super) fn rewind_to(&mut self, count: usize) {
+        self.answers.truncate(count);
+        self.at = 0;
+    }
+
     pub(super) fn restart(&mut self) {
         self.answers.clear();
         self.at = 0;

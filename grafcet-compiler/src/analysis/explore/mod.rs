@@ -30,6 +30,7 @@ mod unfollowed;
 mod units;
 mod verdicts;
 mod waiting;
+mod ways;
 
 use std::collections::BTreeMap;
 
@@ -40,6 +41,7 @@ use self::graph::Future;
 use self::net::Net;
 use self::search::{Graph, Search, Seen};
 use self::verdicts::Report;
+use self::ways::Ways;
 use super::Concurrency;
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 
@@ -48,11 +50,13 @@ use crate::model::{Id, Model, StepId, TransitionId, Tree};
 pub struct Limits {
     /// Units of work: about one for each transition looked at and each atom decided.
     pub work: u64,
+    /// Only some ways are gone, as in a chart that is too large to be explored as a whole.
+    pub only_ways: bool,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { work: 300_000 }
+        Self { work: 300_000, only_ways: false }
     }
 }
 
@@ -60,7 +64,7 @@ impl Limits {
     /// For `budget N;`: enough for this many situations.
     #[must_use]
     pub fn situations(count: u64) -> Self {
-        Self { work: count.saturating_mul(64) }
+        Self { work: count.saturating_mul(64), only_ways: false }
     }
 
     /// For how many situations to ask where these did not suffice.
@@ -135,7 +139,7 @@ impl Exploration {
         // A long chart has many situations without being complicated.
         let limit = limits.work.saturating_add(60 * (net.leaving.len() + net.arcs.len()) as u64);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
-        let mut budget = Budget { limit, work: 0 };
+        let mut budget = Budget { limit: if limits.only_ways { 0 } else { limit }, work: 0 };
         let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, false);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
         let approximate = net.approximate || net.grafcet && sooner.is_some();
@@ -154,6 +158,7 @@ impl Exploration {
                 pieces.push(graph);
             }
         }
+        let ways = (!whole.complete).then(|| ways::go(&net, limit / 2, &mut seen));
         let structure = (!whole.complete).then(|| Concurrency::of(model));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
@@ -171,12 +176,13 @@ impl Exploration {
             limit,
             work: budget.work,
         };
-        exploration.judge(&pieces);
+        exploration.judge(sooner.as_ref(), &pieces);
+        exploration.add(ways);
         exploration
     }
 
-    fn judge(&mut self, pieces: &[Graph]) {
-        for graph in std::iter::once(&self.whole).chain(pieces) {
+    fn judge(&mut self, sooner: Option<&Graph>, pieces: &[Graph]) {
+        for graph in sooner.into_iter().chain([&self.whole]).chain(pieces) {
             let report = Report { net: &self.net, graph };
             for (step, activation) in report.activations() {
                 self.unsafe_steps.entry(step).or_insert(activation);
@@ -191,6 +197,25 @@ impl Exploration {
         if self.whole.complete {
             self.max_active = Some(most(&self.whole));
         }
+    }
+
+    /// What was found on some ways, where not all were gone.
+    fn add(&mut self, ways: Option<Ways>) {
+        let Some(Ways { graphs, deadlocks, stuck_joins, work }) = ways else { return };
+        for graph in &graphs {
+            for (step, activation) in (Report { net: &self.net, graph }).activations() {
+                self.unsafe_steps.entry(step).or_insert(activation);
+            }
+        }
+        let known: Vec<Vec<StepId>> = self.deadlocks.iter().map(|deadlock| deadlock.steps.clone()).collect();
+        self.deadlocks.extend(deadlocks.into_iter().filter(|deadlock| !known.contains(&deadlock.steps)));
+        for stuck in stuck_joins {
+            let same = |other: &StuckJoin| (other.join, other.waiting) == (stuck.join, stuck.waiting);
+            if !self.stuck_joins.iter().any(same) {
+                self.stuck_joins.push(stuck);
+            }
+        }
+        self.work += work;
     }
 
     /// The budget sufficed: what is said never to happen never does, and everything that can happen was seen.

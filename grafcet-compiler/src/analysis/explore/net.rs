@@ -51,6 +51,8 @@ pub(super) struct Net {
     pub(super) shared: Vec<Formula>,
     pub(super) actions: Actions,
     pub(super) initial_slots: Vec<Bit>,
+    /// Slots that hold nothing for the next cycle.
+    pub(super) shown_slots: Vec<usize>,
     /// Steps active before the first cycle.
     pub(super) initial: Vec<usize>,
     pub(super) parts: Vec<Part>,
@@ -113,6 +115,7 @@ impl Net {
             shared,
             actions,
             initial_slots: slots.initial.clone(),
+            shown_slots: slots.shown.clone(),
             initial: super::super::hierarchy::initial_situation(model).iter().map(|step| step.index()).collect(),
             parts: parts(model),
             commands: model.steps.values().map(|step| !step.forces.is_empty()).collect(),
@@ -180,7 +183,7 @@ impl Net {
     }
 
     /// The atoms of a condition, those of its edges beside.
-    fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
+    pub(super) fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
         match formula {
             Formula::Const(_) => {}
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => add(atoms, *atom),

@@ -1,5 +1,6 @@
 //! Ways through a chart, as the verdicts show them.
 
+use crate::analysis::logic::{Float, float};
 use crate::model::{Binary, Model, Name, PartialId, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 
 /// A sequence of cycles from the initial situation on.
@@ -84,7 +85,9 @@ impl Path {
         const SHOWN: usize = 8;
         let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).chain(self.situations()).collect();
         situations.dedup();
-        let mut names: Vec<String> = situations.iter().map(|steps| situation(model, steps)).collect();
+        let befores = std::iter::once(&[][..]).chain(situations.iter().map(|steps| &steps[..]));
+        let mut names: Vec<String> =
+            situations.iter().zip(befores).map(|(steps, before)| in_short(model, steps, before)).collect();
         if names.len() > SHOWN {
             names.splice(2..=names.len() - SHOWN + 2, ["…".to_owned()]);
         }
@@ -109,6 +112,18 @@ impl Path {
     }
 }
 
+/// A situation on a way; of many steps a few of those that were entered with it.
+fn in_short(model: &Model, steps: &[StepId], before: &[StepId]) -> String {
+    const SHOWN: usize = 8;
+    if steps.len() <= SHOWN {
+        return situation(model, steps);
+    }
+    let entered: Vec<StepId> = steps.iter().filter(|step| !before.contains(step)).copied().collect();
+    let shown = if entered.is_empty() { steps } else { &entered[..] };
+    let names: Vec<String> = shown.iter().take(SHOWN / 2).map(|step| model.steps[*step].name.to_string()).collect();
+    format!("({}, and {} more)", names.join(", "), steps.len() - names.len())
+}
+
 /// `A`, `(A, B)`, `()`.
 #[must_use]
 pub fn situation(model: &Model, steps: &[StepId]) -> String {
@@ -124,6 +139,9 @@ impl Given {
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         let what = text(model, &self.what);
+        if let (Some(float), Demand::Within(low, high)) = (float(model, &self.what), self.demand) {
+            return float_text(&what, float, low, high);
+        }
         let number =
             |number: i128| if is_time(model, &self.what) { model.time_text(number) } else { number.to_string() };
         match self.demand {
@@ -135,6 +153,38 @@ impl Given {
             Demand::Within(Some(low), None) => format!("{what} >= {}", number(low)),
             Demand::Within(None, Some(high)) => format!("{what} <= {}", number(high)),
         }
+    }
+}
+
+/// What is demanded of a float, by positions among all floats. A bound that nobody would write is the one beside it,
+/// excluded.
+fn float_text(what: &str, float: Float, low: Option<i128>, high: Option<i128>) -> String {
+    let written = |position: i128| {
+        let size = f64::from_bits(u64::try_from(position.unsigned_abs()).unwrap_or(u64::MAX));
+        let value = if position < 0 { -size } else { size };
+        #[allow(clippy::cast_possible_truncation, reason = "looked at whether it does")]
+        let short = value as f32;
+        let exact = f64::from(short).to_bits() == value.to_bits();
+        match float {
+            Float::F32 => exact.then(|| short.to_string()),
+            Float::F64 => Some(value.to_string()),
+        }
+    };
+    let length = |text: &Option<String>| text.as_ref().map_or(usize::MAX, String::len);
+    let bound = |position: i128, beside: i128, sign: &str| {
+        let (own, other) = (written(position), written(beside));
+        let equal = if length(&own) <= length(&other) { "=" } else { "" };
+        let text = if equal.is_empty() { other } else { own };
+        format!("{what} {sign}{equal} {}", text.unwrap_or_default())
+    };
+    let finite = |position: &i128| position.unsigned_abs() < u128::from(f64::INFINITY.to_bits());
+    let (low, high) = (low.filter(finite), high.filter(finite));
+    match (low, high) {
+        (Some(low), Some(high)) if low == high => format!("{what} == {}", written(low).unwrap_or_default()),
+        (Some(low), Some(high)) => format!("{}, {}", bound(low, low - 1, ">"), bound(high, high + 1, "<")),
+        (Some(low), None) => bound(low, low - 1, ">"),
+        (None, Some(high)) => bound(high, high + 1, "<"),
+        (None, None) => what.to_owned(),
     }
 }
 

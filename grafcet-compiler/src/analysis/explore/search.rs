@@ -107,23 +107,22 @@ pub(super) struct Graph {
 }
 
 /// The outcome of one run.
-struct Leaf {
+pub(super) struct Leaf {
     next: State,
-    done: Done,
-    given: Vec<(usize, Known)>,
-    past: Vec<(usize, Known)>,
-    granted: Learnt,
+    pub(super) done: Done,
+    cycle: Cycle,
     late: bool,
-    watched: Vec<usize>,
+    /// The watched expressions that hold, each with what it takes.
+    watched: Vec<(usize, Cycle)>,
 }
 
 /// Explores one piece of a chart, or all of it.
 pub(super) struct Search<'n, 's> {
-    scene: Scene<'n>,
-    graph: Graph,
+    pub(super) scene: Scene<'n>,
+    pub(super) graph: Graph,
     index: BTreeMap<Rc<State>, usize>,
-    seen: &'s mut Seen,
-    limit: u64,
+    pub(super) seen: &'s mut Seen,
+    pub(super) limit: u64,
     /// Slots that other pieces write, too.
     foreign: Vec<usize>,
     /// What has nothing to do with each other is not tried in all combinations.
@@ -173,7 +172,9 @@ impl<'n, 's> Search<'n, 's> {
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
     /// Returns the units of work it took.
     pub(super) fn run(mut self) -> (Graph, u64) {
-        self.roots();
+        if self.graph.states.is_empty() {
+            self.roots();
+        }
         let mut next = 0;
         while next < self.graph.states.len() {
             if !self.expand(next) {
@@ -185,7 +186,7 @@ impl<'n, 's> Search<'n, 's> {
         (self.graph, self.scene.work)
     }
 
-    fn roots(&mut self) {
+    pub(super) fn roots(&mut self) {
         let net = self.scene.net;
         let Some(unit) = self.scene.unit else {
             self.root(true, net.initial.clone());
@@ -230,7 +231,7 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
-    fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
+    pub(super) fn insert(&mut self, state: State, origin: Option<Origin>) -> usize {
         if !state.before.is_empty() && !self.thorough {
             let general = State { before: Box::default(), ..state.clone() };
             if let Some(known) = self.index.get(&general) {
@@ -297,32 +298,13 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.tape.restart();
         loop {
             let (when, done) = cycle::run(&mut self.scene, state, enabled);
-            // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
-            if self.thorough {
-                self.scene.decide_edges(when);
-            }
-            let mut assumed = self.is_assumed();
-            let mut next = cycle::end(&self.scene, when);
-            for slot in &self.foreign {
-                next.slots[*slot] = Bit::Any;
-            }
-            let mut watched = Vec::new();
-            self.scene.forget_volatile();
-            for index in 0..self.graph.watched.len() {
-                if self.graph.watched[index].is_none() && self.scene.decide(&self.scene.net.watched[index], When::Now) {
-                    watched.push(index);
-                }
-            }
-            assumed = assumed && self.is_assumed();
+            let leaf = self.leaf(when, done);
             if self.scene.spoilt {
                 return None;
             }
-            if assumed && !self.scene.redundant {
-                let news = !done.doubled.is_empty() || !watched.is_empty() || !self.index.contains_key(&next);
-                let (given, past) = if news { self.scene.decided() } else { (Vec::new(), Vec::new()) };
-                self.graph.cut_off |= lazy && done.unstable;
-                let (granted, late) = (self.scene.granted.clone(), self.scene.late);
-                leaves.push(Leaf { next, done, given, past, granted, late, watched });
+            if let Some(leaf) = leaf {
+                self.graph.cut_off |= lazy && leaf.done.unstable;
+                leaves.push(leaf);
             }
             if self.scene.work >= self.limit {
                 return None;
@@ -330,6 +312,64 @@ impl<'n, 's> Search<'n, 's> {
             if !self.scene.tape.advance() {
                 return Some(leaves);
             }
+        }
+    }
+
+    /// What a run has led to; none where the assumptions exclude it, or it shows nothing that another does not.
+    pub(super) fn leaf(&mut self, when: When, done: Done) -> Option<Leaf> {
+        // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
+        if self.thorough {
+            self.scene.decide_edges(when);
+        }
+        let assumed = self.is_assumed();
+        let mut next = cycle::end(&self.scene, when);
+        for slot in &self.foreign {
+            next.slots[*slot] = Bit::Any;
+        }
+        // What the watched expressions ask for is no part of the way on.
+        let news = !done.doubled.is_empty() || !self.index.contains_key(&next);
+        let (given, past) = if news || self.watches() { self.scene.decided() } else { (Vec::new(), Vec::new()) };
+        let (granted, late) = (self.scene.granted.clone(), self.scene.late);
+        let cycle = Cycle { given, past, granted, cleared: done.cleared.clone() };
+        let holding = self.holding();
+        if !assumed || !self.is_assumed() || self.scene.redundant {
+            return None;
+        }
+        let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
+        Some(Leaf { next, done, cycle, late, watched })
+    }
+
+    /// Whether watched expressions are left that have not been seen to hold.
+    fn watches(&self) -> bool {
+        self.graph.watched.iter().any(Option::is_none)
+    }
+
+    /// Those of them that hold at the end of this run.
+    fn holding(&mut self) -> Vec<usize> {
+        if !self.watches() {
+            return Vec::new();
+        }
+        self.scene.forget_volatile();
+        let net = self.scene.net;
+        let open: Vec<usize> =
+            (0..self.graph.watched.len()).filter(|index| self.graph.watched[*index].is_none()).collect();
+        open.into_iter().filter(|index| self.scene.decide(&net.watched[*index], When::Now)).collect()
+    }
+
+    /// The cycle with what a watched expression asked for, without what others did.
+    fn beside(&self, cycle: &Cycle, index: usize) -> Cycle {
+        let (mut atoms, net) = (Vec::new(), self.scene.net);
+        net.collect(&net.watched[index], &mut atoms, &mut Vec::new());
+        let own = |before: &Learnt, after: Learnt| -> Learnt {
+            let known = |atom: &usize| before.iter().any(|(other, _)| other == atom);
+            after.into_iter().filter(|(atom, _)| atoms.contains(atom) || known(atom)).collect()
+        };
+        let (given, past) = self.scene.decided();
+        Cycle {
+            given: own(&cycle.given, given),
+            past: own(&cycle.past, past),
+            granted: own(&cycle.granted, self.scene.granted.clone()),
+            cleared: cycle.cleared.clone(),
         }
     }
 
@@ -352,9 +392,10 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    fn commit(&mut self, from: usize, leaf: Leaf) {
+    /// The number of the state to which it leads.
+    pub(super) fn commit(&mut self, from: usize, leaf: Leaf) -> usize {
         let net = self.scene.net;
-        let Leaf { next, done, given, past, mut granted, late, watched } = leaf;
+        let Leaf { next, done, mut cycle, late, watched } = leaf;
         for active in &done.transient {
             self.seen.situation(active);
         }
@@ -364,16 +405,15 @@ impl<'n, 's> Search<'n, 's> {
         for transition in &done.enabled_later {
             self.seen.enabled[*transition] = true;
         }
-        granted.sort_unstable();
-        let demands = (self.thorough && !late).then(|| granted.clone().into_boxed_slice());
-        let cycle = Cycle { given, past, granted, cleared: done.cleared };
+        cycle.granted.sort_unstable();
+        let demands = (self.thorough && !late).then(|| cycle.granted.clone().into_boxed_slice());
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
             self.graph.doubled.entry(step).or_insert_with(doubled);
         }
-        for index in watched {
+        for (index, cycle) in watched {
             if self.graph.watched[index].is_none() {
-                self.graph.watched[index] = Some((from, cycle.clone(), Rc::new(next.clone())));
+                self.graph.watched[index] = Some((from, cycle, Rc::new(next.clone())));
             }
         }
         let mut joins: Vec<usize> = done.enabled_later;
@@ -384,6 +424,7 @@ impl<'n, 's> Search<'n, 's> {
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
         let to = self.insert(next, Some(Origin { from, cycle }));
         self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
+        to
     }
 
     /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and

@@ -1,6 +1,6 @@
 //! The cycle of `sfc`: one evolution, then the actions.
 
-use super::actions::{Action, Command, Target};
+use super::actions::{Action, Command, Target, Timed};
 use super::cycle::{Done, evolve, note_doubled, tried};
 use super::formula::Formula;
 use super::scene::{Scene, State, When};
@@ -75,13 +75,16 @@ fn act(scene: &mut Scene<'_>, change: &Change) {
     let steps = change.before.iter().chain(&scene.now.active);
     let mut numbers: Vec<usize> =
         steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
+    let lasting = net.actions.lasting.iter().filter(|(slot, _)| scene.now.slots[*slot] != Bit::False);
+    numbers.extend(lasting.map(|(_, target)| *target));
     numbers.sort_unstable();
     numbers.dedup();
     let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();
     for number in numbers {
         match &net.actions.targets[number] {
-            Target::Control { slot, flip_flop, by } => {
-                control(scene, change, (*slot, *flip_flop), by, &mut runs);
+            Target::Control { slot, timed, by } => {
+                let q = control(scene, change, (*slot, timed), by);
+                runs.push((Moment::Rest, by[0].position, Effect::Put(*slot, q)));
             }
             Target::Assigned { slot, initial, by } => {
                 let active = by.iter().rfind(|action| is_on(scene, change, action));
@@ -134,40 +137,47 @@ fn write(scene: &mut Scene<'_>, slot: usize, bit: Bit, outputs: &mut Vec<(usize,
     }
 }
 
-/// `Q = !R && (N || S_FF || P)`
-fn control<'n>(
-    scene: &mut Scene<'_>,
-    change: &Change,
-    (slot, flip_flop): (usize, Option<usize>),
-    by: &'n [Action],
-    runs: &mut Vec<(Moment, usize, Effect<'n>)>,
-) {
-    let (mut set, mut reset, mut held) = (false, false, false);
+/// `Q = !R && (N || S_FF || (L && !L_TMR) || D_TMR || P || SD_TMR || DS_FF || (SL_FF && !SL_TMR))`, with unknown times.
+fn control(scene: &mut Scene<'_>, change: &Change, (slot, timed): (usize, &Timed), by: &[Action]) -> Bit {
+    let mut on: Vec<Qualifier> = Vec::new();
     for action in by {
-        if is_on(scene, change, action) {
-            match action.qualifier {
-                Qualifier::S => set = true,
-                Qualifier::R => reset = true,
-                _ => held = true,
-            }
+        if !on.contains(&action.qualifier) && is_on(scene, change, action) {
+            on.push(action.qualifier);
         }
     }
-    let stored = by.iter().all(|action| matches!(action.qualifier, Qualifier::S | Qualifier::R));
-    let was = if stored { scene.now.slots[slot] } else { flip_flop.map_or(Bit::False, |slot| scene.now.slots[slot]) };
-    let stays = match (reset, set) {
+    let reset = on.contains(&Qualifier::R);
+    if by.iter().all(|action| matches!(action.qualifier, Qualifier::S | Qualifier::R)) {
+        return kept(scene.now.slots[slot], on.contains(&Qualifier::S), reset);
+    }
+    let mut q = Bit::from(on.contains(&Qualifier::N) || on.contains(&Qualifier::P));
+    for (qualifier, flip_flop) in &timed.flip_flops {
+        let set = on.contains(qualifier) && (*qualifier != Qualifier::Ds || has_come(scene, timed, Qualifier::Ds));
+        let stays = kept(scene.now.slots[*flip_flop], set, reset);
+        scene.now.slots[*flip_flop] = stays;
+        let late = matches!(qualifier, Qualifier::Sd | Qualifier::Sl);
+        if stays != Bit::False && (!late || has_come(scene, timed, *qualifier)) && q != Bit::True {
+            q = stays;
+        }
+    }
+    for qualifier in [Qualifier::L, Qualifier::D] {
+        if on.contains(&qualifier) && has_come(scene, timed, qualifier) {
+            q = Bit::True;
+        }
+    }
+    if reset { Bit::False } else { q }
+}
+
+/// RS, where R dominates.
+fn kept(was: Bit, set: bool, reset: bool) -> Bit {
+    match (reset, set) {
         (true, _) => Bit::False,
         (false, true) => Bit::True,
         (false, false) => was,
-    };
-    if let Some(flip_flop) = flip_flop {
-        scene.now.slots[flip_flop] = stays;
     }
-    let q = match stays {
-        _ if reset => Bit::False,
-        _ if held => Bit::True,
-        stays => stays,
-    };
-    runs.push((Moment::Rest, by[0].position, Effect::Put(slot, q)));
+}
+
+fn has_come(scene: &mut Scene<'_>, timed: &Timed, qualifier: Qualifier) -> bool {
+    timed.times.iter().any(|(of, time)| *of == qualifier && scene.decide(time, When::Now))
 }
 
 /// Whether the step flag or the event of an association is true, and its condition.

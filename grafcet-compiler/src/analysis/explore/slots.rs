@@ -23,24 +23,34 @@ impl From<bool> for Bit {
 /// The places that are followed, numbered.
 pub(super) struct Slots {
     pub(super) numbers: BTreeMap<Place, usize>,
-    /// `sfc`: the flip-flop of S and R where other qualifiers control the place, too.
-    pub(super) flip_flops: BTreeMap<Place, usize>,
+    /// `sfc`: the flip-flops of the action control where they are not the place itself: of S, SD, DS and SL.
+    pub(super) flip_flops: BTreeMap<(Place, Qualifier), usize>,
     pub(super) initial: Vec<Bit>,
+    /// `sfc`: places that are computed anew in each cycle and that nothing in the chart reads.
+    pub(super) shown: Vec<usize>,
 }
 
 impl Slots {
     pub(super) fn of(model: &Model, watched: &[&Tree]) -> Self {
-        let mut slots = Self { numbers: BTreeMap::new(), flip_flops: BTreeMap::new(), initial: Vec::new() };
+        let mut slots =
+            Self { numbers: BTreeMap::new(), flip_flops: BTreeMap::new(), initial: Vec::new(), shown: Vec::new() };
         let writers = Writers::of(model);
         for place in needed(model, &writers, watched) {
             if !writers.can_be_followed(model, place) {
                 continue;
             }
             slots.numbers.insert(place, slots.initial.len());
+            let slot = slots.initial.len();
             slots.initial.push(initial(model, place));
-            if !model.is_grafcet() && writers.needs_flip_flop(model, place) {
-                slots.flip_flops.insert(place, slots.initial.len());
+            if model.is_grafcet() {
+                continue;
+            }
+            for qualifier in writers.flip_flops(model, place) {
+                slots.flip_flops.insert((place, qualifier), slots.initial.len());
                 slots.initial.push(Bit::False);
+            }
+            if writers.is_only_shown(model, place) {
+                slots.shown.push(slot);
             }
         }
         slots
@@ -158,9 +168,23 @@ impl<'m> Writers<'m> {
         model.is_grafcet() || kinds.len() < 2
     }
 
-    fn needs_flip_flop(&self, model: &Model, place: Place) -> bool {
-        let with = |wanted: fn(Qualifier) -> bool| self.associations(model, place).any(|a| wanted(a.qualifier));
-        with(|q| q == Qualifier::S) && with(|q| !matches!(q, Qualifier::S | Qualifier::R))
+    /// The qualifiers that need a flip-flop of their own.
+    fn flip_flops(&self, model: &Model, place: Place) -> Vec<Qualifier> {
+        let with = |wanted: Qualifier| self.associations(model, place).any(|a| a.qualifier == wanted);
+        let stored = self.associations(model, place).all(|a| matches!(a.qualifier, Qualifier::S | Qualifier::R));
+        let all = [Qualifier::S, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
+        all.into_iter().filter(|qualifier| !stored && with(*qualifier)).collect()
+    }
+
+    /// Whether an output has no memory, and nothing in the chart reads it.
+    fn is_only_shown(&self, model: &Model, place: Place) -> bool {
+        let Place::Output(id) = place else { return false };
+        let read = model.expressions().any(|reads| reads.contains(&Read::Name(Name::Output(id))));
+        let control = |a: &Association| matches!(a.effect, Effect::Control(_));
+        let stored = |a: &Association| matches!(a.qualifier, Qualifier::S | Qualifier::R);
+        let all = || self.associations(model, place);
+        let computed = all().all(control) && !all().all(stored) || all().all(|a| a.qualifier == Qualifier::N);
+        !read && computed && all().next().is_some()
     }
 }
 
@@ -184,9 +208,7 @@ fn fits_grafcet(association: &Association) -> bool {
 
 fn fits_sfc(association: &Association, place: Place) -> bool {
     match (&association.effect, association.qualifier) {
-        (Effect::Control(_), qualifier) => {
-            matches!(qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P)
-        }
+        (Effect::Control(_), qualifier) => !matches!(qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On),
         (_, Qualifier::P1 | Qualifier::P0) => true,
         (Effect::Assign(..), Qualifier::N) if matches!(place, Place::Output(_)) => true,
         // Whether it was active in the cycle before decides about its final scan.

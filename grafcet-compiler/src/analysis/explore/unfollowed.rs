@@ -27,7 +27,7 @@ fn is_free(atom: &Atom) -> bool {
             | Tree::Elapsed(..)
             | Tree::MacroElapsed(..)
     );
-    free || !matches!(atom.kind, Kind::Free | Kind::Number(..))
+    free || atom.is_time || !matches!(atom.kind, Kind::Free | Kind::Number(..))
 }
 
 /// Whether it reads something of its `own` that can be chosen to suit, and nothing that is not followed.

@@ -101,9 +101,15 @@ impl Report<'_> {
 
     /// Situations from which a piece of the chart never goes on.
     pub(super) fn deadlocks(&self, future: &Future) -> Vec<Deadlock> {
+        self.deadlocks_of(future, 0..self.graph.states.len())
+    }
+
+    /// Those among some states.
+    pub(super) fn deadlocks_of(&self, future: &Future, among: impl IntoIterator<Item = usize>) -> Vec<Deadlock> {
         let mut deadlocks = Vec::new();
         let mut known = BTreeSet::new();
-        for (number, state) in self.graph.states.iter().enumerate().filter(|(_, state)| !state.first) {
+        let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
+        for (number, state) in states.filter(|(_, state)| !state.first) {
             let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).collect();
             units.sort_unstable();
             units.dedup();
@@ -124,12 +130,18 @@ impl Report<'_> {
 
     /// AND-convergences of which a source is active forever and another never.
     pub(super) fn stuck_joins(&self, future: &Future) -> Vec<StuckJoin> {
+        self.stuck_joins_of(future, 0..self.graph.states.len())
+    }
+
+    /// Those among some states.
+    pub(super) fn stuck_joins_of(&self, future: &Future, among: impl IntoIterator<Item = usize>) -> Vec<StuckJoin> {
         let mut stuck = Vec::new();
         let mut known = BTreeSet::new();
         if future.joins.is_empty() {
             return stuck;
         }
-        for (number, state) in self.graph.states.iter().enumerate().filter(|(_, state)| !state.first) {
+        let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
+        for (number, state) in states.filter(|(_, state)| !state.first) {
             for step in state.active.iter().filter(|step| future.waiting.binary_search(step).is_ok()) {
                 let unit = self.net.unit_of[*step];
                 if future.leaves(number, *step) || self.is_meant(&state.active, unit) {

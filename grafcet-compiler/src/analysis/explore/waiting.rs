@@ -123,7 +123,7 @@ fn may_arbitrate(scene: &Scene<'_>, open: &[usize]) -> bool {
 }
 
 /// The transitions in groups that share sources; `sfc`: and steps that one reads and another changes.
-fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
+pub(super) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
     let mut union = Union::new(open.len());
     let mut by_source: Vec<(usize, usize)> = Vec::new();
     for (position, transition) in open.iter().enumerate() {

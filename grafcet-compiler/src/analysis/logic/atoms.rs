@@ -7,7 +7,7 @@ use super::ranges::Ranges;
 use crate::model::{Binary, Model, Name, Read, TimeRef, Tree, Ty};
 
 /// Beyond this, constants of 128 bits leave no room to calculate.
-pub(super) const FAR: i128 = i128::MAX / 4;
+pub(in crate::analysis) const FAR: i128 = i128::MAX / 4;
 
 /// What an atom stands for.
 #[derive(Clone, Debug)]
@@ -129,13 +129,13 @@ pub(super) fn is_bool_name(model: &Model, name: Name) -> bool {
 
 /// A floating-point type.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Float {
+pub(in crate::analysis) enum Float {
     F32,
     F64,
 }
 
 /// The type of a name that is a float, or of arithmetic with one.
-pub(super) fn float(model: &Model, tree: &Tree) -> Option<Float> {
+pub(in crate::analysis) fn float(model: &Model, tree: &Tree) -> Option<Float> {
     match tree {
         Tree::Read(Read::Name(name)) => match ty(model, *name) {
             Ty::Other(syn::Type::Path(path)) if path.path.is_ident("f32") => Some(Float::F32),

@@ -15,6 +15,8 @@ mod read;
 mod solve;
 mod witness;
 
+pub(super) use atoms::{FAR, Float, float};
+pub(super) use read::float_constant;
 pub(super) use witness::UNKNOWN;
 
 use std::cell::{Cell, RefCell};

@@ -176,7 +176,7 @@ fn constant(tree: &Tree) -> Option<i128> {
 }
 
 /// The position of a float literal among all floats; both zeros have one.
-fn float_constant(tree: &Tree, float: Float) -> Option<i128> {
+pub(in crate::analysis) fn float_constant(tree: &Tree, float: Float) -> Option<i128> {
     match tree {
         Tree::Unary(Unary::Neg, inner) => float_constant(inner, float)?.checked_neg(),
         Tree::Opaque { text, reads } if reads.is_empty() && text.starts_with(|c: char| c.is_ascii_digit()) => {

@@ -49,6 +49,7 @@ pub fn compare(model: &Model, graph: &Graph, watched: &[Tree], home: &[StepId]) 
     if exact && stable {
         both.ends();
         both.differences.extend(replay::check(model, graph, &both.explored));
+        both.some_ways(&assumed);
     }
     Ok(Comparison { differences: both.differences, exact, claims: [0; 3] })
 }
@@ -155,6 +156,22 @@ impl Both<'_> {
     fn leads(&mut self, what: &str, answer: &Answer, end: impl Fn(&Edge) -> bool) {
         if let (Answer::Possible(path), true, true) = (answer, self.exact, self.stable) {
             self.differences.extend(replay::leads(self.model, self.graph, path, what, end));
+        }
+    }
+
+    /// What is found in a chart that is too large, by going some ways only, happens; not all that happens is found.
+    fn some_ways(&mut self, assumed: &[&Tree]) {
+        let limits = Limits { only_ways: true, ..Limits::default() };
+        let explored = Exploration::assuming(self.model, &limits, &[], assumed);
+        self.differences.extend(replay::real(self.model, self.graph, &explored));
+        let stuck = explored.stuck_joins().iter().map(|stuck| (stuck.join, stuck.waiting));
+        let deadlocks = explored.deadlocks().iter();
+        let deadlocks = deadlocks.map(|deadlock| (deadlock.partial, deadlock.steps.iter().copied().collect()));
+        let wrong = stuck.filter(|key| !self.verdicts.stuck.contains(key)).count()
+            + deadlocks.filter(|key| !self.verdicts.deadlocks.contains(key)).count();
+        let unseen = |step: &StepId| self.verdicts.reachable.contains(step) && !explored.reachable(*step);
+        if wrong > 0 || self.model.steps.ids().any(|step| unseen(&step)) {
+            self.differ("on some ways", format!("{wrong} ends are none, or a step is reachable"));
         }
     }
 

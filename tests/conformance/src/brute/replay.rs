@@ -9,6 +9,8 @@ use grafcet_compiler::model::{Id, Model, Name, Read, StepId, TransitionId, Tree}
 use super::compare::Difference;
 use super::graph::{Edge, Graph};
 
+const NOT_SHORTEST: &str = "not the shortest way";
+
 /// What is wrong with the ways of an exploration.
 #[must_use]
 pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec<Difference> {
@@ -36,6 +38,12 @@ pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec
         wrong.extend(judge(&format!("deadlock in {:?}", names(model, &steps)), model, &deadlock.path, found, None));
     }
     wrong
+}
+
+/// The same where the ways need not be the shortest.
+#[must_use]
+pub(super) fn real(model: &Model, graph: &Graph, explored: &Exploration) -> Vec<Difference> {
+    check(model, graph, explored).into_iter().filter(|difference| difference.kind != NOT_SHORTEST).collect()
 }
 
 /// What is wrong with a way to the end of a cycle.
@@ -68,7 +76,7 @@ fn judge(what: &str, model: &Model, path: &Path, found: bool, shortest: Option<u
         // The first cycle is left out where nothing happens in it.
         Some(shortest) if shortest != length && shortest != length + 1 => {
             let text = format!("{what}: {length} cycles, the shortest {shortest} with the first{}", shown());
-            Some(Difference { kind: "not the shortest way".to_owned(), text })
+            Some(Difference { kind: NOT_SHORTEST.to_owned(), text })
         }
         _ => None,
     }

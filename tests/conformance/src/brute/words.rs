@@ -190,7 +190,15 @@ impl Words {
             // In a `grafcet` the value of an assignation is a level.
             let value = self.expr(maker, depth, if maker.grafcet { 0 } else { self.vars.len() });
             let level = if value.contains("rising") || value.contains("falling") { "!a".to_owned() } else { value };
+            let time = *maker.rng.pick(&["1s", "1m"]);
+            let late = if maker.grafcet || *way == Shown::Continuous { 2 } else { 5 };
             lines.push(match (way, maker.rng.below(6)) {
+                (Shown::Continuous, 0..=2) | (Shown::Stored, 2..=4)
+                    if maker.timed && (!maker.grafcet || *way == Shown::Continuous) =>
+                {
+                    let qualifier = ["L", "D", "SD", "DS", "SL"][maker.rng.below(late)];
+                    format!("{qualifier} {time} {name};")
+                }
                 (Shown::Continuous, 0..=2) => format!("N {name};"),
                 (Shown::Continuous, _) => format!("N {name} if {level};"),
                 (Shown::Stored, 0..=1) => format!("S {name};"),

@@ -1,0 +1,80 @@
+//! Charts with more situations than can be explored: twenty parallel branches have 3 × 10¹⁵. What is wrong with the drawing
+//! is found all the same, and nothing is said about the good ones.
+
+use std::fmt::Write;
+
+use grafcet_compiler::compile;
+use quote::quote;
+
+const BRANCHES: usize = 20;
+const STEPS: usize = 5;
+
+/// The rules that speak about a chart.
+fn rules(chart: &str) -> Vec<String> {
+    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
+    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
+    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
+    assert!(!rules.is_empty() || !code.contains("compile_error"), "{code}");
+    rules.sort_unstable();
+    rules.dedup();
+    rules
+}
+
+/// Parallel branches; `more` is added, and `without` left out.
+fn branches(dialect: &str, inputs: usize, more: &str, without: &str) -> String {
+    let names = |letter: &str, count: usize| {
+        let names: Vec<String> = (0..count).map(|number| format!("{letter}{number}")).collect();
+        names.join(", ")
+    };
+    let mut body = String::from("initial step Start; step End;\n");
+    let (mut first, mut last) = (Vec::new(), Vec::new());
+    for branch in 0..BRANCHES {
+        for number in 0..STEPS {
+            _ = writeln!(body, "step S{branch}_{number};");
+            if number + 1 < STEPS {
+                let input = (branch * STEPS + number) % inputs;
+                _ = writeln!(body, "S{branch}_{number} -[i{input}]-> S{branch}_{};", number + 1);
+            }
+        }
+        first.push(format!("S{branch}_0"));
+        last.push(format!("S{branch}_{}", STEPS - 1));
+    }
+    _ = writeln!(body, "Start -[go]-> ({}); ({}) -[true]-> End;", first.join(", "), last.join(", "));
+    assert!(without.is_empty() || body.contains(without), "{without}");
+    let body = body.replacen(without, "", usize::from(!without.is_empty()));
+    format!(
+        "{dialect} Chart {{ #![allow(grafcet::unused_input, grafcet::overlapping_branches)]
+         input go, other: bool; input {}: bool; {body} End -[!go]-> Start; {more} }}",
+        names("i", inputs)
+    )
+}
+
+/// In both dialects, with inputs of their own and with few that the branches share.
+fn all_say(more: &str, without: &str, expected: &[&str]) {
+    for dialect in ["sfc", "grafcet"] {
+        for inputs in [BRANCHES * STEPS, 12] {
+            let said = rules(&branches(dialect, inputs, more, without));
+            assert_eq!(said, expected, "{dialect}, {inputs} inputs, {more}, without {without}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_said_about_good_branches() {
+    all_say("", "", &[]);
+}
+
+#[test]
+fn a_branch_that_is_left_by_a_jump() {
+    all_say("S3_2 -[other]-> End;", "", &["unsafe_step"]);
+}
+
+#[test]
+fn a_branch_that_nothing_joins() {
+    all_say("", ", S7_4", &["unsafe_step"]);
+}
+
+#[test]
+fn a_branch_that_ends_in_a_trap() {
+    all_say("step Trap; S7_2 -[other]-> Trap;", "", &["stuck_join"]);
+}
