@@ -20,7 +20,7 @@ impl Stability {
     #[must_use]
     pub fn of(model: &Model) -> Self {
         let events = model.associations.values().any(|a| a.qualifier == Qualifier::On);
-        Self { certain: !events && !has_circle(&mut Follows::new(model)) }
+        Self { certain: !events && !is_refilled(model) && !has_circle(&mut Follows::new(model)) }
     }
 
     /// Every search ends after each transition has cleared at most once.
@@ -28,6 +28,18 @@ impl Stability {
     pub fn is_certain(&self) -> bool {
         self.certain
     }
+}
+
+/// Whether a source transition, which nothing has to enable, may go on filling a chart in which what clears depends on what
+/// is active or stored: the steps behind it can then turn each other on and off.
+fn is_refilled(model: &Model) -> bool {
+    let varies = |read: &Read| match read {
+        Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().any(|read| !is_constant_read(read)),
+        other => !is_constant_read(other),
+    };
+    let mut transitions = model.transitions.values();
+    transitions.any(|transition| transition.sources.is_empty())
+        && model.transitions.values().flat_map(|transition| &transition.condition.reads).any(varies)
 }
 
 /// Which transitions a transition may enable in the same cycle.
@@ -94,15 +106,17 @@ fn constant_part(tree: &Tree, favourable: bool) -> Tree {
     }
 }
 
+fn is_constant_read(read: &Read) -> bool {
+    matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Ticks(_))
+}
+
 fn is_constant(tree: &Tree) -> bool {
-    let constant =
-        |read: &Read| matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Ticks(_));
     match tree {
         Tree::Bool(_) | Tree::Int(_) => true,
-        Tree::Read(read) => constant(read),
+        Tree::Read(read) => is_constant_read(read),
         Tree::Unary(_, inner) => is_constant(inner),
         Tree::Binary(_, a, b) => is_constant(a) && is_constant(b),
-        Tree::Opaque { reads, .. } => reads.iter().all(constant),
+        Tree::Opaque { reads, .. } => reads.iter().all(is_constant_read),
         Tree::Elapsed(..) | Tree::MacroElapsed(..) => false,
     }
 }
