@@ -7,8 +7,11 @@
 
 use std::collections::VecDeque;
 
-use super::{Logic, Relation};
-use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, Tree};
+use super::{Logic, Relation, pairs};
+use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
+
+/// Charts with more steps than this are taken for independent partial grafcets.
+const ACROSS: usize = 1_000;
 
 /// Steps that can be active together.
 #[derive(Debug)]
@@ -16,6 +19,8 @@ pub struct Concurrency {
     relation: Relation,
     /// Steps that can be active at all, as far as the structure tells.
     reachable: Vec<bool>,
+    /// Transitions that can clear, as far as it tells.
+    clears: Vec<bool>,
     /// Steps that a transition may activate while they are active.
     unsafe_steps: Vec<bool>,
 }
@@ -45,7 +50,23 @@ impl Concurrency {
         search.seed(overlapping);
         search.run();
         search.follow_enclosures();
-        Self { relation: search.relation, reachable: search.reachable, unsafe_steps: search.unsafe_steps }
+        Self {
+            relation: search.relation,
+            reachable: search.reachable,
+            clears: search.clears,
+            unsafe_steps: search.unsafe_steps,
+        }
+    }
+
+    /// The same where what partial grafcets do to each other and ask of each other counts, too. The generated code must
+    /// not rely on that.
+    #[must_use]
+    pub fn across_partials(self, model: &Model) -> Self {
+        if model.partials.len() < 2 || model.steps.len() > ACROSS {
+            return self;
+        }
+        let pairs::Pairs { relation, reachable, clears } = pairs::of(model, &self.relation);
+        Self { relation, reachable, clears, ..self }
     }
 
     /// The relation without the pairs of which more is known: they never are active together.
@@ -58,7 +79,8 @@ impl Concurrency {
                 relation.insert(a, b);
             }
         }
-        Self { relation, reachable: self.reachable.clone(), unsafe_steps: self.unsafe_steps.clone() }
+        let Self { reachable, clears, unsafe_steps, .. } = self;
+        Self { relation, reachable: reachable.clone(), clears: clears.clone(), unsafe_steps: unsafe_steps.clone() }
     }
 
     /// Whether two different steps can be active together.
@@ -78,6 +100,12 @@ impl Concurrency {
         self.reachable[step.index()]
     }
 
+    /// Whether some evolution clears the transition, as far as the structure tells.
+    #[must_use]
+    pub fn can_clear(&self, transition: TransitionId) -> bool {
+        self.clears[transition.index()]
+    }
+
     /// Whether a transition may activate the step while it is active (and not left at the same time).
     #[must_use]
     pub fn activated_while_active(&self, step: StepId) -> bool {
@@ -89,6 +117,7 @@ struct Search<'m> {
     model: &'m Model,
     relation: Relation,
     reachable: Vec<bool>,
+    clears: Vec<bool>,
     unsafe_steps: Vec<bool>,
     /// Transitions to look at (again), by index; `queued` keeps each in the list once.
     work: VecDeque<usize>,
@@ -112,6 +141,7 @@ impl<'m> Search<'m> {
             model,
             relation: Relation::new(steps),
             reachable: vec![false; steps],
+            clears: vec![false; model.transitions.len()],
             unsafe_steps: vec![false; steps],
             work: VecDeque::new(),
             queued: vec![false; model.transitions.len()],
@@ -257,6 +287,7 @@ impl<'m> Search<'m> {
         if !enabled {
             return;
         }
+        self.clears[index] = true;
         self.enter_together(&transition.targets);
         for target in transition.targets.iter().map(|t| t.index()) {
             for bystander in self.relation.common_beyond(&sources, target) {

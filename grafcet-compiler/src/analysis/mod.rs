@@ -6,6 +6,7 @@ mod concurrency;
 pub mod explore;
 pub mod hierarchy;
 mod logic;
+mod pairs;
 mod relation;
 mod stability;
 pub mod visible;

@@ -47,7 +47,7 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 pub fn evolution(model: &Model, sink: &mut Sink) {
     let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
     let never = &assumed[..];
-    let concurrency = Concurrency::assuming(model, never);
+    let concurrency = Concurrency::assuming(model, never).across_partials(model);
     let logic = Logic::within(model, &concurrency, never);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let exploration = properties::check(model, &logic, limits, never, sink);

@@ -102,8 +102,6 @@ pub struct Exploration {
     whole: Graph,
     /// Per piece of the chart: everything it can do was seen.
     covered: Vec<bool>,
-    /// What the structure tells, where something is not covered.
-    structure: Option<Concurrency>,
     sources: Vec<Vec<StepId>>,
     unsafe_steps: BTreeMap<StepId, Activation>,
     deadlocks: Vec<Deadlock>,
@@ -134,7 +132,7 @@ impl Exploration {
     /// The same without the inputs for which one of `assumed_never` holds.
     #[must_use]
     pub fn assuming(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
-        let net = Net::of(model, watched, assumed_never);
+        let mut net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
         // A long chart has many situations without being complicated.
         let length = 60 * (net.leaving.len() + net.arcs.len()) as u64;
@@ -150,6 +148,8 @@ impl Exploration {
         });
         let watched = watched.collect();
         let mut covered = vec![whole.complete; net.units];
+        let structure = (!whole.complete).then(|| Concurrency::assuming(model, assumed_never).across_partials(model));
+        net.structure = structure;
         let mut pieces = Vec::new();
         if !whole.complete && several {
             for unit in (0..net.units).filter(|unit| net.has_arcs[*unit]) {
@@ -160,7 +160,6 @@ impl Exploration {
             }
         }
         let ways = (!whole.complete).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
-        let structure = (!whole.complete).then(|| Concurrency::of(model));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
             unsafe_steps: BTreeMap::new(),
@@ -171,7 +170,6 @@ impl Exploration {
             seen,
             whole,
             covered,
-            structure,
             approximate,
             watched,
             limit,
@@ -247,8 +245,8 @@ impl Exploration {
     #[must_use]
     pub fn reachable(&self, step: StepId) -> bool {
         let may_be = |structure: &Concurrency| structure.reachable(step);
-        self.seen.reachable[step.index()]
-            || !self.covered[self.net.unit_of[step.index()]] && self.structure.as_ref().is_some_and(may_be)
+        (self.seen.reachable[step.index()] || !self.covered[self.net.unit_of[step.index()]])
+            && self.net.structure.as_ref().is_none_or(may_be)
     }
 
     /// Whether some situation enables the transition, or that could not be excluded.
@@ -261,12 +259,13 @@ impl Exploration {
     /// precedence), or that could not be excluded.
     #[must_use]
     pub fn can_clear(&self, transition: TransitionId) -> bool {
-        self.seen.able[transition.index()] || self.may_be_enabled(transition)
+        (self.seen.able[transition.index()] || !self.covered[self.net.unit_of_arc(transition.index())])
+            && self.net.structure.as_ref().is_none_or(|structure| structure.can_clear(transition))
     }
 
     /// Whether the structure lets the transition be enabled, where its piece of the chart is not covered.
     fn may_be_enabled(&self, transition: TransitionId) -> bool {
-        let Some(structure) = &self.structure else { return false };
+        let Some(structure) = &self.net.structure else { return false };
         let sources = &self.sources[transition.index()];
         !self.covered[self.net.unit_of_arc(transition.index())]
             && sources.iter().all(|source| structure.reachable(*source))
@@ -298,10 +297,8 @@ impl Exploration {
     pub fn together(&self, a: StepId, b: StepId) -> bool {
         let unit = self.net.unit_of[a.index()];
         let covered = self.covered[unit] && (self.whole.complete || unit == self.net.unit_of[b.index()]);
-        match &self.structure {
-            Some(structure) if !covered => structure.together(a, b),
-            _ => self.seen.together.contains(a.index(), b.index()),
-        }
+        (self.seen.together.contains(a.index(), b.index()) || !covered)
+            && self.net.structure.as_ref().is_none_or(|structure| structure.together(a, b))
     }
 
     /// The most steps that are ever active at the end of a cycle; `None` if not everything was seen.

@@ -7,7 +7,8 @@ use super::compile::Compiler;
 use super::formula::{Atom, Formula, Kind};
 use super::slots::{Bit, Slots};
 use super::{unfollowed, units};
-use crate::model::{ForceOrder, Id, Model, Step, Tree};
+use crate::analysis::Concurrency;
+use crate::model::{ForceOrder, Id, Model, Step, StepId, Tree};
 
 /// A transition.
 pub(super) struct Arc {
@@ -89,6 +90,8 @@ pub(super) struct Net {
     /// Something is taken as unknown.
     pub(super) approximate: bool,
     pub(super) max_evolutions: usize,
+    /// What the structure tells, where the chart is not explored as a whole.
+    pub(super) structure: Option<Concurrency>,
 }
 
 impl Net {
@@ -138,6 +141,7 @@ impl Net {
             assumed_never,
             approximate,
             max_evolutions: model.max_evolutions.map_or(2 * model.steps.len() + 2, |n| n as usize),
+            structure: None,
         };
         if net.parts.iter().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
             net.hierarchy = super::super::hierarchy::top_down(model).iter().map(|id| id.index()).collect();
@@ -306,6 +310,11 @@ impl Net {
         slots.sort_unstable();
         slots.dedup();
         slots
+    }
+
+    /// Whether the structure lets two steps be active together.
+    pub(super) fn may_meet(&self, a: usize, b: usize) -> bool {
+        self.structure.as_ref().is_none_or(|structure| structure.together(StepId::new(a), StepId::new(b)))
     }
 
     /// Whether a situation gives any orders.

@@ -402,9 +402,21 @@ impl<'n> Scene<'n> {
     }
 
     fn ask(&mut self, atom: usize, when: When) -> bool {
-        let value = self.tape.choose(2) == 1;
+        let value = self.can_hold(atom, when) && self.tape.choose(2) == 1;
         self.learn(atom, when, Known::Bool(value));
         value
+    }
+
+    /// Whether a boolean atom can be true: a step of another piece only beside the steps that are known to be active.
+    fn can_hold(&self, atom: usize, when: When) -> bool {
+        let net = self.net;
+        let Kind::Step(step) = net.atoms[atom].kind else { return true };
+        let is_apart = |other: &usize| match net.atoms[*other].kind {
+            Kind::Step(of) => of != step && self.given.get(*other) == Known::Bool(true) && !net.may_meet(step, of),
+            _ => false,
+        };
+        when == When::Before
+            || self.now.active.iter().all(|own| net.may_meet(step, *own)) && !self.given.learnt().iter().any(is_apart)
     }
 
     fn ask_below(&mut self, atom: usize, bound: i128, when: When) -> bool {

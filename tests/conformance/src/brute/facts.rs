@@ -15,7 +15,8 @@ use super::verdicts::Verdicts;
 #[must_use]
 pub(super) fn check(model: &Model, graph: &Graph, verdicts: &Verdicts) -> Vec<Difference> {
     let mut wrong = Facts { model, wrong: Vec::new() };
-    wrong.concurrency(verdicts);
+    wrong.concurrency(verdicts, &Concurrency::assuming(model, &assumed(model)));
+    wrong.concurrency(verdicts, &Concurrency::assuming(model, &assumed(model)).across_partials(model));
     wrong.logic(graph);
     wrong.stability(graph);
     wrong.wrong
@@ -31,14 +32,17 @@ impl Facts<'_> {
         self.wrong.push(Difference { kind: format!("not a fact: {kind}"), text });
     }
 
-    fn concurrency(&mut self, verdicts: &Verdicts) {
-        let (model, concurrency) = (self.model, Concurrency::assuming(self.model, &assumed(self.model)));
+    fn concurrency(&mut self, verdicts: &Verdicts, concurrency: &Concurrency) {
+        let model = self.model;
         let name = |step: &StepId| model.steps[*step].name.to_string();
         for step in verdicts.reachable.iter().filter(|step| !concurrency.reachable(**step)) {
             self.report("never active", name(step));
         }
         for (a, b) in verdicts.together.iter().filter(|(a, b)| !concurrency.together(*a, *b)) {
             self.report("never together", format!("{}, {}", name(a), name(b)));
+        }
+        for transition in verdicts.fireable.iter().filter(|transition| !concurrency.can_clear(**transition)) {
+            self.report("never clears", replay::arrow(model, *transition));
         }
         for step in verdicts.unsafe_steps.iter().filter(|step| !concurrency.activated_while_active(**step)) {
             self.report("never activated while active", name(step));
@@ -49,7 +53,7 @@ impl Facts<'_> {
     fn logic(&mut self, graph: &Graph) {
         let model = self.model;
         let never = assumed(model);
-        let concurrency = Concurrency::assuming(model, &never);
+        let concurrency = Concurrency::assuming(model, &never).across_partials(model);
         // Which transitions were enabled, and of which of them the conditions held.
         let evolutions = graph.cycles().flat_map(|(_, edge)| &edge.evolutions);
         let seen: BTreeSet<_> = evolutions.map(|evolution| (&evolution.enabled, &evolution.fireable)).collect();
