@@ -1,10 +1,12 @@
-//! Two large charts of the folder of good ones, each with one fault put in: the rule that must find it, and the names that its
+//! Four large charts of the folder of good ones, each with one fault put in: the rule that must find it, and the names that its
 //! message must hold.
 
 mod charts;
 
 const CELL: &str = include_str!("good/machining_cell.rs");
 const LINE: &str = include_str!("good/packaging_line.rs");
+const PLANT: &str = include_str!("good/rotary_plant.rs");
+const CARTONS: &str = include_str!("good/carton_line.rs");
 
 /// One fault: what is replaced by what, which rule speaks, and what it has to name.
 struct Fault {
@@ -130,6 +132,20 @@ const FAULTS: &[Fault] = &[
         rule: "deadlock",
         names: &["Truck"],
     },
+    Fault {
+        what: "steps of two partial grafcets that are never active together",
+        chart: PLANT,
+        replace: &[("D7 -[Table::T4.X]-> D1", "D7 -[Table::T4.X && Press::P12.X]-> D1")],
+        rule: "never_true",
+        names: &["Table::T4.X && Press::P12.X", "D7 → D1"],
+    },
+    Fault {
+        what: "two partial grafcets that wait for each other",
+        chart: CARTONS,
+        replace: &[("A3 -[Robot::GripA.X]-> A4", "A3 -[Robot::LiftA.X]-> A4")],
+        rule: "dead_transition",
+        names: &["Robot::LiftA.X", "A3"],
+    },
 ];
 
 /// The messages of a rule about the chart in a piece of Rust.
@@ -166,6 +182,25 @@ fn each_fault_is_found_by_its_rule_and_named() {
 fn one_cause_is_one_message() {
     let rust = CELL.replace("InOffer -[Robot::PickUp.X]-> InTaken", "InOffer -[Infeed::InStop.X]-> InTaken");
     assert_eq!(messages(&rust, "dead_transition").len(), 1);
+}
+
+/// The table waits for the drill, which waits for what never comes.
+#[test]
+fn what_waits_for_another_partial_grafcet_is_one_message() {
+    let rust = PLANT.replace("D7 -[Table::T4.X]-> D1", "D7 -[Table::T4.X && Press::P12.X]-> D1");
+    assert!(messages(&rust, "dead_transition").is_empty());
+}
+
+/// Steps of a sequence are never active together, whoever asks for them.
+#[test]
+fn branches_that_ask_for_different_steps_of_another_partial_grafcet_exclude_each_other() {
+    let rust = CARTONS.replace("-[Carton::C7.X && !Carton::C6.X]-> Q1", "-[Carton::C7.X]-> Q1");
+    let rust = rust.replace("step Drop { open; }", "step Drop { open; P0 packed = packed + 1; }");
+    let rust = rust.replace("on rising(open_grip) packed = packed + 1;", "");
+    assert_ne!(rust, CARTONS);
+    for rule in ["unsafe_step", "write_race", "overlapping_branches"] {
+        assert_eq!(messages(&rust, rule), [""; 0]);
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@
 //! other is. That is a superset of what can really happen, found without exploring situations: what is not related
 //! never is active together, so two such steps can share one byte.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 
 use super::{Logic, Relation, pairs};
 use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
@@ -14,7 +14,7 @@ use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, Transit
 const ACROSS: usize = 1_000;
 
 /// Steps that can be active together.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Concurrency {
     relation: Relation,
     /// Steps that can be active at all, as far as the structure tells.
@@ -61,12 +61,18 @@ impl Concurrency {
     /// The same where what partial grafcets do to each other and ask of each other counts, too. The generated code must
     /// not rely on that.
     #[must_use]
-    pub fn across_partials(self, model: &Model) -> Self {
+    pub fn across_partials(&self, model: &Model) -> Self {
+        self.across_partials_but_for(model, &BTreeSet::new())
+    }
+
+    /// The same if these transitions asked for no steps.
+    #[must_use]
+    pub fn across_partials_but_for(&self, model: &Model, granted: &BTreeSet<TransitionId>) -> Self {
         if model.partials.len() < 2 || model.steps.len() > ACROSS {
-            return self;
+            return self.clone();
         }
-        let pairs::Pairs { relation, reachable, clears } = pairs::of(model, &self.relation);
-        Self { relation, reachable, clears, ..self }
+        let pairs::Pairs { relation, reachable, clears } = pairs::of(model, &self.relation, granted);
+        Self { relation, reachable, clears, unsafe_steps: self.unsafe_steps.clone() }
     }
 
     /// The relation without the pairs of which more is known: they never are active together.

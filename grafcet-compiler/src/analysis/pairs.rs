@@ -16,7 +16,7 @@ use std::rc::Rc;
 
 use super::Relation;
 use super::hierarchy::initial_situation;
-use crate::model::{Binary, ForceOrder, Id, Model, Read, StepId, Tree, Unary};
+use crate::model::{Binary, ForceOrder, Id, Model, Read, StepId, TransitionId, Tree, Unary};
 
 /// So many alternatives of a condition are told apart.
 const ALTERNATIVES: usize = 32;
@@ -30,9 +30,9 @@ pub(super) struct Pairs {
     pub(super) clears: Vec<bool>,
 }
 
-/// The pairs among those that `may_meet`.
-pub(super) fn of(model: &Model, may_meet: &Relation) -> Pairs {
-    let mut search = Search::new(model, may_meet);
+/// The pairs among those that `may_meet`; what the conditions of `granted` ask for is taken for granted.
+pub(super) fn of(model: &Model, may_meet: &Relation, granted: &BTreeSet<TransitionId>) -> Pairs {
+    let mut search = Search::new(Chart::of(model, granted), may_meet);
     let start: Vec<usize> = initial_situation(model).iter().map(|step| step.index()).collect();
     search.enter_together(&start);
     search.queue_all(&search.chart.sourceless.clone());
@@ -91,9 +91,8 @@ struct Search<'m> {
 }
 
 impl<'m> Search<'m> {
-    fn new(model: &Model, may_meet: &'m Relation) -> Self {
-        let chart = Chart::of(model);
-        let (steps, arcs) = (model.steps.len(), chart.arcs.len());
+    fn new(chart: Chart, may_meet: &'m Relation) -> Self {
+        let (steps, arcs) = (chart.part_of.len(), chart.arcs.len());
         Self {
             chart: Rc::new(chart),
             may_meet,
@@ -213,7 +212,7 @@ impl<'m> Search<'m> {
 }
 
 impl Chart {
-    fn of(model: &Model) -> Self {
+    fn of(model: &Model, granted: &BTreeSet<TransitionId>) -> Self {
         let steps = model.steps.len();
         let mut chart = Self {
             arcs: Vec::new(),
@@ -243,15 +242,17 @@ impl Chart {
                 chart.forces[force.step.index()].push((id.index(), forced));
             }
         }
-        chart.draw(model);
+        chart.draw(model, granted);
         chart.pair();
         chart
     }
 
-    fn draw(&mut self, model: &Model) {
-        for (index, transition) in model.transitions.values().enumerate() {
+    fn draw(&mut self, model: &Model, granted: &BTreeSet<TransitionId>) {
+        for (index, (id, transition)) in model.transitions.iter().enumerate() {
             let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
-            let mut ways = holds(model, &transition.condition.tree, true);
+            let anyhow = granted.contains(&id);
+            let mut ways =
+                if anyhow { vec![Demand::default()] } else { holds(model, &transition.condition.tree, true) };
             let asks = ways != [Demand::default()];
             let outer = model.partials[transition.partial].enclosed_by;
             let outside: Vec<usize> = outer

@@ -47,7 +47,8 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 pub fn evolution(model: &Model, sink: &mut Sink) {
     let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
     let never = &assumed[..];
-    let concurrency = Concurrency::assuming(model, never).across_partials(model);
+    let independent = Concurrency::assuming(model, never);
+    let concurrency = independent.across_partials(model);
     let logic = Logic::within(model, &concurrency, never);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let exploration = properties::check(model, &logic, limits, never, sink);
@@ -61,7 +62,7 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     let branches =
         branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
     said.extend(branches.check(&dead, sink));
-    let mut dead = reach::check(model, &exploration, &said, sink);
+    let mut dead = reach::check(model, &independent, &exploration, &said, sink);
     dead.extend(&said);
     let presumed = branches.presumed_exclusive();
     if presumed.is_empty() {

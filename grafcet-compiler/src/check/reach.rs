@@ -5,14 +5,16 @@
 
 use std::collections::BTreeSet;
 
+use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, situation};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Dialect, ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
 
 /// Reports, and returns the transitions that never clear although their sources can be active.
-/// `said` are those of which it has been said that they never clear.
+/// `said` are those of which it has been said that they never clear; `concurrency` is that of independent partial grafcets.
 pub(super) fn check(
     model: &Model,
+    concurrency: &Concurrency,
     exploration: &Exploration,
     said: &BTreeSet<TransitionId>,
     sink: &mut Sink,
@@ -40,12 +42,21 @@ pub(super) fn check(
         };
         sink.rule(&rules::UNREACHABLE_STEP, &model.levels_of(step), vec![(Mark::from(&step.name), message)]);
     }
-    let waiting: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
-    let follow = follow_ups(model, exploration, &dead);
+    // Of a convergence that a branch can leave alone `stuck_join` says what is wrong.
+    let left = exploration.stuck_joins().iter().filter(|stuck| stuck.culprit.is_some());
+    let waiting: BTreeSet<TransitionId> = left.map(|stuck| stuck.join).collect();
+    let alternatives: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    let others_dead = |join: &TransitionId| {
+        alternatives.contains(join) && dead.iter().any(|id| id != join && !alternatives.contains(id))
+    };
+    let mut follow = follow_ups(model, exploration, &dead);
+    if !said.is_empty() && dead.iter().any(|id| exploration.is_barred(*id)) {
+        let otherwise = concurrency.across_partials_but_for(model, said);
+        follow.extend(dead.iter().filter(|id| exploration.is_barred(**id) && otherwise.can_clear(**id)));
+    }
     for id in &dead {
         let transition = &model.transitions[*id];
-        // `stuck_join` says what is wrong.
-        if waiting.contains(id) || said.contains(id) || follow.contains(id) {
+        if waiting.contains(id) || others_dead(id) || said.contains(id) || follow.contains(id) {
             continue;
         }
         let message =
@@ -75,6 +86,9 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &BTreeSet<Transiti
     let mut follow = BTreeSet::new();
     let causes = open.iter().filter(|(_, waits)| waits.is_empty());
     let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).collect();
+    // Of steps to which no arrow leads it has been said.
+    let drawn = drawn(model);
+    work.extend(model.steps.ids().filter(|step| !drawn[step.index()]));
     while !work.is_empty() {
         while let Some(step) = work.pop() {
             if !std::mem::replace(&mut behind[step.index()], true) {

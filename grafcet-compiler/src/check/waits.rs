@@ -1,7 +1,7 @@
 //! `stuck_join`, `deadlock`: situations in which something waits forever.
 //!
 //! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
-//! no deadlock beside that.
+//! no deadlock beside that. Where all wait for each other, since one took what another needs, it is a deadlock.
 
 use std::collections::BTreeSet;
 
@@ -14,13 +14,17 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
     }
+    let contended: Vec<&Deadlock> =
+        exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).collect();
+    smallest(&contended).into_iter().for_each(|deadlock| contention(model, exploration, deadlock, sink));
     let mut reported: BTreeSet<TransitionId> = BTreeSet::new();
-    let mut waiting: BTreeSet<StepId> = BTreeSet::new();
+    let mut waiting: BTreeSet<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
     // Of convergences that never clear nothing has been said before.
     let joins: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join && !joins.contains(id));
     for stuck in exploration.stuck_joins() {
-        if stuck.culprit.is_none() && others_dead(stuck.join) {
+        let in_contention = contended.iter().any(|deadlock| deadlock.steps.contains(&stuck.waiting));
+        if in_contention || stuck.culprit.is_none() && others_dead(stuck.join) {
             continue;
         }
         waiting.insert(stuck.waiting);
@@ -28,17 +32,56 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
             stuck_join(model, stuck, sink);
         }
     }
+    let explained = |step: &StepId| {
+        waiting.contains(step) || leaving[step.index()].iter().any(|transition| dead.contains(transition))
+    };
+    let ends: Vec<&Deadlock> =
+        exploration.deadlocks().iter().filter(|deadlock| !deadlock.steps.iter().any(explained)).collect();
+    smallest(&ends).into_iter().for_each(|deadlock| report(model, deadlock, &leaving, sink));
+}
+
+/// Those of which no earlier one is a part.
+fn smallest<'e>(deadlocks: &[&'e Deadlock]) -> Vec<&'e Deadlock> {
     let mut known: Vec<&Deadlock> = Vec::new();
-    for deadlock in exploration.deadlocks() {
-        let explained = |step: &StepId| {
-            waiting.contains(step) || leaving[step.index()].iter().any(|transition| dead.contains(transition))
-        };
+    for deadlock in deadlocks {
         let more = |other: &&Deadlock| other.steps.iter().all(|step| deadlock.steps.contains(step));
-        if !deadlock.steps.iter().any(explained) && !known.iter().any(more) {
+        if !known.iter().any(more) {
             known.push(deadlock);
-            report(model, deadlock, &leaving, sink);
         }
     }
+    known
+}
+
+/// Whether all steps wait in AND-convergences, and one of these misses what another convergence has taken.
+fn is_contended(model: &Model, exploration: &Exploration, deadlock: &Deadlock) -> bool {
+    let of = |step: StepId| exploration.stuck_joins().iter().filter(move |stuck| stuck.waiting == step);
+    let taken = |stuck: &StuckJoin| {
+        let Some(culprit) = stuck.culprit else { return false };
+        let (taking, join) = (&model.transitions[culprit].sources, &model.transitions[stuck.join].sources);
+        taking.len() > 1 && taking.iter().any(|source| join.contains(source))
+    };
+    deadlock.steps.iter().all(|step| of(*step).next().is_some())
+        && deadlock.steps.iter().any(|step| of(*step).any(taken))
+}
+
+/// A deadlock in which steps wait for what others have taken.
+fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sink: &mut Sink) {
+    let way = deadlock.path.text(model);
+    let note = |step: &StepId| {
+        let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
+        let missing = joins.flat_map(|stuck| &model.transitions[stuck.join].sources);
+        let mut missing: Vec<StepId> = missing.filter(|source| !deadlock.steps.contains(source)).copied().collect();
+        missing.sort_unstable();
+        missing.dedup();
+        let name = &model.steps[*step].name;
+        let message = format!(
+            "`{way}`: here the chart never goes on, `{name}` waits for `{}`, which was taken and is never given back; take what \
+             several branches need in the same order, and give it back in the end, `… -[x]-> (…, …)`",
+            situation(model, &missing)
+        );
+        (Mark::from(name), message)
+    };
+    deadlocked(model, deadlock, deadlock.steps.iter().map(note).collect(), sink);
 }
 
 fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
@@ -91,7 +134,10 @@ fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sin
         };
         (Mark::from(name), message)
     };
-    let notes = deadlock.steps.iter().map(note).collect();
+    deadlocked(model, deadlock, deadlock.steps.iter().map(note).collect(), sink);
+}
+
+fn deadlocked(model: &Model, deadlock: &Deadlock, notes: Vec<(Mark, String)>, sink: &mut Sink) {
     let mut scopes: Vec<&[LevelAttr]> = deadlock.steps.iter().map(|step| &model.steps[*step].levels[..]).collect();
     scopes.extend([&model.partials[deadlock.partial].levels[..], &model.levels]);
     sink.rule(&rules::DEADLOCK, &scopes, notes);

@@ -263,6 +263,12 @@ impl Exploration {
             && self.net.structure.as_ref().is_none_or(|structure| structure.can_clear(transition))
     }
 
+    /// Whether the structure alone tells that the transition never clears.
+    #[must_use]
+    pub fn is_barred(&self, transition: TransitionId) -> bool {
+        self.net.structure.as_ref().is_some_and(|structure| !structure.can_clear(transition))
+    }
+
     /// Whether the structure lets the transition be enabled, where its piece of the chart is not covered.
     fn may_be_enabled(&self, transition: TransitionId) -> bool {
         let Some(structure) = &self.net.structure else { return false };
