@@ -177,7 +177,9 @@ impl<'m> Search<'m> {
         self.queue_all(&chart.sourceless);
         for (_, forced) in &chart.forces[step] {
             self.enter_together(forced);
-            forced.iter().for_each(|other| self.relate(step, *other));
+            for other in forced {
+                self.relate(step, *other);
+            }
         }
         for related in self.relation.of(step).collect::<Vec<_>>() {
             self.queue_all(&chart.needing[related]);
@@ -263,7 +265,9 @@ impl Chart {
             }
             ways.retain(|way| way.active.is_disjoint(&way.inactive));
             let needed: BTreeSet<usize> = ways.iter().flat_map(|way| &way.active).copied().collect();
-            needed.iter().for_each(|step| self.needing[*step].push(index));
+            for step in needed {
+                self.needing[step].push(index);
+            }
             if sources.is_empty() {
                 self.sourceless.push(index);
             }

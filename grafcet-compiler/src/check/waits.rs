@@ -16,7 +16,9 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
     }
     let contended: Vec<&Deadlock> =
         exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).collect();
-    smallest(&contended).into_iter().for_each(|deadlock| contention(model, exploration, deadlock, sink));
+    for deadlock in smallest(&contended) {
+        contention(model, exploration, deadlock, sink);
+    }
     let mut reported: BTreeSet<TransitionId> = BTreeSet::new();
     let mut waiting: BTreeSet<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
     // Of convergences that never clear nothing has been said before.
@@ -37,7 +39,9 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
     };
     let ends: Vec<&Deadlock> =
         exploration.deadlocks().iter().filter(|deadlock| !deadlock.steps.iter().any(explained)).collect();
-    smallest(&ends).into_iter().for_each(|deadlock| report(model, deadlock, &leaving, sink));
+    for deadlock in smallest(&ends) {
+        report(model, deadlock, &leaving, sink);
+    }
 }
 
 /// Those of which no earlier one is a part.
