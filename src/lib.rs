@@ -77,7 +77,32 @@
 //! cycle does exactly, and what steps and signals may be called.
 #![no_std]
 
-pub use grafcet_core::{Chart, Phase, Ticks, heapless};
+/// Pictures of a chart, with the steps marked that are active: for the host, with the feature `std`.
+///
+/// ```
+/// # use grafcet::grafcet;
+/// grafcet! {
+///     sfc Motor {
+///         input on, off: bool;
+///         output relay: bool;
+///         initial step Off;
+///         step On { N relay; }
+///         Off -[on]-> On -[off]-> Off;
+///     }
+/// }
+///
+/// let mut motor = Motor::new();
+/// motor.cycle(&MotorInputs::default());
+/// motor.cycle(&MotorInputs { on: true, ..Default::default() });
+/// let picture = grafcet::draw::svg(&Motor::CHART, &motor.situation());
+/// assert!(picture.starts_with("<svg"));
+/// let text = grafcet::draw::text(&Motor::CHART, &motor.situation());
+/// assert!(text.contains("│●On  ├─┤ N │ relay │"), "{text}");
+/// ```
+#[cfg(feature = "std")]
+pub use grafcet_draw as draw;
+
+pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description, heapless};
 
 /// Turns a chart into a state enum and a cycle function.
 ///
@@ -117,7 +142,7 @@ pub mod __private {
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
-    pub use grafcet_core::{Chart, Delay, OnDelay, Phase, Ticks, heapless, sooner, until};
+    pub use grafcet_core::{ActiveSteps, Chart, Delay, OnDelay, Phase, Ticks, description, heapless, sooner, until};
     pub use grafcet_macros::chart;
 }
 

@@ -3,7 +3,7 @@
 use grafcet_core::description::{self, Description};
 use proc_macro2::Ident;
 
-use crate::model::{Dialect, Effect, ForceOrder, Id as _, Model, PartialId, Qualifier, StepId, TimeRef};
+use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, Qualifier, StepId, TimeRef};
 
 /// Calls `f` with the description of a chart.
 pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R) -> R {
@@ -17,7 +17,7 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             initial: step.initial,
             linked: step.linked,
             partial: step.partial.index(),
-            expansion: step.macro_step.map(|id| id.index()),
+            expansion: step.macro_step.map(Id::index),
             actions,
             forces,
         })
@@ -37,13 +37,13 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
         .collect();
     let partials = model.partials.values().zip(&texts.partials);
     let partials: Vec<_> = partials
-        .map(|(partial, name)| description::Partial { name, enclosed_by: partial.enclosed_by.map(|step| step.index()) })
+        .map(|(partial, name)| description::Partial { name, enclosed_by: partial.enclosed_by.map(Id::index) })
         .collect();
     let macros = model.macros.values().zip(&texts.macros);
     let macros: Vec<_> = macros
         .map(|(m, name)| description::MacroStep {
             name,
-            outer: m.outer.map(|id| id.index()),
+            outer: m.outer.map(Id::index),
             entry: m.entry.index(),
             exit: m.exit.index(),
         })

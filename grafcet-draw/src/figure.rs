@@ -3,8 +3,8 @@
 use grafcet_core::description::{Action, Description, Dialect};
 
 use crate::graph::{Item, Kind};
-use crate::sheets::{Node, name};
 use crate::shape::{Drawing, Frame, Shape};
+use crate::sheets::{Node, name};
 use crate::wrap::{width, wrap};
 
 /// Texts are broken at so many squares.
@@ -149,7 +149,8 @@ impl Scene<'_> {
             "on" => "→",
             other => other,
         };
-        let qualifier = if action.time.is_empty() { qualifier.to_owned() } else { format!("{qualifier} {}", action.time) };
+        let qualifier =
+            if action.time.is_empty() { qualifier.to_owned() } else { format!("{qualifier} {}", action.time) };
         let lines = wrap(&text, TEXT, LINES);
         let condition = wrap(action.condition, TEXT, 1).concat();
         Box { condition, qualifier, lines, kind: Frame::Action }
@@ -201,7 +202,7 @@ impl Figure {
             Figure::Step(step) => step.draw(x, y, to),
             Figure::Jump(name) => {
                 to.shapes.push(Shape::Arrow { at: (x, y), up: false });
-                to.text((x - width(name) / 2, y + 1), name);
+                to.centred((x, y + 1), name);
             }
             Figure::Transition { name, lines } => {
                 to.shapes.push(Shape::Bar { at: (x, y) });
@@ -255,7 +256,7 @@ impl Step {
     fn draw(&self, x: i32, y: i32, to: &mut Drawing) {
         let (left, top) = (x - self.width() / 2, y + self.top());
         to.shapes.push(Shape::Frame { at: (left, top), size: (self.width(), 3), kind: self.frame });
-        to.text((x - width(&self.name) / 2, top + 1), &self.name);
+        to.centred((x, top + 1), &self.name);
         if self.active {
             to.shapes.push(Shape::Mark { at: (left + 1, top + 1) });
         }

@@ -94,7 +94,9 @@ impl<'n> Search<'n> {
         let sources: Vec<_> = net.links.iter().map(|link: &Link| known(&link.sources)).collect();
         let mut out = vec![Vec::new(); nodes];
         for (link, sources) in sources.iter().enumerate() {
-            sources.iter().for_each(|node| out[*node].push(link));
+            for node in sources {
+                out[*node].push(link);
+            }
         }
         Self {
             net,
@@ -110,9 +112,9 @@ impl<'n> Search<'n> {
         }
     }
 
-    fn key(&mut self) -> Option<i64> {
+    fn key(&mut self) -> i64 {
         self.keys += 1;
-        Some(self.keys)
+        self.keys
     }
 
     /// As deep as a net has steps, which is bounded.
@@ -120,11 +122,11 @@ impl<'n> Search<'n> {
         if self.node_key[node].is_some() {
             return;
         }
-        self.node_key[node] = self.key();
+        self.node_key[node] = Some(self.key());
         self.open[node] = true;
         for link in self.out[node].clone() {
             if self.link_key[link].is_none() {
-                self.link_key[link] = self.key();
+                self.link_key[link] = Some(self.key());
             }
             for target in self.targets[link].clone() {
                 if !self.open[target] {
@@ -142,11 +144,14 @@ impl<'n> Search<'n> {
     fn loose(&mut self) {
         for link in 0..self.link_key.len() {
             if self.link_key[link].is_none() {
-                self.link_key[link] = self.key();
+                self.link_key[link] = Some(self.key());
             }
         }
     }
 }
+
+/// A node and the transitions that lead back to it.
+type Returns = (usize, Vec<usize>);
 
 /// Items and hops from what the search has found.
 struct Builder<'s> {
@@ -169,9 +174,8 @@ impl<'s> Builder<'s> {
         let node_item =
             nodes.map(|(i, node)| item(Kind::Node(*node), node_layer[i], key(search.node_key[i]))).collect();
         let links = search.net.links.iter().enumerate();
-        let transition = |(i, link): (usize, &Link)| {
-            item(Kind::Transition(link.transition), link_layer[i], key(search.link_key[i]))
-        };
+        let transition =
+            |(i, link): (usize, &Link)| item(Kind::Transition(link.transition), link_layer[i], key(search.link_key[i]));
         let link_item = links.map(transition).collect();
         Self { search, graph, node_item, link_item }
     }
@@ -253,7 +257,7 @@ impl<'s> Builder<'s> {
     }
 
     /// The steps that a line leads back to, with its transitions; and what is written as a reference.
-    fn split(&self) -> (Vec<(usize, Vec<usize>)>, Vec<(usize, usize)>) {
+    fn split(&self) -> (Vec<Returns>, Vec<(usize, usize)>) {
         let search = self.search;
         let mut looped: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (link, target) in &search.back {

@@ -18,11 +18,13 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
     let channels: Vec<Channel> = (0..=graph.layers.len()).map(|below| channel(&graph, &x, below)).collect();
     let mut drawing = Drawing::default();
     let mut last = -1;
+    let mut rows = Vec::new();
     for (layer, items) in graph.layers.iter().enumerate() {
         let channel = &channels[layer];
         let y = last + 1 + channel.height;
         channel.draw(last, y, &mut drawing);
         last = y + items.iter().map(|id| extents[*id].height).max().unwrap_or(0);
+        rows.push((y, last));
         for id in items {
             figures[*id].draw(x[*id], y, last, &mut drawing);
             let (enter, leave) = figures[*id].ports();
@@ -36,7 +38,7 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
         channel.draw(last, last + channel.height, &mut drawing);
         last += channel.height;
     }
-    arrows(&graph, &x, &mut drawing);
+    arrows(&graph, &x, &rows, &mut drawing);
     finish(drawing, &graph, &x, &extents, last + 1)
 }
 
@@ -45,25 +47,18 @@ fn leads_on(graph: &Graph, id: usize) -> bool {
     graph.hops.iter().any(|hop| hop.0 == id) || graph.loops.iter().any(|l| l.from.contains(&id))
 }
 
-/// What goes up has an arrow (IEC 60848, 4.6): in the middle of its way.
-fn arrows(graph: &Graph, x: &[i32], drawing: &mut Drawing) {
+/// What goes up has an arrow (IEC 60848, 4.6): in the middle of its way through the layers `rows`.
+fn arrows(graph: &Graph, x: &[i32], rows: &[(i32, i32)], drawing: &mut Drawing) {
     for upward in &graph.loops {
-        let Some(place) = upward.rises.first().map(|id| x[*id]) else { continue };
-        let ends = drawing.shapes.iter().filter_map(|shape| match shape {
-            Shape::Line { from, to, .. } if from.0 == place && to.0 == place => Some((from.1, to.1)),
-            _ => None,
-        });
-        let (top, bottom) = ends.fold((i32::MAX, i32::MIN), |(top, bottom), (a, b)| (top.min(a), bottom.max(b)));
-        if top < bottom {
-            drawing.shapes.push(Shape::Arrow { at: (place, i32::midpoint(top, bottom)), up: true });
-        }
+        let (Some(first), Some(last)) = (upward.rises.first(), upward.rises.last()) else { continue };
+        let (top, bottom) = (rows[graph.items[*first].layer].0, rows[graph.items[*last].layer].1);
+        drawing.shapes.push(Shape::Arrow { at: (x[*first], top + (bottom - top) / 2), up: true });
     }
 }
 
-/// The paper's size, and no line twice.
+/// The paper's size, and lines as long as they are.
 fn finish(mut drawing: Drawing, graph: &Graph, x: &[i32], extents: &[Extent], height: i32) -> Drawing {
-    let mut seen = std::collections::BTreeSet::new();
-    drawing.shapes.retain(|shape| !matches!(shape, Shape::Line { .. }) || seen.insert(shape.clone()));
+    drawing.shapes = joined(drawing.shapes);
     let left = (0..graph.items.len()).map(|id| x[id] - extents[id].left).min().unwrap_or(0);
     drawing.width = (0..graph.items.len()).map(|id| x[id] + extents[id].right + 1).max().unwrap_or(0) - left;
     drawing.height = height;
@@ -72,4 +67,32 @@ fn finish(mut drawing: Drawing, graph: &Graph, x: &[i32], extents: &[Extent], he
     moved.paste(drawing, (-left, 0));
     (moved.width, moved.height) = (width, height);
     moved
+}
+
+/// Lines that go on in the same direction become one.
+fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
+    let (mut lines, mut others) = (Vec::new(), Vec::new());
+    for shape in shapes {
+        match shape {
+            // Upright or not, single or double, then from which place to which on it.
+            Shape::Line { from, to, double } if from.0 == to.0 => lines.push((true, double, from.0, from.1, to.1)),
+            Shape::Line { from, to, double } => lines.push((false, double, from.1, from.0, to.0)),
+            other => others.push(other),
+        }
+    }
+    lines.sort_unstable();
+    let mut long: Vec<(bool, bool, i32, i32, i32)> = Vec::new();
+    for line in lines {
+        match long.last_mut() {
+            Some(last) if (last.0, last.1, last.2) == (line.0, line.1, line.2) && line.3 <= last.4 => {
+                last.4 = last.4.max(line.4);
+            }
+            _ => long.push(line),
+        }
+    }
+    let lines = long.into_iter().map(|(upright, double, at, start, end)| match upright {
+        true => Shape::Line { from: (at, start), to: (at, end), double },
+        false => Shape::Line { from: (start, at), to: (end, at), double },
+    });
+    lines.chain(others).collect()
 }

@@ -109,7 +109,13 @@ impl Channel {
                 let lowers = ports.iter().map(|(port, _)| *port).collect();
                 self.nets.push(Net { uppers: vec![x[start]], lowers, double, kind: Purpose::Spread, row: 0 });
             }
-            let ways = ports.iter().map(|(port, end)| Way { from: x[start], port: *port, to: x[*end], spread, collected: None });
+            let ways = ports.iter().map(|(port, end)| Way {
+                from: x[start],
+                port: *port,
+                to: x[*end],
+                spread,
+                collected: None,
+            });
             self.ways.extend(ways);
         }
     }
@@ -141,7 +147,9 @@ impl Channel {
             waiting.sort_by_key(|id| self.nets[*id].span());
             while !waiting.is_empty() {
                 let chosen = self.choose(&waiting);
-                chosen.iter().for_each(|id| self.nets[*id].row = row);
+                for id in &chosen {
+                    self.nets[*id].row = row;
+                }
                 waiting.retain(|id| !chosen.contains(id));
                 row += 1;
             }

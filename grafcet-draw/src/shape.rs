@@ -1,5 +1,7 @@
 //! The drawing list: what is on the paper, and where.
 
+use crate::wrap::width;
+
 /// A drawing on squared paper. A unit to the right is one character, a unit down is one line of text; lines run through the
 /// middle of their squares.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -56,6 +58,8 @@ pub enum Shape {
         at: (i32, i32),
         /// Without line breaks.
         text: String,
+        /// Half a square further right, where there is half of one: in the middle of a frame.
+        half: bool,
     },
 }
 
@@ -118,8 +122,15 @@ impl Drawing {
     /// A line of text.
     pub(crate) fn text(&mut self, at: (i32, i32), text: &str) {
         if !text.is_empty() {
-            self.shapes.push(Shape::Text { at, text: text.to_owned() });
+            self.shapes.push(Shape::Text { at, text: text.to_owned(), half: false });
         }
+    }
+
+    /// A line of text around the middle of a square.
+    pub(crate) fn centred(&mut self, (x, y): (i32, i32), text: &str) {
+        let squares = width(text);
+        let at = (x - squares / 2, y);
+        self.shapes.push(Shape::Text { at, text: text.to_owned(), half: squares % 2 == 0 });
     }
 }
 

@@ -78,22 +78,19 @@ impl Layers {
                 let (x, y) = middle(*at);
                 let _ = write!(self.marks, "<circle cx=\"{x}\" cy=\"{y}\" r=\"3.5\"/>");
             }
-            Shape::Text { at, text } => {
-                let (x, y) = (at.0 * SQUARE.0, middle(*at).1);
+            Shape::Text { at, text, half } => {
+                let (x, y) = (at.0 * SQUARE.0 + if *half { SQUARE.0 / 2 } else { 0 }, middle(*at).1);
                 // The squares a text takes it also fills, whatever font the reader has.
                 let fill = width(text) * SQUARE.0;
-                let _ = write!(
-                    self.texts,
-                    "<text x=\"{x}\" y=\"{y}\" textLength=\"{fill}\" lengthAdjust=\"spacingAndGlyphs\">{}</text>",
-                    escape(text)
-                );
+                let _ = write!(self.texts, "<text x=\"{x}\" y=\"{y}\" textLength=\"{fill}\">{}</text>", escape(text));
             }
         }
     }
 
     fn line(&mut self, (x1, y1): (i32, i32), (x2, y2): (i32, i32), double: bool) {
         if !double {
-            let _ = if y1 == y2 { write!(self.lines, "M{x1} {y1}H{x2}") } else { write!(self.lines, "M{x1} {y1}V{y2}") };
+            let _ =
+                if y1 == y2 { write!(self.lines, "M{x1} {y1}H{x2}") } else { write!(self.lines, "M{x1} {y1}V{y2}") };
             return;
         }
         for y in [y1 - 2, y1 + 2] {
@@ -124,7 +121,14 @@ impl Layers {
                 let _ = write!(self.lines, "M{x} {}h{w}M{x} {}h{w}", y + 5, below - 5);
             }
             Frame::Step { enclosing: true, .. } => {
-                let _ = write!(self.lines, "M{x} {}l7 -7M{} {y}l7 7M{right} {}l-7 7M{} {below}l-7 -7", y + 7, right - 7, below - 7, x + 7);
+                let _ = write!(
+                    self.lines,
+                    "M{x} {}l7 -7M{} {y}l7 7M{right} {}l-7 7M{} {below}l-7 -7",
+                    y + 7,
+                    right - 7,
+                    below - 7,
+                    x + 7
+                );
             }
             _ => {}
         }

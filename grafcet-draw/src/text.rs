@@ -52,7 +52,7 @@ impl Paper {
             Shape::Frame { at, size, kind } => self.frame(*at, *size, *kind),
             Shape::Arrow { at, up } => self.put(*at, if *up { '▲' } else { '▼' }),
             Shape::Mark { at } => self.put(*at, '●'),
-            Shape::Text { at, text } => {
+            Shape::Text { at, text, .. } => {
                 let mut x = at.0;
                 for c in text.chars() {
                     self.put((x, at.1), c);
@@ -156,5 +156,5 @@ fn character(square: Square) -> Option<char> {
         l if l == UP | LEFT | RIGHT => "┴╧╨╩",
         _ => "┼╪╫╬",
     };
-    row.chars().nth(usize::from(lines / DOUBLE_ROW & 3))
+    row.chars().nth(usize::from((lines / DOUBLE_ROW) & 3))
 }

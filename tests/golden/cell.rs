@@ -179,6 +179,10 @@ enum __CellRegion2 {
     NONE,
 }
 ///The chart `Cell`.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div class=\"grafcet-chart\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 776 728\" style=\"width:776px;max-width:100%;height:auto\" role=\"img\" aria-label=\"Chart Cell\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M28 56H92M132 200H148M132 360H148M28 440H92M28 56V440M92 56V88M92 120V184M92 216V344M92 376V440M148 216V248M92 144v16M92 304v16M92 400v16M380 56H436M436 152H596M468 232H484M628 248H644M380 440H596M380 56V440M436 56V88M436 120V216M436 248V344M436 376V440M596 152V232M596 264V440M660 216V232M436 176v16M596 176v16M564 239l7 -7M621 232l7 7M628 257l-7 7M571 264l-7 -7M436 288v16M596 288v16M404 349h64M404 371h64M436 400v16M84 568H100M84 664H100M52 584V648M132 552V584M132 648V680M52 608v16M380 584H396M348 552V568M412 552V568M428 568V600\"/><rect x=\"4\" y=\"8\" width=\"328\" height=\"464\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"60\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"63\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"52\" y=\"184\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"184\" width=\"128\" height=\"32\"/><rect x=\"148\" y=\"248\" width=\"128\" height=\"32\"/><rect x=\"151\" y=\"251\" width=\"122\" height=\"26\"/><rect x=\"52\" y=\"344\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"344\" width=\"160\" height=\"32\"/><rect x=\"151\" y=\"347\" width=\"154\" height=\"26\"/><rect x=\"356\" y=\"8\" width=\"408\" height=\"464\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"404\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"407\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"404\" y=\"216\" width=\"64\" height=\"32\"/><rect x=\"484\" y=\"216\" width=\"56\" height=\"32\"/><rect x=\"564\" y=\"232\" width=\"64\" height=\"32\"/><rect x=\"644\" y=\"232\" width=\"56\" height=\"32\"/><rect x=\"404\" y=\"344\" width=\"64\" height=\"32\"/><rect x=\"4\" y=\"504\" width=\"256\" height=\"208\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"20\" y=\"552\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"552\" width=\"136\" height=\"32\"/><rect x=\"20\" y=\"648\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"648\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"504\" width=\"264\" height=\"128\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"316\" y=\"568\" width=\"64\" height=\"32\"/><rect x=\"396\" y=\"568\" width=\"128\" height=\"32\"/><path d=\"M78 152h28M78 312h28M78 408h28M422 184h28M582 184h28M422 296h28M582 296h28M422 408h28M38 616h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M28 243l4 9h-8z\"/><path d=\"M380 243l4 9h-8z\"/><text x=\"16\" y=\"24\" textLength=\"48\">Safety</text><text x=\"72\" y=\"104\" textLength=\"40\">Ready</text><text x=\"120\" y=\"152\" textLength=\"40\">estop</text><text x=\"64\" y=\"200\" textLength=\"56\">Stopped</text><text x=\"160\" y=\"200\" textLength=\"32\">lamp</text><text x=\"160\" y=\"264\" textLength=\"104\">Production {}</text><text x=\"120\" y=\"312\" textLength=\"48\">!estop</text><text x=\"64\" y=\"360\" textLength=\"56\">Restart</text><text x=\"160\" y=\"360\" textLength=\"136\">Production {INIT}</text><text x=\"120\" y=\"408\" textLength=\"32\">true</text><text x=\"368\" y=\"24\" textLength=\"80\">Production</text><text x=\"420\" y=\"104\" textLength=\"32\">Idle</text><text x=\"464\" y=\"184\" textLength=\"40\">start</text><text x=\"624\" y=\"184\" textLength=\"112\">auto &amp;&amp; !start</text><text x=\"420\" y=\"232\" textLength=\"32\">Feed</text><text x=\"496\" y=\"232\" textLength=\"32\">belt</text><text x=\"580\" y=\"248\" textLength=\"32\">Auto</text><text x=\"672\" y=\"216\" textLength=\"56\">Clamp.X</text><text x=\"656\" y=\"248\" textLength=\"32\">bell</text><text x=\"464\" y=\"296\" textLength=\"32\">full</text><text x=\"624\" y=\"296\" textLength=\"120\">n &gt;= 2 &amp;&amp; !part</text><text x=\"624\" y=\"312\" textLength=\"56\">⇒ n = 0</text><text x=\"416\" y=\"360\" textLength=\"40\">Clamp</text><text x=\"464\" y=\"408\" textLength=\"64\">!clamped</text><text x=\"16\" y=\"520\" textLength=\"128\">macro step Clamp</text><text x=\"32\" y=\"568\" textLength=\"40\">Close</text><text x=\"112\" y=\"568\" textLength=\"8\">↑</text><text x=\"144\" y=\"568\" textLength=\"80\">clamp := 1</text><text x=\"80\" y=\"616\" textLength=\"56\">clamped</text><text x=\"36\" y=\"664\" textLength=\"32\">Open</text><text x=\"112\" y=\"664\" textLength=\"8\">↑</text><text x=\"144\" y=\"664\" textLength=\"80\">clamp := 0</text><text x=\"296\" y=\"520\" textLength=\"120\">Auto ▸ Counting</text><text x=\"328\" y=\"584\" textLength=\"40\">Count</text><text x=\"296\" y=\"584\" textLength=\"8\">*</text><text x=\"424\" y=\"552\" textLength=\"96\">rising(part)</text><text x=\"408\" y=\"584\" textLength=\"8\">→</text><text x=\"440\" y=\"584\" textLength=\"72\">n = n + 1</text></g></svg></div>\n"
+)]
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
@@ -554,5 +558,243 @@ impl ::grafcet::__private::Chart for Cell {
     }
     fn situation(&self) -> CellSituation {
         self.situation()
+    }
+}
+impl Cell {
+    /// What the chart looks like: its steps, transitions and actions as they stand in the source.
+    pub const CHART: ::grafcet::__private::description::Description<'static> = {
+        use ::grafcet::__private::description as d;
+        use ::grafcet::__private::Option as O;
+        d::Description {
+            name: "Cell",
+            dialect: d::Dialect::Grafcet,
+            partials: &[
+                d::Partial {
+                    name: "",
+                    enclosed_by: O::None,
+                },
+                d::Partial {
+                    name: "Safety",
+                    enclosed_by: O::None,
+                },
+                d::Partial {
+                    name: "Production",
+                    enclosed_by: O::None,
+                },
+                d::Partial {
+                    name: "Counting",
+                    enclosed_by: O::Some(7),
+                },
+            ],
+            macros: &[
+                d::MacroStep {
+                    name: "Clamp",
+                    outer: O::None,
+                    entry: 5,
+                    exit: 6,
+                },
+            ],
+            steps: &[
+                d::Step {
+                    name: "Ready",
+                    initial: true,
+                    linked: false,
+                    partial: 1,
+                    expansion: O::None,
+                    actions: &[],
+                    forces: &[],
+                },
+                d::Step {
+                    name: "Stopped",
+                    initial: false,
+                    linked: false,
+                    partial: 1,
+                    expansion: O::None,
+                    actions: &[
+                        d::Action {
+                            qualifier: "N",
+                            time: "",
+                            condition: "",
+                            text: "lamp",
+                        },
+                    ],
+                    forces: &["Production {}"],
+                },
+                d::Step {
+                    name: "Restart",
+                    initial: false,
+                    linked: false,
+                    partial: 1,
+                    expansion: O::None,
+                    actions: &[],
+                    forces: &["Production {INIT}"],
+                },
+                d::Step {
+                    name: "Idle",
+                    initial: true,
+                    linked: false,
+                    partial: 2,
+                    expansion: O::None,
+                    actions: &[],
+                    forces: &[],
+                },
+                d::Step {
+                    name: "Feed",
+                    initial: false,
+                    linked: false,
+                    partial: 2,
+                    expansion: O::None,
+                    actions: &[
+                        d::Action {
+                            qualifier: "N",
+                            time: "",
+                            condition: "",
+                            text: "belt",
+                        },
+                    ],
+                    forces: &[],
+                },
+                d::Step {
+                    name: "Close",
+                    initial: false,
+                    linked: false,
+                    partial: 2,
+                    expansion: O::Some(0),
+                    actions: &[
+                        d::Action {
+                            qualifier: "S",
+                            time: "",
+                            condition: "",
+                            text: "clamp",
+                        },
+                    ],
+                    forces: &[],
+                },
+                d::Step {
+                    name: "Open",
+                    initial: false,
+                    linked: false,
+                    partial: 2,
+                    expansion: O::Some(0),
+                    actions: &[
+                        d::Action {
+                            qualifier: "R",
+                            time: "",
+                            condition: "",
+                            text: "clamp",
+                        },
+                    ],
+                    forces: &[],
+                },
+                d::Step {
+                    name: "Auto",
+                    initial: false,
+                    linked: false,
+                    partial: 2,
+                    expansion: O::None,
+                    actions: &[
+                        d::Action {
+                            qualifier: "N",
+                            time: "",
+                            condition: "Clamp.X",
+                            text: "bell",
+                        },
+                    ],
+                    forces: &[],
+                },
+                d::Step {
+                    name: "Count",
+                    initial: false,
+                    linked: true,
+                    partial: 3,
+                    expansion: O::None,
+                    actions: &[
+                        d::Action {
+                            qualifier: "on",
+                            time: "",
+                            condition: "rising(part)",
+                            text: "n = n + 1",
+                        },
+                    ],
+                    forces: &[],
+                },
+            ],
+            transitions: &[
+                d::Transition {
+                    name: "",
+                    sources: &[0],
+                    targets: &[1],
+                    condition: "estop",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[1],
+                    targets: &[2],
+                    condition: "!estop",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[2],
+                    targets: &[0],
+                    condition: "true",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[5],
+                    targets: &[6],
+                    condition: "clamped",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[3],
+                    targets: &[4],
+                    condition: "start",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[4],
+                    targets: &[5],
+                    condition: "full",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[6],
+                    targets: &[3],
+                    condition: "!clamped",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[3],
+                    targets: &[7],
+                    condition: "auto && !start",
+                    clearing: &[],
+                },
+                d::Transition {
+                    name: "",
+                    sources: &[7],
+                    targets: &[3],
+                    condition: "n >= 2 && !part",
+                    clearing: &["n = 0"],
+                },
+            ],
+        }
+    };
+}
+impl ::grafcet::__private::ActiveSteps for CellSituation {
+    fn is_active_at(
+        &self,
+        step: ::grafcet::__private::usize,
+    ) -> ::grafcet::__private::bool {
+        match <Cell as ::grafcet::__private::Chart>::STEPS.get(step) {
+            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+            ::grafcet::__private::Option::None => false,
+        }
     }
 }

@@ -1,0 +1,124 @@
+//! `Motor::CHART`, and the drawing in the documentation of `Motor`.
+
+use grafcet_core::description::{Action, Description, Dialect, MacroStep, Partial, Step, Transition};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::Cx;
+use crate::describe::with_description;
+
+/// The chart as it is drawn, in the documentation alone: editors that show the source's comments show no picture.
+pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
+    let (svg, large) = with_description(cx.model, |chart| {
+        (grafcet_draw::svg_inline(chart), chart.steps.len() > grafcet_draw::MOST_STEPS)
+    });
+    let what = if large { "An overview of the chart, which is too large to be drawn here:\n\n" } else { "" };
+    // Markdown passes on what stands between the tags of a block, up to the first blank line.
+    let doc = format!("\n\n{what}<div class=\"grafcet-chart\">{svg}</div>\n");
+    quote!(#[cfg_attr(doc, doc = #doc)])
+}
+
+/// The constant `CHART` of the chart, and the numbers of the active steps.
+pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
+    let Cx { model, p, names, .. } = cx;
+    let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
+    let described = with_description(model, description);
+    let situation = if cx.plan.regions.is_single() { step } else { &names.situation };
+    let active = if cx.plan.regions.is_single() { quote!(active == self) } else { quote!(self.is_active(*active)) };
+    quote! {
+        impl #chart {
+            /// What the chart looks like: its steps, transitions and actions as they stand in the source.
+            #vis const CHART: #p::description::Description<'static> = {
+                use #p::description as d;
+                use #p::Option as O;
+                #described
+            };
+        }
+
+        impl #p::ActiveSteps for #situation {
+            fn is_active_at(&self, step: #p::usize) -> #p::bool {
+                match <#chart as #p::Chart>::STEPS.get(step) {
+                    #p::Option::Some(active) => #active,
+                    #p::Option::None => false,
+                }
+            }
+        }
+    }
+}
+
+fn description(chart: &Description<'_>) -> TokenStream {
+    let Description { name, dialect, partials, macros, steps, transitions } = chart;
+    let dialect = match dialect {
+        Dialect::Sfc => quote!(d::Dialect::Sfc),
+        Dialect::Grafcet => quote!(d::Dialect::Grafcet),
+    };
+    let (partials, macros) = (partials.iter().map(partial), macros.iter().map(macro_step));
+    let (steps, transitions) = (steps.iter().map(step), transitions.iter().map(transition));
+    quote! {
+        d::Description {
+            name: #name,
+            dialect: #dialect,
+            partials: &[#(#partials),*],
+            macros: &[#(#macros),*],
+            steps: &[#(#steps),*],
+            transitions: &[#(#transitions),*],
+        }
+    }
+}
+
+fn partial(Partial { name, enclosed_by }: &Partial<'_>) -> TokenStream {
+    let enclosed_by = optional(*enclosed_by);
+    quote!(d::Partial { name: #name, enclosed_by: #enclosed_by })
+}
+
+fn macro_step(MacroStep { name, outer, entry, exit }: &MacroStep<'_>) -> TokenStream {
+    let (outer, entry, exit) = (optional(*outer), number(*entry), number(*exit));
+    quote!(d::MacroStep { name: #name, outer: #outer, entry: #entry, exit: #exit })
+}
+
+fn step(Step { name, initial, linked, partial, expansion, actions, forces }: &Step<'_>) -> TokenStream {
+    let (partial, expansion) = (number(*partial), optional(*expansion));
+    let actions = actions.iter().map(action);
+    quote! {
+        d::Step {
+            name: #name,
+            initial: #initial,
+            linked: #linked,
+            partial: #partial,
+            expansion: #expansion,
+            actions: &[#(#actions),*],
+            forces: &[#(#forces),*],
+        }
+    }
+}
+
+fn action(Action { qualifier, time, condition, text }: &Action<'_>) -> TokenStream {
+    quote!(d::Action { qualifier: #qualifier, time: #time, condition: #condition, text: #text })
+}
+
+fn transition(Transition { name, sources, targets, condition, clearing }: &Transition<'_>) -> TokenStream {
+    let (sources, targets) = (sources.iter().map(|id| number(*id)), targets.iter().map(|id| number(*id)));
+    quote! {
+        d::Transition {
+            name: #name,
+            sources: &[#(#sources),*],
+            targets: &[#(#targets),*],
+            condition: #condition,
+            clearing: &[#(#clearing),*],
+        }
+    }
+}
+
+fn number(id: usize) -> Literal {
+    Literal::usize_unsuffixed(id)
+}
+
+fn optional(id: Option<usize>) -> TokenStream {
+    match id {
+        None => quote!(O::None),
+        Some(id) => {
+            let id = number(id);
+            quote!(O::Some(#id))
+        }
+    }
+}
