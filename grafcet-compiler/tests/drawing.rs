@@ -209,7 +209,10 @@ fn frames(drawing: &Drawing) -> Vec<String> {
         for shape in &drawing.shapes {
             let Shape::Line { from: start, to: end, .. } = shape else { continue };
             let through = start.0 < to.0 && end.0 > from.0 && start.1 < to.1 && end.1 > from.1;
-            let cell = *kind == Frame::Action && start.1 == from.1 && end.1 == to.1;
+            // It begins and ends at the edges of actions that stand on each other.
+            let edges = |y: i32| frames.iter().any(|f| f.2 == Frame::Action && (f.0.1 == y || f.1.1 == y));
+            let whole = start.0 == end.0 && start.1 <= from.1 && end.1 >= to.1;
+            let cell = *kind == Frame::Action && whole && edges(start.1) && edges(end.1);
             if through && !cell && *kind != Frame::Sheet {
                 problems.push(format!("{shape:?} goes through the frame at {from:?}"));
             }
