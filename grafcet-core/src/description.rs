@@ -99,6 +99,82 @@ pub struct Transition<'a> {
     pub clearing: &'a [&'a str],
 }
 
+impl<'a> Partial<'a> {
+    /// One that is no enclosure.
+    #[must_use]
+    pub const fn new(name: &'a str) -> Self {
+        Self { name, enclosed_by: None }
+    }
+
+    /// The same as an enclosure of the step of this number.
+    #[must_use]
+    pub const fn enclosed_by(self, step: usize) -> Self {
+        Self { enclosed_by: Some(step), ..self }
+    }
+}
+
+impl<'a> MacroStep<'a> {
+    /// One that stands in no expansion.
+    #[must_use]
+    pub const fn new(name: &'a str, entry: usize, exit: usize) -> Self {
+        Self { name, outer: None, entry, exit }
+    }
+
+    /// The same in the expansion of the macro-step of this number.
+    #[must_use]
+    pub const fn inside(self, outer: usize) -> Self {
+        Self { outer: Some(outer), ..self }
+    }
+}
+
+impl<'a> Step<'a> {
+    /// One that is neither initial nor linked, and stands in no expansion.
+    #[must_use]
+    pub const fn new(name: &'a str, partial: usize, actions: &'a [Action<'a>], forces: &'a [&'a str]) -> Self {
+        Self { name, initial: false, linked: false, partial, expansion: None, actions, forces }
+    }
+
+    /// The same as an initial step.
+    #[must_use]
+    pub const fn initial(self) -> Self {
+        Self { initial: true, ..self }
+    }
+
+    /// The same with the activation link of its enclosure.
+    #[must_use]
+    pub const fn linked(self) -> Self {
+        Self { linked: true, ..self }
+    }
+
+    /// The same in the expansion of the macro-step of this number.
+    #[must_use]
+    pub const fn inside(self, expansion: usize) -> Self {
+        Self { expansion: Some(expansion), ..self }
+    }
+}
+
+impl<'a> Action<'a> {
+    /// All of an association, in the order of its fields.
+    #[must_use]
+    pub const fn new(qualifier: &'a str, time: &'a str, condition: &'a str, text: &'a str) -> Self {
+        Self { qualifier, time, condition, text }
+    }
+}
+
+impl<'a> Transition<'a> {
+    /// All of a transition, in the order of its fields.
+    #[must_use]
+    pub const fn new(
+        name: &'a str,
+        sources: &'a [usize],
+        targets: &'a [usize],
+        condition: &'a str,
+        clearing: &'a [&'a str],
+    ) -> Self {
+        Self { name, sources, targets, condition, clearing }
+    }
+}
+
 /// Which steps of a chart are active, asked by the numbers of its [`Description`].
 ///
 /// Implemented by what `situation()` returns.

@@ -15,7 +15,17 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
     let figures: Vec<Figure> = graph.items.iter().map(|item| scene.figure(item)).collect();
     let extents: Vec<Extent> = figures.iter().map(Figure::extent).collect();
     let x = place(&graph, &extents);
-    let channels: Vec<Channel> = (0..=graph.layers.len()).map(|below| channel(&graph, &x, below)).collect();
+    let mut hops = vec![Vec::new(); graph.layers.len() + 1];
+    let mut leads_on = vec![false; graph.items.len()];
+    for (upper, lower) in &graph.hops {
+        hops[graph.items[*lower].layer].push((*upper, *lower));
+        leads_on[*upper] = true;
+    }
+    for id in graph.loops.iter().flat_map(|upward| &upward.from) {
+        leads_on[*id] = true;
+    }
+    let channels = hops.iter().enumerate().map(|(below, hops)| channel(&graph, &x, below, hops));
+    let channels: Vec<Channel> = channels.collect();
     let mut drawing = Drawing::default();
     let mut last = -1;
     let mut rows = Vec::new();
@@ -29,7 +39,7 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
             figures[*id].draw(x[*id], y, last, &mut drawing);
             let (enter, leave) = figures[*id].ports();
             drawing.line((x[*id], y), (x[*id], y + enter), false);
-            if leads_on(&graph, *id) {
+            if leads_on[*id] {
                 drawing.line((x[*id], y + leave), (x[*id], last), false);
             }
         }
@@ -40,11 +50,6 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
     }
     arrows(&graph, &x, &rows, &mut drawing);
     finish(drawing, &graph, &x, &extents, last + 1)
-}
-
-/// Whether a line leaves an item downwards.
-fn leads_on(graph: &Graph, id: usize) -> bool {
-    graph.hops.iter().any(|hop| hop.0 == id) || graph.loops.iter().any(|l| l.from.contains(&id))
 }
 
 /// What goes up has an arrow (IEC 60848, 4.6): in the middle of its way through the layers `rows`.

@@ -57,19 +57,18 @@ pub(crate) struct Channel {
 }
 
 /// The channel above a layer; that above layer 0 and that below the last hold only what goes up.
-pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize) -> Channel {
-    let hops: Vec<(usize, usize)> =
-        graph.hops.iter().copied().filter(|(_, lower)| graph.items[*lower].layer == below).collect();
+/// `hops` are those that end in it.
+pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize, hops: &[(usize, usize)]) -> Channel {
     let from_above: Vec<_> = graph.loops.iter().filter(|l| graph.items[l.to].layer == below).collect();
     let mut ends: Vec<usize> = hops.iter().map(|hop| hop.1).chain(from_above.iter().map(|l| l.to)).collect();
     ends.sort_by_key(|id| x[*id]);
     ends.dedup();
     let mut channel = Channel { nets: Vec::new(), ways: Vec::new(), height: 0 };
-    channel.spread(graph, x, &hops, &from_above);
+    channel.spread(graph, x, hops, &from_above);
     let spreads = channel.nets.len();
     for end in ends {
         let rises = from_above.iter().filter(|l| l.to == end).filter_map(|l| l.rises.first());
-        channel.collect(graph, x, end, rises.map(|id| x[*id]).collect(), &hops);
+        channel.collect(graph, x, end, rises.map(|id| x[*id]).collect(), hops);
     }
     for turning in graph.loops.iter().filter(|l| l.from.iter().any(|id| graph.items[*id].layer + 1 == below)) {
         let uppers = turning.from.iter().chain(turning.rises.last()).map(|id| x[*id]).collect();

@@ -745,170 +745,65 @@ impl Batch {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        use ::grafcet::__private::Option as O;
         d::Description {
             name: "Batch",
             dialect: d::Dialect::Sfc,
-            partials: &[
-                d::Partial {
-                    name: "",
-                    enclosed_by: O::None,
-                },
-            ],
+            partials: &[d::Partial::new("")],
             macros: &[],
             steps: &[
-                d::Step {
-                    name: "Idle",
-                    initial: true,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "lamp",
-                        },
+                d::Step::new("Idle", 0, &[d::Action::new("N", "", "", "lamp")], &[])
+                    .initial(),
+                d::Step::new(
+                    "Fill",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "valve"),
+                        d::Action::new("P1", "", "", "count = count + 1"),
                     ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Fill",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "valve",
-                        },
-                        d::Action {
-                            qualifier: "P1",
-                            time: "",
-                            condition: "",
-                            text: "count = count + 1",
-                        },
+                    &[],
+                ),
+                d::Step::new(
+                    "Heat",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "heat(hot)"),
+                        d::Action::new("L", "3s", "", "lamp"),
+                        d::Action::new("D", "1s", "", "pump"),
+                        d::Action::new("N", "", "", "speed = 10"),
                     ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Heat",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "heat(hot)",
-                        },
-                        d::Action {
-                            qualifier: "L",
-                            time: "3s",
-                            condition: "",
-                            text: "lamp",
-                        },
-                        d::Action {
-                            qualifier: "D",
-                            time: "1s",
-                            condition: "",
-                            text: "pump",
-                        },
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "speed = 10",
-                        },
+                    &[],
+                ),
+                d::Step::new(
+                    "Stir",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "heat(40)"),
+                        d::Action::new("SD", "2s", "", "pump"),
+                        d::Action::new("P0", "", "", "{ if count > 3 { count = 0; } }"),
                     ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Stir",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "heat(40)",
-                        },
-                        d::Action {
-                            qualifier: "SD",
-                            time: "2s",
-                            condition: "",
-                            text: "pump",
-                        },
-                        d::Action {
-                            qualifier: "P0",
-                            time: "",
-                            condition: "",
-                            text: "{ if count > 3 { count = 0; } }",
-                        },
+                    &[],
+                ),
+                d::Step::new(
+                    "Drain",
+                    0,
+                    &[
+                        d::Action::new("R", "", "", "pump"),
+                        d::Action::new("N", "", "level > 3", "pump"),
                     ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Drain",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "R",
-                            time: "",
-                            condition: "",
-                            text: "pump",
-                        },
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "level > 3",
-                            text: "pump",
-                        },
-                    ],
-                    forces: &[],
-                },
+                    &[],
+                ),
             ],
             transitions: &[
-                d::Transition {
-                    name: "",
-                    sources: &[0],
-                    targets: &[1, 2],
-                    condition: "rising(start)",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[1, 2],
-                    targets: &[3],
-                    condition: "full && soak/Heat",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[3],
-                    targets: &[4],
-                    condition: "Stir.T >= 2s && 1s/empty/500ms",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[4],
-                    targets: &[0],
-                    condition: "level == 0",
-                    clearing: &[],
-                },
+                d::Transition::new("", &[0], &[1, 2], "rising(start)", &[]),
+                d::Transition::new("", &[1, 2], &[3], "full && soak/Heat", &[]),
+                d::Transition::new(
+                    "",
+                    &[3],
+                    &[4],
+                    "Stir.T >= 2s && 1s/empty/500ms",
+                    &[],
+                ),
+                d::Transition::new("", &[4], &[0], "level == 0", &[]),
             ],
         }
     };

@@ -564,225 +564,55 @@ impl Cell {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        use ::grafcet::__private::Option as O;
         d::Description {
             name: "Cell",
             dialect: d::Dialect::Grafcet,
             partials: &[
-                d::Partial {
-                    name: "",
-                    enclosed_by: O::None,
-                },
-                d::Partial {
-                    name: "Safety",
-                    enclosed_by: O::None,
-                },
-                d::Partial {
-                    name: "Production",
-                    enclosed_by: O::None,
-                },
-                d::Partial {
-                    name: "Counting",
-                    enclosed_by: O::Some(7),
-                },
+                d::Partial::new(""),
+                d::Partial::new("Safety"),
+                d::Partial::new("Production"),
+                d::Partial::new("Counting").enclosed_by(7),
             ],
-            macros: &[
-                d::MacroStep {
-                    name: "Clamp",
-                    outer: O::None,
-                    entry: 5,
-                    exit: 6,
-                },
-            ],
+            macros: &[d::MacroStep::new("Clamp", 5, 6)],
             steps: &[
-                d::Step {
-                    name: "Ready",
-                    initial: true,
-                    linked: false,
-                    partial: 1,
-                    expansion: O::None,
-                    actions: &[],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Stopped",
-                    initial: false,
-                    linked: false,
-                    partial: 1,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "lamp",
-                        },
-                    ],
-                    forces: &["Production {}"],
-                },
-                d::Step {
-                    name: "Restart",
-                    initial: false,
-                    linked: false,
-                    partial: 1,
-                    expansion: O::None,
-                    actions: &[],
-                    forces: &["Production {INIT}"],
-                },
-                d::Step {
-                    name: "Idle",
-                    initial: true,
-                    linked: false,
-                    partial: 2,
-                    expansion: O::None,
-                    actions: &[],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Feed",
-                    initial: false,
-                    linked: false,
-                    partial: 2,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "belt",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Close",
-                    initial: false,
-                    linked: false,
-                    partial: 2,
-                    expansion: O::Some(0),
-                    actions: &[
-                        d::Action {
-                            qualifier: "S",
-                            time: "",
-                            condition: "",
-                            text: "clamp",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Open",
-                    initial: false,
-                    linked: false,
-                    partial: 2,
-                    expansion: O::Some(0),
-                    actions: &[
-                        d::Action {
-                            qualifier: "R",
-                            time: "",
-                            condition: "",
-                            text: "clamp",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Auto",
-                    initial: false,
-                    linked: false,
-                    partial: 2,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "Clamp.X",
-                            text: "bell",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "Count",
-                    initial: false,
-                    linked: true,
-                    partial: 3,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "on",
-                            time: "",
-                            condition: "rising(part)",
-                            text: "n = n + 1",
-                        },
-                    ],
-                    forces: &[],
-                },
+                d::Step::new("Ready", 1, &[], &[]).initial(),
+                d::Step::new(
+                    "Stopped",
+                    1,
+                    &[d::Action::new("N", "", "", "lamp")],
+                    &["Production {}"],
+                ),
+                d::Step::new("Restart", 1, &[], &["Production {INIT}"]),
+                d::Step::new("Idle", 2, &[], &[]).initial(),
+                d::Step::new("Feed", 2, &[d::Action::new("N", "", "", "belt")], &[]),
+                d::Step::new("Close", 2, &[d::Action::new("S", "", "", "clamp")], &[])
+                    .inside(0),
+                d::Step::new("Open", 2, &[d::Action::new("R", "", "", "clamp")], &[])
+                    .inside(0),
+                d::Step::new(
+                    "Auto",
+                    2,
+                    &[d::Action::new("N", "", "Clamp.X", "bell")],
+                    &[],
+                ),
+                d::Step::new(
+                        "Count",
+                        3,
+                        &[d::Action::new("on", "", "rising(part)", "n = n + 1")],
+                        &[],
+                    )
+                    .linked(),
             ],
             transitions: &[
-                d::Transition {
-                    name: "",
-                    sources: &[0],
-                    targets: &[1],
-                    condition: "estop",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[1],
-                    targets: &[2],
-                    condition: "!estop",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[2],
-                    targets: &[0],
-                    condition: "true",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[5],
-                    targets: &[6],
-                    condition: "clamped",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[3],
-                    targets: &[4],
-                    condition: "start",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[4],
-                    targets: &[5],
-                    condition: "full",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[6],
-                    targets: &[3],
-                    condition: "!clamped",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[3],
-                    targets: &[7],
-                    condition: "auto && !start",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[7],
-                    targets: &[3],
-                    condition: "n >= 2 && !part",
-                    clearing: &["n = 0"],
-                },
+                d::Transition::new("", &[0], &[1], "estop", &[]),
+                d::Transition::new("", &[1], &[2], "!estop", &[]),
+                d::Transition::new("", &[2], &[0], "true", &[]),
+                d::Transition::new("", &[5], &[6], "clamped", &[]),
+                d::Transition::new("", &[3], &[4], "start", &[]),
+                d::Transition::new("", &[4], &[5], "full", &[]),
+                d::Transition::new("", &[6], &[3], "!clamped", &[]),
+                d::Transition::new("", &[3], &[7], "auto && !start", &[]),
+                d::Transition::new("", &[7], &[3], "n >= 2 && !part", &["n = 0"]),
             ],
         }
     };

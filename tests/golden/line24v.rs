@@ -287,112 +287,23 @@ impl Line24V {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        use ::grafcet::__private::Option as O;
         d::Description {
             name: "Line24V",
             dialect: d::Dialect::Grafcet,
-            partials: &[
-                d::Partial {
-                    name: "",
-                    enclosed_by: O::None,
-                },
-            ],
+            partials: &[d::Partial::new("")],
             macros: &[],
             steps: &[
-                d::Step {
-                    name: "S1",
-                    initial: true,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "q1",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "S2",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "S",
-                            time: "",
-                            condition: "",
-                            text: "q2",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "S3",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "b5",
-                            text: "q3",
-                        },
-                    ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "S4",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "R",
-                            time: "",
-                            condition: "",
-                            text: "q2",
-                        },
-                    ],
-                    forces: &[],
-                },
+                d::Step::new("S1", 0, &[d::Action::new("N", "", "", "q1")], &[])
+                    .initial(),
+                d::Step::new("S2", 0, &[d::Action::new("S", "", "", "q2")], &[]),
+                d::Step::new("S3", 0, &[d::Action::new("N", "", "b5", "q3")], &[]),
+                d::Step::new("S4", 0, &[d::Action::new("R", "", "", "q2")], &[]),
             ],
             transitions: &[
-                d::Transition {
-                    name: "",
-                    sources: &[0],
-                    targets: &[1],
-                    condition: "b1",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[1],
-                    targets: &[2],
-                    condition: "b2",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[2],
-                    targets: &[3],
-                    condition: "b3",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[3],
-                    targets: &[0],
-                    condition: "b4",
-                    clearing: &[],
-                },
+                d::Transition::new("", &[0], &[1], "b1", &[]),
+                d::Transition::new("", &[1], &[2], "b2", &[]),
+                d::Transition::new("", &[2], &[3], "b3", &[]),
+                d::Transition::new("", &[3], &[0], "b4", &[]),
             ],
         }
     };

@@ -219,72 +219,27 @@ impl Motor {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        use ::grafcet::__private::Option as O;
         d::Description {
             name: "Motor",
             dialect: d::Dialect::Sfc,
-            partials: &[
-                d::Partial {
-                    name: "",
-                    enclosed_by: O::None,
-                },
-            ],
+            partials: &[d::Partial::new("")],
             macros: &[],
             steps: &[
-                d::Step {
-                    name: "Off",
-                    initial: true,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "red",
-                        },
+                d::Step::new("Off", 0, &[d::Action::new("N", "", "", "red")], &[])
+                    .initial(),
+                d::Step::new(
+                    "On",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "relay"),
+                        d::Action::new("N", "", "", "green"),
                     ],
-                    forces: &[],
-                },
-                d::Step {
-                    name: "On",
-                    initial: false,
-                    linked: false,
-                    partial: 0,
-                    expansion: O::None,
-                    actions: &[
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "relay",
-                        },
-                        d::Action {
-                            qualifier: "N",
-                            time: "",
-                            condition: "",
-                            text: "green",
-                        },
-                    ],
-                    forces: &[],
-                },
+                    &[],
+                ),
             ],
             transitions: &[
-                d::Transition {
-                    name: "",
-                    sources: &[0],
-                    targets: &[1],
-                    condition: "on && !over_temp",
-                    clearing: &[],
-                },
-                d::Transition {
-                    name: "",
-                    sources: &[1],
-                    targets: &[0],
-                    condition: "off || over_temp",
-                    clearing: &[],
-                },
+                d::Transition::new("", &[0], &[1], "on && !over_temp", &[]),
+                d::Transition::new("", &[1], &[0], "off || over_temp", &[]),
             ],
         }
     };

@@ -30,7 +30,6 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
             /// What the chart looks like: its steps, transitions and actions as they stand in the source.
             #vis const CHART: #p::description::Description<'static> = {
                 use #p::description as d;
-                use #p::Option as O;
                 #described
             };
         }
@@ -67,58 +66,36 @@ fn description(chart: &Description<'_>) -> TokenStream {
 }
 
 fn partial(Partial { name, enclosed_by }: &Partial<'_>) -> TokenStream {
-    let enclosed_by = optional(*enclosed_by);
-    quote!(d::Partial { name: #name, enclosed_by: #enclosed_by })
+    let enclosed = enclosed_by.map(number).map(|step| quote!(.enclosed_by(#step)));
+    quote!(d::Partial::new(#name) #enclosed)
 }
 
 fn macro_step(MacroStep { name, outer, entry, exit }: &MacroStep<'_>) -> TokenStream {
-    let (outer, entry, exit) = (optional(*outer), number(*entry), number(*exit));
-    quote!(d::MacroStep { name: #name, outer: #outer, entry: #entry, exit: #exit })
+    let (inside, entry, exit) = (inside(*outer), number(*entry), number(*exit));
+    quote!(d::MacroStep::new(#name, #entry, #exit) #inside)
 }
 
 fn step(Step { name, initial, linked, partial, expansion, actions, forces }: &Step<'_>) -> TokenStream {
-    let (partial, expansion) = (number(*partial), optional(*expansion));
+    let (partial, inside) = (number(*partial), inside(*expansion));
+    let initial = initial.then(|| quote!(.initial()));
+    let linked = linked.then(|| quote!(.linked()));
     let actions = actions.iter().map(action);
-    quote! {
-        d::Step {
-            name: #name,
-            initial: #initial,
-            linked: #linked,
-            partial: #partial,
-            expansion: #expansion,
-            actions: &[#(#actions),*],
-            forces: &[#(#forces),*],
-        }
-    }
+    quote!(d::Step::new(#name, #partial, &[#(#actions),*], &[#(#forces),*]) #initial #linked #inside)
 }
 
 fn action(Action { qualifier, time, condition, text }: &Action<'_>) -> TokenStream {
-    quote!(d::Action { qualifier: #qualifier, time: #time, condition: #condition, text: #text })
+    quote!(d::Action::new(#qualifier, #time, #condition, #text))
 }
 
 fn transition(Transition { name, sources, targets, condition, clearing }: &Transition<'_>) -> TokenStream {
     let (sources, targets) = (sources.iter().map(|id| number(*id)), targets.iter().map(|id| number(*id)));
-    quote! {
-        d::Transition {
-            name: #name,
-            sources: &[#(#sources),*],
-            targets: &[#(#targets),*],
-            condition: #condition,
-            clearing: &[#(#clearing),*],
-        }
-    }
+    quote!(d::Transition::new(#name, &[#(#sources),*], &[#(#targets),*], #condition, &[#(#clearing),*]))
 }
 
 fn number(id: usize) -> Literal {
     Literal::usize_unsuffixed(id)
 }
 
-fn optional(id: Option<usize>) -> TokenStream {
-    match id {
-        None => quote!(O::None),
-        Some(id) => {
-            let id = number(id);
-            quote!(O::Some(#id))
-        }
-    }
+fn inside(expansion: Option<usize>) -> Option<TokenStream> {
+    expansion.map(number).map(|id| quote!(.inside(#id)))
 }
