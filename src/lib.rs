@@ -112,6 +112,7 @@ pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description, heapless};
 ///   chart is a `grafcet`; it implements [`Chart`];
 /// - `MotorInputs` and `MotorOutputs`, plain structs with a field for each declared input and output;
 /// - `MotorStep` and `MotorTransition`, the names of its steps and transitions;
+/// - `Motor::CHART`, its [`description`] as data, and a picture in the documentation;
 /// - `MotorParams`, where the chart declares a `param`, and the trait `MotorActions`, where it declares an `action`.
 ///
 /// A chart that uses time takes the reading of its clock in `cycle`, and has `next_deadline`; one that declares actions
@@ -157,4 +158,6 @@ mod pages {
     struct Semantics;
     #[doc = include_str!("../docs/names.md")]
     struct Names;
+    #[doc = include_str!("../docs/drawing.md")]
+    struct Drawing;
 }

@@ -77,13 +77,13 @@ fn active_steps_are_marked() {
         text.lines()
             .flat_map(|line| line.split('│'))
             .filter_map(|cell| cell.strip_prefix('●'))
-            .map(str::to_owned)
+            .map(|cell| cell.trim_end_matches(|c: char| !c.is_alphabetic()).to_owned())
             .collect()
     };
     assert_eq!(grafcet_draw::text(&Twins::CHART, &twins.situation()).matches("║●Wait").count(), 1);
     assert_eq!(marks(&twins), Vec::<String>::new(), "the frame of an initial step is double");
     twins.cycle(&TwinsInputs { go: true, ..none });
-    assert_eq!(marks(&twins), ["Left  ", "Right "]);
+    assert_eq!(marks(&twins), ["Left  ├─┤ a", "Right ├─┤ b"]);
     assert_eq!(grafcet_draw::text(&Twins::CHART, &()).matches('●').count(), 0);
 }
 
