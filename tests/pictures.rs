@@ -4,6 +4,7 @@
 
 mod charts;
 
+use std::fmt::Write as _;
 use std::fs;
 
 use grafcet_compiler::describe::with_description;
@@ -90,8 +91,11 @@ fn active_steps_are_marked() {
 /// A chart that is too large to be drawn has a small overview.
 #[test]
 fn large_charts_have_an_overview() {
-    let steps: String = (1..1000).map(|n| format!("step S{n}; ")).collect();
-    let arcs: String = (1..1000).map(|n| format!("-[a]-> S{n} ")).collect();
+    let (mut steps, mut arcs) = (String::new(), String::new());
+    for n in 1..1000 {
+        let _ = write!(steps, "step S{n}; ");
+        let _ = write!(arcs, "-[a]-> S{n} ");
+    }
     let chart = format!("sfc Large {{ input a: bool; initial step S0; {steps} S0 {arcs} -[a]-> S0; }}");
     let code = charts::expand(chart.parse().expect("tokens")).to_string();
     assert!(code.contains("1000 steps, 1000 transitions"));

@@ -234,7 +234,7 @@ impl Step {
             let height = i32::try_from(each.lines.len()).unwrap_or(1).max(1) + 1;
             let top = match rows.last() {
                 None => self.top(),
-                Some((_, bottom)) if each.condition.is_empty() && each.kind == Frame::Action => *bottom,
+                Some((_, bottom)) if each.condition.is_empty() => *bottom,
                 Some((_, bottom)) => bottom + 2,
             };
             rows.push((top, top + height));

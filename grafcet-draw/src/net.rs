@@ -95,9 +95,9 @@ fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
             _ => long.push(line),
         }
     }
-    let lines = long.into_iter().map(|(upright, double, at, start, end)| match upright {
-        true => Shape::Line { from: (at, start), to: (at, end), double },
-        false => Shape::Line { from: (start, at), to: (end, at), double },
+    let lines = long.into_iter().map(|(upright, double, at, start, end)| {
+        let (from, to) = if upright { ((at, start), (at, end)) } else { ((start, at), (end, at)) };
+        Shape::Line { from, to, double }
     });
     lines.chain(others).collect()
 }

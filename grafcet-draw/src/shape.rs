@@ -134,17 +134,22 @@ impl Drawing {
     }
 }
 
-/// Side by side in rows, as one writes words into lines of some `width`, with `gap` between them.
+/// Side by side in their order, each as far up and then as far left as there is room for it, with `gap` between them, on
+/// paper of some `width`.
 pub(crate) fn pack(drawings: Vec<Drawing>, width: i32, gap: (i32, i32)) -> Drawing {
     let width = drawings.iter().map(|drawing| drawing.width).max().unwrap_or(0).max(width);
-    let (mut all, mut x, mut y, mut next) = (Drawing::default(), 0, 0, 0);
+    let mut all = Drawing::default();
+    // What is taken, with the gap: from left to right, and down to where.
+    let mut taken: Vec<(i32, i32, i32)> = Vec::new();
     for drawing in drawings {
-        if x > 0 && x + drawing.width > width {
-            (x, y) = (0, next);
-        }
-        let (right, below) = (x + drawing.width + gap.0, y + drawing.height + gap.1);
+        let starts = taken.iter().map(|place| place.1).chain([0]).filter(|x| *x == 0 || x + drawing.width <= width);
+        let below = |x: i32| {
+            let above = taken.iter().filter(|(left, right, _)| *left < x + drawing.width + gap.0 && x < *right);
+            above.map(|place| place.2).max().unwrap_or(0)
+        };
+        let (y, x) = starts.map(|x| (below(x), x)).min().unwrap_or_default();
+        taken.push((x, x + drawing.width + gap.0, y + drawing.height + gap.1));
         all.paste(drawing, (x, y));
-        (x, next) = (right, below.max(next));
     }
     all
 }

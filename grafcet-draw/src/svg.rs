@@ -24,7 +24,8 @@ pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
     let (wide, high) = (drawing.width * SQUARE.0 + 2 * MARGIN, drawing.height * SQUARE.1 + 2 * MARGIN);
     let size = match style {
         Style::Paper => format!("width=\"{wide}\" height=\"{high}\" style=\"color:#1f2328;background:#fff\""),
-        Style::Page => format!("style=\"width:{wide}px;max-width:100%;height:auto\""),
+        // Not smaller than can be read: what is wider yet is scrolled.
+        Style::Page => format!("style=\"width:{wide}px;max-width:max(100%,{}px);height:auto\"", wide * 3 / 5),
     };
     let mut layers = Layers::default();
     drawing.shapes.iter().for_each(|shape| layers.add(shape));

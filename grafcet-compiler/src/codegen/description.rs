@@ -14,11 +14,12 @@ pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
     });
     let what = if large { "An overview of the chart, which is too large to be drawn here:\n\n" } else { "" };
     // Markdown passes on what stands between the tags of a block, up to the first blank line.
-    let doc = format!("\n\n{what}<div class=\"grafcet-chart\">{svg}</div>\n");
+    let doc = format!("\n\n{what}<div style=\"overflow-x:auto\">{svg}</div>\n");
     quote!(#[cfg_attr(doc, doc = #doc)])
 }
 
-/// The constant `CHART` of the chart, and the numbers of the active steps.
+/// The constant `CHART` of the chart, and the numbers of the active steps. Clippy takes long arrays for such on the stack
+/// (`large_stack_arrays`) in the constant of an `impl`, but not in one by itself.
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
@@ -30,7 +31,8 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
             /// What the chart looks like: its steps, transitions and actions as they stand in the source.
             #vis const CHART: #p::description::Description<'static> = {
                 use #p::description as d;
-                #described
+                const CHART: d::Description<'static> = #described;
+                CHART
             };
         }
 
