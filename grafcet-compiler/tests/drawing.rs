@@ -220,3 +220,24 @@ fn frames(drawing: &Drawing) -> Vec<String> {
     }
     problems
 }
+
+/// A description can be made by hand, and then says what it likes.
+#[test]
+fn a_wrong_description_is_drawn_somehow() {
+    use grafcet_core::description::{Description, Dialect, MacroStep, Partial, Step, Transition};
+    let chart = Description {
+        name: "Wrong",
+        dialect: Dialect::Grafcet,
+        partials: &[Partial::new("").enclosed_by(7)],
+        macros: &[MacroStep::new("M", 9, 0).inside(0), MacroStep::new("", 1, 1).inside(5)],
+        steps: &[Step::new("A", 4, &[], &[]).inside(0), Step::new("", 0, &[], &[""]).inside(9).initial().linked()],
+        transitions: &[
+            Transition::new("", &[0, 0, 8], &[1, 1, 0], "", &[""]),
+            Transition::new("t", &[], &[], "x\ny", &[]),
+            Transition::new("", &[1], &[1], "a", &[]),
+        ],
+    };
+    assert!(!grafcet_draw::text(&chart, &()).is_empty());
+    assert!(!grafcet_draw::svg(&chart, &()).contains('\n'));
+    assert!(grafcet_draw::mermaid(&chart).starts_with("flowchart"));
+}

@@ -25,20 +25,22 @@ use figure::Scene;
 pub use mermaid::mermaid;
 pub use shape::{Drawing, Frame, Shape};
 
-/// A chart of more steps than this is not drawn step by step: see [`layout`].
-pub const MOST_STEPS: usize = 150;
+/// A chart of more steps than this is not drawn step by step.
+const MOST_STEPS: usize = 150;
+/// Nor is one of more transitions.
+const MOST_TRANSITIONS: usize = 600;
 
 /// Drawings are filled up to about so many characters from left to right before the next one starts below.
 const WIDTH: i32 = 110;
 
 /// Lays a chart out, with the steps marked that are active in `situation` (`&()` marks none).
 ///
-/// Partial grafcets stand side by side, expansions of macro-steps and enclosures beside them. Of a chart with more than
-/// [`MOST_STEPS`] steps there is an overview: one box for each of these, with what it holds.
+/// Partial grafcets stand side by side, expansions of macro-steps and enclosures beside them. Of a chart that
+/// [`is_large`] there is an overview: one box for each of these, with what it holds.
 #[must_use]
 pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> Drawing {
     let sheets = sheets::sheets(chart);
-    if chart.steps.len() > MOST_STEPS {
+    if is_large(chart) {
         return overview(&sheets);
     }
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
@@ -48,6 +50,12 @@ pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) 
         framed(&sheet.title, shape::pack(pieces, WIDTH - 4, (3, 1)))
     });
     shape::pack(drawn.collect(), WIDTH, (2, 1))
+}
+
+/// Whether a chart is too large to be drawn step by step: it has more than 150 steps or 600 transitions.
+#[must_use]
+pub fn is_large(chart: &Description<'_>) -> bool {
+    chart.steps.len() > MOST_STEPS || chart.transitions.len() > MOST_TRANSITIONS
 }
 
 /// A chart as SVG, with the steps marked that are active in `situation` (`&()` marks none).

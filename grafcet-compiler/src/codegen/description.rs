@@ -9,9 +9,8 @@ use crate::describe::with_description;
 
 /// The chart as it is drawn, in the documentation alone: editors that show the source's comments show no picture.
 pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
-    let (svg, large) = with_description(cx.model, |chart| {
-        (grafcet_draw::svg_inline(chart), chart.steps.len() > grafcet_draw::MOST_STEPS)
-    });
+    let (svg, large) =
+        with_description(cx.model, |chart| (grafcet_draw::svg_inline(chart), grafcet_draw::is_large(chart)));
     let what = if large { "An overview of the chart, which is too large to be drawn here:\n\n" } else { "" };
     // Markdown passes on what stands between the tags of a block, up to the first blank line.
     let doc = format!("\n\n{what}<div style=\"overflow-x:auto\">{svg}</div>\n");
