@@ -77,7 +77,32 @@
 //! cycle does exactly, and what steps and signals may be called.
 #![no_std]
 
-pub use grafcet_core::{Chart, Phase, Ticks, heapless};
+/// Pictures of a chart, with the steps marked that are active: for the host, with the feature `std`.
+///
+/// ```
+/// # use grafcet::grafcet;
+/// grafcet! {
+///     sfc Motor {
+///         input on, off: bool;
+///         output relay: bool;
+///         initial step Off;
+///         step On { N relay; }
+///         Off -[on]-> On -[off]-> Off;
+///     }
+/// }
+///
+/// let mut motor = Motor::new();
+/// motor.cycle(&MotorInputs::default());
+/// motor.cycle(&MotorInputs { on: true, ..Default::default() });
+/// let picture = grafcet::draw::svg(&Motor::CHART, &motor.situation());
+/// assert!(picture.starts_with("<svg"));
+/// let text = grafcet::draw::text(&Motor::CHART, &motor.situation());
+/// assert!(text.contains("│●On  ├─┤ N │ relay │"), "{text}");
+/// ```
+#[cfg(feature = "std")]
+pub use grafcet_draw as draw;
+
+pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description, heapless};
 
 /// Turns a chart into a state enum and a cycle function.
 ///
@@ -87,6 +112,7 @@ pub use grafcet_core::{Chart, Phase, Ticks, heapless};
 ///   chart is a `grafcet`; it implements [`Chart`];
 /// - `MotorInputs` and `MotorOutputs`, plain structs with a field for each declared input and output;
 /// - `MotorStep` and `MotorTransition`, the names of its steps and transitions;
+/// - `Motor::CHART`, its [`description`] as data, and a picture in the documentation;
 /// - `MotorParams`, where the chart declares a `param`, and the trait `MotorActions`, where it declares an `action`.
 ///
 /// A chart that uses time takes the reading of its clock in `cycle`, and has `next_deadline`; one that declares actions
@@ -117,7 +143,7 @@ pub mod __private {
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
-    pub use grafcet_core::{Chart, Delay, OnDelay, Phase, Ticks, heapless, sooner, until};
+    pub use grafcet_core::{ActiveSteps, Chart, Delay, OnDelay, Phase, Ticks, description, heapless, sooner, until};
     pub use grafcet_macros::chart;
 }
 
@@ -132,4 +158,6 @@ mod pages {
     struct Semantics;
     #[doc = include_str!("../docs/names.md")]
     struct Names;
+    #[doc = include_str!("../docs/drawing.md")]
+    struct Drawing;
 }

@@ -7,6 +7,7 @@ pub mod analysis;
 pub mod ast;
 pub mod check;
 mod codegen;
+pub mod describe;
 pub mod diagnostic;
 pub mod interp;
 pub mod model;

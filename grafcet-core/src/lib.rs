@@ -4,6 +4,7 @@
 #![no_std]
 
 mod chart;
+pub mod description;
 #[cfg(any(feature = "fugit", feature = "embassy-time"))]
 mod instants;
 mod phase;
@@ -11,6 +12,7 @@ mod ticks;
 mod time;
 
 pub use chart::Chart;
+pub use description::ActiveSteps;
 pub use heapless;
 pub use phase::Phase;
 pub use ticks::Ticks;

@@ -161,6 +161,10 @@ enum __BatchRegion1 {
     NONE,
 }
 ///The chart `Batch`.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 576 728\" style=\"width:576px;max-width:max(100%,345px);height:auto\" role=\"img\" aria-label=\"Chart Batch\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H68M100 56H116M100 184H116M404 184H420M100 408H116M100 568H116M12 712H68M60 134H380M60 138H380M60 326H380M60 330H380M12 8V712M68 8V40M68 72V168M68 200V392M68 424V552M68 584V712M116 584V616M132 600V616M148 40V72M148 168V200M148 392V424M148 552V584M148 616V648M156 200V232M156 456V488M180 424V456M372 136V168M372 200V328M452 168V200M452 264V296M476 200V264M68 96v16M68 352v16M68 512v16M68 672v16\"/><rect x=\"36\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"116\" y=\"40\" width=\"88\" height=\"32\"/><rect x=\"36\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"168\" width=\"200\" height=\"32\"/><rect x=\"116\" y=\"200\" width=\"200\" height=\"32\"/><rect x=\"340\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"420\" y=\"168\" width=\"136\" height=\"32\"/><rect x=\"420\" y=\"200\" width=\"136\" height=\"32\"/><rect x=\"420\" y=\"232\" width=\"136\" height=\"32\"/><rect x=\"420\" y=\"264\" width=\"136\" height=\"32\"/><rect x=\"36\" y=\"392\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"392\" width=\"312\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"312\" height=\"32\"/><rect x=\"116\" y=\"456\" width=\"312\" height=\"32\"/><rect x=\"36\" y=\"552\" width=\"64\" height=\"32\"/><rect x=\"116\" y=\"552\" width=\"88\" height=\"32\"/><rect x=\"116\" y=\"616\" width=\"88\" height=\"32\"/><path d=\"M54 104h28M54 360h28M54 520h28M54 680h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 355l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"32\">Idle</text><text x=\"128\" y=\"56\" textLength=\"8\">N</text><text x=\"160\" y=\"56\" textLength=\"32\">lamp</text><text x=\"96\" y=\"104\" textLength=\"104\">rising(start)</text><text x=\"52\" y=\"184\" textLength=\"32\">Fill</text><text x=\"128\" y=\"184\" textLength=\"8\">N</text><text x=\"160\" y=\"184\" textLength=\"40\">valve</text><text x=\"128\" y=\"216\" textLength=\"16\">P1</text><text x=\"168\" y=\"216\" textLength=\"136\">count = count + 1</text><text x=\"356\" y=\"184\" textLength=\"32\">Heat</text><text x=\"432\" y=\"184\" textLength=\"8\">N</text><text x=\"464\" y=\"184\" textLength=\"72\">heat(hot)</text><text x=\"432\" y=\"216\" textLength=\"32\">L 3s</text><text x=\"488\" y=\"216\" textLength=\"32\">lamp</text><text x=\"432\" y=\"248\" textLength=\"32\">D 1s</text><text x=\"488\" y=\"248\" textLength=\"32\">pump</text><text x=\"432\" y=\"280\" textLength=\"8\">N</text><text x=\"464\" y=\"280\" textLength=\"80\">speed = 10</text><text x=\"96\" y=\"360\" textLength=\"136\">full &amp;&amp; soak/Heat</text><text x=\"52\" y=\"408\" textLength=\"32\">Stir</text><text x=\"128\" y=\"408\" textLength=\"8\">N</text><text x=\"160\" y=\"408\" textLength=\"64\">heat(40)</text><text x=\"128\" y=\"440\" textLength=\"40\">SD 2s</text><text x=\"192\" y=\"440\" textLength=\"32\">pump</text><text x=\"128\" y=\"472\" textLength=\"16\">P0</text><text x=\"168\" y=\"472\" textLength=\"248\">{ if count &gt; 3 { count = 0; } }</text><text x=\"96\" y=\"520\" textLength=\"240\">Stir.T &gt;= 2s &amp;&amp; 1s/empty/500ms</text><text x=\"48\" y=\"568\" textLength=\"40\">Drain</text><text x=\"128\" y=\"568\" textLength=\"8\">R</text><text x=\"160\" y=\"568\" textLength=\"32\">pump</text><text x=\"144\" y=\"600\" textLength=\"72\">level &gt; 3</text><text x=\"128\" y=\"632\" textLength=\"8\">N</text><text x=\"160\" y=\"632\" textLength=\"32\">pump</text><text x=\"96\" y=\"680\" textLength=\"80\">level == 0</text></g></svg></div>\n"
+)]
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
@@ -735,5 +739,84 @@ impl ::grafcet::__private::Chart for Batch {
     }
     fn situation(&self) -> BatchSituation {
         self.situation()
+    }
+}
+impl Batch {
+    /// What the chart looks like: its steps, transitions and actions as they stand in the source.
+    pub const CHART: ::grafcet::__private::description::Description<'static> = {
+        use ::grafcet::__private::description as d;
+        const CHART: d::Description<'static> = d::Description {
+            name: "Batch",
+            dialect: d::Dialect::Sfc,
+            partials: &[d::Partial::new("")],
+            macros: &[],
+            steps: &[
+                d::Step::new("Idle", 0, &[d::Action::new("N", "", "", "lamp")], &[])
+                    .initial(),
+                d::Step::new(
+                    "Fill",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "valve"),
+                        d::Action::new("P1", "", "", "count = count + 1"),
+                    ],
+                    &[],
+                ),
+                d::Step::new(
+                    "Heat",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "heat(hot)"),
+                        d::Action::new("L", "3s", "", "lamp"),
+                        d::Action::new("D", "1s", "", "pump"),
+                        d::Action::new("N", "", "", "speed = 10"),
+                    ],
+                    &[],
+                ),
+                d::Step::new(
+                    "Stir",
+                    0,
+                    &[
+                        d::Action::new("N", "", "", "heat(40)"),
+                        d::Action::new("SD", "2s", "", "pump"),
+                        d::Action::new("P0", "", "", "{ if count > 3 { count = 0; } }"),
+                    ],
+                    &[],
+                ),
+                d::Step::new(
+                    "Drain",
+                    0,
+                    &[
+                        d::Action::new("R", "", "", "pump"),
+                        d::Action::new("N", "", "level > 3", "pump"),
+                    ],
+                    &[],
+                ),
+            ],
+            transitions: &[
+                d::Transition::new("", &[0], &[1, 2], "rising(start)", &[]),
+                d::Transition::new("", &[1, 2], &[3], "full && soak/Heat", &[]),
+                d::Transition::new(
+                    "",
+                    &[3],
+                    &[4],
+                    "Stir.T >= 2s && 1s/empty/500ms",
+                    &[],
+                ),
+                d::Transition::new("", &[4], &[0], "level == 0", &[]),
+            ],
+        };
+        CHART
+    };
+}
+impl ::grafcet::__private::ActiveSteps for BatchSituation {
+    fn is_active_at(
+        &self,
+        step: ::grafcet::__private::usize,
+    ) -> ::grafcet::__private::bool {
+        match <Batch as ::grafcet::__private::Chart>::STEPS.get(step) {
+            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+            ::grafcet::__private::Option::None => false,
+        }
     }
 }

@@ -179,6 +179,10 @@ enum __CellRegion2 {
     NONE,
 }
 ///The chart `Cell`.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 776 696\" style=\"width:776px;max-width:max(100%,465px);height:auto\" role=\"img\" aria-label=\"Chart Cell\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M28 56H92M132 200H148M132 328H148M28 408H92M28 56V408M92 56V88M92 120V184M92 216V312M92 344V408M92 144v16M92 272v16M92 368v16M380 56H436M436 152H596M468 232H484M628 248H644M380 440H596M380 56V440M436 56V88M436 120V216M436 248V344M436 376V440M596 152V232M596 264V440M660 216V232M436 176v16M596 176v16M564 239l7 -7M621 232l7 7M628 257l-7 7M571 264l-7 -7M436 288v16M596 288v16M404 349h64M404 371h64M436 400v16M84 536H100M84 632H100M52 552V616M132 520V552M132 616V648M52 576v16M380 584H396M348 552V568M412 552V568M428 568V600\"/><rect x=\"4\" y=\"8\" width=\"328\" height=\"432\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"60\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"63\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"52\" y=\"184\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"184\" width=\"128\" height=\"32\"/><rect x=\"148\" y=\"216\" width=\"128\" height=\"32\"/><rect x=\"151\" y=\"219\" width=\"122\" height=\"26\"/><rect x=\"52\" y=\"312\" width=\"80\" height=\"32\"/><rect x=\"148\" y=\"312\" width=\"160\" height=\"32\"/><rect x=\"151\" y=\"315\" width=\"154\" height=\"26\"/><rect x=\"356\" y=\"8\" width=\"408\" height=\"464\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"404\" y=\"88\" width=\"64\" height=\"32\"/><rect x=\"407\" y=\"91\" width=\"58\" height=\"26\"/><rect x=\"404\" y=\"216\" width=\"64\" height=\"32\"/><rect x=\"484\" y=\"216\" width=\"56\" height=\"32\"/><rect x=\"564\" y=\"232\" width=\"64\" height=\"32\"/><rect x=\"644\" y=\"232\" width=\"56\" height=\"32\"/><rect x=\"404\" y=\"344\" width=\"64\" height=\"32\"/><rect x=\"4\" y=\"472\" width=\"256\" height=\"208\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"20\" y=\"520\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"520\" width=\"136\" height=\"32\"/><rect x=\"20\" y=\"616\" width=\"64\" height=\"32\"/><rect x=\"100\" y=\"616\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"504\" width=\"264\" height=\"128\" stroke-opacity=\".35\" rx=\"4\"/><rect x=\"316\" y=\"568\" width=\"64\" height=\"32\"/><rect x=\"396\" y=\"568\" width=\"128\" height=\"32\"/><path d=\"M78 152h28M78 280h28M78 376h28M422 184h28M582 184h28M422 296h28M582 296h28M422 408h28M38 584h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M28 227l4 9h-8z\"/><path d=\"M380 243l4 9h-8z\"/><text x=\"16\" y=\"24\" textLength=\"48\">Safety</text><text x=\"72\" y=\"104\" textLength=\"40\">Ready</text><text x=\"120\" y=\"152\" textLength=\"40\">estop</text><text x=\"64\" y=\"200\" textLength=\"56\">Stopped</text><text x=\"160\" y=\"200\" textLength=\"32\">lamp</text><text x=\"160\" y=\"232\" textLength=\"104\">Production {}</text><text x=\"120\" y=\"280\" textLength=\"48\">!estop</text><text x=\"64\" y=\"328\" textLength=\"56\">Restart</text><text x=\"160\" y=\"328\" textLength=\"136\">Production {INIT}</text><text x=\"120\" y=\"376\" textLength=\"32\">true</text><text x=\"368\" y=\"24\" textLength=\"80\">Production</text><text x=\"420\" y=\"104\" textLength=\"32\">Idle</text><text x=\"464\" y=\"184\" textLength=\"40\">start</text><text x=\"624\" y=\"184\" textLength=\"112\">auto &amp;&amp; !start</text><text x=\"420\" y=\"232\" textLength=\"32\">Feed</text><text x=\"496\" y=\"232\" textLength=\"32\">belt</text><text x=\"580\" y=\"248\" textLength=\"32\">Auto</text><text x=\"672\" y=\"216\" textLength=\"56\">Clamp.X</text><text x=\"656\" y=\"248\" textLength=\"32\">bell</text><text x=\"464\" y=\"296\" textLength=\"32\">full</text><text x=\"624\" y=\"296\" textLength=\"120\">n &gt;= 2 &amp;&amp; !part</text><text x=\"624\" y=\"312\" textLength=\"56\">⇒ n = 0</text><text x=\"416\" y=\"360\" textLength=\"40\">Clamp</text><text x=\"464\" y=\"408\" textLength=\"64\">!clamped</text><text x=\"16\" y=\"488\" textLength=\"128\">macro step Clamp</text><text x=\"32\" y=\"536\" textLength=\"40\">Close</text><text x=\"112\" y=\"536\" textLength=\"8\">↑</text><text x=\"144\" y=\"536\" textLength=\"80\">clamp := 1</text><text x=\"80\" y=\"584\" textLength=\"56\">clamped</text><text x=\"36\" y=\"632\" textLength=\"32\">Open</text><text x=\"112\" y=\"632\" textLength=\"8\">↑</text><text x=\"144\" y=\"632\" textLength=\"80\">clamp := 0</text><text x=\"296\" y=\"520\" textLength=\"120\">Auto ▸ Counting</text><text x=\"328\" y=\"584\" textLength=\"40\">Count</text><text x=\"296\" y=\"584\" textLength=\"8\">*</text><text x=\"424\" y=\"552\" textLength=\"96\">rising(part)</text><text x=\"408\" y=\"584\" textLength=\"8\">→</text><text x=\"440\" y=\"584\" textLength=\"72\">n = n + 1</text></g></svg></div>\n"
+)]
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
@@ -554,5 +558,74 @@ impl ::grafcet::__private::Chart for Cell {
     }
     fn situation(&self) -> CellSituation {
         self.situation()
+    }
+}
+impl Cell {
+    /// What the chart looks like: its steps, transitions and actions as they stand in the source.
+    pub const CHART: ::grafcet::__private::description::Description<'static> = {
+        use ::grafcet::__private::description as d;
+        const CHART: d::Description<'static> = d::Description {
+            name: "Cell",
+            dialect: d::Dialect::Grafcet,
+            partials: &[
+                d::Partial::new(""),
+                d::Partial::new("Safety"),
+                d::Partial::new("Production"),
+                d::Partial::new("Counting").enclosed_by(7),
+            ],
+            macros: &[d::MacroStep::new("Clamp", 5, 6)],
+            steps: &[
+                d::Step::new("Ready", 1, &[], &[]).initial(),
+                d::Step::new(
+                    "Stopped",
+                    1,
+                    &[d::Action::new("N", "", "", "lamp")],
+                    &["Production {}"],
+                ),
+                d::Step::new("Restart", 1, &[], &["Production {INIT}"]),
+                d::Step::new("Idle", 2, &[], &[]).initial(),
+                d::Step::new("Feed", 2, &[d::Action::new("N", "", "", "belt")], &[]),
+                d::Step::new("Close", 2, &[d::Action::new("S", "", "", "clamp")], &[])
+                    .inside(0),
+                d::Step::new("Open", 2, &[d::Action::new("R", "", "", "clamp")], &[])
+                    .inside(0),
+                d::Step::new(
+                    "Auto",
+                    2,
+                    &[d::Action::new("N", "", "Clamp.X", "bell")],
+                    &[],
+                ),
+                d::Step::new(
+                        "Count",
+                        3,
+                        &[d::Action::new("on", "", "rising(part)", "n = n + 1")],
+                        &[],
+                    )
+                    .linked(),
+            ],
+            transitions: &[
+                d::Transition::new("", &[0], &[1], "estop", &[]),
+                d::Transition::new("", &[1], &[2], "!estop", &[]),
+                d::Transition::new("", &[2], &[0], "true", &[]),
+                d::Transition::new("", &[5], &[6], "clamped", &[]),
+                d::Transition::new("", &[3], &[4], "start", &[]),
+                d::Transition::new("", &[4], &[5], "full", &[]),
+                d::Transition::new("", &[6], &[3], "!clamped", &[]),
+                d::Transition::new("", &[3], &[7], "auto && !start", &[]),
+                d::Transition::new("", &[7], &[3], "n >= 2 && !part", &["n = 0"]),
+            ],
+        };
+        CHART
+    };
+}
+impl ::grafcet::__private::ActiveSteps for CellSituation {
+    fn is_active_at(
+        &self,
+        step: ::grafcet::__private::usize,
+    ) -> ::grafcet::__private::bool {
+        match <Cell as ::grafcet::__private::Chart>::STEPS.get(step) {
+            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+            ::grafcet::__private::Option::None => false,
+        }
     }
 }

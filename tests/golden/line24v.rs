@@ -127,6 +127,10 @@ impl __Line24VStateMark {
     }
 }
 /// The 24 V production line.
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 232 456\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Line24V\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M84 264H100M84 360H100M12 440H60M12 8V440M60 8V40M60 72V136M60 168V248M60 280V344M60 376V440M116 232V248M132 136V168M132 344V376M60 96v16M60 192v16M60 304v16M60 400v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"112\" height=\"32\"/><rect x=\"36\" y=\"248\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"248\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"344\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"344\" width=\"112\" height=\"32\"/><path d=\"M46 104h28M46 200h28M46 312h28M46 408h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 211l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"16\">S1</text><text x=\"112\" y=\"56\" textLength=\"16\">q1</text><text x=\"88\" y=\"104\" textLength=\"16\">b1</text><text x=\"52\" y=\"152\" textLength=\"16\">S2</text><text x=\"112\" y=\"152\" textLength=\"8\">↑</text><text x=\"144\" y=\"152\" textLength=\"56\">q2 := 1</text><text x=\"88\" y=\"200\" textLength=\"16\">b2</text><text x=\"52\" y=\"264\" textLength=\"16\">S3</text><text x=\"128\" y=\"232\" textLength=\"16\">b5</text><text x=\"112\" y=\"264\" textLength=\"16\">q3</text><text x=\"88\" y=\"312\" textLength=\"16\">b3</text><text x=\"52\" y=\"360\" textLength=\"16\">S4</text><text x=\"112\" y=\"360\" textLength=\"8\">↑</text><text x=\"144\" y=\"360\" textLength=\"56\">q2 := 0</text><text x=\"88\" y=\"408\" textLength=\"16\">b4</text></g></svg></div>\n"
+)]
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
@@ -277,5 +281,42 @@ impl ::grafcet::__private::Chart for Line24V {
     }
     fn situation(&self) -> Line24VStep {
         self.situation()
+    }
+}
+impl Line24V {
+    /// What the chart looks like: its steps, transitions and actions as they stand in the source.
+    pub const CHART: ::grafcet::__private::description::Description<'static> = {
+        use ::grafcet::__private::description as d;
+        const CHART: d::Description<'static> = d::Description {
+            name: "Line24V",
+            dialect: d::Dialect::Grafcet,
+            partials: &[d::Partial::new("")],
+            macros: &[],
+            steps: &[
+                d::Step::new("S1", 0, &[d::Action::new("N", "", "", "q1")], &[])
+                    .initial(),
+                d::Step::new("S2", 0, &[d::Action::new("S", "", "", "q2")], &[]),
+                d::Step::new("S3", 0, &[d::Action::new("N", "", "b5", "q3")], &[]),
+                d::Step::new("S4", 0, &[d::Action::new("R", "", "", "q2")], &[]),
+            ],
+            transitions: &[
+                d::Transition::new("", &[0], &[1], "b1", &[]),
+                d::Transition::new("", &[1], &[2], "b2", &[]),
+                d::Transition::new("", &[2], &[3], "b3", &[]),
+                d::Transition::new("", &[3], &[0], "b4", &[]),
+            ],
+        };
+        CHART
+    };
+}
+impl ::grafcet::__private::ActiveSteps for Line24VStep {
+    fn is_active_at(
+        &self,
+        step: ::grafcet::__private::usize,
+    ) -> ::grafcet::__private::bool {
+        match <Line24V as ::grafcet::__private::Chart>::STEPS.get(step) {
+            ::grafcet::__private::Option::Some(active) => active == self,
+            ::grafcet::__private::Option::None => false,
+        }
     }
 }

@@ -1,13 +1,13 @@
-//! Records anew what the tests compare with: expansions and messages. Read the difference before you commit it.
+//! Records anew what the tests compare with: expansions, pictures and messages. Read the difference before you commit it.
 
 use crate::command::{Result, run as run_command};
 use crate::project::cargo;
 
-/// Records the expansions of `tests/golden` and the messages of `tests/ui`.
+/// Records the expansions and pictures of `tests/golden` and `docs/pictures`, and the messages of `tests/ui`.
 ///
 /// # Errors
 /// A chart does not do what it should: a neighbour does not compile, or a chart with a mistake does.
 pub(crate) fn run() -> Result {
-    run_command(cargo(&["test", "--package", "grafcet", "--test", "golden"]).env("BLESS", "1"))?;
+    run_command(cargo(&["test", "--package", "grafcet", "--test", "golden", "--test", "pictures"]).env("BLESS", "1"))?;
     run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))
 }

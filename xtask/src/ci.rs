@@ -78,7 +78,8 @@ fn test() -> Result {
     if !readme.contains("cargo test --workspace") {
         return Err("README.md does not name the test command `cargo test --workspace`".to_owned());
     }
-    run_command(&mut cargo(&["test", "--workspace"]))
+    run_command(&mut cargo(&["test", "--workspace"]))?;
+    run_command(&mut cargo(&["test", "--package", "grafcet", "--features", "std", "--doc"]))
 }
 
 fn clippy() -> Result {

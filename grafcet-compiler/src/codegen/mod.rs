@@ -6,6 +6,7 @@ mod chart_impl;
 mod control;
 mod cycle;
 mod deadline;
+mod description;
 mod evolution;
 mod grafcet;
 mod hierarchy;
@@ -50,5 +51,6 @@ pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenS
     let state = state::all(&cx);
     let chart = chart_impl::inherent(&cx);
     let uniform = chart_impl::uniform(&cx);
-    quote!(#types #recipe #state #chart #uniform)
+    let description = description::all(&cx);
+    quote!(#types #recipe #state #chart #uniform #description)
 }

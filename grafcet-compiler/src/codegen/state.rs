@@ -302,8 +302,10 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let derives = types::derives(types.into_iter(), p);
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
+    let drawing = super::description::drawing(cx);
     quote! {
         #docs
+        #drawing
         #[derive(#derives)]
         #vis struct #name { #(#declared)* #params_field }
 

@@ -91,6 +91,9 @@ fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 
         #[allow(missing_docs, dead_code, unused_variables, clippy::all)]
         impl #chart {
+            #vis const CHART: #p::description::Description<'static> = #p::description::Description {
+                name: "", dialect: #p::description::Dialect::Sfc, partials: &[], macros: &[], steps: &[], transitions: &[],
+            };
             #vis const fn new() -> Self { Self {} }
             #recipe
             #vis fn cycle(&mut self, inputs: &#inputs #now #calls) -> #outputs { loop {} }
@@ -112,6 +115,8 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let name = model.name.to_string();
     let actions = if model.actions.is_empty() { quote!(()) } else { quote!(dyn #actions + 'a) };
     quote! {
+        impl #p::ActiveSteps for #step { fn is_active_at(&self, _: #p::usize) -> #p::bool { loop {} } }
+
         #[allow(unused_variables)]
         impl #p::Chart for #chart {
             type Inputs = #inputs;

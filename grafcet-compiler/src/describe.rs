@@ -1,0 +1,201 @@
+//! A model as data that can be drawn: the same description that a program finds in `Motor::CHART`.
+
+use grafcet_core::description::{self, Description};
+use proc_macro2::Ident;
+
+use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, Qualifier, StepId, TimeRef};
+
+/// Calls `f` with the description of a chart.
+pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R) -> R {
+    let texts = Texts::of(model);
+    let actions: Vec<Vec<_>> = texts.steps.iter().map(StepTexts::actions).collect();
+    let forces: Vec<Vec<&str>> = texts.steps.iter().map(|step| strs(&step.forces)).collect();
+    let steps = model.steps.values().zip(&texts.steps).zip(actions.iter().zip(&forces));
+    let steps: Vec<_> = steps
+        .map(|((step, texts), (actions, forces))| description::Step {
+            name: &texts.name,
+            initial: step.initial,
+            linked: step.linked,
+            partial: step.partial.index(),
+            expansion: step.macro_step.map(Id::index),
+            actions,
+            forces,
+        })
+        .collect();
+    let ends: Vec<[Vec<usize>; 2]> =
+        model.transitions.values().map(|t| [&t.sources, &t.targets].map(|steps| numbers(steps))).collect();
+    let clearing: Vec<Vec<&str>> = texts.transitions.iter().map(|(_, clearing)| strs(clearing)).collect();
+    let transitions = model.transitions.values().zip(&texts.transitions).zip(ends.iter().zip(&clearing));
+    let transitions: Vec<_> = transitions
+        .map(|((transition, (name, _)), ([sources, targets], clearing))| description::Transition {
+            name,
+            sources,
+            targets,
+            condition: &transition.condition.text,
+            clearing,
+        })
+        .collect();
+    let partials = model.partials.values().zip(&texts.partials);
+    let partials: Vec<_> = partials
+        .map(|(partial, name)| description::Partial { name, enclosed_by: partial.enclosed_by.map(Id::index) })
+        .collect();
+    let macros = model.macros.values().zip(&texts.macros);
+    let macros: Vec<_> = macros
+        .map(|(m, name)| description::MacroStep {
+            name,
+            outer: m.outer.map(Id::index),
+            entry: m.entry.index(),
+            exit: m.exit.index(),
+        })
+        .collect();
+    let dialect = match model.dialect {
+        Dialect::Sfc => description::Dialect::Sfc,
+        Dialect::Grafcet => description::Dialect::Grafcet,
+    };
+    f(&Description {
+        name: &texts.name,
+        dialect,
+        partials: &partials,
+        macros: &macros,
+        steps: &steps,
+        transitions: &transitions,
+    })
+}
+
+/// The texts that the description borrows.
+struct Texts {
+    name: String,
+    partials: Vec<String>,
+    macros: Vec<String>,
+    steps: Vec<StepTexts>,
+    /// Name and clearing actions.
+    transitions: Vec<(String, Vec<String>)>,
+}
+
+struct StepTexts {
+    name: String,
+    actions: Vec<ActionTexts>,
+    forces: Vec<String>,
+}
+
+struct ActionTexts {
+    qualifier: &'static str,
+    time: String,
+    condition: String,
+    text: String,
+}
+
+impl StepTexts {
+    fn actions(&self) -> Vec<description::Action<'_>> {
+        self.actions
+            .iter()
+            .map(|texts| description::Action {
+                qualifier: texts.qualifier,
+                time: &texts.time,
+                condition: &texts.condition,
+                text: &texts.text,
+            })
+            .collect()
+    }
+}
+
+impl Texts {
+    fn of(model: &Model) -> Self {
+        let transition = |t: &crate::model::Transition| {
+            let clearing = t.clearing.iter().map(|done| effect(model, done)).collect();
+            (t.name.as_ref().map(plain).unwrap_or_default(), clearing)
+        };
+        Self {
+            name: plain(&model.name),
+            partials: model.partials.values().map(|p| p.name.as_ref().map(plain).unwrap_or_default()).collect(),
+            macros: model.macros.values().map(|m| plain(&m.name)).collect(),
+            steps: model.steps.ids().map(|step| step_texts(model, step)).collect(),
+            transitions: model.transitions.values().map(transition).collect(),
+        }
+    }
+}
+
+fn step_texts(model: &Model, id: StepId) -> StepTexts {
+    let step = &model.steps[id];
+    let actions = step.associations.iter().map(|id| {
+        let association = &model.associations[*id];
+        let condition = association.condition.as_ref().or(association.event.as_ref());
+        ActionTexts {
+            qualifier: qualifier(association.qualifier),
+            time: association.time.map(|at| time(model, at)).unwrap_or_default(),
+            condition: condition.map(|condition| condition.text.clone()).unwrap_or_default(),
+            text: effect(model, &association.effect),
+        }
+    });
+    let forces = step.forces.iter().map(|id| {
+        let force = &model.forces[*id];
+        format!("{} {{{}}}", partial(model, force.target), order(model, &force.order))
+    });
+    StepTexts { name: plain(&step.name), actions: actions.collect(), forces: forces.collect() }
+}
+
+fn qualifier(qualifier: Qualifier) -> &'static str {
+    match qualifier {
+        Qualifier::N => "N",
+        Qualifier::S => "S",
+        Qualifier::R => "R",
+        Qualifier::L => "L",
+        Qualifier::D => "D",
+        Qualifier::P => "P",
+        Qualifier::P1 => "P1",
+        Qualifier::P0 => "P0",
+        Qualifier::Sd => "SD",
+        Qualifier::Ds => "DS",
+        Qualifier::Sl => "SL",
+        Qualifier::On => "on",
+    }
+}
+
+/// `relay`, `count = count + 1`, `heat(80)`, `count += 1;`
+fn effect(model: &Model, effect: &Effect) -> String {
+    match effect {
+        Effect::Control(place) => plain(model.place_name(*place)),
+        Effect::Assign(place, value) => format!("{} = {}", plain(model.place_name(*place)), value.text),
+        Effect::Call(action, arguments) => {
+            let arguments: Vec<&str> = arguments.iter().map(|argument| argument.text.as_str()).collect();
+            format!("{}({})", plain(&model.actions[*action].name), arguments.join(", "))
+        }
+        Effect::Block(code) => code.text.clone(),
+    }
+}
+
+fn time(model: &Model, time: TimeRef) -> String {
+    match time {
+        TimeRef::Ticks(ticks) => model.time_text(i128::from(ticks)),
+        TimeRef::Param(id) => plain(&model.params[id].name),
+        TimeRef::Var(id) => plain(&model.vars[id].name),
+    }
+}
+
+fn partial(model: &Model, id: PartialId) -> String {
+    model.partials[id].name.as_ref().map_or_else(|| plain(&model.name), plain)
+}
+
+fn order(model: &Model, order: &ForceOrder) -> String {
+    match order {
+        ForceOrder::Steps(steps) => {
+            let names: Vec<String> = steps.iter().map(|step| plain(&model.steps[*step].name)).collect();
+            names.join(", ")
+        }
+        ForceOrder::Hold => "*".to_owned(),
+        ForceOrder::Init => "INIT".to_owned(),
+    }
+}
+
+/// A name without the mark of a raw identifier.
+fn plain(name: &Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+fn numbers(steps: &[StepId]) -> Vec<usize> {
+    steps.iter().map(|step| step.index()).collect()
+}
+
+fn strs(texts: &[String]) -> Vec<&str> {
+    texts.iter().map(String::as_str).collect()
+}

@@ -1,0 +1,116 @@
+//! Draws charts of [`grafcet`](https://docs.rs/grafcet) in the notation of IEC 60848: as SVG, as plain text, or as the text
+//! of a Mermaid diagram.
+//!
+//! A [`Description`] is laid out as a [`Drawing`], a list of lines, frames and texts on squared paper; the writers only say
+//! how those look. The same description gives the same drawing on every machine. Through the crate `grafcet`, with its
+//! feature `std`, this crate is `grafcet::draw`.
+
+mod figure;
+mod graph;
+mod mermaid;
+mod net;
+mod order;
+mod place;
+mod route;
+mod shape;
+mod sheets;
+mod svg;
+mod text;
+mod wrap;
+
+use grafcet_core::ActiveSteps;
+use grafcet_core::description::Description;
+
+use figure::Scene;
+pub use mermaid::mermaid;
+pub use shape::{Drawing, Frame, Shape};
+
+/// A chart of more steps than this is not drawn step by step.
+const MOST_STEPS: usize = 150;
+/// Nor is one of more transitions.
+const MOST_TRANSITIONS: usize = 600;
+
+/// Drawings are filled up to about so many characters from left to right before the next one starts below.
+const WIDTH: i32 = 110;
+
+/// Lays a chart out, with the steps marked that are active in `situation` (`&()` marks none).
+///
+/// Partial grafcets stand side by side, expansions of macro-steps and enclosures beside them. Of a chart that
+/// [`is_large`] there is an overview: one box for each of these, with what it holds.
+#[must_use]
+pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> Drawing {
+    let sheets = sheets::sheets(chart);
+    if is_large(chart) {
+        return overview(&sheets);
+    }
+    let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
+    let scene = Scene { chart, active };
+    let drawn = sheets.iter().map(|sheet| {
+        let pieces = sheets::pieces(sheet).iter().map(|piece| net::draw(&scene, piece)).collect();
+        framed(&sheet.title, shape::pack(pieces, WIDTH - 4, (3, 1)))
+    });
+    shape::pack(drawn.collect(), WIDTH, (2, 1))
+}
+
+/// Whether a chart is too large to be drawn step by step: it has more than 150 steps or 600 transitions.
+#[must_use]
+pub fn is_large(chart: &Description<'_>) -> bool {
+    chart.steps.len() > MOST_STEPS || chart.transitions.len() > MOST_TRANSITIONS
+}
+
+/// A chart as SVG, with the steps marked that are active in `situation` (`&()` marks none).
+///
+/// The picture stands for itself: dark on white, its size in pixels. Text is text.
+#[must_use]
+pub fn svg(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> String {
+    svg::write(chart.name, &layout(chart, situation), svg::Style::Paper)
+}
+
+/// A chart as SVG for a web page: in the page's own colour, as wide as there is room, on one line.
+#[must_use]
+pub fn svg_inline(chart: &Description<'_>) -> String {
+    svg::write(chart.name, &layout(chart, &()), svg::Style::Page)
+}
+
+/// A chart in characters, for a terminal, with the steps marked that are active in `situation` (`&()` marks none).
+#[must_use]
+pub fn text(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> String {
+    text::write(&layout(chart, situation))
+}
+
+/// A sheet with a name has a frame around it.
+fn framed(title: &str, inside: Drawing) -> Drawing {
+    if title.is_empty() {
+        return inside;
+    }
+    let mut sheet = Drawing::default();
+    let width = (inside.width + 4).max(wrap::width(title) + 4);
+    let size = (width, inside.height + 5);
+    sheet.shapes.push(Shape::Frame { at: (0, 0), size, kind: Frame::Sheet });
+    sheet.text((2, 1), title);
+    sheet.paste(inside, (2, 3));
+    (sheet.width, sheet.height) = size;
+    sheet
+}
+
+/// One box for each sheet, so many that the overview stays one.
+fn overview(sheets: &[sheets::Sheet]) -> Drawing {
+    const MOST: usize = 60;
+    let mut boxes: Vec<Drawing> = Vec::new();
+    for sheet in sheets.iter().take(MOST) {
+        let title = if sheet.title.is_empty() { "chart" } else { &sheet.title };
+        let mut inside = Drawing::default();
+        let count = format!("{} steps, {} transitions", sheet.nodes.len(), sheet.links.len());
+        (inside.width, inside.height) = (wrap::width(&count), 1);
+        inside.text((0, 0), &count);
+        boxes.push(framed(&wrap::wrap(title, 40, 1).concat(), inside));
+    }
+    if sheets.len() > MOST {
+        let mut more = Drawing::default();
+        let text = format!("and {} more", sheets.len() - MOST);
+        (more.width, more.height) = (wrap::width(&text), 1);
+        more.text((0, 0), &text);
+        boxes.push(more);
+    }
+    shape::pack(boxes, WIDTH, (2, 1))
+}

@@ -1,0 +1,103 @@
+//! One net on paper.
+
+use crate::figure::{Extent, Figure, Scene};
+use crate::graph::{Graph, layered};
+use crate::order::order;
+use crate::place::place;
+use crate::route::{Channel, channel};
+use crate::shape::{Drawing, Shape};
+use crate::sheets::Sheet;
+
+/// Draws a net whose steps are all connected.
+pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
+    let mut graph = layered(net, |node| scene.is_initial(node));
+    order(&mut graph);
+    let figures: Vec<Figure> = graph.items.iter().map(|item| scene.figure(item)).collect();
+    let extents: Vec<Extent> = figures.iter().map(Figure::extent).collect();
+    let x = place(&graph, &extents);
+    let mut hops = vec![Vec::new(); graph.layers.len() + 1];
+    let mut leads_on = vec![false; graph.items.len()];
+    for (upper, lower) in &graph.hops {
+        hops[graph.items[*lower].layer].push((*upper, *lower));
+        leads_on[*upper] = true;
+    }
+    for id in graph.loops.iter().flat_map(|upward| &upward.from) {
+        leads_on[*id] = true;
+    }
+    let channels = hops.iter().enumerate().map(|(below, hops)| channel(&graph, &x, below, hops));
+    let channels: Vec<Channel> = channels.collect();
+    let mut drawing = Drawing::default();
+    let mut last = -1;
+    let mut rows = Vec::new();
+    for (layer, items) in graph.layers.iter().enumerate() {
+        let channel = &channels[layer];
+        let y = last + 1 + channel.height;
+        channel.draw(last, y, &mut drawing);
+        last = y + items.iter().map(|id| extents[*id].height).max().unwrap_or(0);
+        rows.push((y, last));
+        for id in items {
+            figures[*id].draw(x[*id], y, last, &mut drawing);
+            let (enter, leave) = figures[*id].ports();
+            drawing.line((x[*id], y), (x[*id], y + enter), false);
+            if leads_on[*id] {
+                drawing.line((x[*id], y + leave), (x[*id], last), false);
+            }
+        }
+    }
+    if let Some(channel) = channels.last() {
+        channel.draw(last, last + channel.height, &mut drawing);
+        last += channel.height;
+    }
+    arrows(&graph, &x, &rows, &mut drawing);
+    finish(drawing, &graph, &x, &extents, last + 1)
+}
+
+/// What goes up has an arrow (IEC 60848, 4.6): in the middle of its way through the layers `rows`.
+fn arrows(graph: &Graph, x: &[i32], rows: &[(i32, i32)], drawing: &mut Drawing) {
+    for upward in &graph.loops {
+        let (Some(first), Some(last)) = (upward.rises.first(), upward.rises.last()) else { continue };
+        let (top, bottom) = (rows[graph.items[*first].layer].0, rows[graph.items[*last].layer].1);
+        drawing.shapes.push(Shape::Arrow { at: (x[*first], top + (bottom - top) / 2), up: true });
+    }
+}
+
+/// The paper's size, and lines as long as they are.
+fn finish(mut drawing: Drawing, graph: &Graph, x: &[i32], extents: &[Extent], height: i32) -> Drawing {
+    drawing.shapes = joined(drawing.shapes);
+    let left = (0..graph.items.len()).map(|id| x[id] - extents[id].left).min().unwrap_or(0);
+    drawing.width = (0..graph.items.len()).map(|id| x[id] + extents[id].right + 1).max().unwrap_or(0) - left;
+    drawing.height = height;
+    let mut moved = Drawing::default();
+    let (width, height) = (drawing.width, drawing.height);
+    moved.paste(drawing, (-left, 0));
+    (moved.width, moved.height) = (width, height);
+    moved
+}
+
+/// Lines that go on in the same direction become one.
+fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
+    let (mut lines, mut others) = (Vec::new(), Vec::new());
+    for shape in shapes {
+        match shape {
+            // Upright or not, single or double, then from which place to which on it.
+            Shape::Line { from, to, double } if from.0 == to.0 => lines.push((true, double, from.0, from.1, to.1)),
+            Shape::Line { from, to, double } => lines.push((false, double, from.1, from.0, to.0)),
+            other => others.push(other),
+        }
+    }
+    lines.sort_unstable();
+    let mut long: Vec<(bool, bool, i32, i32, i32)> = Vec::new();
+    for line in lines {
+        match long.last_mut() {
+            Some(last) if (last.0, last.1, last.2) == (line.0, line.1, line.2) && line.3 <= last.4 => {
+                last.4 = last.4.max(line.4);
+            }
+            _ => long.push(line),
+        }
+    }
+    let lines = long.into_iter().map(|(upright, double, at, start, end)| {
+        let (from, to) = if upright { ((at, start), (at, end)) } else { ((start, at), (end, at)) };
+        Shape::Line { from, to, double }
+    });
+    lines.chain(others).collect()
+}

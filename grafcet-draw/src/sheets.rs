@@ -1,0 +1,123 @@
+//! What is drawn as one net: a partial grafcet, an enclosure, the expansion of a macro-step.
+
+use std::collections::BTreeMap;
+
+use grafcet_core::description::Description;
+
+/// A step as it is drawn: a macro-step stands for its expansion.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Node {
+    Step(usize),
+    Macro(usize),
+}
+
+/// A transition between nodes.
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    /// Its number in the description.
+    pub(crate) transition: usize,
+    pub(crate) sources: Vec<Node>,
+    pub(crate) targets: Vec<Node>,
+}
+
+/// What belongs together on the paper.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sheet {
+    /// Empty for what stands directly in the chart.
+    pub(crate) title: String,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) links: Vec<Link>,
+}
+
+/// The place of a sheet: its partial grafcet and its macro-step.
+type Room = (usize, Option<usize>);
+
+/// The sheets of a chart: its partial grafcets in order, each before the expansions of its macro-steps.
+pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
+    let mut rooms: BTreeMap<Room, Sheet> = BTreeMap::new();
+    for (step, described) in chart.steps.iter().enumerate() {
+        let room = (described.partial, described.expansion);
+        rooms.entry(room).or_default().nodes.push(Node::Step(step));
+    }
+    for (id, macro_step) in chart.macros.iter().enumerate() {
+        let partial = chart.steps.get(macro_step.entry).map_or(0, |entry| entry.partial);
+        rooms.entry((partial, macro_step.outer)).or_default().nodes.push(Node::Macro(id));
+    }
+    for (transition, described) in chart.transitions.iter().enumerate() {
+        let nodes = |steps: &[usize], of: fn(&Description<'_>, usize) -> Node| -> Vec<Node> {
+            steps.iter().filter(|step| **step < chart.steps.len()).map(|step| of(chart, *step)).collect()
+        };
+        let (sources, targets) = (nodes(described.sources, source), nodes(described.targets, target));
+        let Some(first) = sources.first().or(targets.first()).copied() else { continue };
+        let link = Link { transition, sources, targets };
+        rooms.entry(room(chart, first)).or_default().links.push(link);
+    }
+    for (room, sheet) in &mut rooms {
+        sheet.title = title(chart, *room);
+    }
+    rooms.into_values().collect()
+}
+
+/// A transition from the exit of an expansion is drawn as one from the macro-step.
+fn source(chart: &Description<'_>, step: usize) -> Node {
+    match chart.steps[step].expansion {
+        Some(id) if chart.macros.get(id).is_some_and(|m| m.exit == step) => Node::Macro(id),
+        _ => Node::Step(step),
+    }
+}
+
+fn target(chart: &Description<'_>, step: usize) -> Node {
+    match chart.steps[step].expansion {
+        Some(id) if chart.macros.get(id).is_some_and(|m| m.entry == step) => Node::Macro(id),
+        _ => Node::Step(step),
+    }
+}
+
+fn room(chart: &Description<'_>, node: Node) -> Room {
+    let partial = |step: usize| chart.steps.get(step).map_or(0, |step| step.partial);
+    match node {
+        Node::Step(step) => (partial(step), chart.steps.get(step).and_then(|step| step.expansion)),
+        Node::Macro(id) => chart.macros.get(id).map_or((0, None), |m| (partial(m.entry), m.outer)),
+    }
+}
+
+/// `Auto ▸ Production` for an enclosure, `M Clamp` for an expansion.
+fn title(chart: &Description<'_>, (partial, expansion): Room) -> String {
+    if let Some(id) = expansion {
+        return chart.macros.get(id).map_or_else(String::new, |m| format!("macro step {}", m.name));
+    }
+    let Some(partial) = chart.partials.get(partial) else { return String::new() };
+    match partial.enclosed_by.and_then(|step| chart.steps.get(step)) {
+        Some(step) => format!("{} ▸ {}", step.name, partial.name),
+        None => partial.name.to_owned(),
+    }
+}
+
+/// The name that is written for a node.
+pub(crate) fn name<'a>(chart: &Description<'a>, node: Node) -> &'a str {
+    match node {
+        Node::Step(step) => chart.steps.get(step).map_or("", |step| step.name),
+        Node::Macro(id) => chart.macros.get(id).map_or("", |m| m.name),
+    }
+}
+
+/// The pieces of a sheet that no transition connects.
+pub(crate) fn pieces(sheet: &Sheet) -> Vec<Sheet> {
+    let mut piece: BTreeMap<Node, usize> = sheet.nodes.iter().enumerate().map(|(i, node)| (*node, i)).collect();
+    for link in &sheet.links {
+        let touched = || link.sources.iter().chain(&link.targets);
+        let ids: Vec<usize> = touched().filter_map(|node| piece.get(node).copied()).collect();
+        let Some(least) = ids.iter().min().copied() else { continue };
+        piece.values_mut().filter(|id| ids.contains(id)).for_each(|id| *id = least);
+    }
+    let mut pieces: BTreeMap<usize, Sheet> = BTreeMap::new();
+    for node in &sheet.nodes {
+        let id = piece.get(node).copied().unwrap_or_default();
+        pieces.entry(id).or_default().nodes.push(*node);
+    }
+    for link in &sheet.links {
+        let first = link.sources.iter().chain(&link.targets).find_map(|node| piece.get(node).copied());
+        pieces.entry(first.unwrap_or_default()).or_default().links.push(link.clone());
+    }
+    pieces.into_values().collect()
+}

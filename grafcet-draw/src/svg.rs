@@ -1,0 +1,152 @@
+//! The drawing list as SVG.
+
+use std::fmt::Write as _;
+
+use crate::shape::{Drawing, Frame, Shape};
+use crate::wrap::width;
+
+/// A square in pixels.
+const SQUARE: (i32, i32) = (8, 16);
+/// Around the drawing.
+const MARGIN: i32 = 4;
+
+/// Where a picture is shown.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// By itself: dark on white.
+    Paper,
+    /// In a page, whose colour it takes and whose width it keeps to.
+    Page,
+}
+
+/// One line, without a blank one in it, so that Markdown passes it on.
+pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
+    let (wide, high) = (drawing.width * SQUARE.0 + 2 * MARGIN, drawing.height * SQUARE.1 + 2 * MARGIN);
+    let size = match style {
+        Style::Paper => format!("width=\"{wide}\" height=\"{high}\" style=\"color:#1f2328;background:#fff\""),
+        // Not smaller than can be read: what is wider yet is scrolled.
+        Style::Page => format!("style=\"width:{wide}px;max-width:max(100%,{}px);height:auto\"", wide * 3 / 5),
+    };
+    let mut layers = Layers::default();
+    drawing.shapes.iter().for_each(|shape| layers.add(shape));
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {0} {wide} {high}\" {size} role=\"img\" \
+         aria-label=\"Chart {1}\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"{2}\"/>{3}\
+         <path d=\"{4}\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" \
+         dominant-baseline=\"central\">{5}{6}</g></svg>",
+        -MARGIN,
+        escape(name),
+        layers.lines,
+        layers.frames,
+        layers.bars,
+        layers.marks,
+        layers.texts,
+    )
+}
+
+/// Shapes of one look each.
+#[derive(Default)]
+struct Layers {
+    lines: String,
+    frames: String,
+    bars: String,
+    marks: String,
+    texts: String,
+}
+
+/// The middle of a square.
+fn middle(at: (i32, i32)) -> (i32, i32) {
+    (at.0 * SQUARE.0 + SQUARE.0 / 2, at.1 * SQUARE.1 + SQUARE.1 / 2)
+}
+
+impl Layers {
+    /// Writing to a string cannot fail.
+    fn add(&mut self, shape: &Shape) {
+        match shape {
+            Shape::Line { from, to, double } => self.line(middle(*from), middle(*to), *double),
+            Shape::Bar { at } => {
+                let (x, y) = middle(*at);
+                let _ = write!(self.bars, "M{} {y}h28", x - 14);
+                let _ = write!(self.lines, "M{x} {}v16", y - 8);
+            }
+            Shape::Frame { at, size, kind } => self.frame(middle(*at), *size, *kind),
+            Shape::Arrow { at, up } => {
+                let (x, y) = middle(*at);
+                let head = if *up { "l4 9h-8z" } else { "l4 -9h-8z" };
+                let _ = write!(self.marks, "<path d=\"M{x} {}{head}\"/>", if *up { y - 5 } else { y + 5 });
+            }
+            Shape::Mark { at } => {
+                let (x, y) = middle(*at);
+                let _ = write!(self.marks, "<circle cx=\"{x}\" cy=\"{y}\" r=\"3.5\"/>");
+            }
+            Shape::Text { at, text, half } => {
+                let (x, y) = (at.0 * SQUARE.0 + if *half { SQUARE.0 / 2 } else { 0 }, middle(*at).1);
+                // The squares a text takes it also fills, whatever font the reader has.
+                let fill = width(text) * SQUARE.0;
+                let _ = write!(self.texts, "<text x=\"{x}\" y=\"{y}\" textLength=\"{fill}\">{}</text>", escape(text));
+            }
+        }
+    }
+
+    fn line(&mut self, (x1, y1): (i32, i32), (x2, y2): (i32, i32), double: bool) {
+        if !double {
+            let _ =
+                if y1 == y2 { write!(self.lines, "M{x1} {y1}H{x2}") } else { write!(self.lines, "M{x1} {y1}V{y2}") };
+            return;
+        }
+        for y in [y1 - 2, y1 + 2] {
+            let _ = write!(self.lines, "M{x1} {y}H{x2}");
+        }
+    }
+
+    fn frame(&mut self, (x, y): (i32, i32), size: (i32, i32), kind: Frame) {
+        let (w, h) = ((size.0 - 1) * SQUARE.0, (size.1 - 1) * SQUARE.1);
+        let (active, inner) = match kind {
+            Frame::Step { initial, active, .. } | Frame::Macro { initial, active } => (active, initial),
+            Frame::Force => (false, true),
+            Frame::Action | Frame::Sheet => (false, false),
+        };
+        let look = match (kind, active) {
+            (Frame::Sheet, _) => " stroke-opacity=\".35\" rx=\"4\"",
+            (_, true) => " stroke-width=\"2\" fill=\"currentColor\" fill-opacity=\".15\"",
+            _ => "",
+        };
+        let _ = write!(self.frames, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"{look}/>");
+        if inner {
+            let _ =
+                write!(self.frames, "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", x + 3, y + 3, w - 6, h - 6);
+        }
+        let (right, below) = (x + w, y + h);
+        match kind {
+            Frame::Macro { .. } => {
+                let _ = write!(self.lines, "M{x} {}h{w}M{x} {}h{w}", y + 5, below - 5);
+            }
+            Frame::Step { enclosing: true, .. } => {
+                let _ = write!(
+                    self.lines,
+                    "M{x} {}l7 -7M{} {y}l7 7M{right} {}l-7 7M{} {below}l-7 -7",
+                    y + 7,
+                    right - 7,
+                    below - 7,
+                    x + 7
+                );
+            }
+            _ => {}
+        }
+    }
+}
+
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            c if c.is_control() => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
