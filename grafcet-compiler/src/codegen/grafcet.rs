@@ -199,7 +199,8 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let states = (0..self.plan.regions.all().len()).map(|region| {
-            let (after, state) = (names::after(region, self.plan), self.plain_state(region));
+            let after = names::after(region, self.plan);
+            let state = if self.is_small_sequence() { self.opaque_state() } else { self.plain_state(region) };
             quote!(let #after = #state;)
         });
         let combinational = self.all_combinational(Moment::Stable);

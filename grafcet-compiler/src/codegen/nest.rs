@@ -73,7 +73,7 @@ impl Cx<'_> {
             (self.start(), quote!({ #enter #moved }))
         });
         Some(match (nests, start) {
-            ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(quote!(#start => #enter))),
+            ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
             (nests, Some((start, enter))) => {
                 let (first, evolve) = (self.plain_state(0), nests.iter().map(|nest| self.nest(nest, None)));
                 quote!(if #first == #start #enter else { #(#evolve)* })
@@ -83,7 +83,7 @@ impl Cx<'_> {
     }
 
     /// `match` on the head for the steps that are active alone, with what happens beside them behind it.
-    fn nest(&self, nest: &Nest, start: Option<TokenStream>) -> TokenStream {
+    fn nest(&self, nest: &Nest, start: Option<&TokenStream>) -> TokenStream {
         let inner: TokenStream = nest.inner.iter().map(|inner| self.nest(inner, None)).collect();
         let inner = nest.common.iter().rev().fold(inner, |otherwise, id| {
             let (enabled, clear) = (self.enabled_in_place(*id), self.clear(*id));
@@ -120,8 +120,8 @@ impl Cx<'_> {
             return None;
         }
         let arms = nest.alone.iter().map(|(step, _)| {
-            let (variant, next) = (self.variant(*step), self.next_step(*step));
-            quote!(#variant => #next,)
+            let (state, target) = (self.variant(*step), self.next_step(*step));
+            quote!(#state => #target,)
         });
         let rest = (nest.alone.len() < self.states(nest.head)).then(|| quote!(waiting => waiting,));
         let head = self.plain_state(nest.head);

@@ -120,8 +120,8 @@ impl Search<'_> {
             let transition = &self.model.transitions[*id];
             let steps = transition.sources.iter().chain(&transition.targets);
             let touched: Vec<_> = steps.map(|step| self.regions.of_step(*step)).collect();
-            let touches = |part: &Part| part.regions.iter().any(|region| touched.contains(region));
-            let (connected, apart): (Vec<_>, Vec<_>) = parts.into_iter().partition(touches);
+            let meets = |part: &Part| part.regions.iter().any(|region| touched.contains(region));
+            let (connected, apart): (Vec<_>, Vec<_>) = parts.into_iter().partition(meets);
             let mut whole = Part { regions: Vec::new(), transitions: vec![*id] };
             for part in connected {
                 whole.regions.extend(part.regions);
