@@ -119,6 +119,8 @@ pub enum Setting {
     Budget { keyword: Span, count: LitInt },
     /// `assume never b1 && b3;`
     AssumeNever { keyword: Span, condition: Expr },
+    /// `optimize size;`
+    OptimizeSize { keyword: Span },
 }
 
 /// Something the checker shall prove.

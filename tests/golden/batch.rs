@@ -300,8 +300,6 @@ impl Batch {
         let first = self.region_0 == __BatchRegion0::INIT;
         let before_0 = self.region_0;
         let before_1 = self.region_1;
-        let mut after_0 = before_0;
-        let mut after_1 = before_1;
         let mut rising_now_0 = false;
         let value: ::grafcet::__private::bool = inputs.start;
         rising_now_0 = value && !self.edge_0 && !first;
@@ -314,74 +312,81 @@ impl Batch {
                 ::grafcet::__private::Ticks::new(500u32),
                 elapsed,
             );
-        if before_0 == __BatchRegion0::INIT {
-            after_0 = __BatchRegion0::Idle;
-            after_1 = __BatchRegion1::NONE;
-        } else {
-            match before_0 {
-                __BatchRegion0::Idle => {
-                    if {
-                        let rising_0 = rising_now_0;
-                        rising_0
-                    } {
-                        after_0 = __BatchRegion0::Fill;
-                        after_1 = __BatchRegion1::Heat;
-                    }
+        let mut moved = false;
+        match self.region_0 {
+            __BatchRegion0::Idle => {
+                if {
+                    let rising_0 = rising_now_0;
+                    rising_0
+                } {
+                    self.region_0 = __BatchRegion0::Fill;
+                    self.region_1 = __BatchRegion1::Heat;
+                    moved = true;
                 }
-                __BatchRegion0::Fill => {
-                    if (before_1 == __BatchRegion1::Heat)
-                        && {
-                            let full = inputs.full;
-                            let elapsed_param_0_2 = (before_1 == __BatchRegion1::Heat)
-                                && (if before_1 == __BatchRegion1::Heat {
-                                    self.since_1
-                                } else {
-                                    ::grafcet::__private::Ticks::ZERO
-                                }) >= self.params.soak;
-                            full && elapsed_param_0_2
-                        }
-                    {
-                        after_1 = __BatchRegion1::NONE;
-                        after_0 = __BatchRegion0::Stir;
-                    }
+            }
+            __BatchRegion0::Stir => {
+                if {
+                    let since_3 = if before_0 == __BatchRegion0::Stir {
+                        self.since_0
+                    } else {
+                        ::grafcet::__private::Ticks::ZERO
+                    };
+                    let ticks_2000 = ::grafcet::__private::Ticks::new(2000u32);
+                    let delay_0 = self.delay_0.output();
+                    since_3 >= ticks_2000 && delay_0
+                } {
+                    self.region_0 = __BatchRegion0::Drain;
+                    moved = true;
                 }
-                __BatchRegion0::Stir => {
-                    if {
-                        let since_3 = if before_0 == __BatchRegion0::Stir {
-                            self.since_0
-                        } else {
-                            ::grafcet::__private::Ticks::ZERO
-                        };
-                        let ticks_2000 = ::grafcet::__private::Ticks::new(2000u32);
-                        let delay_0 = self.delay_0.output();
-                        since_3 >= ticks_2000 && delay_0
-                    } {
-                        after_0 = __BatchRegion0::Drain;
-                    }
+            }
+            __BatchRegion0::Drain => {
+                if {
+                    let level = inputs.level;
+                    level == 0
+                } {
+                    self.region_0 = __BatchRegion0::Idle;
+                    moved = true;
                 }
-                __BatchRegion0::Drain => {
-                    if {
-                        let level = inputs.level;
-                        level == 0
-                    } {
-                        after_0 = __BatchRegion0::Idle;
+            }
+            __BatchRegion0::INIT => {
+                self.region_0 = __BatchRegion0::Idle;
+                moved = true;
+            }
+            _ => {
+                if self.region_0 == __BatchRegion0::Fill
+                    && self.region_1 == __BatchRegion1::Heat
+                    && {
+                        let full = inputs.full;
+                        let elapsed_param_0_2 = (before_1 == __BatchRegion1::Heat)
+                            && (if before_1 == __BatchRegion1::Heat {
+                                self.since_1
+                            } else {
+                                ::grafcet::__private::Ticks::ZERO
+                            }) >= self.params.soak;
+                        full && elapsed_param_0_2
                     }
+                {
+                    self.region_1 = __BatchRegion1::NONE;
+                    self.region_0 = __BatchRegion0::Stir;
+                    moved = true;
                 }
-                _ => {}
             }
         }
         let since_before_0 = self.since_0;
         let since_before_1 = self.since_1;
-        self.region_0 = after_0;
-        self.region_1 = after_1;
+        ::grafcet::__private::core::sync::atomic::compiler_fence(
+            ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
+        );
+        let after_0 = self.region_0;
+        let after_1 = self.region_1;
         if after_0 != before_0 {
             self.since_0 = ::grafcet::__private::Ticks::ZERO;
         }
         if after_1 != before_1 {
             self.since_1 = ::grafcet::__private::Ticks::ZERO;
         }
-        self.settled = before_0 == after_0 && before_1 == after_1 && !rising_now_0;
-        match after_0 {
+        self.settled = !moved && !rising_now_0;
+        match self.region_0 {
             __BatchRegion0::Fill => {
                 outputs.valve = true;
             }
@@ -395,13 +400,13 @@ impl Batch {
         let mut flag_r_pump = false;
         let mut flag_d_pump = false;
         let mut flag_sd_pump = false;
-        match after_0 {
+        match self.region_0 {
             __BatchRegion0::Idle => {
                 flag_n_lamp = true;
             }
             _ => {}
         }
-        match after_1 {
+        match self.region_1 {
             __BatchRegion1::Heat => {
                 flag_n_heat = true;
                 self.association_heat = 0;
@@ -410,7 +415,7 @@ impl Batch {
             }
             _ => {}
         }
-        match after_0 {
+        match self.region_0 {
             __BatchRegion0::Stir => {
                 flag_n_heat = true;
                 self.association_heat = 1;
@@ -510,7 +515,7 @@ impl Batch {
             }
             _ => {}
         }
-        match after_0 {
+        match self.region_0 {
             __BatchRegion0::Fill => {
                 if before_0 != __BatchRegion0::Fill {
                     self.settled = false;
@@ -580,7 +585,7 @@ impl Batch {
         }
         self.kept_q_heat = q_heat;
         outputs.pump = q_pump;
-        match after_1 {
+        match self.region_1 {
             __BatchRegion1::Heat => {
                 outputs.speed = 10;
             }

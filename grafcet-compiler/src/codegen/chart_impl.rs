@@ -89,6 +89,7 @@ fn cycle(cx: &Cx<'_>) -> TokenStream {
     });
     // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
     let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
+    let evolve = cx.evolve_function();
     quote! {
         #outlined
         /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
@@ -97,6 +98,8 @@ fn cycle(cx: &Cx<'_>) -> TokenStream {
             #ticks
             #body
         }
+
+        #evolve
     }
 }
 

@@ -6,6 +6,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::{Cx, names};
 use crate::model::{ActionId, Dialect, Expr};
+use crate::plan::RegionId;
 
 impl Cx<'_> {
     /// The body of `cycle`.
@@ -18,28 +19,32 @@ impl Cx<'_> {
 
     /// The situation before the evolution.
     pub(super) fn befores(&self) -> TokenStream {
-        let regions = (0..self.plan.regions.all().len()).map(|region| {
-            let (before, state) = (names::before(region, self.plan), self.plain_state(region));
-            if self.enters_first(region) {
-                let (first, start, empty) = (names::before(0, self.plan), self.start(), self.empty(region));
-                return quote!(let #before = if #first == #start { #empty } else { #state };);
-            }
-            quote!(let #before = #state;)
-        });
-        quote!(#(#regions)*)
+        (0..self.plan.regions.all().len()).map(|region| self.before(region)).collect()
+    }
+
+    /// The state of a region before the evolution.
+    pub(super) fn before(&self, region: RegionId) -> TokenStream {
+        let (before, state) = (names::before(region, self.plan), self.plain_state(region));
+        if self.enters_first(region) {
+            let (first, start, empty) = (names::before(0, self.plan), self.start(), self.empty(region));
+            return quote!(let #before = if #first == #start { #empty } else { #state };);
+        }
+        quote!(let #before = #state;)
     }
 
     /// A region behind the first one whose initial step is entered in the first cycle of an `sfc`.
-    fn enters_first(&self, region: usize) -> bool {
+    fn enters_first(&self, region: RegionId) -> bool {
         !self.model.is_grafcet() && region > 0 && self.plan.regions.all()[region].initial.is_some()
     }
 
-    /// The situation before the evolution, and the one after it as far as nothing clears.
-    pub(super) fn snapshot(&self) -> TokenStream {
-        let befores = self.befores();
+    /// The situation before the evolution, and the one after it as far as nothing clears. Where the evolution happens in
+    /// place, what `code` looks at of the situation before, and the one after is the chart's own.
+    pub(super) fn snapshot(&self, code: &TokenStream) -> TokenStream {
+        let in_place = self.in_place();
+        let befores = if in_place { self.befores_for(code) } else { self.befores() };
         let afters = (0..self.plan.regions.all().len()).map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            let declare = (!self.is_one_match()).then(|| quote!(let mut #after = #before;));
+            let declare = (!self.is_one_match() && !in_place).then(|| quote!(let mut #after = #before;));
             let again = self.plan.sees_reentry[region].then(|| {
                 let again = names::again(region, self.plan);
                 quote!(let mut #again = false;)
@@ -49,8 +54,11 @@ impl Cx<'_> {
         quote!(#befores #(#afters)*)
     }
 
-    /// The situation after the evolution becomes the chart's.
+    /// The situation after the evolution becomes the chart's, where it is not already.
     pub(super) fn commit(&self) -> TokenStream {
+        if self.in_place() {
+            return TokenStream::new();
+        }
         let regions = (0..self.plan.regions.all().len()).map(|region| {
             let after = names::after(region, self.plan);
             self.set_state(region, &quote!(#after))

@@ -25,6 +25,9 @@ impl Cx<'_> {
         if self.is_one_match() {
             return self.one_match();
         }
+        if let Some(evolve) = self.evolve_in_place() {
+            return evolve;
+        }
         let contests = self.plan.evolution.contests.iter().map(|contest| self.contest(contest));
         let regions: Vec<_> = self.plan.regions.of_partial(partial).collect();
         let transitions = regions.iter().map(|region| self.evolve_region(*region));
@@ -90,7 +93,7 @@ impl Cx<'_> {
     }
 
     /// `{ if … { On } else { Off } }`
-    fn next_step(&self, step: StepId) -> TokenStream {
+    pub(super) fn next_step(&self, step: StepId) -> TokenStream {
         let leaving = &self.plan.evolution.owned[step.index()];
         let stay = self.stay(step);
         if leaving.is_empty() {
@@ -170,7 +173,7 @@ impl Cx<'_> {
 
     /// `if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude each
     /// other.
-    fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
+    pub(super) fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
         if leaving.len() > 1 && leaving.iter().all(|id| self.model.transitions[*id].sources.len() == 1) {
             let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear(*id) });
             return self.branches(branches.collect(), &TokenStream::new());
@@ -233,28 +236,27 @@ impl Cx<'_> {
     }
 
     /// The effect of clearing a transition: on the situation, and the actions on clearing.
-    fn clear(&self, id: TransitionId) -> TokenStream {
+    pub(super) fn clear(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
-        let mut tokens = self.clearing_actions(id);
-        for source in &transition.sources {
-            tokens.extend(self.leave(*source, transition));
-        }
+        let leave = transition.sources.iter().map(|source| self.leave(*source, transition));
+        let mut writes: Vec<_> = leave.filter(|leave| !leave.is_empty()).collect();
         for target in &transition.targets {
             let region = self.plan.regions.of_step(*target);
             if self.plan.evolution.entered_last.contains(target) {
                 let enter = names::enter_local(*target);
-                tokens.extend(quote!(#enter = true;));
+                writes.push(quote!(#enter = true;));
             } else if transition.sources.contains(target) {
                 if self.plan.sees_reentry[region] {
                     let again = names::again(region, self.plan);
-                    tokens.extend(quote!(#again = true;));
+                    writes.push(quote!(#again = true;));
                 }
             } else {
-                let (after, variant) = (names::after(region, self.plan), self.variant(*target));
-                tokens.extend(quote!(#after = #variant;));
+                writes.push(self.enter(region, &self.variant(*target)));
             }
         }
-        tokens
+        let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
+        let (actions, writes) = (self.clearing_actions(id), self.few_at_a_time(&writes));
+        quote!(#actions #writes #moved)
     }
 
     /// Takes a source step away, unless a target takes its place in the region anyway.
@@ -268,7 +270,7 @@ impl Cx<'_> {
         }
         let (after, empty, variant) = (names::after(region, self.plan), self.empty(region), self.variant(source));
         if self.plan.evolution.exclusive[source.index()] {
-            quote!(#after = #empty;)
+            self.enter(region, &empty)
         } else {
             // Another transition out of the step may have cleared already.
             quote!(if #after == #variant { #after = #empty; })

@@ -16,10 +16,9 @@ impl Cx<'_> {
         let time = self.pass_time();
         let start = self.start_cycle();
         let search = self.search();
-        let (stable, outputs) = (self.stable_situation(), self.declare_outputs());
-        let continuous = self.continuous();
-        let calls = self.continuous_calls();
-        let result = self.result();
+        let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
+        let stable = self.stable_situation(&quote!(#continuous #calls #result));
+        let outputs = self.declare_outputs();
         let forget = self.forget_instability();
         // The outputs come first: behind the search, the compiler would clear them again in every arm.
         quote!(#outputs #forget #time #start #search #stable #continuous #calls #result)
@@ -60,63 +59,100 @@ impl Cx<'_> {
 
     /// The search for stability.
     fn search(&self) -> TokenStream {
-        let (snapshot, combinational) = (self.snapshot(), self.all_combinational(Moment::Condition));
+        let combinational = self.all_combinational(Moment::Condition);
         let (declare_bound, bound) = self.bound();
         let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(fresh)));
         let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
         let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(fresh = false;));
-        let evolve = self.evolve_or_stop();
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
+        let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
         let p = &self.p;
         // Inputs do not change during the search, and LLVM would read all of them in front of the loop, also those that
         // no active step asks for.
-        let opaque = (!self.model.inputs.is_empty()).then(|| quote!(let inputs = #p::core::hint::black_box(inputs);));
-        // No instruction: it keeps LLVM from copying the actions of the steps into the search.
-        let fence = self.breaks_out().then(|| {
-            let atomic = quote!(#p::core::sync::atomic);
-            quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
-        });
+        let opaque = (!self.model.inputs.is_empty() && !self.evolves_apart())
+            .then(|| quote!(let inputs = #p::core::hint::black_box(inputs);));
+        let fence = self.breaks_out().then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
         let gone =
             (self.plan.memory.time && !gone.is_empty()).then(|| quote!(if #(#gone)||* { self.settled = false; }));
         // A delay is sampled once per cycle: the next one sees the new situation.
         let unsettle = (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;));
+        let code = quote! {
+            #combinational #keep_edges #edges #fresh
+            #evolve
+            #bound
+            #stored #commit_collected #commit #restart #unsettle
+        };
+        let snapshot = self.snapshot(&code);
         quote! {
             #declare_bound
             #declare_edges
             #time
             loop {
                 #opaque
-                #snapshot #combinational #keep_edges #edges #fresh
-                #evolve
-                #bound
-                #stored #commit_collected #commit #restart #unsettle
+                #snapshot
+                #code
             }
             #gone
             #fence
         }
     }
 
+    /// No instruction: it keeps LLVM from copying the actions of the steps into the evolution before, or from holding the
+    /// states of all regions in registers.
+    pub(super) fn fence(&self) -> TokenStream {
+        let p = &self.p;
+        let atomic = quote!(#p::core::sync::atomic);
+        quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
+    }
+
     /// One evolution, or the end of the search where nothing changes.
-    fn evolve_or_stop(&self) -> TokenStream {
+    fn evolve_or_stop(&self, rest: &TokenStream) -> TokenStream {
         if self.is_one_match() {
             return self.one_match();
         }
-        let (declare, evolve, collect) = (self.declare_collected(), self.evolve(), self.collect_stored());
+        let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let unchanged = self.unchanged();
-        quote!(#declare #evolve #collect if #unchanged { break; })
+        if !self.in_place() {
+            let evolve = self.evolve();
+            return quote!(#declare #evolve #collect if #unchanged { break; });
+        }
+        let afters = self.afters_for(&quote!(#collect #rest));
+        if self.evolves_apart() {
+            let (evolve, probe) = (names::evolve(), self.probe());
+            return quote!(#probe if !self.#evolve(inputs) { break; } #afters);
+        }
+        let (moved, evolve) = (self.declare_moved(), self.evolve());
+        quote!(#declare #moved #evolve #afters #collect if #unchanged { break; })
+    }
+
+    /// A30: where the bound is reached, whether the search would go on is tried on a copy.
+    fn probe(&self) -> TokenStream {
+        let (evolve, field, unsettle) = (names::evolve(), names::region_field(0, self.plan), self.unsettle());
+        quote! {
+            if evolutions_left == 0 {
+                let mut copy = *self;
+                if copy.#evolve(inputs) {
+                    self.#field = self.#field.marked();
+                    #unsettle
+                }
+                break;
+            }
+        }
     }
 
     /// A25: the situation is a fixed point, and nothing else is to be done.
     fn unchanged(&self) -> TokenStream {
-        let same = (0..self.plan.regions.all().len()).map(|region| {
+        let in_place = self.in_place().then(|| quote!(!moved));
+        let compared = if in_place.is_some() { 0 } else { self.plan.regions.all().len() };
+        let same = (0..compared).map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             quote!(#after == #before)
         });
-        let terms: Vec<_> = same.chain(self.collected_unchanged()).collect();
+        let terms: Vec<_> = in_place.into_iter().chain(same).chain(self.collected_unchanged()).collect();
         if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
     }
 
@@ -130,6 +166,9 @@ impl Cx<'_> {
         let declare = quote! {
             let mut evolutions_left: #p::u32 = #limit;
         };
+        if self.evolves_apart() {
+            return (declare, quote!(evolutions_left -= 1;));
+        }
         let unsettle = self.unsettle();
         let field = names::region_field(0, self.plan);
         let mark = quote!(self.#field = self.#field.marked(););
@@ -154,16 +193,22 @@ impl Cx<'_> {
     }
 
     /// The situation the search has reached, for the continuous actions.
-    fn stable_situation(&self) -> TokenStream {
+    fn stable_situation(&self, rest: &TokenStream) -> TokenStream {
         let continuous = self.model.associations.values().any(|a| !crate::plan::is_stored(a));
         if !continuous {
             return TokenStream::new();
         }
         let states = (0..self.plan.regions.all().len()).map(|region| {
-            let (after, state) = (names::after(region, self.plan), self.plain_state(region));
+            let after = names::after(region, self.plan);
+            let state = if self.is_small_sequence() { self.opaque_state() } else { self.plain_state(region) };
             quote!(let #after = #state;)
         });
         let combinational = self.all_combinational(Moment::Stable);
+        if self.in_place() {
+            let fence = self.fence();
+            let states = self.afters_for(&quote!(#combinational #rest));
+            return quote!(#fence #states #combinational);
+        }
         quote!(#(#states)* #combinational)
     }
 

@@ -11,6 +11,7 @@ mod evolution;
 mod grafcet;
 mod hierarchy;
 mod names;
+mod nest;
 mod outputs;
 mod recipe;
 mod segments;

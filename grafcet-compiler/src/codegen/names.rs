@@ -92,6 +92,11 @@ pub(super) fn after(region: RegionId, plan: &Plan) -> Ident {
     numbered("after", "after", region, plan)
 }
 
+/// The function that does one evolution.
+pub(super) fn evolve() -> Ident {
+    local("__evolve")
+}
+
 /// Whether a step of the region was left and entered again in one evolution.
 pub(super) fn again(region: RegionId, plan: &Plan) -> Ident {
     numbered("again", "again", region, plan)

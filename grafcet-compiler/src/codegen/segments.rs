@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::{Cx, names};
 use crate::model::StepId;
@@ -70,7 +70,12 @@ impl Cx<'_> {
 
     fn segment(&self, segment: Segment) -> TokenStream {
         let Segment { before, region, arms, .. } = segment;
-        let state = if before { names::before(region, self.plan) } else { names::after(region, self.plan) };
+        let state = match before {
+            true => names::before(region, self.plan).to_token_stream(),
+            // Read where it is used, not held in a register until then.
+            false if self.in_place() => self.plain_state(region),
+            false => names::after(region, self.plan).to_token_stream(),
+        };
         let rest = (arms.len() < self.states(region)).then(|| quote!(_ => {}));
         let arms = arms.iter().map(|(step, body)| {
             let variant = self.variant(*step);

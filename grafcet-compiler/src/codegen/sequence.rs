@@ -1,5 +1,6 @@
 //! Long sequences: where each step ends on one input, a table says which one and what comes behind. A cycle costs the
-//! same few instructions whatever its step, and a step two bytes.
+//! same few instructions whatever its step, and a step two bytes; under `optimize size` one, since what comes behind is
+//! computed.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -44,7 +45,7 @@ impl Cx<'_> {
     }
 
     /// `let after = …;` by a table: for each step the number of its input, above it whether that is negated, and the step
-    /// behind it. In a search a path on which nothing clears ends it.
+    /// behind it, where that is not computed. In a search a path on which nothing clears ends it.
     pub(super) fn sequence(&self) -> TokenStream {
         let p = &self.p;
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
@@ -56,9 +57,14 @@ impl Cx<'_> {
             let negated = if exit.negated { NEGATED } else { 0 };
             let number = Literal::u8_suffixed(u8::try_from(position).ok()? | negated);
             let target = self.variant(exit.target);
-            Some(quote!((#number, #target)))
+            Some(if self.model.small { quote!(#number) } else { quote!((#number, #target)) })
         });
         let (length, region) = (Literal::usize_suffixed(steps.len()), self.names.region(0, self.plan));
+        let (entry, exit, next) = if self.model.small {
+            (quote!(#p::u8), quote!(exit), self.next_in_sequence(steps))
+        } else {
+            (quote!((#p::u8, #region)), quote!((exit, next)), quote!(*next))
+        };
         let last = inputs.last().map(|(_, value)| quote!(_ => #value,));
         let arms = inputs.iter().enumerate().take(inputs.len().saturating_sub(1)).map(|(i, (_, value))| {
             let number = Literal::usize_unsuffixed(i);
@@ -69,16 +75,51 @@ impl Cx<'_> {
         let (stay, first) =
             if self.model.is_grafcet() { (quote!(break), quote!(break)) } else { (quote!(#before), self.initial(0)) };
         quote! {
-            const EXITS: [(#p::u8, #region); #length] = [#(#exits),*];
+            const EXITS: [#entry; #length] = [#(#exits),*];
             let #after = match EXITS.get(#before as #p::usize) {
-                #some((exit, next)) => {
+                #some(#exit) => {
                     let input = match *exit & #number { #(#arms)* #last };
-                    if input != (*exit >= #negated) { *next } else { #stay }
+                    if input != (*exit >= #negated) { #next } else { #stay }
                 }
                 // Behind the steps there is only the state before the first cycle.
                 #none => #first,
             };
         }
+    }
+
+    /// Whether the next step of a sequence is computed from the active one.
+    pub(super) fn is_small_sequence(&self) -> bool {
+        self.model.small && self.is_sequence()
+    }
+
+    /// The chart's state, of which LLVM does not know how it came to be: it would take the table's arithmetic apart again,
+    /// step by step, to jump from each into its actions.
+    pub(super) fn opaque_state(&self) -> TokenStream {
+        let (p, field) = (&self.p, names::region_field(0, self.plan));
+        let state = self.is_marked(0).then(|| quote!(.state()));
+        quote!((*#p::core::hint::black_box(&self.#field)) #state)
+    }
+
+    /// The step behind the active one. LLVM computes it as `state + 1` where all of a `match` do that, so the few jumps that
+    /// a sequence has are told apart behind it.
+    fn next_in_sequence(&self, steps: &[StepId]) -> TokenStream {
+        let before = names::before(0, self.plan);
+        let (mut in_order, mut jumps) = (TokenStream::new(), TokenStream::new());
+        for (i, step) in steps.iter().enumerate() {
+            let Some(exit) = self.exit(*step) else { continue };
+            let (state, target) = (self.variant(*step), self.variant(exit.target));
+            let Some(behind) = steps.get(i + 1) else {
+                in_order.extend(quote!(_ => #target,));
+                break;
+            };
+            let behind_state = self.variant(*behind);
+            in_order.extend(quote!(#state => #behind_state,));
+            if *behind != exit.target {
+                jumps.extend(quote!(#state => #target,));
+            }
+        }
+        let in_order = quote!(match #before { #in_order });
+        if jumps.is_empty() { in_order } else { quote!(match #before { #jumps _ => #in_order }) }
     }
 
     /// The inputs that steps end on, each once, and how to read them.

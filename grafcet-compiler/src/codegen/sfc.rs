@@ -17,7 +17,6 @@ impl Cx<'_> {
             let first = self.first();
             quote!(let first = #first;)
         });
-        let snapshot = self.snapshot();
         let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first)));
         let evolve = self.evolve();
         let keep = self.keep_times();
@@ -27,9 +26,20 @@ impl Cx<'_> {
         let result = self.result();
         // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
-        quote! {
-            #outputs #time #first #snapshot #declare_edges #samples #evolve #keep #commit #restart #settle #actions #result
-        }
+        let rest = quote!(#restart #settle #actions #result);
+        let afters = self.in_place().then(|| {
+            let (fence, afters) = (self.fence(), self.afters_for(&rest));
+            quote!(#fence #afters)
+        });
+        // LLVM would take the table's arithmetic and the actions apart again, step by step.
+        let afters = afters.or_else(|| {
+            let (after, state) = (names::after(0, self.plan), self.opaque_state());
+            self.is_small_sequence().then(|| quote!(let #after = #state;))
+        });
+        let moved = self.declare_moved();
+        let code = quote!(#declare_edges #samples #moved #evolve #keep #commit #afters #rest);
+        let snapshot = self.snapshot(&code);
+        quote!(#outputs #time #first #snapshot #code)
     }
 
     /// Flags and values first, then deactivations, activations and the rest (A29).
@@ -196,6 +206,9 @@ impl Cx<'_> {
             quote!(#before == #after #again)
         });
         let edges = self.edge_names();
+        if self.in_place() {
+            return quote!(self.settled = !moved #(&& !#edges)*;);
+        }
         quote!(self.settled = #(#regions)&&* #(&& !#edges)*;)
     }
 

@@ -36,6 +36,8 @@ pub struct Model {
     pub incomplete: bool,
     /// `max_evolutions 20;`
     pub max_evolutions: Option<u32>,
+    /// `optimize size;`: of two ways to generate code, the smaller one is meant.
+    pub small: bool,
     pub inputs: Arena<InputId, Input>,
     pub outputs: Arena<OutputId, Output>,
     pub vars: Arena<VarId, Var>,

@@ -134,4 +134,4 @@ pub(super) fn may_be_step(mut start: Input) -> bool {
     }
 }
 
-const SETTINGS: [&str; 7] = ["clock", "max_evolutions", "budget", "assume", "never", "always", "home"];
+const SETTINGS: [&str; 8] = ["clock", "max_evolutions", "budget", "assume", "optimize", "never", "always", "home"];

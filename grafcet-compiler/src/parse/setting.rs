@@ -1,4 +1,4 @@
-//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;`
+//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;`
 
 use proc_macro2::Span;
 use syn::LitInt;
@@ -16,6 +16,7 @@ pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Se
         "clock" => Setting::Clock { keyword, unit: unit(input, sink)? },
         "max_evolutions" => Setting::MaxEvolutions { keyword, count: count(input, word)? },
         "budget" => Setting::Budget { keyword, count: count(input, word)? },
+        "optimize" => optimize(input, keyword)?,
         _ => assume(input, keyword)?,
     };
     recover::semicolon(input, Place::Body, sink);
@@ -41,6 +42,14 @@ fn count(input: &mut Input, word: &str) -> Result<LitInt> {
     }
     input.bump();
     Ok(count)
+}
+
+fn optimize(input: &mut Input, keyword: Span) -> Result<Setting> {
+    if !input.eat_word("size") {
+        let message = format!("a chart can be optimized for `size`, found {}; write `optimize size;`", input.found());
+        return Err(Error::new(input.span(), message));
+    }
+    Ok(Setting::OptimizeSize { keyword })
 }
 
 fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {

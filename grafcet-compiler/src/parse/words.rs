@@ -14,6 +14,7 @@ pub(super) const ITEMS: &[&str] = &[
     "max_evolutions",
     "budget",
     "assume",
+    "optimize",
     "never",
     "always",
     "home",

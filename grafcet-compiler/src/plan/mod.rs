@@ -7,6 +7,7 @@ mod control;
 mod drive;
 mod evolution;
 mod memory;
+mod nest;
 mod regions;
 mod stored;
 
@@ -16,6 +17,7 @@ pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
 pub use evolution::Evolution;
 pub use memory::Memory;
+pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored, writes};
 
@@ -26,6 +28,8 @@ use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Trans
 pub struct Plan {
     pub regions: Regions,
     pub evolution: Evolution,
+    /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
+    pub nests: Option<Vec<Nest>>,
     /// How each output gets its value, by output.
     pub drives: Vec<Drive>,
     pub control: Control,
@@ -63,6 +67,7 @@ impl Plan {
             memory: Memory::of(model, &regions, &drives),
             has_start: has_start(model, &initial),
             stored: Stored::of(model),
+            nests: Nest::all(model, &regions, &evolution, &concurrency),
             sees_reentry,
             may_be_unstable: may_be_unstable(model),
             max_evolutions: max_evolutions(model),

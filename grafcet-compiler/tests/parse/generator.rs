@@ -21,6 +21,7 @@ const WORDS: &[&str] = &[
     "max_evolutions",
     "budget",
     "assume",
+    "optimize",
     "never",
     "always",
     "home",

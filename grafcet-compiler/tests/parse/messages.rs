@@ -104,6 +104,8 @@ fn settings_and_properties() {
         ("max_evolutions 1.5;", "1.5", "a whole number"),
         ("budget 5u8;", "5u8", "a plain number"),
         ("budget -5;", "-", "expected a number"),
+        ("optimize speed;", "speed", "a chart can be optimized for `size`, found `speed`"),
+        ("optimize;", ";", "write `optimize size;`"),
         ("assume b1 && b2;", "b1", "written `assume never b1 && b3;`"),
         ("never ;", ";", "what must never hold"),
         ("never a = b;", "=", "compares with `==`"),

@@ -78,6 +78,7 @@ fn setting(setting: &Setting) -> String {
         Setting::Clock { unit, .. } => format!("clock {}", time(unit)),
         Setting::MaxEvolutions { count, .. } => format!("max_evolutions {count}"),
         Setting::Budget { count, .. } => format!("budget {count}"),
+        Setting::OptimizeSize { .. } => "optimize size".to_owned(),
         Setting::AssumeNever { condition, .. } => format!("assume never {}", tokens(condition)),
     }
 }

@@ -14,6 +14,7 @@ impl Resolver<'_> {
             Setting::MaxEvolutions { keyword, .. } => ("max_evolutions", *keyword),
             Setting::Budget { keyword, .. } => ("budget", *keyword),
             Setting::AssumeNever { keyword, .. } => ("assume", *keyword),
+            Setting::OptimizeSize { keyword } => ("optimize", *keyword),
         };
         if place != Where::Chart {
             let message =
@@ -49,6 +50,7 @@ impl Resolver<'_> {
                     .sink
                     .notation(count.span(), "more than 18_446_744_073_709_551_615 situations cannot be counted"),
             },
+            Setting::OptimizeSize { .. } => self.model.small = true,
             // Names are known only later.
             Setting::AssumeNever { .. } => {}
         }

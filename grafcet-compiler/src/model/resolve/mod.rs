@@ -74,6 +74,7 @@ fn empty(chart: &ast::Chart) -> Model {
         clock_nanos: time::MILLISECOND,
         incomplete: false,
         max_evolutions: None,
+        small: false,
         inputs: Arena::default(),
         outputs: Arena::default(),
         vars: Arena::default(),

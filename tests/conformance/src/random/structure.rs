@@ -29,6 +29,8 @@ pub(super) struct Arrow {
     pub(super) to: Vec<String>,
     /// What makes the branches of an OR-divergence exclusive.
     pub(super) guard: Option<String>,
+    /// That is the whole condition.
+    pub(super) whole: bool,
 }
 
 /// How much may still be drawn.
@@ -42,7 +44,7 @@ impl Part {
     fn arrow(&mut self, from: &[impl AsRef<str>], to: &[impl AsRef<str>], guard: Option<String>) {
         let from = from.iter().map(|step| step.as_ref().to_owned()).collect();
         let to = to.iter().map(|step| step.as_ref().to_owned()).collect();
-        self.arrows.push(Arrow { from, to, guard });
+        self.arrows.push(Arrow { from, to, guard, whole: false });
     }
 
     fn names(&self) -> Vec<String> {
@@ -53,6 +55,9 @@ impl Part {
 impl Gen {
     /// The partial grafcets of the chart; the first has no name where it is the whole chart.
     pub(super) fn structure(&mut self) -> Vec<Part> {
+        if self.rng.chance(6) {
+            return vec![self.sequence()];
+        }
         if !self.grafcet || self.rng.chance(45) {
             let steps = self.rng.between(3, 12);
             return vec![self.partial(None, steps)];
@@ -121,6 +126,25 @@ impl Gen {
                 chosen.join(", ")
             }
         }
+    }
+
+    /// Many steps, each of which ends on one input, not declared in their order.
+    fn sequence(&mut self) -> Part {
+        self.note("long sequence");
+        let mut part = Part::default();
+        let count = self.rng.between(20, 40);
+        let steps: Vec<String> = (0..count).map(|_| self.plain(&mut part, "")).collect();
+        part.steps[0].words.push_str("initial ");
+        for (index, step) in steps.iter().enumerate() {
+            let input = *self.rng.pick(&["a", "b", "!a", "!b"]);
+            part.arrow(&[step], &[&steps[(index + 1) % count]], Some(input.to_owned()));
+        }
+        part.arrows.iter_mut().for_each(|arrow| arrow.whole = true);
+        for _ in 0..self.rng.between(0, 4) {
+            let (one, other) = (self.rng.below(count), self.rng.below(count));
+            part.steps.swap(one, other);
+        }
+        part
     }
 
     /// One token that goes round.

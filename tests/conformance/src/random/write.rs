@@ -38,6 +38,11 @@ impl Gen {
         let allowed = ALLOWED.map(|rule| format!("grafcet::{rule}")).join(", ");
         lines.push(format!("#![allow({allowed}, grafcet::unused_param)]"));
         lines.append(&mut self.names.lines.clone());
+        let long = parts.iter().any(|part| part.steps.len() >= 20);
+        if self.rng.chance(if long { 50 } else { 10 }) {
+            self.note("optimize size");
+            lines.push("optimize size;".to_owned());
+        }
         if self.grafcet && self.rng.chance(15) {
             self.note("max_evolutions");
             lines.push(format!("max_evolutions {};", self.rng.between(1, 8)));
@@ -92,14 +97,14 @@ impl Gen {
     fn arrow(&mut self, arrow: &Arrow) -> String {
         let condition = match (&arrow.guard, arrow.from.is_empty()) {
             (_, true) => self.edge(ALL),
-            (Some(guard), _) if self.rng.chance(60) => guard.clone(),
+            (Some(guard), _) if arrow.whole || self.rng.chance(60) => guard.clone(),
             (Some(guard), _) => format!("{guard} && {}", self.condition(1, ALL)),
             (None, _) if self.rng.chance(if self.grafcet { 4 } else { 12 }) => "true".to_owned(),
             (None, _) => self.condition(2, ALL),
         };
         let name = if self.rng.chance(5) { format!("t{}: ", self.rng.below(10_000)) } else { String::new() };
         let mut clearing = String::new();
-        if self.grafcet && self.rng.chance(15) {
+        if self.grafcet && !arrow.whole && self.rng.chance(15) {
             if let Some(effects) = self.clearing() {
                 self.note("action on clearing");
                 clearing = format!(" => {effects}");

@@ -1,0 +1,196 @@
+//! An evolution of parallel branches that changes the situation in place: a state is read where it is used, and written
+//! where a transition clears. The situation before the evolution is kept only where something looks at it later.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::quote;
+
+use super::bind::Moment;
+use super::{Cx, names};
+use crate::model::{TransitionId, Tree};
+use crate::plan::{Nest, RegionId};
+
+impl Cx<'_> {
+    /// The nests of branches, where evolutions happen in place.
+    ///
+    /// Where a search may have no end, the last evolution is tried on a copy of the chart (A30); what else an evolution
+    /// reads and writes would have to be copied too.
+    fn nests(&self) -> Option<&[Nest]> {
+        let memory = &self.plan.memory;
+        let copies = self.only_situation && memory.edges.is_empty() && memory.combinational.is_empty();
+        self.plan.nests.as_deref().filter(|_| !self.plan.may_be_unstable || copies)
+    }
+
+    /// Whether an evolution changes the situation in place.
+    pub(super) fn in_place(&self) -> bool {
+        self.nests().is_some()
+    }
+
+    /// Whether the evolution is a function of its own, so that a search without end can try another one on a copy.
+    pub(super) fn evolves_apart(&self) -> bool {
+        self.in_place() && self.plan.may_be_unstable
+    }
+
+    /// Whether the evolution notes in `moved` that it has changed the situation.
+    fn notes_moves(&self) -> bool {
+        self.in_place() && (self.model.is_grafcet() || self.plan.memory.time)
+    }
+
+    pub(super) fn declare_moved(&self) -> Option<TokenStream> {
+        self.notes_moves().then(|| quote!(let mut moved = false;))
+    }
+
+    pub(super) fn note_moved(&self) -> Option<TokenStream> {
+        self.notes_moves().then(|| quote!(moved = true;))
+    }
+
+    /// `state` is that of the region after the evolution.
+    pub(super) fn enter(&self, region: RegionId, state: &TokenStream) -> TokenStream {
+        if self.in_place() {
+            return self.set_state(region, state);
+        }
+        let after = names::after(region, self.plan);
+        quote!(#after = #state;)
+    }
+
+    /// Writes to many regions: from four neighbours on, LLVM calls `memset` on a processor without unaligned stores.
+    pub(super) fn few_at_a_time(&self, writes: &[TokenStream]) -> TokenStream {
+        let fence = self.in_place().then(|| self.fence());
+        let mut groups = writes.chunks(3);
+        let first: TokenStream = groups.next().into_iter().flatten().cloned().collect();
+        let rest = groups.map(|group| quote!(#fence #(#group)*));
+        quote!(#first #(#rest)*)
+    }
+
+    /// The evolution in place, if the chart is one for it.
+    pub(super) fn evolve_in_place(&self) -> Option<TokenStream> {
+        let nests = self.nests()?;
+        // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
+        let start = (!self.model.is_grafcet()).then(|| {
+            // The other regions hold their initial states from the beginning.
+            let (enter, moved) = (self.set_state(0, &self.initial(0)), self.note_moved());
+            (self.start(), quote!({ #enter #moved }))
+        });
+        Some(match (nests, start) {
+            ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
+            (nests, Some((start, enter))) => {
+                let (first, evolve) = (self.plain_state(0), nests.iter().map(|nest| self.nest(nest, None)));
+                quote!(if #first == #start #enter else { #(#evolve)* })
+            }
+            (nests, None) => nests.iter().map(|nest| self.nest(nest, None)).collect(),
+        })
+    }
+
+    /// `match` on the head for the steps that are active alone, with what happens beside them behind it.
+    fn nest(&self, nest: &Nest, start: Option<&TokenStream>) -> TokenStream {
+        let inner: TokenStream = nest.inner.iter().map(|inner| self.nest(inner, None)).collect();
+        let inner = nest.common.iter().rev().fold(inner, |otherwise, id| {
+            let (enabled, clear) = (self.enabled_in_place(*id), self.clear(*id));
+            let otherwise = (!otherwise.is_empty()).then(|| quote!(else { #otherwise }));
+            quote!(if #enabled { #clear } #otherwise)
+        });
+        if nest.alone.is_empty() && start.is_none() {
+            return inner;
+        }
+        if let (Some(branch), None) = (self.branch(nest), &start) {
+            return branch;
+        }
+        let arms = nest.alone.iter().map(|(step, leaving)| {
+            let (variant, body) = (self.variant(*step), self.first_of(leaving));
+            quote!(#variant => { #body })
+        });
+        let covered = nest.alone.len() + usize::from(start.is_some());
+        let rest = (covered < self.states(nest.head)).then(|| quote!(_ => { #inner }));
+        let head = self.plain_state(nest.head);
+        quote!(match #head { #(#arms)* #start #rest })
+    }
+
+    /// `self.region_1 = match self.region_1 { Fill => if … { Heat } else { Fill }, … };` for a branch that only goes from
+    /// step to step: next states that are constants need no jump for each.
+    fn branch(&self, nest: &Nest) -> Option<TokenStream> {
+        let only_steps = |id: &TransitionId| {
+            let transition = &self.model.transitions[*id];
+            let one = transition.targets.len() == 1 && transition.sources != transition.targets;
+            one && transition.clearing.is_empty()
+        };
+        let whole = nest.regions.len() == 1 && nest.alone.iter().all(|(_, leaving)| leaving.iter().all(only_steps));
+        // In a search most branches wait: a jump that writes nothing is the shorter way.
+        if !whole || self.notes_moves() {
+            return None;
+        }
+        let arms = nest.alone.iter().map(|(step, _)| {
+            let (state, target) = (self.variant(*step), self.next_step(*step));
+            quote!(#state => #target,)
+        });
+        let rest = (nest.alone.len() < self.states(nest.head)).then(|| quote!(waiting => waiting,));
+        let head = self.plain_state(nest.head);
+        Some(self.set_state(nest.head, &quote!(match #head { #(#arms)* #rest })))
+    }
+
+    /// The condition of a transition whose regions have not been changed yet.
+    fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
+        let transition = &self.model.transitions[id];
+        let sources = transition.sources.iter().map(|step| {
+            let (state, variant) = (self.plain_state(self.plan.regions.of_step(*step)), self.variant(*step));
+            quote!(#state == #variant)
+        });
+        let condition = (transition.condition.tree != Tree::Bool(true))
+            .then(|| self.value(&transition.condition, Moment::Condition));
+        let terms: Vec<_> = sources.chain(condition).collect();
+        quote!(#(#terms)&&*)
+    }
+
+    /// `let before_1 = self.situation_1;` for the regions whose situation before the evolution `code` looks at.
+    pub(super) fn befores_for(&self, code: &TokenStream) -> TokenStream {
+        let mut named = BTreeSet::new();
+        identifiers(code.clone(), &mut named);
+        let mut all = TokenStream::new();
+        for region in (0..self.plan.regions.all().len()).rev() {
+            if named.contains(&names::before(region, self.plan).to_string()) {
+                let before = self.before(region);
+                // What a region was before the first cycle, the first one's state tells.
+                identifiers(before.clone(), &mut named);
+                all = quote!(#before #all);
+            }
+        }
+        all
+    }
+
+    /// `let after_1 = self.situation_1;` for the regions whose situation after the evolution `code` looks at.
+    pub(super) fn afters_for(&self, code: &TokenStream) -> TokenStream {
+        let mut named = BTreeSet::new();
+        identifiers(code.clone(), &mut named);
+        let is_named = |after: &Ident| named.contains(&after.to_string());
+        let all = 0..self.plan.regions.all().len();
+        let all = all.map(|region| (names::after(region, self.plan), self.plain_state(region)));
+        all.filter(|(after, _)| is_named(after)).map(|(after, state)| quote!(let #after = #state;)).collect()
+    }
+
+    /// The function that does one evolution and says whether it has changed the situation.
+    pub(super) fn evolve_function(&self) -> Option<TokenStream> {
+        let evolve = self.evolves_apart().then(|| self.evolve_in_place()).flatten()?;
+        let (p, inputs, name) = (&self.p, &self.names.inputs, names::evolve());
+        let befores = self.befores_for(&evolve);
+        Some(quote! {
+            /// One evolution; whether it has changed the situation.
+            #[inline(never)]
+            fn #name(&mut self, inputs: &#inputs) -> #p::bool {
+                let mut moved = false;
+                #befores
+                #evolve
+                moved
+            }
+        })
+    }
+}
+
+fn identifiers(tokens: TokenStream, names: &mut BTreeSet<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Ident(ident) => _ = names.insert(ident.to_string()),
+            TokenTree::Group(group) => identifiers(group.stream(), names),
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Parallel branches within one another, so that an evolution can change the regions in place, one behind the other.
+//!
+//! Where a transition that forks or joins clears, nothing else in the regions it touches can: they are tested first, and
+//! the branches inside only where none of them clears. So no region is changed before all that look at its state have done so.
+
+use super::{Evolution, RegionId, Regions};
+use crate::analysis::Concurrency;
+use crate::model::{Id, Model, StepId, TransitionId};
+
+/// Regions that transitions connect.
+pub struct Nest {
+    /// Its regions, in order.
+    pub regions: Vec<RegionId>,
+    /// The region that holds the steps in `alone`.
+    pub head: RegionId,
+    /// Steps beside which no region of the nest has an active step, and the transitions that leave them.
+    pub alone: Vec<(StepId, Vec<TransitionId>)>,
+    /// Transitions with several sources that touch all regions: where one clears, nothing else in the nest does.
+    pub common: Vec<TransitionId>,
+    /// What evolves where neither a step alone is active nor a common transition clears: independent of one another.
+    pub inner: Vec<Nest>,
+}
+
+impl Nest {
+    /// The nests of a chart, one for each set of connected regions; `None` where the branches are not within one another.
+    pub(super) fn all(
+        model: &Model,
+        regions: &Regions,
+        evolution: &Evolution,
+        concurrency: &Concurrency,
+    ) -> Option<Vec<Self>> {
+        let plain = model.partials.len() == 1
+            && regions.all().len() > 1
+            && evolution.contests.is_empty()
+            && evolution.entered_last.is_empty()
+            && model.steps.ids().all(|step| evolution.exclusive[step.index()])
+            && model.transitions.values().all(|t| !t.sources.is_empty());
+        if !plain {
+            return None;
+        }
+        let search = Search { model, regions, evolution, concurrency };
+        let all = (0..regions.all().len()).collect();
+        search
+            .parts(all, &model.transitions.ids().collect::<Vec<_>>())
+            .into_iter()
+            .map(|part| search.nest(part))
+            .collect()
+    }
+}
+
+/// Regions, and the transitions that touch nothing else.
+struct Part {
+    regions: Vec<RegionId>,
+    transitions: Vec<TransitionId>,
+}
+
+struct Search<'m> {
+    model: &'m Model,
+    regions: &'m Regions,
+    evolution: &'m Evolution,
+    concurrency: &'m Concurrency,
+}
+
+impl Search<'_> {
+    fn nest(&self, part: Part) -> Option<Nest> {
+        let Part { regions, transitions } = part;
+        let (head, alone) = self.head(&regions)?;
+        let leaving = |step: &StepId| {
+            let owned = self.evolution.owned[step.index()].iter().copied();
+            let owned: Vec<_> = owned.filter(|id| self.is_single(*id) && transitions.contains(id)).collect();
+            (!owned.is_empty()).then_some((*step, owned))
+        };
+        let alone: Vec<_> = alone.iter().filter_map(leaving).collect();
+        let from_alone = |id: &TransitionId| alone.iter().any(|(_, owned)| owned.contains(id));
+        let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone(id)).collect();
+        let (common, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| self.is_common(*id, &regions));
+        if rest.is_empty() {
+            return Some(Nest { regions, head, alone, common, inner: Vec::new() });
+        }
+        let parts = self.parts(regions.clone(), &rest);
+        if parts.len() == 1 && alone.is_empty() && common.is_empty() {
+            return None;
+        }
+        let inner = parts.into_iter().filter(|part| !part.transitions.is_empty()).map(|part| self.nest(part));
+        Some(Nest { inner: inner.collect::<Option<_>>()?, regions, head, alone, common })
+    }
+
+    /// The region with most steps beside which the others are empty, and these steps.
+    fn head(&self, regions: &[RegionId]) -> Option<(RegionId, Vec<StepId>)> {
+        let heads = regions.iter().map(|region| {
+            let steps = self.regions.all()[*region].steps.iter().copied();
+            let alone = |step: &StepId| {
+                self.concurrency.beside(*step).all(|other| !regions.contains(&self.regions.of_step(other)))
+            };
+            (*region, steps.filter(alone).collect::<Vec<_>>())
+        });
+        heads.reduce(|best, head| if head.1.len() > best.1.len() { head } else { best })
+    }
+
+    /// Whether a transition has several sources, which are all that is active in these regions when it is enabled.
+    fn is_common(&self, id: TransitionId, regions: &[RegionId]) -> bool {
+        let sources = &self.model.transitions[id].sources;
+        let source_of = |region: RegionId| sources.iter().any(|source| self.regions.of_step(*source) == region);
+        let empty = |region: RegionId| {
+            let steps = &self.regions.all()[region].steps;
+            steps.iter().all(|step| sources.iter().any(|source| !self.concurrency.together(*source, *step)))
+        };
+        sources.len() > 1 && regions.iter().all(|region| source_of(*region) || empty(*region))
+    }
+
+    fn is_single(&self, id: TransitionId) -> bool {
+        self.model.transitions[id].sources.len() == 1
+    }
+
+    /// Divides regions into those that transitions connect.
+    fn parts(&self, regions: Vec<RegionId>, transitions: &[TransitionId]) -> Vec<Part> {
+        let mut parts: Vec<Part> =
+            regions.into_iter().map(|region| Part { regions: vec![region], transitions: Vec::new() }).collect();
+        for id in transitions {
+            let transition = &self.model.transitions[*id];
+            let steps = transition.sources.iter().chain(&transition.targets);
+            let touched: Vec<_> = steps.map(|step| self.regions.of_step(*step)).collect();
+            let meets = |part: &Part| part.regions.iter().any(|region| touched.contains(region));
+            let (connected, apart): (Vec<_>, Vec<_>) = parts.into_iter().partition(meets);
+            let mut whole = Part { regions: Vec::new(), transitions: vec![*id] };
+            for part in connected {
+                whole.regions.extend(part.regions);
+                whole.transitions.extend(part.transitions);
+            }
+            whole.regions.sort_unstable();
+            whole.transitions.sort_unstable();
+            parts = apart;
+            parts.push(whole);
+        }
+        parts.sort_by_key(|part| part.regions.first().copied());
+        parts
+    }
+}
