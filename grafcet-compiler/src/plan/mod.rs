@@ -125,7 +125,12 @@ fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
 /// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
 fn may_be_unstable(model: &Model) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
-    model.is_grafcet() && (!Stability::of(model).is_certain() || Stored::of(model).collected.iter().any(compared))
+    // A search that is certain to end clears each transition at most once, but the chart may not give it that long.
+    let is_short = |bound: u32| (bound as usize) < model.transitions.len();
+    model.is_grafcet()
+        && (model.max_evolutions.is_some_and(is_short)
+            || !Stability::of(model).is_certain()
+            || Stored::of(model).collected.iter().any(compared))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.
