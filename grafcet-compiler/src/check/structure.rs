@@ -81,7 +81,9 @@ fn missing_links(model: &Model, sink: &mut Sink) {
 
 /// A18: an initial step in an enclosure belongs to the initial situation only with its enclosing step.
 fn idle_initial_steps(model: &Model, sink: &mut Sink) {
-    for step in model.steps.values().filter(|step| step.initial) {
+    // Of an enclosure without any link more is said.
+    let has_link = |partial: PartialId| model.partials[partial].steps.iter().any(|step| model.steps[*step].linked);
+    for step in model.steps.values().filter(|step| step.initial && has_link(step.partial)) {
         let mut outer = model.partials[step.partial].enclosed_by;
         while let Some(around) = outer.map(|id| &model.steps[id]) {
             if !around.initial {
