@@ -9,11 +9,13 @@ use crate::project::{cargo, root};
 use crate::{conformance, firmware, msrv};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
+const RTIC: [&str; 2] = ["--manifest-path", "examples/rtic/Cargo.toml"];
+const EMBASSY: [&str; 2] = ["--manifest-path", "examples/embassy/Cargo.toml"];
 const CORPUS: [&str; 2] = ["--manifest-path", "tests/conformance/board/Cargo.toml"];
 const HOSTILE: [&str; 2] = ["--manifest-path", "tests/hostile/Cargo.toml"];
 const BENCHES: [&str; 2] = ["--manifest-path", "benches/Cargo.toml"];
 /// What has a lock file of its own.
-const APART: [[&str; 2]; 4] = [FIRMWARE, CORPUS, HOSTILE, BENCHES];
+const APART: [[&str; 2]; 6] = [FIRMWARE, RTIC, EMBASSY, CORPUS, HOSTILE, BENCHES];
 
 /// A named step of CI.
 type Step = (&'static str, fn() -> Result);
