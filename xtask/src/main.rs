@@ -7,6 +7,7 @@ mod command;
 mod conformance;
 mod debian;
 mod firmware;
+mod first_chart;
 mod msrv;
 mod project;
 mod size;
@@ -26,6 +27,8 @@ Usage: cargo xtask <task>
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
             random charts, compiled through the macro, beside the interpreter
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
+  first-chart
+            follow docs/first-chart.md in a clean folder, command by command
   msrv      check the crates that ship with the oldest supported Rust
   size      what generated charts cost on a controller, beside hand-written ones in Rust and C
 ";
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
+        ["first-chart"] => first_chart::run(),
         ["msrv"] => msrv::run(),
         ["size"] => size::run(),
         [] | ["help" | "-h" | "--help"] => {
