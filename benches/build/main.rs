@@ -1,6 +1,7 @@
 //! The linker script of the image; the source of the charts that follow a rule, as each author writes them; under the
 //! feature `c`, the charts in C, compiled as for a controller (`-Os`).
 
+mod machines;
 mod par8;
 mod rings;
 

@@ -256,7 +256,10 @@ pub(crate) fn smlang() -> String {
         )
     });
     let glue = Glue {
-        fields: format!("main: MainStateMachine<Context>, {}", branches(|b| format!("b{b}: B{b}StateMachine<Context>,"))),
+        fields: format!(
+            "main: MainStateMachine<Context>, {}",
+            branches(|b| format!("b{b}: B{b}StateMachine<Context>,"))
+        ),
         new: format!(
             "main: MainStateMachine::new(Context), {}",
             branches(|b| format!("b{b}: B{b}StateMachine::new(Context),"))

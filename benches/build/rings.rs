@@ -1,30 +1,9 @@
-//! Rings of many steps: each waits for one of the inputs and drives one of the outputs, of which there are 16 at most.
+//! Rings of many steps, with all that stands around their machines.
+
+use crate::machines::{chart, input, list, names, output, signals, smlang_machine, statig_machine};
 
 /// How many steps.
 pub(crate) const STEPS: [usize; 3] = [10, 100, 1000];
-
-fn signals(steps: usize) -> usize {
-    steps.min(16)
-}
-
-/// The input that ends a step: another one in each round of the signals.
-fn input(step: usize, steps: usize) -> usize {
-    (step * 3 + step / signals(steps) * 5 + 3) % signals(steps)
-}
-
-/// The output of a step.
-fn output(step: usize, steps: usize) -> usize {
-    (step * 7 + step / signals(steps) + 1) % signals(steps)
-}
-
-/// `x0, x1, …`
-fn names(name: &str, steps: usize) -> String {
-    (0..signals(steps)).map(|i| format!("{name}{i}")).collect::<Vec<_>>().join(", ")
-}
-
-fn list(steps: usize, one: impl Fn(usize) -> String) -> String {
-    (0..steps).map(one).collect()
-}
 
 /// As a user of the macro writes it.
 pub(crate) fn generated(steps: usize) -> String {
@@ -35,17 +14,6 @@ pub(crate) fn generated(steps: usize) -> String {
         String::new()
     };
     format!("both! {{ chain{steps} {{\n{chart} }} }}\n{small}")
-}
-
-/// What stands between the braces of the chart.
-pub(crate) fn chart(steps: usize) -> String {
-    let (inputs, outputs) = (names("x", steps), names("q", steps));
-    let declared = list(steps, |i| {
-        let initial = if i == 0 { "initial " } else { "" };
-        format!("{initial}step S{i} {{ q{}; }}\n", output(i, steps))
-    });
-    let ring = list(steps, |i| format!("S{i} -[x{}]-> S{};\n", input(i, steps), (i + 1) % steps));
-    format!("input {inputs}: bool;\noutput {outputs}: bool;\n{declared}{ring}")
 }
 
 /// As an engineer writes it in Rust.
@@ -140,19 +108,6 @@ pub(crate) fn smlang(steps: usize) -> String {
     )
 }
 
-/// The machine alone, over a type `ChartInputs`.
-pub(crate) fn smlang_machine(steps: usize) -> String {
-    let ring = list(steps, |i| format!("S{i} + Cycle [x{}] = S{},\n", input(i, steps), (i + 1) % steps));
-    let guards: String = (0..signals(steps))
-        .map(|i| format!("fn x{i}(&self, inputs: &ChartInputs) -> Result<bool, ()> {{ Ok(inputs.x{i}) }}\n"))
-        .collect();
-    format!(
-        "smlang::statemachine! {{ temporary_context: &ChartInputs, transitions: {{ *Init + Cycle = S0,\n{ring} }} }}
-        pub struct Context;
-        impl StateMachineContext for Context {{ {guards} }}\n"
-    )
-}
-
 /// As an engineer writes it with statig: the inputs are the event.
 pub(crate) fn statig(steps: usize) -> String {
     let act = acts(steps, |i| format!("State::S{i} {{}}"));
@@ -173,27 +128,6 @@ pub(crate) fn statig(steps: usize) -> String {
         pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
         }} }}\n",
         statig_machine(steps)
-    )
-}
-
-/// The machine alone, over a type `ChartInputs`.
-pub(crate) fn statig_machine(steps: usize) -> String {
-    let states = list(steps, |i| {
-        let (input, next) = (input(i, steps), (i + 1) % steps);
-        format!(
-            "#[state] fn s{i}(event: &ChartInputs) -> Outcome<State> {{
-                if event.x{input} {{ Transition(State::s{next}()) }} else {{ Handled }}
-            }}\n"
-        )
-    });
-    format!(
-        "use statig::prelude::*;
-        pub struct Machine;
-        #[state_machine(initial = \"State::init()\")]
-        impl Machine {{
-            #[state] fn init(event: &ChartInputs) -> Outcome<State> {{ Transition(State::s0()) }}
-            {states}
-        }}\n"
     )
 }
 

@@ -194,6 +194,15 @@ benches! {
 #[unsafe(no_mangle)]
 pub static nothing_root: u32 = 0;
 
+/// A root that can panic: what looks for such has to find it.
+#[unsafe(no_mangle)]
+pub static panic_root: fn(&[u8], usize) -> u8 = |bytes, place| bytes[place];
+
+/// A root that keeps the description of a chart: what looks for such has to find it.
+#[cfg(feature = "generated")]
+#[unsafe(no_mangle)]
+pub static description_root: &grafcet::description::Description<'static> = &implementation::mixed::sfc::Chart::CHART;
+
 #[cfg(target_os = "none")]
 #[panic_handler]
 fn panicked(_: &core::panic::PanicInfo<'_>) -> ! {

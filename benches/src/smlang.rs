@@ -103,11 +103,7 @@ pub mod line24v {
             pub fn cycle(&mut self, inputs: &ChartInputs) -> ChartOutputs {
                 _ = self.0.process_event(inputs, Events::Cycle);
                 let step = self.0.state();
-                ChartOutputs {
-                    q1: *step == States::S1,
-                    q2: self.0.context().q2,
-                    q3: *step == States::S3 && inputs.b5,
-                }
+                ChartOutputs { q1: *step == States::S1, q2: self.0.context().q2, q3: *step == States::S3 && inputs.b5 }
             }
         }
 

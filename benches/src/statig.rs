@@ -14,6 +14,7 @@ pub mod motor {
         impl Machine {
             #[state]
             fn init(event: &ChartInputs) -> Outcome<State> {
+                _ = event;
                 Transition(State::off())
             }
 
@@ -60,6 +61,7 @@ pub mod line24v {
         impl Machine {
             #[state]
             fn init(event: &ChartInputs) -> Outcome<State> {
+                _ = event;
                 Transition(State::s1())
             }
 

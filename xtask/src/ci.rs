@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::command::{Result, run as run_command};
 use crate::project::{cargo, root};
-use crate::{conformance, firmware, msrv};
+use crate::{bench, conformance, firmware, msrv, packages};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
 const CORPUS: [&str; 2] = ["--manifest-path", "tests/conformance/board/Cargo.toml"];
@@ -19,7 +19,7 @@ const APART: [[&str; 2]; 4] = [FIRMWARE, CORPUS, HOSTILE, BENCHES];
 type Step = (&'static str, fn() -> Result);
 
 /// No step is ever skipped: one that lacks a tool fails and says which.
-const STEPS: [Step; 8] = [
+const STEPS: [Step; 10] = [
     ("lock files", lock_files),
     ("rustfmt", rustfmt),
     ("test", test),
@@ -28,6 +28,8 @@ const STEPS: [Step; 8] = [
     ("doc", doc),
     ("msrv", msrv::run),
     ("firmware", firmware::run),
+    ("cost", bench::pinned),
+    ("packages", packages::run),
 ];
 
 /// Runs all steps, whatever fails, and sums up.

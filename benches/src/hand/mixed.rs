@@ -146,8 +146,7 @@ impl State {
     }
 
     fn act(&self, i: &ChartInputs, now: u32) -> ChartOutputs {
-        let mut q =
-            ChartOutputs { busy: self.busy, valve: self.valve, alarm: self.alarm, ..ChartOutputs::default() };
+        let mut q = ChartOutputs { busy: self.busy, valve: self.valve, alarm: self.alarm, ..ChartOutputs::default() };
         match self.main {
             Main::Idle => q.ready = true,
             Main::Load | Main::Deliver => q.belt = true,
