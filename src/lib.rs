@@ -106,7 +106,8 @@
 #[cfg(feature = "std")]
 pub use grafcet_draw as draw;
 
-pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description, heapless};
+pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description};
+pub use heapless;
 
 /// Turns a chart into a state enum and a cycle function.
 ///
@@ -147,8 +148,9 @@ pub mod __private {
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
-    pub use grafcet_core::{ActiveSteps, Chart, Delay, OnDelay, Phase, Ticks, description, heapless, sooner, until};
+    pub use grafcet_core::{ActiveSteps, Chart, Delay, OnDelay, Phase, Ticks, description, sooner, until};
     pub use grafcet_macros::chart;
+    pub use heapless;
 }
 
 /// The pages of the folder `docs`, part of the documentation alone.
