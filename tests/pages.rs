@@ -59,3 +59,40 @@ fn what_is_shown_of_the_programs_stands_in_them() {
         assert!(code.windows(shown.len()).any(|part| part == shown), "{program} does not hold:\n{shown:#?}");
     }
 }
+
+/// The cells of a row of the table behind a heading of `docs/cost.md`.
+fn measured<'p>(cost: &'p str, heading: &str, row: &str) -> Vec<&'p str> {
+    let table = cost.split(&format!("\n## {heading}\n")).nth(1).expect("a heading");
+    let row = table.lines().find_map(|line| line.strip_prefix(&format!("| {row} | "))).expect("a row");
+    row.trim_end_matches(" |").split(" | ").map(|cell| cell.trim_matches('*')).collect()
+}
+
+#[test]
+fn the_figures_of_the_readme_are_those_that_were_measured() {
+    let readme = fs::read_to_string("README.md").expect("the README");
+    let cost = fs::read_to_string("docs/cost.md").expect("what a chart costs");
+    let table = readme.split("\n## What it costs\n").nth(1).expect("a table of costs");
+    let table: Vec<&str> = table.lines().skip_while(|line| !line.starts_with("| ---")).skip(1).collect();
+    let table = table.split(|line| line.is_empty()).next().expect("rows");
+    assert!(table.len() > 4);
+    for row in table {
+        let (chart, figures) = row.trim_matches(['|', ' ']).split_once(" | ").expect("figures");
+        let columns = ["Flash", "Instructions, busy", "RAM"].map(|heading| measured(&cost, heading, chart));
+        let shown: Vec<String> = (0..5)
+            .map(|author| columns.each_ref().map(|column| column[author]).join(" · "))
+            .map(|figures| figures.replace("– · – · –", "–"))
+            .collect();
+        assert_eq!(figures, shown.join(" | "), "{chart}");
+    }
+}
+
+/// What rustc says in the README is what the compiler says.
+#[test]
+fn the_error_of_the_readme_is_the_compilers() {
+    let readme = fs::read_to_string("README.md").expect("the README");
+    let chart = blocks(&readme, "rust")[0].replace("Off -[on && !over_temp]-> On", "Off -> On");
+    let [chart] = &charts::charts(&chart)[..] else { panic!("one chart") };
+    let code = charts::expand(chart.clone()).to_string();
+    let said = code.split('"').find(|literal| literal.contains("[grafcet::")).expect("a message");
+    assert!(readme.contains(&format!("```text\nerror: {said}\n")), "{said}");
+}
