@@ -1,6 +1,7 @@
 //! The linker script of the image; the source of the charts that follow a rule, as each author writes them; under the
 //! feature `c`, the charts in C, compiled as for a controller (`-Os`).
 
+mod machines;
 mod par8;
 mod rings;
 
@@ -17,12 +18,17 @@ fn main() {
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
     println!("cargo:rerun-if-changed=c");
     let out = PathBuf::from(variable("OUT_DIR"));
-    let authors: [(&str, fn(usize) -> String, fn() -> String); 2] =
-        [("generated", rings::generated, par8::generated), ("hand", rings::hand, par8::hand)];
+    let authors: [(&str, fn(usize) -> String, fn() -> String); 4] = [
+        ("generated", rings::generated, par8::generated),
+        ("hand", rings::hand, par8::hand),
+        ("smlang", rings::smlang, par8::smlang),
+        ("statig", rings::statig, par8::statig),
+    ];
     for (author, ring, par8) in authors {
         let rings: String = rings::STEPS.into_iter().map(ring).collect();
         write(&out.join(format!("{author}.rs")), &format!("{rings}{}", par8()));
     }
+    write(&out.join("flags.rs"), &rings::flags(100));
     if env::var_os("CARGO_FEATURE_C").is_some() {
         let mut sources = files(&folder.join("c"));
         for (name, text) in rings::STEPS.map(|steps| (format!("chain{steps}"), rings::c(steps))) {

@@ -1,44 +1,23 @@
-//! Rings of many steps: each waits for one of the inputs and drives one of the outputs, of which there are 16 at most.
+//! Rings of many steps, with all that stands around their machines.
+
+use crate::machines::{chart, input, list, names, output, signals, smlang_machine, statig_machine};
 
 /// How many steps.
-pub const STEPS: [usize; 3] = [10, 100, 1000];
-
-fn signals(steps: usize) -> usize {
-    steps.min(16)
-}
-
-/// The input that ends a step: another one in each round of the signals.
-fn input(step: usize, steps: usize) -> usize {
-    (step * 3 + step / signals(steps) * 5 + 3) % signals(steps)
-}
-
-/// The output of a step.
-fn output(step: usize, steps: usize) -> usize {
-    (step * 7 + step / signals(steps) + 1) % signals(steps)
-}
-
-/// `x0, x1, …`
-fn names(name: &str, steps: usize) -> String {
-    (0..signals(steps)).map(|i| format!("{name}{i}")).collect::<Vec<_>>().join(", ")
-}
-
-fn list(steps: usize, one: impl Fn(usize) -> String) -> String {
-    (0..steps).map(one).collect()
-}
+pub(crate) const STEPS: [usize; 3] = [10, 100, 1000];
 
 /// As a user of the macro writes it.
-pub fn generated(steps: usize) -> String {
-    let (inputs, outputs) = (names("x", steps), names("q", steps));
-    let declared = list(steps, |i| {
-        let initial = if i == 0 { "initial " } else { "" };
-        format!("{initial}step S{i} {{ q{}; }}\n", output(i, steps))
-    });
-    let ring = list(steps, |i| format!("S{i} -[x{}]-> S{};\n", input(i, steps), (i + 1) % steps));
-    format!("both! {{ chain{steps} {{\ninput {inputs}: bool;\noutput {outputs}: bool;\n{declared}{ring}}} }}\n")
+pub(crate) fn generated(steps: usize) -> String {
+    let chart = chart(steps);
+    let small = if steps == 100 {
+        format!("both! {{ chain100_size {{\noptimize size;\n{chart} }} }}\n")
+    } else {
+        String::new()
+    };
+    format!("both! {{ chain{steps} {{\n{chart} }} }}\n{small}")
 }
 
 /// As an engineer writes it in Rust.
-pub fn hand(steps: usize) -> String {
+pub(crate) fn hand(steps: usize) -> String {
     let variants = list(steps, |i| format!("S{i}, "));
     let next = list(steps, |i| format!("S{i} if i.x{} => S{},\n", input(i, steps), (i + 1) % steps));
     let act = list(steps, |i| format!("S{i} => q.q{} = true,\n", output(i, steps)));
@@ -60,7 +39,7 @@ pub fn hand(steps: usize) -> String {
 }
 
 /// As an engineer writes it in C.
-pub fn c(steps: usize) -> String {
+pub(crate) fn c(steps: usize) -> String {
     let (step, bound) = if steps < 256 { ("uint8_t", "uint8_t") } else { ("uint16_t", "uint16_t") };
     let (inputs, outputs) = (names("x", steps), names("q", steps));
     let variants = list(steps, |i| format!("S{i}, "));
@@ -97,5 +76,98 @@ void chain{steps}_grafcet_cycle(grafcet_t *c, const inputs_t *i, outputs_t *q) {
     act(c->step, q);
 }}
 "
+    )
+}
+
+/// The arms that act on the situation of another crate's machine, whose states are those of `states`.
+fn acts(steps: usize, state: impl Fn(usize) -> String) -> String {
+    list(steps, |i| format!("{} => q.q{} = true,\n", state(i), output(i, steps)))
+}
+
+/// As an engineer writes it with smlang: one event per cycle, the inputs as its temporary context.
+pub(crate) fn smlang(steps: usize) -> String {
+    let act = acts(steps, |i| format!("States::S{i}"));
+    format!(
+        "pub mod chain{steps} {{ pub mod sfc {{
+        pub use crate::signals::chain{steps}::{{ChartInputs, ChartOutputs}};
+        {}
+        pub struct Chart(StateMachine<Context>);
+        impl Chart {{
+            pub fn new() -> Self {{ Self(StateMachine::new(Context)) }}
+            pub fn cycle(&mut self, inputs: &ChartInputs) -> ChartOutputs {{
+                // A cycle without a transition is none of its errors that matter.
+                _ = self.0.process_event(inputs, Events::Cycle);
+                let mut q = ChartOutputs::default();
+                match self.0.state() {{ {act} States::Init => {{}} }}
+                q
+            }}
+        }}
+        pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+        }} }}\n",
+        smlang_machine(steps)
+    )
+}
+
+/// As an engineer writes it with statig: the inputs are the event.
+pub(crate) fn statig(steps: usize) -> String {
+    let act = acts(steps, |i| format!("State::S{i} {{}}"));
+    format!(
+        "pub mod chain{steps} {{ pub mod sfc {{
+        pub use crate::signals::chain{steps}::{{ChartInputs, ChartOutputs}};
+        {}
+        pub struct Chart(InitializedStateMachine<Machine>);
+        impl Chart {{
+            pub fn new() -> Self {{ Self(Machine.uninitialized_state_machine().init()) }}
+            pub fn cycle(&mut self, inputs: &ChartInputs) -> ChartOutputs {{
+                self.0.handle(inputs);
+                let mut q = ChartOutputs::default();
+                match self.0.state() {{ {act} State::Init {{}} => {{}} }}
+                q
+            }}
+        }}
+        pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+        }} }}\n",
+        statig_machine(steps)
+    )
+}
+
+/// As step chains are written where there is nothing but bits: one for each step; a step is set by the one before it with
+/// its condition and reset by the one behind it. All of them are looked at in every cycle.
+pub(crate) fn flags(steps: usize) -> String {
+    let bit = |i: usize| format!("[{}] & 1 << {}", i / 32, i % 32);
+    let ring = list(steps, |i| {
+        let (input, next) = (input(i, steps), (i + 1) % steps);
+        let (word, bit_here) = (i / 32, i % 32);
+        let (next_word, next_bit) = (next / 32, next % 32);
+        format!(
+            "if old{} != 0 && i.x{input} {{ new[{word}] &= !(1 << {bit_here}); new[{next_word}] |= 1 << {next_bit}; }}\n",
+            bit(i)
+        )
+    });
+    let act: String = (0..signals(steps))
+        .map(|q| {
+            let of = (0..steps).filter(|i| output(*i, steps) == q).map(|i| format!("new{} != 0", bit(i)));
+            format!("q{q}: {},\n", of.collect::<Vec<_>>().join(" || "))
+        })
+        .collect();
+    let words = steps.div_ceil(32);
+    format!(
+        "pub mod chain{steps} {{ pub mod sfc {{
+        pub use crate::signals::chain{steps}::{{ChartInputs, ChartOutputs}};
+        /// All false before the first cycle.
+        pub struct Chart([u32; {words}]);
+        impl Chart {{
+            pub fn new() -> Self {{ Self([0; {words}]) }}
+            pub fn cycle(&mut self, i: &ChartInputs) -> ChartOutputs {{
+                let old = self.0;
+                let mut new = old;
+                {ring}
+                if old == [0; {words}] {{ new[0] = 1; }}
+                self.0 = new;
+                ChartOutputs {{ {act} }}
+            }}
+        }}
+        pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+        }} }}\n"
     )
 }

@@ -91,3 +91,78 @@ pub mod par8 {
         pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = cycle;
     }
 }
+
+/// In both dialects the same but for the first step.
+pub mod mixed {
+    pub mod sfc {
+        pub use crate::signals::mixed::*;
+        #[repr(C)]
+        pub struct Chart {
+            since: [u32; 2],
+            steps: [u8; 3],
+            stored: [bool; 3],
+        }
+        impl Chart {
+            /// `INIT`, behind the steps.
+            pub fn new() -> Self {
+                Self { since: [0; 2], steps: [9, 0, 0], stored: [false; 3] }
+            }
+        }
+        unsafe extern "C" {
+            #[link_name = "mixed_sfc_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, now: u32, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
+    pub mod grafcet {
+        pub use crate::signals::mixed::*;
+        #[repr(C)]
+        pub struct Chart {
+            since: [u32; 2],
+            steps: [u8; 3],
+            stored: [bool; 3],
+        }
+        impl Chart {
+            pub fn new() -> Self {
+                Self { since: [0; 2], steps: [0; 3], stored: [false; 3] }
+            }
+            /// Its times end every search.
+            pub fn is_stable(&self) -> bool {
+                true
+            }
+        }
+        unsafe extern "C" {
+            #[link_name = "mixed_grafcet_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, now: u32, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
+}
+
+pub mod cell {
+    pub mod grafcet {
+        pub use crate::signals::cell::*;
+        #[repr(C)]
+        pub struct Chart {
+            parts: u16,
+            steps: [u8; 5],
+            clamp: bool,
+            edges: [bool; 2],
+        }
+        impl Chart {
+            /// The inputs of the edges are seen as on before the first cycle: there is no edge in it.
+            pub fn new() -> Self {
+                Self { parts: 0, steps: [0, 1, 0, 0, 0], clamp: false, edges: [true; 2] }
+            }
+            /// A part cannot be clamped and not clamped: every search ends.
+            pub fn is_stable(&self) -> bool {
+                true
+            }
+        }
+        unsafe extern "C" {
+            #[link_name = "cell_grafcet_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
+}

@@ -1,31 +1,78 @@
-//! The same charts three times: generated, written by hand in Rust, and in C. A build holds one of the three, chosen by
-//! its feature, under names that are the same in all.
+//! The same charts several times: generated, written by hand in Rust and in C, and with other crates. A build holds one of
+//! them, chosen by its feature, under names that are the same in all.
 //!
 //! For each chart and dialect there is a root, a static that points to the cycle function and is exported as
 //! `chart_dialect`. What the linker keeps for a root alone is what that cycle costs in flash.
 #![no_std]
 
+use core::mem::MaybeUninit;
+
 #[macro_use]
 mod signals;
-#[cfg(feature = "c")]
-mod c;
-#[cfg(feature = "generated")]
-mod generated;
-#[cfg(feature = "hand")]
-mod hand;
-#[cfg(feature = "c")]
-use c as implementation;
-#[cfg(feature = "generated")]
-use generated as implementation;
-#[cfg(feature = "hand")]
-use hand as implementation;
+#[cfg_attr(feature = "c", path = "c.rs")]
+#[cfg_attr(feature = "flags", path = "flags.rs")]
+#[cfg_attr(feature = "generated", path = "generated/mod.rs")]
+#[cfg_attr(feature = "hand", path = "hand/mod.rs")]
+#[cfg_attr(feature = "smlang", path = "smlang.rs")]
+#[cfg_attr(feature = "statig", path = "statig.rs")]
+mod implementation;
 
-/// The cycle function as its language writes it: Rust returns the outputs, C writes them where it is told.
+/// The cycle function of a chart, as its language writes it: Rust returns the outputs, C writes them where it is told.
 #[cfg(not(feature = "c"))]
 pub type Cycle<C, I, O> = fn(&mut C, &I) -> O;
-/// The cycle function as its language writes it: Rust returns the outputs, C writes them where it is told.
+/// The cycle function of a chart, as its language writes it: Rust returns the outputs, C writes them where it is told.
 #[cfg(feature = "c")]
 pub type Cycle<C, I, O> = unsafe extern "C" fn(&mut C, &I, &mut O);
+
+/// The cycle function of a chart that uses time.
+#[cfg(not(feature = "c"))]
+pub type TimedCycle<C, I, O> = fn(&mut C, &I, u32) -> O;
+/// The cycle function of a chart that uses time.
+#[cfg(feature = "c")]
+pub type TimedCycle<C, I, O> = unsafe extern "C" fn(&mut C, &I, u32, &mut O);
+
+/// A cycle function of whatever shape.
+pub trait Function<C, I, O>: Copy {
+    /// The same of outputs that nobody reads: it makes no claim about what the function returns.
+    type Unread: Function<C, I, MaybeUninit<O>>;
+
+    /// Calls it; a chart without time is not told of it.
+    fn call(self, chart: &mut C, inputs: &I, now: u32, outputs: &mut O);
+}
+
+impl<C, I, O> Function<C, I, O> for Cycle<C, I, O> {
+    type Unread = Cycle<C, I, MaybeUninit<O>>;
+
+    #[inline(always)]
+    fn call(self, chart: &mut C, inputs: &I, _: u32, outputs: &mut O) {
+        #[cfg(not(feature = "c"))]
+        {
+            *outputs = self(chart, inputs);
+        }
+        // SAFETY: the functions in `benches/c` keep to their types.
+        #[cfg(feature = "c")]
+        unsafe {
+            self(chart, inputs, outputs);
+        }
+    }
+}
+
+impl<C, I, O> Function<C, I, O> for TimedCycle<C, I, O> {
+    type Unread = TimedCycle<C, I, MaybeUninit<O>>;
+
+    #[inline(always)]
+    fn call(self, chart: &mut C, inputs: &I, now: u32, outputs: &mut O) {
+        #[cfg(not(feature = "c"))]
+        {
+            *outputs = self(chart, inputs, now);
+        }
+        // SAFETY: as above.
+        #[cfg(feature = "c")]
+        unsafe {
+            self(chart, inputs, now, outputs);
+        }
+    }
+}
 
 /// Inputs that can be made of random bits.
 pub trait Inputs: Copy {
@@ -41,61 +88,120 @@ fn next_bit(bits: &mut u32) -> bool {
 
 /// Outputs that can be compared with those of another implementation.
 pub trait Outputs: Copy + Default {
-    fn to_word(&self) -> u32;
+    /// Hands the value of each output to `see`, in their order.
+    fn each(&self, see: &mut impl FnMut(u32));
 }
 
 /// A chart of one dialect with all it takes to run it.
-pub struct Bench<C: 'static, I: 'static, O: 'static> {
+pub struct Bench<C: 'static, F: 'static> {
     pub chart: &'static str,
     pub dialect: &'static str,
     pub new: fn() -> C,
-    pub cycle: &'static Cycle<C, I, O>,
+    pub cycle: &'static F,
     pub is_stable: fn(&C) -> bool,
 }
 
 /// Does something with every chart.
 pub trait Visitor {
-    fn visit<C, I: Inputs, O: Outputs>(&mut self, bench: &Bench<C, I, O>);
+    fn visit<C, I: Inputs, O: Outputs, F: Function<C, I, O>>(&mut self, bench: &Bench<C, F>);
 }
 
+/// The charts of one build: their names, the shapes of their functions, their dialects.
 macro_rules! benches {
-    ($($chart:ident)*) => {
+    ($($chart:ident: $function:ident $($dialect:ident)*;)*) => {
         $(pub mod $chart {
-            benches!(@dialect sfc $chart |_| true);
-            benches!(@dialect grafcet $chart Chart::is_stable);
+            $(pub mod $dialect {
+                use crate::implementation::$chart::$dialect::{CYCLE, Chart, ChartInputs, ChartOutputs};
+
+                /// What the linker starts from.
+                #[unsafe(export_name = concat!(stringify!($chart), "_", stringify!($dialect)))]
+                pub static ROOT: crate::$function<Chart, ChartInputs, ChartOutputs> = CYCLE;
+
+                pub(crate) fn visit(visitor: &mut impl crate::Visitor) {
+                    let bench = crate::Bench {
+                        chart: stringify!($chart),
+                        dialect: stringify!($dialect),
+                        new: Chart::new,
+                        cycle: &ROOT,
+                        is_stable: benches!(@is_stable $dialect),
+                    };
+                    visitor.visit::<_, ChartInputs, ChartOutputs, _>(&bench);
+                }
+            })*
         })*
 
         /// Shows all charts to a visitor.
         pub fn visit(visitor: &mut impl Visitor) {
-            $($chart::sfc::visit(visitor); $chart::grafcet::visit(visitor);)*
+            $($($chart::$dialect::visit(visitor);)*)*
         }
     };
-    (@dialect $dialect:ident $chart:ident $stable:expr) => {
-        pub mod $dialect {
-            use crate::implementation::$chart::$dialect::{CYCLE, Chart, ChartInputs, ChartOutputs};
-
-            /// What the linker starts from.
-            #[unsafe(export_name = concat!(stringify!($chart), "_", stringify!($dialect)))]
-            pub static ROOT: crate::Cycle<Chart, ChartInputs, ChartOutputs> = CYCLE;
-
-            pub(crate) fn visit(visitor: &mut impl crate::Visitor) {
-                visitor.visit(&crate::Bench {
-                    chart: stringify!($chart),
-                    dialect: stringify!($dialect),
-                    new: Chart::new,
-                    cycle: &ROOT,
-                    is_stable: $stable,
-                });
-            }
-        }
-    };
+    (@is_stable sfc) => { |_| true };
+    (@is_stable grafcet) => { Chart::is_stable };
 }
 
-benches!(motor line24v seq4 seq16 seq64 chain10 chain100 chain1000 par8 selection washer);
+#[cfg(feature = "generated")]
+benches! {
+    motor: Cycle sfc grafcet;
+    line24v: Cycle sfc grafcet;
+    seq4: Cycle sfc grafcet;
+    seq16: Cycle sfc grafcet;
+    seq64: Cycle sfc grafcet;
+    chain10: Cycle sfc grafcet;
+    chain100: Cycle sfc grafcet;
+    chain100_size: Cycle sfc grafcet;
+    chain1000: Cycle sfc grafcet;
+    par8: Cycle sfc grafcet;
+    selection: Cycle sfc grafcet;
+    washer: Cycle sfc grafcet;
+    mixed: TimedCycle sfc grafcet;
+    cell: Cycle grafcet;
+}
+
+#[cfg(any(feature = "hand", feature = "c"))]
+benches! {
+    motor: Cycle sfc grafcet;
+    line24v: Cycle sfc grafcet;
+    seq4: Cycle sfc grafcet;
+    seq16: Cycle sfc grafcet;
+    seq64: Cycle sfc grafcet;
+    chain10: Cycle sfc grafcet;
+    chain100: Cycle sfc grafcet;
+    chain1000: Cycle sfc grafcet;
+    par8: Cycle sfc grafcet;
+    selection: Cycle sfc grafcet;
+    washer: Cycle sfc grafcet;
+    mixed: TimedCycle sfc grafcet;
+    cell: Cycle grafcet;
+}
+
+// One event, one transition: what these crates do in a cycle is what an `sfc` does.
+#[cfg(any(feature = "smlang", feature = "statig"))]
+benches! {
+    motor: Cycle sfc;
+    line24v: Cycle sfc;
+    chain10: Cycle sfc;
+    chain100: Cycle sfc;
+    chain1000: Cycle sfc;
+    par8: Cycle sfc;
+}
+
+#[cfg(feature = "flags")]
+benches! {
+    chain100: Cycle sfc;
+}
 
 /// A root that keeps nothing: the image all others are compared with.
 #[unsafe(no_mangle)]
 pub static nothing_root: u32 = 0;
+
+/// A root that can panic: what looks for such has to find it.
+#[unsafe(no_mangle)]
+pub static panic_root: fn(&[u8], usize) -> u8 = |bytes, place| bytes[place];
+
+/// A root that keeps the description of a chart: what looks for such has to find it.
+#[cfg(feature = "generated")]
+#[unsafe(no_mangle)]
+pub static description_root: &grafcet::description::Description<'static> = &implementation::mixed::sfc::Chart::CHART;
 
 #[cfg(target_os = "none")]
 #[panic_handler]

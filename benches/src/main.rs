@@ -14,13 +14,16 @@ use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_semihosting::debug;
 use cortex_m_semihosting::hio::{self, HostStream};
-use grafcet_benches::{Bench, Cycle, Inputs, Outputs, Visitor, visit};
+use grafcet_benches::{Bench, Function, Inputs, Outputs, Visitor, visit};
 
 /// Cycles per count.
 const CYCLES: usize = 4096;
 
 /// Different inputs; they come in rounds.
 const INPUTS: usize = 256;
+
+/// Milliseconds from one cycle to the next, as the charts with time are told.
+const PERIOD: u32 = 100;
 
 /// Emulated without counters of time, an instruction takes 1 ns (`-icount shift=0`) and a tick 5 ns.
 const INSTRUCTIONS_PER_TICK: u32 = 5;
@@ -65,8 +68,8 @@ struct Counter {
 }
 
 impl Visitor for Counter {
-    fn visit<C, I: Inputs, O: Outputs>(&mut self, bench: &Bench<C, I, O>) {
-        let inputs = random();
+    fn visit<C, I: Inputs, O: Outputs, F: Function<C, I, O>>(&mut self, bench: &Bench<C, F>) {
+        let inputs = random::<I>();
         let hash = hash(bench, &inputs);
         let busy = instructions(bench, &inputs);
         let idle = instructions(bench, &[I::from_word(0); INPUTS]);
@@ -90,24 +93,27 @@ fn random<I: Inputs>() -> [I; INPUTS] {
 }
 
 /// FNV-1a of the outputs, and whether each cycle was stable.
-fn hash<C, I, O: Outputs>(bench: &Bench<C, I, O>, inputs: &[I]) -> u32 {
+fn hash<C, I, O: Outputs, F: Function<C, I, O>>(bench: &Bench<C, F>, inputs: &[I]) -> u32 {
     let mut chart = (bench.new)();
     let mut outputs = O::default();
     let mut hash = 0x811c_9dc5_u32;
+    let mut see = |value: u32| hash = (hash ^ value).wrapping_mul(0x0100_0193);
+    let mut now = 0;
     for inputs in inputs.iter().cycle().take(CYCLES) {
-        call(*bench.cycle, &mut chart, inputs, &mut outputs);
-        let seen = outputs.to_word() << 1 | u32::from((bench.is_stable)(&chart));
-        hash = seen.to_le_bytes().iter().fold(hash, |hash, byte| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193));
+        bench.cycle.call(&mut chart, inputs, now, &mut outputs);
+        now += PERIOD;
+        outputs.each(&mut see);
+        see(u32::from((bench.is_stable)(&chart)));
     }
     hash
 }
 
 /// The instructions of [`CYCLES`] cycles, calls and returns included, what is around them not.
-fn instructions<C, I, O>(bench: &Bench<C, I, O>, inputs: &[I]) -> u32 {
+fn instructions<C, I, O, F: Function<C, I, O>>(bench: &Bench<C, F>, inputs: &[I]) -> u32 {
     let mut chart = (bench.new)();
     // SAFETY: `MaybeUninit<O>` is passed as `O` is, and makes no claim about what `bench_nothing` returns; that touches
     // no argument.
-    let (cycle, nothing): (Cycle<C, I, MaybeUninit<O>>, Cycle<C, I, MaybeUninit<O>>) =
+    let (cycle, nothing): (F::Unread, F::Unread) =
         unsafe { (transmute_copy(bench.cycle), transmute_copy(&(bench_nothing as unsafe extern "C" fn()))) };
     let all = ticks(black_box(cycle), &mut chart, inputs);
     let around = ticks(black_box(nothing), &mut chart, inputs);
@@ -116,28 +122,17 @@ fn instructions<C, I, O>(bench: &Bench<C, I, O>, inputs: &[I]) -> u32 {
 }
 
 #[inline(never)]
-fn ticks<C, I, O>(cycle: Cycle<C, I, MaybeUninit<O>>, chart: &mut C, inputs: &[I]) -> u32 {
+fn ticks<C, I, O, F: Function<C, I, MaybeUninit<O>>>(cycle: F, chart: &mut C, inputs: &[I]) -> u32 {
     let mut outputs = MaybeUninit::uninit();
+    let mut now = 0;
     let start = SYST::get_current();
     for _ in 0..CYCLES / INPUTS {
         for inputs in inputs {
-            call(cycle, chart, inputs, &mut outputs);
+            cycle.call(chart, inputs, now, &mut outputs);
+            now += PERIOD;
             black_box(&mut outputs);
         }
     }
     // It counts down.
     start.wrapping_sub(SYST::get_current()) & 0xff_ffff
-}
-
-#[cfg(not(feature = "c"))]
-#[inline(always)]
-fn call<C, I, O>(cycle: Cycle<C, I, O>, chart: &mut C, inputs: &I, outputs: &mut O) {
-    *outputs = cycle(chart, inputs);
-}
-
-#[cfg(feature = "c")]
-#[inline(always)]
-fn call<C, I, O>(cycle: Cycle<C, I, O>, chart: &mut C, inputs: &I, outputs: &mut O) {
-    // SAFETY: the functions in `benches/c` keep to their types.
-    unsafe { cycle(chart, inputs, outputs) }
 }

@@ -1,36 +1,71 @@
 //! The signals of the charts: their names, and where a chart is written by hand, their types, laid out as in C.
 
-/// Hands all charts with their inputs and outputs to a macro. The boolean inputs come first, one bit of a word each; an
-/// input of another type says how the bits above become its value.
+/// Hands all charts with their inputs and outputs to a macro. Inputs that are one bit of a word come first; another one
+/// says how the bits above become its value. Outputs that are not boolean stand behind the others, with their type.
 macro_rules! with_signals {
     ($to:ident) => {
         $to! {
-            motor: on, off, over_temp => relay, green, red;
-            line24v: b1, b2, b3, b4, b5 => q1, q2, q3;
-            seq4: x0, x1, x2, x3 => q0, q1, q2, q3;
-            seq16: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-            seq64: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-            chain10: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9
-                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9;
-            chain100: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-            chain1000: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-            par8: x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
-                => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15;
-            selection: start, done { recipe: u8 = |bits| 1 + (bits % 8) as u8 }
-                => ready, pump, v1, v2, v3, v4, v5, v6, v7, v8;
-            washer: start, full, hot, washed, empty, again, spun
-                => ready, locked, valve, heater, drum, pump, spin;
+            motor (sfc grafcet) {
+                on, off, over_temp => relay, green, red
+            }
+            line24v (sfc grafcet) {
+                b1, b2, b3, b4, b5 => q1, q2, q3
+            }
+            seq4 (sfc grafcet) {
+                x0, x1, x2, x3 => q0, q1, q2, q3
+            }
+            seq16 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            seq64 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            chain10 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9
+            }
+            chain100 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            chain100_size (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            chain1000 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            par8 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            selection (sfc grafcet) {
+                start, done { recipe: u8 = |bits| 1 + (bits % 8) as u8 }
+                    => ready, pump, v1, v2, v3, v4, v5, v6, v7, v8
+            }
+            washer (sfc grafcet) {
+                start, full, hot, washed, empty, again, spun
+                    => ready, locked, valve, heater, drum, pump, spin
+            }
+            mixed (sfc grafcet) {
+                start, part, clamped, hot, filled, weighed, good, capped, printed, stuck, gone
+                    => ready, busy, belt, heater, valve, pump, stirrer, eject, alarm, capper, press, printer, labeler
+            }
+            cell (grafcet) {
+                ack, auto, part, clamped, drilled, stamped { estop: bool = |bits| bits % 64 == 1 }
+                    => conveyor, clamp, drill, stamp, alarm { parts: u16 }
+            }
         }
     };
 }
 
-/// Makes words of one chart's signals.
+/// Makes inputs of a word and numbers of the outputs of one chart.
 macro_rules! words {
-    ($signals:path: $($input:ident),* $({ $extra:ident: $type:ty = $value:expr })? => $($output:ident),*) => {
+    ($signals:path, { $($input:ident),* $({ $extra:ident: $type:ty = $value:expr })?
+        => $($output:ident),* $({ $number:ident: $of:ty })? }) => {
         const _: () = {
             use $signals::{ChartInputs, ChartOutputs};
 
@@ -42,8 +77,9 @@ macro_rules! words {
             }
 
             impl crate::Outputs for ChartOutputs {
-                fn to_word(&self) -> u32 {
-                    [$(self.$output),*].into_iter().fold(0, |word, bit| word << 1 | u32::from(bit))
+                fn each(&self, see: &mut impl FnMut(u32)) {
+                    $(see(self.$output.into());)*
+                    $(see(self.$number.into());)?
                 }
             }
         };
@@ -52,11 +88,15 @@ macro_rules! words {
 
 #[cfg(feature = "generated")]
 macro_rules! generated {
-    ($($chart:ident: $($input:ident),* $({ $($extra:tt)* })? => $($output:ident),*;)*) => {
-        $(
-            words!(crate::generated::$chart::sfc: $($input),* $({ $($extra)* })? => $($output),*);
-            words!(crate::generated::$chart::grafcet: $($input),* $({ $($extra)* })? => $($output),*);
-        )*
+    ($($chart:ident ($($dialect:ident)*) $signals:tt)*) => {
+        $(generated!(@chart $chart ($($dialect)*) $signals);)*
+    };
+    (@chart $chart:ident (grafcet) $signals:tt) => {
+        words!(crate::implementation::$chart::grafcet, $signals);
+    };
+    (@chart $chart:ident (sfc grafcet) $signals:tt) => {
+        words!(crate::implementation::$chart::sfc, $signals);
+        words!(crate::implementation::$chart::grafcet, $signals);
     };
 }
 #[cfg(feature = "generated")]
@@ -64,24 +104,31 @@ with_signals!(generated);
 
 #[cfg(not(feature = "generated"))]
 macro_rules! by_hand {
-    ($($chart:ident: $($input:ident),* $({ $extra:ident: $type:ty = $value:expr })? => $($output:ident),*;)*) => {
+    ($($chart:ident $dialects:tt $signals:tt)*) => {
         $(
+            // Not every author wrote every chart.
+            #[allow(dead_code)]
             pub mod $chart {
-                #[derive(Clone, Copy)]
-                #[repr(C)]
-                pub struct ChartInputs {
-                    $(pub $input: bool,)*
-                    $(pub $extra: $type,)?
-                }
-
-                #[derive(Clone, Copy, Default)]
-                #[repr(C)]
-                pub struct ChartOutputs {
-                    $(pub $output: bool,)*
-                }
+                by_hand!(@types $signals);
             }
-            words!(crate::signals::$chart: $($input),* $({ $extra: $type = $value })? => $($output),*);
+            words!(crate::signals::$chart, $signals);
         )*
+    };
+    (@types { $($input:ident),* $({ $extra:ident: $type:ty = $value:expr })?
+        => $($output:ident),* $({ $number:ident: $of:ty })? }) => {
+        #[derive(Clone, Copy)]
+        #[repr(C)]
+        pub struct ChartInputs {
+            $(pub $input: bool,)*
+            $(pub $extra: $type,)?
+        }
+
+        #[derive(Clone, Copy, Default)]
+        #[repr(C)]
+        pub struct ChartOutputs {
+            $(pub $output: bool,)*
+            $(pub $number: $of,)?
+        }
     };
 }
 #[cfg(not(feature = "generated"))]

@@ -13,7 +13,6 @@ mod time;
 
 pub use chart::Chart;
 pub use description::ActiveSteps;
-pub use heapless;
 pub use phase::Phase;
 pub use ticks::Ticks;
 pub use time::{Delay, OnDelay, sooner, until};

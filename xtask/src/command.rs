@@ -58,6 +58,14 @@ pub(crate) fn find(name: &str) -> Option<PathBuf> {
     find_all(name).next()
 }
 
+/// The first program of this name in the PATH, which a package of Debian brings.
+///
+/// # Errors
+/// There is none; the message says what to install.
+pub(crate) fn tool(name: &str, package: &str) -> Result<PathBuf> {
+    find(name).ok_or_else(|| format!("{name} is not in the PATH; on Debian `apt-get install {package}`"))
+}
+
 /// Every program of this name in the PATH, in its order.
 pub(crate) fn find_all(name: &str) -> impl Iterator<Item = PathBuf> {
     let path = std::env::var_os("PATH").unwrap_or_default();

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use crate::command::{Result, capture, capture_within, find, run as run_command};
+use crate::command::{Result, capture, capture_within, run as run_command, tool};
+use crate::image::Linker;
 use crate::project;
 use crate::toolchain::BareMetal;
 
@@ -57,6 +58,7 @@ pub(crate) fn run() -> Result {
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
     programs()?;
     BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))?;
+    no_panics()?;
     corpus()
 }
 
@@ -69,6 +71,26 @@ fn programs() -> Result {
         println!("firmware: {name} prints what it should");
         Ok(())
     })
+}
+
+/// No cycle function of the examples leads to a panic: linked alone, none of its machinery is there.
+fn no_panics() -> Result {
+    let (manifest, folder) = EXAMPLES_CRATE;
+    let mut command = BareMetal::find(BOARD)?.cargo("rustc", BOARD);
+    command.args(["--quiet", "--release", "--manifest-path", manifest, "--lib", "--features", "roots"]);
+    run_command(command.args(["--crate-type", "staticlib", "--target-dir"]).arg(project::target(folder)))?;
+    let library = project::target(folder).join(BOARD).join("release/libgrafcet_firmware.a");
+    let linker = Linker::new(library)?;
+    if linker.link("root_of_a_panic")?.panics()?.is_none() {
+        return Err("no panic is found where there is one: the names to look for have changed".to_owned());
+    }
+    for example in EXAMPLES {
+        if let Some(symbol) = linker.link(&format!("root_of_{example}"))?.panics()? {
+            return Err(format!("the cycle of {example} can panic: it reaches `{symbol}`"));
+        }
+    }
+    println!("firmware: no cycle of the examples reaches a panic");
+    Ok(())
 }
 
 /// The conformance corpus on the board: the image fails where a chart shows something else than its file expects.
@@ -112,8 +134,7 @@ fn host_lines() -> Result<String> {
 }
 
 fn board_lines(folder: &str, image: &str) -> Result<String> {
-    let qemu = find("qemu-system-arm")
-        .ok_or("qemu-system-arm is not in the PATH; on Debian `apt-get install qemu-system-arm`")?;
+    let qemu = tool("qemu-system-arm", "qemu-system-arm")?;
     let image = project::target(folder).join(BOARD).join("release").join(image);
     capture_within(&mut emulator(&qemu, &image), LIMIT)
 }

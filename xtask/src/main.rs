@@ -7,9 +7,12 @@ mod command;
 mod conformance;
 mod debian;
 mod firmware;
+mod first_chart;
+mod image;
 mod msrv;
+mod packages;
 mod project;
-mod size;
+mod release;
 mod toolchain;
 
 use std::process::ExitCode;
@@ -17,6 +20,12 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 Usage: cargo xtask <task>
 
+  bench     what generated charts cost on a controller and while building, beside hand-written ones and other crates:
+            writes docs/cost.md and the figures that CI compares with
+  bench cost
+            the costs on a controller alone, shown and not written
+  bench pinned
+            whether the generated charts cost more than is recorded
   bench check [NAME]
             how long charts take to compile in a compiler without optimisation; only those whose name holds NAME
   brute [--charts N] [--first N] [--cycles N] [--shrink N]
@@ -26,14 +35,20 @@ Usage: cargo xtask <task>
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
             random charts, compiled through the macro, beside the interpreter
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
+  first-chart
+            follow docs/first-chart.md in a clean folder, command by command
+  packages  pack and build what is published, check every set of features and the oldest dependencies allowed
+  release   before a release: licences and advisories (cargo-deny), the interface against the last release (cargo-semver-checks)
   msrv      check the crates that ship with the oldest supported Rust
-  size      what generated charts cost on a controller, beside hand-written ones in Rust and C
 ";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
+        ["bench"] => bench::run(),
+        ["bench", "cost"] => bench::cost(),
+        ["bench", "pinned"] => bench::pinned(),
         ["bench", "check"] => bench::check(None),
         ["bench", "check", name] => bench::check(Some(name)),
         ["bless"] => bless::run(),
@@ -41,8 +56,10 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
+        ["first-chart"] => first_chart::run(),
         ["msrv"] => msrv::run(),
-        ["size"] => size::run(),
+        ["packages"] => packages::run(),
+        ["release"] => release::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{USAGE}");
             Ok(())

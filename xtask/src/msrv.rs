@@ -1,5 +1,6 @@
 //! The crates that ship, checked with the oldest Rust they promise to build with.
 
+use std::fs;
 use std::process::Command;
 
 use crate::command::{Result, capture, find, run as run_command};
@@ -9,22 +10,39 @@ use crate::project;
 /// The `rust-version` of the workspace, as in `1.85`.
 const MSRV: &str = env!("CARGO_PKG_RUST_VERSION");
 
-const CRATES: [&str; 4] = ["grafcet", "grafcet-core", "grafcet-macros", "grafcet-compiler"];
+const CRATES: [&str; 5] = ["grafcet", "grafcet-core", "grafcet-draw", "grafcet-macros", "grafcet-compiler"];
 
 /// A crate with the charts of the source documents and charts in the full language of both dialects.
 const CONSUMER: &str = "hostile-no-std";
+
+/// Who repeats the version, because it does not inherit it from the workspace, and how.
+const REPEATED: [(&str, &str, &str); 5] = [
+    ("README.md", "MSRV: Rust ", "."),
+    ("benches/Cargo.toml", "rust-version = \"", "\""),
+    ("examples/firmware/Cargo.toml", "rust-version = \"", "\""),
+    ("tests/hostile/Cargo.toml", "rust-version = \"", "\""),
+    ("tests/conformance/board/Cargo.toml", "rust-version = \"", "\""),
+];
 
 /// Checks the libraries and a crate with charts with rustup's toolchain of that version, else with Debian's.
 ///
 /// # Errors
 /// There is neither, or a crate does not build with it.
 pub(crate) fn run() -> Result {
+    REPEATED.iter().try_for_each(repeats)?;
     let toolchain = installed()?;
     let mut command = cargo(toolchain.as_deref())?;
     run_command(command.args(CRATES.iter().flat_map(|name| ["--package", name])))?;
     // What the macro generates is compiled by the user's compiler.
     let mut command = cargo(toolchain.as_deref())?;
     run_command(command.args(["--manifest-path", "tests/hostile/Cargo.toml", "--package", CONSUMER]))
+}
+
+/// The file says the version that the workspace's manifest says.
+fn repeats((file, before, after): &(&str, &str, &str)) -> Result {
+    let text = fs::read_to_string(project::root().join(file)).map_err(|error| format!("{file}: {error}"))?;
+    let words = format!("{before}{MSRV}{after}");
+    if text.contains(&words) { Ok(()) } else { Err(format!("{file} does not say `{words}`")) }
 }
 
 /// `cargo check` of the toolchain of that name, else of Debian's.

@@ -52,6 +52,19 @@ impl BareMetal {
         }
     }
 
+    /// What the compiler says of itself, as in `rustc 1.96.0 (…)`.
+    ///
+    /// # Errors
+    /// It does not start.
+    pub(crate) fn version(&self) -> Result<String> {
+        let rustc = match self {
+            Self::Installed => Path::new("rustc"),
+            Self::FromSource { rustc, .. } => rustc,
+        };
+        let version = capture(project::forget_cargo(Command::new(rustc).arg("--version")))?;
+        Ok(version.trim_end().to_owned())
+    }
+
     /// `cargo <subcommand> --target <target>` at the root of the workspace.
     pub(crate) fn cargo(&self, subcommand: &str, target: &str) -> Command {
         match self {
@@ -77,7 +90,10 @@ fn has_core(libraries: &Path) -> bool {
 }
 
 /// The `rust-lld` of the toolchain in use, else one in the PATH.
-fn linker() -> Result<PathBuf> {
+///
+/// # Errors
+/// There is none; the message says what to install.
+pub(crate) fn linker() -> Result<PathBuf> {
     let rustlib = print(Path::new("rustc"), &["--print", "sysroot"])?.join("lib/rustlib");
     let hosts = rustlib.read_dir().into_iter().flatten().flatten();
     let mut bundled = hosts.map(|host| host.path().join("bin/rust-lld")).filter(|linker| linker.is_file());

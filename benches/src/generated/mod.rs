@@ -1,20 +1,25 @@
 //! The charts as a user of the macro writes them.
 
 mod sequences;
+mod structured;
 
 pub use sequences::{seq4, seq16, seq64};
+pub use structured::{cell, mixed};
 
-/// A chart in both dialects.
+/// A chart in both dialects; one with time names the shape of its function.
 macro_rules! both {
     ($chart:ident { $($body:tt)* }) => {
+        both! { $chart: Cycle { $($body)* } }
+    };
+    ($chart:ident: $function:ident { $($body:tt)* }) => {
         pub mod $chart {
             pub mod sfc {
                 ::grafcet::grafcet! { pub sfc Chart { $($body)* } }
-                pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+                pub const CYCLE: crate::$function<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
             }
             pub mod grafcet {
                 ::grafcet::grafcet! { pub grafcet Chart { $($body)* } }
-                pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+                pub const CYCLE: crate::$function<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
             }
         }
     };

@@ -1,7 +1,9 @@
 //! The charts as an engineer writes them in Rust by hand: an enum of the steps, a `match` that goes on, a `match` that
 //! acts; for IEC 60848 a loop around the first, with the bound that the dialect asks for.
 
+pub mod cell;
 pub mod line24v;
+pub mod mixed;
 pub mod motor;
 pub mod selection;
 pub mod seq16;

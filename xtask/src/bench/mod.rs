@@ -1,119 +1,139 @@
-//! `cargo xtask bench check`: how long the compiler takes, built as users' macros are.
+//! What generated charts cost on a controller, beside the same charts written by hand in Rust and in C and with other
+//! crates, and how long they take to build.
+//!
+//! Three figures, exact and the same in every run: flash, the bytes of code and constants that the linker keeps for the
+//! cycle function and all it needs, over an image with nothing in it; instructions per cycle, counted by the emulator,
+//! `busy` on random inputs and `idle` with all inputs false; RAM, the size of the chart.
 
-mod charts;
+mod builds;
+mod figures;
+mod goals;
+#[path = "../../../benches/build/machines.rs"]
+mod machines;
+mod measure;
+mod page;
+mod speed;
+mod table;
 
-use std::fmt::Write;
-use std::fs;
-use std::time::Duration;
+use self::figures::Recorded;
+pub(crate) use self::speed::check;
+use self::table::FIGURES;
+use crate::command::Result;
+use crate::toolchain::BareMetal;
 
-use self::charts::Chart;
-use crate::command::{Result, capture, capture_within};
-use crate::project::{cargo, root, target};
+/// Cortex-M3 and Cortex-M0; the code of both runs on the emulated Cortex-M3, whose instructions include those of the
+/// other.
+const TARGETS: [&str; 2] = ["thumbv7m-none-eabi", "thumbv6m-none-eabi"];
 
-/// No chart may take that long; what does counts as running without end.
-const LIMIT: Duration = Duration::from_secs(120);
+/// Who wrote the charts, by their features in `benches`. The first is compared with the others.
+const AUTHORS: [&str; 6] = ["generated", "hand", "c", "smlang", "statig", "flags"];
 
-/// The most memory a chart may take, in KiB.
-const MEMORY: u64 = 500 * 1024;
+/// Of [`AUTHORS`], the last that competes: what comes behind is only there to be compared with.
+const RIVALS: usize = 4;
 
-/// Each chart is compiled so often; the shortest time counts, since other programs can only lengthen it.
-const ROUNDS: usize = 3;
+/// Cycles per count, as the image in `benches` runs them.
+const CYCLES: u32 = 4096;
 
-/// What compiling a chart took.
+/// A tick of the emulated timer is five instructions, and a count may be off by a tick at its start and its end.
+const RESOLUTION: u32 = 10;
+
+/// What one chart costs as one author wrote it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Cost {
-    milliseconds: u64,
-    /// KiB; 0 where the system does not tell.
-    memory: u64,
-    /// The rules that spoke.
-    said: String,
+    /// Of the outputs on random inputs.
+    hash: u32,
+    /// Bytes.
+    flash: u32,
+    /// Instructions of [`CYCLES`] cycles on random inputs.
+    busy: u32,
+    /// Instructions of [`CYCLES`] cycles with all inputs false.
+    idle: u32,
+    /// Bytes.
+    ram: u32,
 }
 
-/// Compiles charts of many kinds with a compiler in the dev profile (without optimisation), each in a process of its own,
-/// and prints a table of times and memory beside what they may take.
+/// One chart in one dialect, by all authors who wrote it.
+#[derive(Debug, PartialEq, Eq)]
+struct Row {
+    /// As in `seq16 grafcet`.
+    name: String,
+    costs: [Option<Cost>; AUTHORS.len()],
+}
+
+impl Row {
+    /// The chart as other authors wrote it: `optimize size;` is for generated charts alone.
+    fn written(&self) -> String {
+        self.name.replace("_size ", " ")
+    }
+}
+
+/// Measures everything, records the figures and writes the page of costs.
 ///
 /// # Errors
-/// The compiler does not build, a chart takes more than [`LIMIT`], or is refused where it should not be. That a time is
-/// exceeded is only shown: times depend on the machine.
-pub(crate) fn check(only: Option<&str>) -> Result {
-    let folder = target("bench");
-    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let build = ["build", "--package", "grafcet-compiler", "--example", "compile_time", "--target-dir"];
-    capture(cargo(&build).arg(&folder))?;
-    let program = folder.join("debug/examples/compile_time");
-    println!("{:44} {:>8} {:>8} {:>8}  ", "chart", "time ms", "limit", "MiB");
-    let (mut refused, mut times) = (String::new(), Vec::new());
-    let charts = charts::all(&root())?;
-    for chart in charts.iter().filter(|chart| only.is_none_or(|only| chart.name.contains(only))) {
-        let file = folder.join(format!("{}.txt", chart.name.replace(' ', "_").replace(',', "")));
-        fs::write(&file, &chart.text).map_err(|error| format!("{}: {error}", file.display()))?;
-        let mut best: Option<Cost> = None;
-        for _ in 0..ROUNDS {
-            let cost = read(&capture_within(std::process::Command::new(&program).arg(&file), LIMIT)?)?;
-            let worse = cost.milliseconds > 2000;
-            if best.as_ref().is_none_or(|best| cost.milliseconds < best.milliseconds) {
-                best = Some(cost);
-            }
-            if worse {
-                break;
-            }
-        }
-        let Some(cost) = best else { continue };
-        println!("{}", row(chart, &cost));
-        if cost.said != chart.says {
-            _ = write!(refused, "\n  {}: {} speaks, expected was {}", chart.name, cost.said, chart.says);
-        }
-        times.push((chart.name.clone(), cost.milliseconds));
-    }
-    growth(&times);
-    if refused.is_empty() { Ok(()) } else { Err(format!("other messages than expected:{refused}")) }
-}
-
-fn read(line: &str) -> Result<Cost> {
-    let words: Vec<&str> = line.split_whitespace().collect();
-    match words[..] {
-        [milliseconds, memory, said] => {
-            let number = |word: &str| word.parse().map_err(|_| format!("not a number: {word}"));
-            Ok(Cost { milliseconds: number(milliseconds)?, memory: number(memory)?, said: said.to_owned() })
-        }
-        _ => Err(format!("not a measurement: {line}")),
+/// A tool is missing, a build fails, the authors' charts behave differently, or the generated charts miss a goal.
+pub(crate) fn run() -> Result {
+    let measured = measure_all()?;
+    let compilers = TARGETS.into_iter().map(|target| BareMetal::find(target)?.version()).collect::<Result<Vec<_>>>()?;
+    figures::record(&measured, &compilers)?;
+    let times = builds::measure()?;
+    let goals: Vec<_> = goals::of_costs(&measured).into_iter().chain(goals::of_builds(&times)).collect();
+    page::write(&measured, &times, &goals, &compilers)?;
+    print!("{}", goals::table(&goals));
+    let missed: Vec<String> = goals.iter().filter(|goal| !goal.is_met()).map(ToString::to_string).collect();
+    match missed.len() {
+        0 => Ok(()),
+        count => Err(format!("{count} goals are missed:\n  {}", missed.join("\n  "))),
     }
 }
 
-fn row(chart: &Chart, cost: &Cost) -> String {
-    let limit = chart.limit.map_or_else(|| "-".to_owned(), |limit| limit.to_string());
-    let exceeded = chart.limit.is_some_and(|limit| cost.milliseconds >= limit) || cost.memory >= MEMORY;
-    let verdict = if exceeded { "EXCEEDED" } else { "" };
-    let (name, time, memory) = (&chart.name, cost.milliseconds, cost.memory / 1024);
-    format!("{name:44} {time:8} {limit:>8} {memory:8}  {verdict}{}", said(&cost.said)).trim_end().to_owned()
-}
-
-fn said(said: &str) -> String {
-    if said == "-" { String::new() } else { format!(" {said}") }
-}
-
-/// How the time grows from the sequence of 1,000 steps to that of 10,000: 10 is linear.
-fn growth(times: &[(String, u64)]) {
-    for dialect in ["sfc", "grafcet"] {
-        let of = |steps: &str| {
-            let name = format!("sequence of {steps} steps, {dialect}");
-            times.iter().find(|(other, _)| *other == name).map(|(_, time)| *time)
-        };
-        if let (Some(short), Some(long)) = (of("1000"), of("10000")) {
-            let tenths = long * 10 / short.max(1);
-            println!("10,000 over 1,000 steps, {dialect}: {}.{} times", tenths / 10, tenths % 10);
-        }
+/// Measures the costs of all charts and shows them.
+///
+/// # Errors
+/// As [`run`], but for the goals: they are shown.
+pub(crate) fn cost() -> Result {
+    let measured = measure_all()?;
+    for figure in FIGURES {
+        println!("{}\n\n{}", figure.name, table::of(figure, &measured));
     }
+    println!("{}", goals::table(&goals::of_costs(&measured)));
+    Ok(())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::read;
+/// All charts by all authors on all targets.
+type Measured = Vec<(&'static str, Vec<Row>)>;
 
-    #[test]
-    fn a_line_of_the_compiler_is_read() {
-        let cost = read("12 3400 unsafe_step,deadlock\n").expect("a measurement");
-        assert_eq!((cost.milliseconds, cost.memory, &cost.said[..]), (12, 3400, "unsafe_step,deadlock"));
-        assert!(read("12 3400").is_err());
-        assert!(read("a 3400 -").is_err());
+fn measure_all() -> Result<Measured> {
+    let measure = |target| {
+        let rows = measure::all(target, &AUTHORS)?;
+        check_equal(target, &rows)?;
+        Ok((target, rows))
+    };
+    TARGETS.into_iter().map(measure).collect()
+}
+
+/// Compares the generated charts with the recorded figures: what CI runs.
+///
+/// # Errors
+/// A tool is missing, a build fails, a chart behaves or costs other than recorded.
+pub(crate) fn pinned() -> Result {
+    let recorded = Recorded::read()?;
+    for target in TARGETS {
+        let rows = measure::all(target, &AUTHORS[..1])?;
+        recorded.compare(target, &BareMetal::find(target)?.version()?, &rows)?;
+    }
+    Ok(())
+}
+
+/// The same work, or the comparison means nothing.
+fn check_equal(target: &str, rows: &[Row]) -> Result {
+    let differs = |row: &&Row| {
+        let mut hashes = row.costs.iter().flatten().map(|cost| cost.hash);
+        let first = hashes.next();
+        hashes.any(|hash| Some(hash) != first)
+    };
+    let different: Vec<&str> = rows.iter().filter(differs).map(|row| row.name.as_str()).collect();
+    match different[..] {
+        [] => Ok(()),
+        _ => Err(format!("{target}: the outputs of the authors' charts differ: {}", different.join(", "))),
     }
 }

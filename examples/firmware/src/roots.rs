@@ -1,0 +1,57 @@
+//! The cycle functions of the examples as roots for the linker: `cargo xtask firmware` links each alone and looks for the
+//! machinery of a panic.
+
+use core::panic::PanicInfo;
+
+use grafcet::Phase;
+
+use crate::{branch_on_result, cell, controller, line24v, motor, recipe, tickless};
+
+/// Carries out nothing.
+pub struct Idle;
+
+impl recipe::DyerActions for Idle {
+    fn heat(&mut self, _: Phase, _: i16) {}
+    fn drum(&mut self, _: Phase, _: u16) {}
+}
+
+impl controller::CalledActions for Idle {
+    fn control(&mut self, _: Phase, _: i16, _: i16) {}
+}
+
+impl controller::RemoteActions for Idle {
+    fn send(&mut self, _: Phase, _: controller::Message) {}
+}
+
+/// A static that holds a function, under a name that the linker knows.
+macro_rules! roots {
+    ($($name:ident: $function:ty = $value:expr;)*) => {$(
+        #[expect(unsafe_code, reason = "a name without mangling")]
+        #[unsafe(no_mangle)]
+        static $name: $function = $value;
+    )*};
+}
+
+roots! {
+    root_of_motor: fn(&mut motor::Motor, &motor::MotorInputs) -> motor::MotorOutputs = motor::Motor::cycle;
+    root_of_line24v: fn(&mut line24v::Line24V, &line24v::Line24VInputs) -> line24v::Line24VOutputs =
+        line24v::Line24V::cycle;
+    root_of_recipe: fn(&mut recipe::Dyer, &recipe::DyerInputs, u32, &mut Idle) -> recipe::DyerOutputs =
+        recipe::Dyer::cycle;
+    root_of_branch_on_result:
+        fn(&mut branch_on_result::Sorter, &branch_on_result::SorterInputs) -> branch_on_result::SorterOutputs =
+        branch_on_result::Sorter::cycle;
+    root_of_cell: fn(&mut cell::Cell, &cell::CellInputs) -> cell::CellOutputs = cell::Cell::cycle;
+    root_of_tickless: fn(&mut tickless::Crossing, &tickless::CrossingInputs, u32) -> tickless::CrossingOutputs =
+        tickless::Crossing::cycle;
+    root_of_controller: (
+        fn(&mut controller::Called, &controller::CalledInputs, &mut Idle) -> controller::CalledOutputs,
+        fn(&mut controller::Remote, &controller::RemoteInputs, &mut Idle) -> controller::RemoteOutputs,
+    ) = (controller::Called::cycle, controller::Remote::cycle);
+    root_of_a_panic: fn(&[u8], usize) -> u8 = |bytes, place| bytes[place];
+}
+
+#[panic_handler]
+fn panicked(_: &PanicInfo<'_>) -> ! {
+    loop {}
+}

@@ -1,0 +1,129 @@
+//! The figures as tables.
+
+use std::fmt::Write;
+
+use super::{AUTHORS, CYCLES, Cost, Measured, RESOLUTION, RIVALS, Row};
+
+/// A figure of a chart's cost.
+#[derive(Debug)]
+pub(super) struct Figure {
+    pub(super) name: &'static str,
+    pub(super) of: fn(&Cost) -> u32,
+    /// What is shown is this share of the figure.
+    per: u32,
+    /// More than this is more.
+    pub(super) resolution: u32,
+}
+
+pub(super) const FLASH: Figure = Figure { name: "flash", of: |cost| cost.flash, per: 1, resolution: 0 };
+pub(super) const BUSY: Figure =
+    Figure { name: "instructions, busy", of: |cost| cost.busy, per: CYCLES, resolution: RESOLUTION };
+pub(super) const IDLE: Figure =
+    Figure { name: "instructions, idle", of: |cost| cost.idle, per: CYCLES, resolution: RESOLUTION };
+pub(super) const RAM: Figure = Figure { name: "RAM", of: |cost| cost.ram, per: 1, resolution: 0 };
+
+/// In the order in which they are shown.
+pub(super) const FIGURES: [&Figure; 4] = [&FLASH, &BUSY, &IDLE, &RAM];
+
+impl Figure {
+    /// What a chart costs as this author wrote it.
+    pub(super) fn get(&self, row: &Row, author: usize) -> Option<u32> {
+        row.costs[author].as_ref().map(self.of)
+    }
+
+    /// The least that a rival needs.
+    pub(super) fn best(&self, row: &Row) -> Option<u32> {
+        (1..=RIVALS).filter_map(|author| self.get(row, author)).min()
+    }
+
+    fn show(&self, value: Option<u32>) -> String {
+        match (value, self.per) {
+            (None, _) => "–".to_owned(),
+            (Some(value), 1) => value.to_string(),
+            (Some(value), per) => format!("{:.1}", f64::from(value) / f64::from(per)),
+        }
+    }
+
+    /// The cells of one chart on one target: by all authors, and the ratio of the first to the best of the others, with a
+    /// mark where it is more.
+    fn cells(&self, row: &Row) -> String {
+        let mut cells = String::new();
+        for author in 0..=RIVALS {
+            _ = write!(cells, " {} |", self.show(self.get(row, author)));
+        }
+        match (self.get(row, 0), self.best(row)) {
+            (Some(ours), Some(best)) => {
+                let mark = if ours > best + self.resolution { "**" } else { "" };
+                _ = write!(cells, " {mark}{:.2}{mark} |", f64::from(ours) / f64::from(best));
+            }
+            _ => cells.push_str(" – |"),
+        }
+        cells
+    }
+}
+
+/// One figure of all charts on all targets, in Markdown.
+pub(super) fn of(figure: &Figure, measured: &Measured) -> String {
+    let names = ["grafcet", "by hand", "C", "smlang", "statig", "ratio"];
+    let mut table = String::from("| |");
+    let mut rule = String::from("| --- |");
+    for (target, _) in measured {
+        let cpu = if target.starts_with("thumbv6m") { "M0" } else { "M3" };
+        for name in names {
+            _ = write!(table, " {cpu} {name} |");
+            rule.push_str(" --: |");
+        }
+    }
+    _ = writeln!(table, "\n{rule}");
+    let Some((_, first)) = measured.first() else { return table };
+    for row in first {
+        _ = write!(table, "| {} |", row.name);
+        for (_, rows) in measured {
+            match rows.iter().find(|other| other.name == row.name) {
+                Some(row) => table.push_str(&figure.cells(row)),
+                None => table.push_str(&" – |".repeat(names.len())),
+            }
+        }
+        table.push('\n');
+    }
+    table
+}
+
+/// The author's name in the tables.
+pub(super) fn author(place: usize) -> &'static str {
+    ["grafcet", "hand-written Rust", "hand-written C", "smlang", "statig", "one bit per step"]
+        .get(place)
+        .copied()
+        .unwrap_or(AUTHORS[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{AUTHORS, Cost, Row};
+    use super::{BUSY, FLASH, RAM, of};
+
+    fn row() -> Row {
+        let cost = |flash, busy, ram| Some(Cost { hash: 0, flash, busy, idle: 4096, ram });
+        let mut costs = [None; AUTHORS.len()];
+        // One tick more is within the resolution of the timer, one byte is not.
+        costs[0] = cost(64, 4101, 1);
+        costs[1] = cost(63, 4096, 1);
+        costs[2] = cost(70, 8192, 2);
+        // Who does not compete.
+        costs[5] = cost(1, 1, 1);
+        Row { name: "motor sfc".to_owned(), costs }
+    }
+
+    #[test]
+    fn the_best_rival_counts() {
+        assert_eq!(FLASH.cells(&row()), " 64 | 63 | 70 | – | – | **1.02** |");
+        assert_eq!(BUSY.cells(&row()), " 1.0 | 1.0 | 2.0 | – | – | 1.00 |");
+    }
+
+    #[test]
+    fn targets_stand_side_by_side() {
+        let table = of(&RAM, &vec![("thumbv7m", vec![row()]), ("thumbv6m", vec![row()])]);
+        let cells = " 1 | 1 | 2 | – | – | 1.00 |";
+        assert_eq!(table.lines().last(), Some(&format!("| motor sfc |{cells}{cells}")[..]));
+    }
+}

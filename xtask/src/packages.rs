@@ -1,0 +1,148 @@
+//! What is published: the packages in their order, every set of features, the oldest dependencies that the manifests allow.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+use crate::command::{Result, capture, run as run_command};
+use crate::project::{self, cargo, root};
+
+/// All that is checked here.
+///
+/// # Errors
+/// As [`pack`], [`features`] and [`oldest`].
+pub(crate) fn run() -> Result {
+    pack()?;
+    features()?;
+    oldest()
+}
+
+/// Packs all crates in the order of their dependencies and builds each from its package, as for publishing.
+///
+/// # Errors
+/// A package lacks something, or does not build from what is in it.
+pub(crate) fn pack() -> Result {
+    // What is tried is the working tree; cargo asks for a clean one where it publishes indeed.
+    run_command(&mut cargo(&["publish", "--workspace", "--dry-run", "--locked", "--quiet", "--allow-dirty"]))?;
+    // Cargo packs without them, too.
+    let wanted = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
+    for package in published()? {
+        let files = capture(&mut cargo(&["package", "--package", &package.name, "--list", "--allow-dirty"]))?;
+        if let Some(missing) = wanted.iter().find(|file| !files.lines().any(|line| line == **file)) {
+            return Err(format!("the package of {} has no {missing}", package.name));
+        }
+    }
+    Ok(())
+}
+
+/// Checks every crate that is published with every set of its features.
+///
+/// # Errors
+/// One of the sets does not build without warnings.
+pub(crate) fn features() -> Result {
+    for package in published()? {
+        for set in sets(&package.features) {
+            println!("features: {} with {}", package.name, if set.is_empty() { "none" } else { &set });
+            let check = ["clippy", "--locked", "--quiet", "--lib", "--no-default-features", "--package", &package.name];
+            run_command(cargo(&check).args(["--features", &set, "--", "-D", "warnings"]))?;
+        }
+    }
+    Ok(())
+}
+
+/// Checks the crates that are published with the oldest versions of their dependencies that their manifests allow.
+///
+/// # Errors
+/// A manifest allows a version that lacks what is used.
+pub(crate) fn oldest() -> Result {
+    let folder = project::target("oldest");
+    copy_into(&folder)?;
+    // The option is not stable, and changes nothing but the lock file.
+    let update = ["update", "--quiet", "-Z", "direct-minimal-versions"];
+    run_command(cargo(&update).current_dir(&folder).env("RUSTC_BOOTSTRAP", "1"))?;
+    for package in published()? {
+        let check =
+            ["check", "--quiet", "--locked", "--lib", "--all-features", "--package", &package.name, "--target-dir"];
+        run_command(cargo(&check).arg(project::target("oldest-build")).current_dir(&folder))?;
+    }
+    Ok(())
+}
+
+/// The files of the project, those that are not committed yet included.
+fn copy_into(folder: &Path) -> Result {
+    let failed = |what: &Path, error| format!("{}: {error}", what.display());
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(|error| failed(folder, error))?;
+    }
+    let list = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
+    let files = capture(Command::new("git").args(list).current_dir(root()))?;
+    // A file that is deleted and not committed is listed, too.
+    for file in files.split('\0').filter(|file| root().join(file).is_file()) {
+        let copy = folder.join(file);
+        if let Some(parent) = copy.parent() {
+            fs::create_dir_all(parent).map_err(|error| failed(parent, error))?;
+        }
+        fs::copy(root().join(file), &copy).map_err(|error| failed(&copy, error))?;
+    }
+    Ok(())
+}
+
+/// A crate that is published.
+pub(crate) struct Package {
+    pub(crate) name: String,
+    features: Vec<String>,
+}
+
+/// All of them.
+///
+/// # Errors
+/// Cargo does not tell.
+pub(crate) fn published() -> Result<Vec<Package>> {
+    let metadata = ["metadata", "--no-deps", "--locked", "--format-version", "1"];
+    let text = capture(cargo(&metadata).stdout(Stdio::piped()))?;
+    let metadata: Value = serde_json::from_str(&text).map_err(|error| format!("cargo metadata: {error}"))?;
+    let packages = metadata["packages"].as_array().ok_or("cargo metadata names no packages")?;
+    let packages: Vec<Package> = packages.iter().filter_map(package).collect();
+    if packages.is_empty() { Err("no crate is published".to_owned()) } else { Ok(packages) }
+}
+
+/// The package, where it may be published: `publish` is then null, not an empty list.
+fn package(package: &Value) -> Option<Package> {
+    let name = package["name"].as_str().filter(|_| package["publish"].is_null())?.to_owned();
+    let features = package["features"].as_object()?.keys().filter(|name| *name != "default").cloned().collect();
+    Some(Package { name, features })
+}
+
+/// Every set of these features, as cargo takes them.
+fn sets(features: &[String]) -> Vec<String> {
+    let mut sets = vec![String::new()];
+    for feature in features {
+        for place in 0..sets.len() {
+            sets.push(format!("{},{feature}", sets[place]).trim_start_matches(',').to_owned());
+        }
+    }
+    sets
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::{package, sets};
+
+    #[test]
+    fn all_sets_of_features() {
+        let features = ["a", "b"].map(str::to_owned);
+        assert_eq!(sets(&features), ["", "a", "b", "a,b"]);
+    }
+
+    #[test]
+    fn what_is_not_published_is_left_out() {
+        let features = json!({ "default": [], "std": [] });
+        let crate_ = package(&json!({ "name": "a", "publish": null, "features": features }));
+        assert!(crate_.is_some_and(|package| package.name == "a" && package.features == ["std"]));
+        assert!(package(&json!({ "name": "b", "publish": [], "features": {} })).is_none());
+    }
+}

@@ -1,0 +1,29 @@
+//! What is looked at before a release, beside what CI runs: tools that take longer to install than CI to run.
+
+use std::process::Command;
+
+use crate::command::{Result, capture, find, run as run_command};
+use crate::packages;
+use crate::project::{cargo, root};
+
+/// Checks licences, advisories and sources (`deny.toml`), and that no interface has changed more than the version says.
+///
+/// # Errors
+/// A tool is missing, or one of the checks fails.
+pub(crate) fn run() -> Result {
+    for name in ["cargo-deny", "cargo-semver-checks"] {
+        find(name).ok_or_else(|| format!("{name} is not in the PATH: `cargo install --locked {name}`"))?;
+    }
+    run_command(&mut cargo(&["deny", "check"]))?;
+    let tags =
+        capture(Command::new("git").args(["tag", "--list", "v*", "--sort=-version:refname"]).current_dir(root()))?;
+    match tags.lines().next() {
+        None => println!("release: this is the first, there is no interface to compare with"),
+        Some(last) => {
+            for package in packages::published()? {
+                run_command(&mut cargo(&["semver-checks", "--package", &package.name, "--baseline-rev", last]))?;
+            }
+        }
+    }
+    Ok(())
+}
