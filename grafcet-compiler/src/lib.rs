@@ -9,6 +9,7 @@ pub mod check;
 mod codegen;
 pub mod describe;
 pub mod diagnostic;
+#[cfg(feature = "interp")]
 pub mod interp;
 pub mod model;
 pub mod parse;
