@@ -73,8 +73,12 @@
 //! assert_eq!(cycles_in(Light::new(), LightStep::Lit, &recorded), 2);
 //! ```
 //!
-//! The pages *language*, *semantics* and *names* in the folder `docs` of the repository describe the notation, what one
-//! cycle does exactly, and what steps and signals may be called.
+//! # The manual
+//!
+//! [First chart](manual::first_chart), from `cargo new` to an emulated controller; [the language](manual::language), all that a
+//! chart may hold; [the meaning](manual::semantics), what one cycle does exactly; [the rules](manual::rules) that the compiler
+//! checks; [the names](manual::names); [the cookbook](manual::cookbook); [porting](manual::porting) of CASE and flip-flop
+//! programs.
 #![no_std]
 
 /// Pictures of a chart, with the steps marked that are active: for the host, with the feature `std`.
@@ -149,7 +153,40 @@ pub mod __private {
     pub use heapless;
 }
 
-/// The charts of the pages are tests.
+/// The pages of the folder `docs`, part of the documentation alone.
+// A link between pages leads from file to file in the repository and from module to module here: of two definitions of a
+// link the first one counts.
+#[cfg(all(doc, not(doctest)))]
+pub mod manual {
+    #[doc = "[language]: self::language\n[semantics]: self::semantics\n[cookbook]: self::cookbook\n"]
+    #[doc = include_str!("../docs/first-chart.md")]
+    pub mod first_chart {}
+
+    #[doc = "[names]: self::names\n[semantics]: self::semantics\n"]
+    #[doc = include_str!("../docs/language.md")]
+    pub mod language {}
+
+    #[doc = include_str!("../docs/semantics.md")]
+    pub mod semantics {}
+
+    #[doc = "[names]: self::names\n[semantics]: self::semantics\n"]
+    #[doc = include_str!("../docs/rules.md")]
+    pub mod rules {}
+
+    #[doc = include_str!("../docs/names.md")]
+    pub mod names {}
+
+    #[doc = "[porting]: self::porting\n"]
+    #[doc = include_str!("../docs/cookbook.md")]
+    pub mod cookbook {}
+
+    #[doc = "[semantics]: self::semantics\n"]
+    #[doc = include_str!("../docs/porting.md")]
+    pub mod porting {}
+}
+
+/// The charts of the pages are tests. Those of the rules, half of which are wrong, have a test of their own, and the first
+/// chart is followed from command to command: `cargo xtask first-chart`.
 #[cfg(doctest)]
 mod pages {
     #[doc = include_str!("../README.md")]
@@ -162,4 +199,8 @@ mod pages {
     struct Names;
     #[doc = include_str!("../docs/drawing.md")]
     struct Drawing;
+    #[doc = include_str!("../docs/cookbook.md")]
+    struct Cookbook;
+    #[doc = include_str!("../docs/porting.md")]
+    struct Porting;
 }

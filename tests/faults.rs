@@ -140,6 +140,13 @@ const FAULTS: &[Fault] = &[
         names: &["Table::T4.X && Press::P12.X", "D7 → D1"],
     },
     Fault {
+        what: "a step variable confused: what starts together is never apart like that",
+        chart: PLANT,
+        replace: &[("T4 -[Load::L1.X && Drill::D1.X", "T4 -[Load::L9.X && Drill::D1.X")],
+        rule: "never_true",
+        names: &["L9", "D1", "T4 → T1"],
+    },
+    Fault {
         what: "two partial grafcets that wait for each other",
         chart: CARTONS,
         replace: &[("A3 -[Robot::GripA.X]-> A4", "A3 -[Robot::LiftA.X]-> A4")],

@@ -34,5 +34,5 @@ neighbours! {
     properties: property_undecided, property_violated;
     structure:
         enclosure_without_link, forced_enclosure, forced_step_outside, forcing_circle, init_without_initial,
-        macro_entry_exit, two_masters;
+        initial_without_effect, macro_entry_exit, two_masters;
 }

@@ -167,8 +167,37 @@ fn step_variables() {
     certain(
         "partial Left { initial step A; step B; A -[C.X && a]-> B -[K.X]-> A; }
          partial Right { initial step C; step K; C -[B.X]-> K -[A.X]-> C; }",
+        "A B C K",
+    );
+    certain(
+        "partial Left { initial step A; step B; A -[C.X && a]-> B -[K.X && b]-> A; }
+         partial Right { initial step C; step K; C -[B.X]-> K -[A.X]-> C; }",
         "",
     );
+}
+
+/// An order that appears in the middle of a search, or the end of an enclosing step, ends the circle.
+#[test]
+fn commands() {
+    let work = "partial Work { initial step A; step B; step C; A -[a]-> B -[a]-> C -[a]-> A; }";
+    let master = |order: &str, way: &str| {
+        format!("partial Master {{ initial step Run; step Soon; step Held {{ force Work {order}; }} {way} }} {work}")
+    };
+    for order in ["{*}", "{A}", "{INIT}", "{}"] {
+        certain(&master(order, "Run -[b]-> Held -[!b]-> Run;"), "A B C");
+        certain(&master(order, "Run -[b]-> Held -[!b && 1s/Held]-> Run;"), "A B C");
+        certain(&master(order, "Run -[b]-> Held -[!d]-> Run;"), "");
+        certain(&master(order, "Run -[b]-> Soon -[true]-> Held -[!b]-> Run;"), "");
+        certain(&master(order, "Run -[B.X]-> Held -[b && !a]-> Run;"), "");
+        certain(&master(order, "Run -[n > 3]-> Held -[b && !a]-> Run;"), "");
+    }
+    let enclosed = |way: &str| {
+        let work = work.replace("initial", "linked");
+        format!("partial Master {{ initial step Off; enclosing step Auto {{ {work} }} step Off2; {way} }}")
+    };
+    certain(&enclosed("Off -[b]-> Auto -[!b]-> Off;"), "A B C");
+    certain(&enclosed("Off -[b]-> Auto -[C.X]-> Off2 -[!b]-> Off;"), "");
+    certain(&enclosed("Off -[b]-> Auto -[d]-> Off2 -[!b]-> Off;"), "");
 }
 
 #[test]

@@ -6,20 +6,22 @@ use std::time::{Duration, Instant};
 
 use crate::command::{Result, run as run_command};
 use crate::project::{cargo, root};
-use crate::{bench, conformance, firmware, msrv, packages};
+use crate::{bench, conformance, firmware, first_chart, msrv, packages};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
+const RTIC: [&str; 2] = ["--manifest-path", "examples/rtic/Cargo.toml"];
+const EMBASSY: [&str; 2] = ["--manifest-path", "examples/embassy/Cargo.toml"];
 const CORPUS: [&str; 2] = ["--manifest-path", "tests/conformance/board/Cargo.toml"];
 const HOSTILE: [&str; 2] = ["--manifest-path", "tests/hostile/Cargo.toml"];
 const BENCHES: [&str; 2] = ["--manifest-path", "benches/Cargo.toml"];
 /// What has a lock file of its own.
-const APART: [[&str; 2]; 4] = [FIRMWARE, CORPUS, HOSTILE, BENCHES];
+const APART: [[&str; 2]; 6] = [FIRMWARE, RTIC, EMBASSY, CORPUS, HOSTILE, BENCHES];
 
 /// A named step of CI.
 type Step = (&'static str, fn() -> Result);
 
 /// No step is ever skipped: one that lacks a tool fails and says which.
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("lock files", lock_files),
     ("rustfmt", rustfmt),
     ("test", test),
@@ -28,6 +30,7 @@ const STEPS: [Step; 10] = [
     ("doc", doc),
     ("msrv", msrv::run),
     ("firmware", firmware::run),
+    ("first chart", first_chart::run),
     ("cost", bench::pinned),
     ("packages", packages::run),
 ];

@@ -16,12 +16,27 @@ const BOARD: &str = "thumbv7m-none-eabi";
 /// The manifest of the examples for the board, and the folder of its build results.
 const EXAMPLES_CRATE: (&str, &str) = ("examples/firmware/Cargo.toml", "firmware");
 
+/// The same of the charts as tasks of RTIC and Embassy, in the folder of the examples: all of them need the compiler of
+/// charts, which then is built once.
+const RTIC_CRATE: (&str, &str) = ("examples/rtic/Cargo.toml", "firmware");
+const EMBASSY_CRATE: (&str, &str) = ("examples/embassy/Cargo.toml", "firmware");
+
+/// The programs that live from interrupts and have no counterpart on the host, with what they print.
+const PROGRAMS: [(&str, &str); 3] = [
+    ("messages", include_str!("../../tests/examples/messages.expected")),
+    ("staircase-rtic", include_str!("../../tests/examples/staircase.expected")),
+    ("staircase-embassy", include_str!("../../tests/examples/staircase.expected")),
+];
+
 /// The same of the conformance corpus.
 const CORPUS_CRATE: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
 
 /// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
 const BUILT: [(&str, &str); 3] =
     [("thumbv6m-none-eabi", "--bins"), ("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
+
+/// The name of the image that plays the scripts, and of that of the corpus.
+const IMAGE: &str = "lm3s6965evb";
 
 /// The examples in the order in which the firmware plays their scripts.
 const EXAMPLES: [&str; 7] = ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "controller"];
@@ -39,11 +54,23 @@ const SHOWN: usize = 20;
 pub(crate) fn run() -> Result {
     build(EXAMPLES_CRATE, BOARD, "--bins")?;
     let host = host_lines()?;
-    compare(&host, &board_lines("firmware")?)?;
+    compare(&host, &board_lines("firmware", IMAGE)?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
+    programs()?;
     BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))?;
     no_panics()?;
     corpus()
+}
+
+/// The examples with interrupts, and as tasks.
+fn programs() -> Result {
+    build(RTIC_CRATE, BOARD, "--bins")?;
+    build(EMBASSY_CRATE, BOARD, "--bins")?;
+    PROGRAMS.iter().try_for_each(|(name, expected)| {
+        compare(expected, &board_lines("firmware", name)?).map_err(|error| format!("{name}: {error}"))?;
+        println!("firmware: {name} prints what it should");
+        Ok(())
+    })
 }
 
 /// No cycle function of the examples leads to a panic: linked alone, none of its machinery is there.
@@ -69,7 +96,7 @@ fn no_panics() -> Result {
 /// The conformance corpus on the board: the image fails where a chart shows something else than its file expects.
 fn corpus() -> Result {
     build(CORPUS_CRATE, BOARD, "--bins")?;
-    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines("corpus")?)?;
+    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines("corpus", IMAGE)?)?;
     println!("firmware: the conformance corpus shows the same on the board");
     Ok(())
 }
@@ -106,29 +133,31 @@ fn host_lines() -> Result<String> {
         .collect()
 }
 
-fn board_lines(folder: &str) -> Result<String> {
+fn board_lines(folder: &str, image: &str) -> Result<String> {
     let qemu = tool("qemu-system-arm", "qemu-system-arm")?;
-    let image = project::target(folder).join(BOARD).join("release/lm3s6965evb");
+    let image = project::target(folder).join(BOARD).join("release").join(image);
     capture_within(&mut emulator(&qemu, &image), LIMIT)
 }
 
 fn emulator(qemu: &Path, image: &Path) -> Command {
     let mut command = Command::new(qemu);
     command.args(["-cpu", "cortex-m3", "-machine", "lm3s6965evb", "-nographic"]);
+    // An instruction takes 512 ns, and sleeping takes none of our time.
+    command.args(["-icount", "shift=9,sleep=off"]);
     command.args(["-semihosting-config", "enable=on,target=native", "-kernel"]).arg(image);
     command
 }
 
-fn compare(host: &str, board: &str) -> Result {
-    let (mut host, mut board) = (host.lines(), board.lines());
+fn compare(expected: &str, board: &str) -> Result {
+    let (mut expected, mut board) = (expected.lines(), board.lines());
     let mut differences = Vec::new();
     for number in 1.. {
-        match (host.next(), board.next()) {
+        match (expected.next(), board.next()) {
             (None, None) => break,
-            (host, board) if host == board => {}
-            (host, board) => {
-                let [host, board] = [host, board].map(|line| line.unwrap_or("(nothing)"));
-                differences.push(format!("\n  line {number}\n    host:  {host}\n    board: {board}"));
+            (expected, board) if expected == board => {}
+            (expected, board) => {
+                let [expected, board] = [expected, board].map(|line| line.unwrap_or("(nothing)"));
+                differences.push(format!("\n  line {number}\n    expected: {expected}\n    board:    {board}"));
             }
         }
     }
@@ -136,7 +165,7 @@ fn compare(host: &str, board: &str) -> Result {
     differences.truncate(SHOWN);
     match count {
         0 => Ok(()),
-        _ => Err(format!("the board answers other than the host in {count} lines:{}", differences.concat())),
+        _ => Err(format!("the board answers other than expected in {count} lines:{}", differences.concat())),
     }
 }
 
@@ -152,8 +181,8 @@ mod tests {
     #[test]
     fn another_line_and_a_missing_one_are_shown() {
         let error = compare("# motor\n0 Off | - | red\n1 Off | - | red\n", "# motor\n0 Off | - | -\n");
-        let expected = "the board answers other than the host in 2 lines:\n  line 2\n    host:  0 Off | - | red\n    \
-                        board: 0 Off | - | -\n  line 3\n    host:  1 Off | - | red\n    board: (nothing)";
+        let expected = "the board answers other than expected in 2 lines:\n  line 2\n    expected: 0 Off | - | red\n    \
+                        board:    0 Off | - | -\n  line 3\n    expected: 1 Off | - | red\n    board:    (nothing)";
         assert_eq!(error, Err(expected.to_owned()));
     }
 

@@ -7,6 +7,7 @@ mod command;
 mod conformance;
 mod debian;
 mod firmware;
+mod first_chart;
 mod image;
 mod msrv;
 mod packages;
@@ -34,6 +35,8 @@ Usage: cargo xtask <task>
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
             random charts, compiled through the macro, beside the interpreter
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
+  first-chart
+            follow docs/first-chart.md in a clean folder, command by command
   packages  pack and build what is published, check every set of features and the oldest dependencies allowed
   release   before a release: licences and advisories (cargo-deny), the interface against the last release (cargo-semver-checks)
   msrv      check the crates that ship with the oldest supported Rust
@@ -53,6 +56,7 @@ fn main() -> ExitCode {
         ["ci"] => ci::run(),
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
+        ["first-chart"] => first_chart::run(),
         ["msrv"] => msrv::run(),
         ["packages"] => packages::run(),
         ["release"] => release::run(),

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::analysis::explore::situation;
 use crate::analysis::{Answer, Condition, Logic};
 use crate::diagnostic::{Rule, Severity, Sink, rules};
-use crate::model::{Expr, LevelAttr, Model, Read, StepId, Transition, TransitionId, Tree};
+use crate::model::{Binary, Expr, LevelAttr, Model, Read, StepId, Transition, TransitionId, Tree};
 
 /// The transitions of which something was said.
 #[derive(Default)]
@@ -34,13 +34,15 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], 
             said.always.insert(id);
         }
         let what = format!("{} never clears", model.transition_text(transition));
-        report(rule, &transition.condition, &what, &scopes, sink);
+        let expr = &transition.condition;
+        report(rule, (expr, apart(model, logic, &expr.tree)), &what, &scopes, sink);
     }
     for association in model.associations.values() {
         for expr in association.condition.iter().chain(&association.event) {
             if let Some(rule) = constant(logic, &logic.of_action(&expr.tree), &expr.tree) {
                 let step = &model.steps[association.step];
-                report(rule, expr, "this action never acts", &model.levels_of(step), sink);
+                let apart = apart(model, logic, &expr.tree);
+                report(rule, (expr, apart), "this action never acts", &model.levels_of(step), sink);
             }
         }
         if let (true, Some(event)) = (model.is_grafcet(), &association.event) {
@@ -92,10 +94,37 @@ fn constant(logic: &Logic<'_>, condition: &Condition, tree: &Tree) -> Option<&'s
     logic.always(condition).then_some(&rules::ALWAYS_TRUE)
 }
 
-fn report(rule: &'static Rule, expr: &Expr, what: &str, scopes: &[&[LevelAttr]], sink: &mut Sink) {
+/// Two steps that a condition wants to be active together, and that never are.
+fn apart(model: &Model, logic: &Logic<'_>, tree: &Tree) -> Option<String> {
+    let mut steps: Vec<StepId> = Vec::new();
+    let mut open = vec![tree];
+    while let Some(tree) = open.pop() {
+        match tree {
+            Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.extend([&**b, &**a]),
+            Tree::Read(Read::Active(step)) => steps.push(*step),
+            _ => {}
+        }
+    }
+    let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
+    let active: Vec<Condition> = steps.iter().map(active).collect();
+    let pairs = (0..steps.len()).flat_map(|a| (a + 1..steps.len()).map(move |b| (a, b)));
+    let mut apart = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
+    let (a, b) = apart.next()?;
+    let name = |step: StepId| &model.steps[step].name;
+    Some(format!(" (`{}` and `{}` are never active together)", name(steps[a]), name(steps[b])))
+}
+
+fn report(
+    rule: &'static Rule,
+    (expr, apart): (&Expr, Option<String>),
+    what: &str,
+    scopes: &[&[LevelAttr]],
+    sink: &mut Sink,
+) {
     let text = &expr.text;
     let message = if rule.name == rules::NEVER_TRUE.name {
-        format!("`{text}` never holds, so {what}; correct the condition, or delete what depends on it")
+        let why = apart.unwrap_or_default();
+        format!("`{text}` never holds{why}, so {what}; correct the condition, or delete what depends on it")
     } else {
         format!("`{text}` always holds, so nothing waits for it; correct the condition, or write `true`")
     };

@@ -1,12 +1,14 @@
 //! `unreachable_step`, `dead_transition`: what the chart never comes to.
 //!
 //! One cause gives one message. A step that would be reached if a transition that never clears did is not reported beside
-//! that transition, and neither are the transitions that leave a step which is never active.
+//! that transition, and neither are the transitions that leave a step which is never active. The exception is the step
+//! right behind an AND-convergence whose sources are never together: it is where one looks for the fault.
 
 use std::collections::BTreeSet;
 
 use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, situation};
+use crate::analysis::hierarchy::initial_situation;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Dialect, ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
 
@@ -32,8 +34,19 @@ pub(super) fn check(
             !dead.contains(&arc) && !said.contains(&arc) && sources.iter().all(|source| exploration.reachable(*source))
         };
         let beaten = model.transitions.iter().find(|(arc, transition)| transition.targets.contains(&id) && open(*arc));
+        let missed = model.transitions.iter().find(|(arc, transition)| {
+            transition.targets.contains(&id)
+                && transition.sources.len() > 1
+                && dead.contains(arc)
+                && !exploration.is_enabled(*arc)
+        });
         let forced = step.initial && model.partials[step.partial].enclosed_by.is_none();
-        let message = match beaten {
+        let message = match beaten.or(missed) {
+            Some((arc, join)) if dead.contains(&arc) => format!(
+                "step `{}` is never active: {}, which lead to it, are never all active together",
+                step.name,
+                named(model, &join.sources)
+            ),
             Some((_, arc)) => never_wins(model, step, arc),
             None if forced => {
                 format!("step `{}` is never active: an order forces its partial grafcet from the start", step.name)
@@ -118,11 +131,16 @@ pub(super) fn idle(model: &Model, exploration: &Exploration) -> BTreeSet<Transit
 /// The steps to which arrows lead from where the chart starts, whatever the conditions.
 fn drawn(model: &Model) -> Vec<bool> {
     let mut drawn = vec![false; model.steps.len()];
-    let mut work: Vec<StepId> =
-        model.steps.iter().filter(|(_, step)| step.initial || step.linked).map(|(id, _)| id).collect();
+    let mut work: Vec<StepId> = initial_situation(model).into_iter().collect();
+    work.extend(model.steps.iter().filter(|(_, step)| step.linked).map(|(id, _)| id));
     for force in model.forces.values() {
-        if let ForceOrder::Steps(steps) = &force.order {
-            work.extend(steps);
+        match &force.order {
+            ForceOrder::Hold => {}
+            ForceOrder::Steps(steps) => work.extend(steps),
+            ForceOrder::Init => {
+                let steps = model.partials[force.target].steps.iter();
+                work.extend(steps.filter(|step| model.steps[**step].initial));
+            }
         }
     }
     let mut missing: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).collect();

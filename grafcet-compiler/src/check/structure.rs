@@ -8,6 +8,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     circles(model, sink);
     forced_enclosures(model, sink);
     missing_links(model, sink);
+    idle_initial_steps(model, sink);
     missing_initial_steps(model, sink);
 }
 
@@ -75,6 +76,32 @@ fn missing_links(model: &Model, sink: &mut Sink) {
             "nothing in `{name}` becomes active when `{outer}` does; mark the steps to be activated: `linked step …`"
         );
         sink.rule(&rules::ENCLOSURE_WITHOUT_LINK, &[], vec![(Mark::from(name), message)]);
+    }
+}
+
+/// A18: an initial step in an enclosure belongs to the initial situation only with its enclosing step.
+fn idle_initial_steps(model: &Model, sink: &mut Sink) {
+    // Of an enclosure without any link more is said.
+    let has_link = |partial: PartialId| model.partials[partial].steps.iter().any(|step| model.steps[*step].linked);
+    for step in model.steps.values().filter(|step| step.initial && has_link(step.partial)) {
+        let mut outer = model.partials[step.partial].enclosed_by;
+        while let Some(around) = outer.map(|id| &model.steps[id]) {
+            if !around.initial {
+                let (name, around) = (&step.name, &around.name);
+                let then = if step.linked {
+                    format!("is activated with `{around}` by its link alone")
+                } else {
+                    "begins nothing".to_owned()
+                };
+                let message = format!(
+                    "`{name}` is marked `initial`, but the step `{around}` around it is not, so `{name}` {then}; delete \
+                     `initial`, or mark `{around}` `initial`, too"
+                );
+                sink.rule(&rules::INITIAL_WITHOUT_EFFECT, &model.levels_of(step), vec![(Mark::from(name), message)]);
+                break;
+            }
+            outer = model.partials[around.partial].enclosed_by;
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::analysis::circles::{Circle, Circles};
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{LevelAttr, Model, StepId, TransitionId, Tree};
+use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
 
 /// `never` is what the plant excludes.
 pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
@@ -49,7 +49,7 @@ fn notes(model: &Model, circle: &Circle, message: &str) -> Vec<(Mark, String)> {
     circle.transitions.iter().map(|id| (model.transitions[*id].mark, message.to_owned())).collect()
 }
 
-/// `` `A → B → A` ``
+/// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.
 fn text(model: &Model, circle: &Circle) -> String {
     let side = |steps: &[StepId]| match steps {
         [step] => model.steps[*step].name.to_string(),
@@ -58,8 +58,15 @@ fn text(model: &Model, circle: &Circle) -> String {
             format!("({})", names.join(", "))
         }
     };
-    let transitions = || circle.transitions.iter().map(|id| &model.transitions[*id]);
-    let mut parts: Vec<String> = transitions().map(|transition| side(&transition.sources)).collect();
-    parts.extend(transitions().next_back().map(|last| side(&last.targets)));
-    format!("`{}`", parts.join(" → "))
+    let mut partials: Vec<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
+    partials.sort_unstable();
+    partials.dedup();
+    let path = |partial: &PartialId| {
+        let all = circle.transitions.iter().map(|id| &model.transitions[*id]);
+        let own: Vec<_> = all.filter(|transition| transition.partial == *partial).collect();
+        let mut parts: Vec<String> = own.iter().map(|transition| side(&transition.sources)).collect();
+        parts.extend(own.last().map(|last| side(&last.targets)));
+        format!("`{}`", parts.join(" → "))
+    };
+    partials.iter().map(path).collect::<Vec<_>>().join(" with ")
 }

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::names::Names;
-use super::types;
+use super::{derives, types};
 use crate::model::{Model, Ty};
 use syn::Ident;
 
@@ -24,10 +24,10 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, params, .. } = names;
     let record = |name: &Ident, declared: Vec<(&Ident, &Ty)>| {
         let vis = &model.vis;
-        let derives = types::derives(declared.iter().map(|(_, ty)| *ty), p);
+        let derives = derives::of(declared.iter().map(|(_, ty)| *ty)).attributes(model, p);
         let fields = fields(declared.into_iter(), p);
         quote! {
-            #[derive(#derives)]
+            #derives
             #[allow(missing_docs, dead_code, clippy::all, clippy::pedantic)]
             #vis struct #name { #fields }
             impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
@@ -48,11 +48,9 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let list = |name: &Ident, variants: Vec<&Ident>| {
         let vis = &model.vis;
+        let derives = derives::of_names().attributes(model, p);
         quote! {
-            #[derive(
-                #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
-                #p::core::cmp::PartialOrd, #p::core::cmp::Ord, #p::core::hash::Hash, #p::core::fmt::Debug,
-            )]
+            #derives
             #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
             #vis enum #name { #(#variants,)* }
         }

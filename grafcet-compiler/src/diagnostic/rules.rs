@@ -135,6 +135,7 @@ rules! {
     INIT_WITHOUT_INITIAL = error("init_without_initial");
     FORCED_ENCLOSURE = error("forced_enclosure");
     ENCLOSURE_WITHOUT_LINK = error("enclosure_without_link");
+    INITIAL_WITHOUT_EFFECT = warn("initial_without_effect");
     MACRO_ENTRY_EXIT = error("macro_entry_exit");
     PROPERTY_VIOLATED = error("property_violated");
     PROPERTY_UNDECIDED = deny("property_undecided");

@@ -6,6 +6,8 @@
 //! on, and what it leaves open is tried both ways. Anything that may change within the cycle in ways that are not
 //! followed (stored variables, steps of which nothing is known) counts as open in each evolution anew.
 
+mod orders;
+mod rest;
 mod run;
 mod view;
 
@@ -14,9 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use self::run::{Node, Outcome, Run};
-use self::view::View;
 use super::{Answer, Concurrency, Condition, Logic, hierarchy};
-use crate::model::{ForceOrder, Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
+use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 
 /// A circle and the values under which it turns.
 #[derive(Clone, Debug)]
@@ -29,9 +30,6 @@ pub struct Circle {
 
 /// The transitions of a circle, in the direction of evolution.
 type Ring = Vec<TransitionId>;
-
-/// How many situations are looked at to find out which of them are stable.
-const LOOKED_AT: usize = 600;
 
 /// The values that conditions shall have.
 type Goals = Vec<(Rc<Condition>, bool)>;
@@ -74,7 +72,7 @@ impl<'m> Circles<'m> {
         let read = |transition: &Transition| Rc::new(logic.condition(&transition.condition.tree));
         let conditions: Vec<_> = model.transitions.values().map(read).collect();
         let always = conditions.iter().map(|condition| logic.always(condition)).collect();
-        let reachable = reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
+        let reachable = rest::reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
         let (written, unknown) = (view::written(model), Cell::new(0));
         let parallel = Concurrency::of_exclusive_branches(model);
         Self { model, concurrency, logic, leaving, entering, conditions, always, reachable, written, parallel, unknown }
@@ -111,42 +109,11 @@ impl<'m> Circles<'m> {
         let mut known = BTreeSet::new();
         // What enters the circle in a stable situation, has to lead to no end, too. A search that goes on without a
         // transition, by stored values alone, is no circle of the chart.
-        let is_circle = |ring: &Ring| !ring.is_empty() && ring.iter().all(turns) && !self.has_several_marks(ring);
+        let is_circle = |ring: &Ring| {
+            !ring.is_empty() && ring.iter().all(turns) && !self.has_several_marks(ring) && self.is_undisturbed(ring)
+        };
         found.retain(|ring| known.insert(set(ring)) && is_circle(ring));
         found.into_iter().map(|transitions| Circle { transitions, inputs: String::new() }).collect()
-    }
-
-    /// The steps in which a search can come to rest, found by following all of them; `None` where that is too much.
-    fn resting(&self) -> Option<BTreeSet<StepId>> {
-        let commanded = |step: &StepId| self.model.steps[*step].linked || self.is_forced(*step);
-        let mut resting: BTreeSet<StepId> = self.model.steps.ids().filter(commanded).collect();
-        let mut waiting: Vec<TransitionId> = self.model.transitions.ids().collect();
-        let mut starts = vec![Some(self.start())];
-        let mut looked_at = 0;
-        while !starts.is_empty() {
-            for start in starts.drain(..) {
-                let mut run = Run::new(self, start);
-                while let Some(outcome) = run.next() {
-                    if looked_at + run.looked_at() > LOOKED_AT {
-                        return None;
-                    }
-                    match outcome {
-                        Outcome::Rests(steps) => resting.extend(steps),
-                        Outcome::Endless(..) => {}
-                        Outcome::Undecided => return None,
-                    }
-                }
-                looked_at += run.looked_at();
-            }
-            waiting.retain(|id| {
-                let enabled = self.model.transitions[*id].sources.iter().all(|step| resting.contains(step));
-                if enabled {
-                    starts.push(self.entry(*id));
-                }
-                !enabled
-            });
-        }
-        Some(resting)
     }
 
     /// Further circles and values under which they turn, beside those in `known`.
@@ -290,52 +257,6 @@ impl<'m> Circles<'m> {
         transition.condition.reads.iter().filter_map(active).filter(stays).collect()
     }
 
-    /// Whether the transition can clear in a stable situation; `resting` are the steps of such, where that is known.
-    fn can_enter(&self, id: TransitionId, resting: Option<&BTreeSet<StepId>>) -> bool {
-        let rests = |step: &StepId| match resting {
-            Some(resting) => resting.contains(step),
-            None => self.can_rest(*step),
-        };
-        self.model.transitions[id].sources.iter().all(rests) && !self.logic.impossible(&borrowed(&self.cleared(id)))
-    }
-
-    fn is_forced(&self, step: StepId) -> bool {
-        let listed = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.contains(&step));
-        self.model.forces.values().any(|force| listed(&force.order))
-    }
-
-    /// Whether a search can end with the step active: something activates it, and nothing of what leaves it clears then.
-    fn can_rest(&self, step: StepId) -> bool {
-        if !self.reachable[step.index()] {
-            return false;
-        }
-        let own = &self.model.steps[step];
-        if own.linked || self.is_forced(step) {
-            return true;
-        }
-        let alone = BTreeSet::from([step]);
-        let first = Node {
-            active: alone.clone(),
-            fresh: alone.clone(),
-            before: alone,
-            goals: Vec::new(),
-            parent: None,
-            cleared: Vec::new(),
-        };
-        let starts = own.initial.then_some(first);
-        let entered = self.entering[step.index()].iter().filter_map(|id| self.entry(*id));
-        starts.into_iter().chain(entered).any(|node| {
-            let view = View::new(self, &node);
-            // A convergence waits for steps of which nothing is known here.
-            let enabled = self.leaving[step.index()]
-                .iter()
-                .filter(|id| self.model.transitions[**id].sources.iter().all(|source| node.active.contains(source)));
-            let stay = enabled.map(|id| (Rc::new(view.condition(*id)), false));
-            let goals: Goals = node.goals.iter().cloned().chain(stay).collect();
-            !self.logic.impossible(&borrowed(&goals))
-        })
-    }
-
     /// Seen at once: nothing that follows has to do with the condition, so nothing follows from it.
     fn surely_rests(&self, id: TransitionId) -> bool {
         let plain = |id: TransitionId| {
@@ -351,40 +272,6 @@ impl<'m> Circles<'m> {
                 apart && !self.always[next.index()]
             })
     }
-}
-
-/// The steps that can be reached if `can_clear` is right.
-fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool) -> Vec<bool> {
-    let mut reachable = vec![false; model.steps.len()];
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    let mut waits: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).collect();
-    let mut work: Vec<StepId> = Vec::new();
-    for (id, step) in model.steps.iter() {
-        let forced = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.contains(&id));
-        if step.initial || step.linked || model.forces.values().any(|force| forced(&force.order)) {
-            work.push(id);
-        }
-    }
-    for (id, transition) in model.transitions.iter() {
-        for step in &transition.sources {
-            leaving[step.index()].push(id);
-        }
-        if transition.sources.is_empty() && can_clear(id) {
-            work.extend(&transition.targets);
-        }
-    }
-    while let Some(step) = work.pop() {
-        if std::mem::replace(&mut reachable[step.index()], true) {
-            continue;
-        }
-        for id in &leaving[step.index()] {
-            waits[id.index()] -= 1;
-            if waits[id.index()] == 0 && can_clear(*id) {
-                work.extend(&model.transitions[*id].targets);
-            }
-        }
-    }
-    reachable
 }
 
 fn set(circle: &[TransitionId]) -> BTreeSet<TransitionId> {

@@ -18,6 +18,7 @@ const OPEN: usize = 5;
 const STEPS: usize = 64;
 
 /// A situation on the way, as far as it is followed.
+#[derive(Default)]
 pub(super) struct Node {
     /// Steps that are active.
     pub(super) active: BTreeSet<StepId>,

@@ -253,11 +253,8 @@ impl Net {
 
     /// Whether the edge looks at one of these atoms.
     pub(super) fn edge_reads(&self, edge: usize, among: &[usize]) -> bool {
-        let mut atoms = Vec::new();
-        if let Some(of) = &self.edges[edge] {
-            self.collect(of, &mut atoms, &mut Vec::new());
-        }
-        atoms.iter().any(|atom| among.binary_search(atom).is_ok())
+        let read = |of| self.atoms_of(of).iter().any(|atom| among.binary_search(atom).is_ok());
+        self.edges[edge].as_ref().is_some_and(read)
     }
 
     /// Which atoms' values must be remembered while a step is active, because an edge may be asked for in the next cycle.
@@ -278,10 +275,18 @@ impl Net {
                 add(&mut common, *atom);
             }
         }
-        self.common_edge_atoms = common;
+        let assumed: Vec<Vec<usize>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).collect();
+        self.common_edge_atoms = with_assumed(common, &assumed);
         for atoms in &mut self.edge_atoms {
+            *atoms = with_assumed(std::mem::take(atoms), &assumed);
             atoms.sort_unstable();
         }
+    }
+
+    fn atoms_of(&self, formula: &Formula) -> Vec<usize> {
+        let mut atoms = Vec::new();
+        self.collect(formula, &mut atoms, &mut Vec::new());
+        atoms
     }
 
     /// The piece of a transition.
@@ -361,4 +366,17 @@ fn parts(model: &Model) -> Vec<Part> {
         orders: orders.remove(&id.index()).unwrap_or_default(),
     };
     model.partials.iter().map(part).collect()
+}
+
+/// With what assumptions connect these atoms with: what is known of one of them in the cycle before may exclude a value of
+/// another.
+fn with_assumed(mut atoms: Vec<usize>, assumed: &[Vec<usize>]) -> Vec<usize> {
+    let mut next = 0;
+    while let Some(atom) = atoms.get(next).copied() {
+        for other in assumed.iter().filter(|assumed| assumed.contains(&atom)).flatten() {
+            add(&mut atoms, *other);
+        }
+        next += 1;
+    }
+    atoms
 }

@@ -1,0 +1,189 @@
+//! The chart as the search for pairs sees it.
+
+use std::collections::BTreeSet;
+
+use super::ways::{Demand, holds};
+use super::{Relation, drags};
+use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
+
+/// A transition.
+pub(super) struct Arc {
+    pub(super) sources: Vec<usize>,
+    pub(super) targets: Vec<usize>,
+    pub(super) partial: usize,
+    /// In each way: the sources and the steps around them are among those that must be active.
+    pub(super) ways: Vec<Demand>,
+    /// The condition asks for steps.
+    pub(super) asks: bool,
+    /// Transitions that can clear with it where neither could before the other.
+    pub(super) partners: Vec<usize>,
+    /// Steps that are left in the evolution in which it clears.
+    pub(super) dragged: Vec<usize>,
+}
+
+/// What does not change during the search.
+pub(super) struct Chart {
+    pub(super) arcs: Vec<Arc>,
+    pub(super) sourceless: Vec<usize>,
+    /// Per step the transitions that need it to be active, or not to be.
+    pub(super) needing: Vec<Vec<usize>>,
+    pub(super) part_of: Vec<usize>,
+    /// Per step the situations that it forces, and on which partial grafcet.
+    pub(super) forces: Vec<Vec<(usize, Vec<usize>)>>,
+    /// Per step the partial grafcets to which it gives orders.
+    pub(super) commands: Vec<Vec<usize>>,
+    /// Per step the linked steps of what it encloses.
+    pub(super) links: Vec<Vec<usize>>,
+    /// Per step the steps around it.
+    pub(super) around: Vec<Vec<usize>>,
+}
+
+impl Chart {
+    pub(super) fn of(model: &Model, may_meet: &Relation, granted: &BTreeSet<TransitionId>) -> Self {
+        let steps = model.steps.len();
+        let mut chart = Self {
+            arcs: Vec::new(),
+            sourceless: Vec::new(),
+            needing: vec![Vec::new(); steps],
+            part_of: model.steps.values().map(|step| step.partial.index()).collect(),
+            forces: vec![Vec::new(); steps],
+            commands: vec![Vec::new(); steps],
+            links: vec![Vec::new(); steps],
+            around: model.steps.ids().map(|step| around(model, step)).collect(),
+        };
+        for (id, partial) in model.partials.iter() {
+            if let Some(outer) = partial.enclosed_by {
+                let linked = partial.steps.iter().filter(|step| model.steps[**step].linked);
+                chart.links[outer.index()].extend(linked.map(|step| step.index()));
+            }
+            for force in model.forces.values().filter(|force| force.target == id) {
+                chart.commands[force.step.index()].push(id.index());
+                let forced = match &force.order {
+                    ForceOrder::Hold => continue,
+                    ForceOrder::Steps(steps) => steps.iter().map(|step| step.index()).collect(),
+                    ForceOrder::Init => {
+                        let initial = partial.steps.iter().filter(|step| model.steps[**step].initial);
+                        initial.map(|step| step.index()).collect()
+                    }
+                };
+                chart.forces[force.step.index()].push((id.index(), forced));
+            }
+        }
+        chart.draw(model, granted);
+        chart.pair(&drags::of(model, may_meet, granted));
+        chart
+    }
+
+    fn draw(&mut self, model: &Model, granted: &BTreeSet<TransitionId>) {
+        for (index, (id, transition)) in model.transitions.iter().enumerate() {
+            let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+            let anyhow = granted.contains(&id);
+            let mut ways =
+                if anyhow { vec![Demand::default()] } else { holds(model, &transition.condition.tree, true) };
+            let asks = ways != [Demand::default()];
+            let outer = model.partials[transition.partial].enclosed_by;
+            let outside: Vec<usize> = outer
+                .map(|step| std::iter::once(step.index()).chain(self.around[step.index()].iter().copied()).collect())
+                .unwrap_or_default();
+            for way in &mut ways {
+                way.active.extend(sources.iter().chain(&outside));
+            }
+            ways.retain(|way| way.active.is_disjoint(&way.inactive));
+            let needed: BTreeSet<usize> = ways.iter().flat_map(|way| &way.active).copied().collect();
+            for step in needed {
+                self.needing[step].push(index);
+            }
+            if sources.is_empty() {
+                self.sourceless.push(index);
+            }
+            self.arcs.push(Arc {
+                sources,
+                targets: transition.targets.iter().map(|step| step.index()).collect(),
+                partial: transition.partial.index(),
+                ways,
+                asks,
+                partners: Vec::new(),
+                dragged: Vec::new(),
+            });
+        }
+    }
+
+    /// Finds the transitions that must be looked at together.
+    fn pair(&mut self, drags: &[Vec<usize>]) {
+        let arcs = &self.arcs;
+        let share = |a: &Arc, b: &Arc| a.sources.iter().any(|source| b.sources.contains(source));
+        let enters = |a: &Arc, b: &Arc| a.asks && a.targets.iter().any(|target| b.sources.contains(target));
+        let together = |a: &Arc, b: &Arc| a.asks && b.asks || share(a, b) || enters(a, b) || enters(b, a);
+        let partners = |(index, arc): (usize, &Arc)| -> BTreeSet<usize> {
+            let others = arcs.iter().enumerate().filter(|(other, _)| *other != index);
+            others.filter(|(_, b)| together(arc, b)).map(|(other, _)| other).collect()
+        };
+        let mut partners: Vec<BTreeSet<usize>> = arcs.iter().enumerate().map(partners).collect();
+        let mut dragged: Vec<Vec<usize>> = Vec::new();
+        for (index, drags) in drags.iter().enumerate() {
+            let steps: Vec<usize> = drags.iter().flat_map(|drag| arcs[*drag].sources.iter().copied()).collect();
+            // Whatever leaves or enters such a step in the same evolution is not seen one after the other.
+            for step in &steps {
+                let touches = |arc: &Arc| arc.sources.contains(step) || arc.targets.contains(step);
+                for (other, _) in arcs.iter().enumerate().filter(|(other, arc)| *other != index && touches(arc)) {
+                    partners[index].insert(other);
+                    partners[other].insert(index);
+                }
+            }
+            dragged.push(steps);
+        }
+        for (arc, (partners, dragged)) in self.arcs.iter_mut().zip(partners.into_iter().zip(dragged)) {
+            arc.partners = partners.into_iter().collect();
+            arc.dragged = dragged;
+        }
+    }
+
+    /// The steps with all that becomes active with them: what they enclose and force.
+    pub(super) fn entered(&self, steps: &[usize]) -> Vec<usize> {
+        let mut entered: Vec<usize> = Vec::new();
+        let mut open = steps.to_vec();
+        while let Some(step) = open.pop() {
+            if !entered.contains(&step) {
+                entered.push(step);
+                open.extend(&self.links[step]);
+                open.extend(self.forces[step].iter().flat_map(|(_, forced)| forced));
+            }
+        }
+        entered.sort_unstable();
+        entered
+    }
+
+    /// Whether the step stays active when a transition clears in this way.
+    pub(super) fn stays(&self, step: usize, arc: &Arc, way: &Demand, entered: &[usize]) -> bool {
+        let left = |other: &usize| arc.sources.contains(other) && !arc.targets.contains(other);
+        !arc.sources.contains(&step)
+            && !arc.dragged.contains(&step)
+            && !way.inactive.contains(&step)
+            && !self.commands[step].contains(&arc.partial)
+            && !self.around[step].iter().any(left)
+            && !entered.iter().any(|other| self.forces_away(*other, step))
+    }
+
+    /// Whether a step forces away the other, or a step around it.
+    pub(super) fn forces_away(&self, step: usize, other: usize) -> bool {
+        let away = |other: &usize, (target, forced): &(usize, Vec<usize>)| {
+            *target == self.part_of[*other] && !forced.contains(other)
+        };
+        let mut chain = std::iter::once(&other).chain(&self.around[other]);
+        chain.any(|other| self.forces[step].iter().any(|order| away(other, order)))
+    }
+}
+
+/// The steps around a step, outwards.
+fn around(model: &Model, step: StepId) -> Vec<usize> {
+    let mut around = Vec::new();
+    let mut at = step;
+    while let Some(outer) = model.partials[model.steps[at].partial].enclosed_by {
+        if outer == step || around.contains(&outer.index()) {
+            break;
+        }
+        around.push(outer.index());
+        at = outer;
+    }
+    around
+}
