@@ -5,8 +5,8 @@
 
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
-use proc_macro2::Span;
-use syn::{Attribute, Block, Expr, Ident, LitInt, Type, Visibility};
+use proc_macro2::{Span, TokenStream};
+use syn::{Attribute, Block, Expr, Ident, LitInt, Path, Type, Visibility};
 
 use crate::diagnostic::{Mark, Severity};
 
@@ -38,6 +38,17 @@ pub struct Attrs {
     pub passed_on: Vec<Attribute>,
     /// `#[allow(grafcet::unreachable_step)]`, one entry a rule: consumed by the macro.
     pub levels: Vec<LevelAttr>,
+    /// In front of the chart alone: what its types derive beside their own.
+    pub derives: Vec<Derive>,
+}
+
+/// `#[derive(Hash)]`, `#[cfg_attr(feature = "log", derive(defmt::Format))]`
+#[derive(Clone)]
+pub struct Derive {
+    /// `feature = "log"`
+    pub when: Option<TokenStream>,
+    pub traits: Vec<Path>,
+    pub mark: Mark,
 }
 
 /// `allow(grafcet::unreachable_step)`

@@ -7,6 +7,8 @@ use core::ops::{Add, Sub};
 /// As a duration (`Step.T`, a `param` of type `time`) it is at most 2^32 - 1 units and its arithmetic saturates. As
 /// the argument `now` of `cycle` it is a free-running counter, which may wrap around.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ticks(u32);
 
 impl Ticks {

@@ -3,7 +3,9 @@
 use crate::Ticks;
 
 /// TON of IEC 61131-3: true once its input has been true for a time.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OnDelay {
     held: Ticks,
     input: bool,
@@ -38,7 +40,9 @@ impl Default for OnDelay {
 }
 
 /// The general delay `t1/e/t2` of IEC 60848: true once `e` has been true for `t1`, false once it has been false for `t2`.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Delay {
     /// How long the input has had its value.
     held: Ticks,

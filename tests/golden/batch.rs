@@ -56,7 +56,7 @@ impl ::grafcet::__private::core::default::Default for BatchOutputs {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum BatchStep {
     ///Step `Idle`.
@@ -79,7 +79,7 @@ pub enum BatchStep {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum BatchTransition {
     ///`Idle -[rising(start)]-> (Fill, Heat)`
@@ -137,7 +137,7 @@ pub trait BatchActions {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __BatchRegion0 {
@@ -153,7 +153,7 @@ enum __BatchRegion0 {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __BatchRegion1 {

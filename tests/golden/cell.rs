@@ -51,7 +51,7 @@ pub struct CellOutputs {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum CellStep {
     ///Step `Ready`.
@@ -82,7 +82,7 @@ pub enum CellStep {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum CellTransition {
     ///`Ready -[estop]-> Stopped`
@@ -109,7 +109,7 @@ pub enum CellTransition {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __CellRegion0 {
@@ -124,7 +124,7 @@ enum __CellRegion0 {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 struct __CellRegion0Mark(::grafcet::__private::u8);
@@ -155,7 +155,7 @@ impl __CellRegion0Mark {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __CellRegion1 {
@@ -171,7 +171,7 @@ enum __CellRegion1 {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __CellRegion2 {

@@ -47,7 +47,7 @@ pub struct Line24VOutputs {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum Line24VStep {
     ///Step `S1`.
@@ -68,7 +68,7 @@ pub enum Line24VStep {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum Line24VTransition {
     ///`S1 -[b1]-> S2`
@@ -85,7 +85,7 @@ pub enum Line24VTransition {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __Line24VState {
@@ -100,7 +100,7 @@ enum __Line24VState {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 struct __Line24VStateMark(::grafcet::__private::u8);

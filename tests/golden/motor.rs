@@ -43,7 +43,7 @@ pub struct MotorOutputs {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum MotorStep {
     ///Step `Off`.
@@ -60,7 +60,7 @@ pub enum MotorStep {
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
     ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 pub enum MotorTransition {
     ///`Off -[on && !over_temp]-> On`
@@ -73,7 +73,7 @@ pub enum MotorTransition {
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
     ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
 enum __MotorState {

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::state::step_name;
-use super::{Cx, names, types};
+use super::{Cx, derives, names, types};
 use crate::model::StepId;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_stable`, `next_deadline`.
@@ -273,10 +273,12 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
         let (step, field, variant) = (step_name(cx, id), names::region_field(region, plan), cx.variant(id));
         quote!(#step => self.#field == #variant,)
     });
+    let derives = derives::of_states().users(model, &["Default"]);
     let doc = format!("A situation of [`{}`]: which steps are active.", model.name);
     Some(quote! {
         #[doc = #doc]
         #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq)]
+        #derives
         #vis struct #name { #(#fields)* }
 
         impl #name {

@@ -120,10 +120,10 @@ impl Cx<'_> {
             collect(&transition.condition.tree, &mut found);
             transition.clearing.iter().for_each(|effect| of_effect(effect, &mut found));
         }
-        for association in self.model.associations.values() {
+        for (id, association) in self.model.associations.iter() {
             association.condition.iter().chain(&association.event).for_each(|expr| collect(&expr.tree, &mut found));
             of_effect(&association.effect, &mut found);
-            if let (true, Some(time)) = (self.model.is_grafcet(), association.time) {
+            if let Some(time) = self.plan.control.step_limit(self.model, id) {
                 found.insert((Clock::Step(association.step), Threshold::At(time)));
             }
         }

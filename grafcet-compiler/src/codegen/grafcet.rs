@@ -7,7 +7,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::{Cx, names};
 use crate::analysis::combinational;
-use crate::model::{ActionId, Association, Effect, Place, Qualifier, VarId};
+use crate::model::{ActionId, Association, Effect, Place, VarId};
 use crate::plan::source_order;
 
 impl Cx<'_> {
@@ -226,17 +226,6 @@ impl Cx<'_> {
             quote!((#active #condition))
         });
         quote!(let #local = #(#terms)||*;)
-    }
-
-    /// Behind `if`, and what L and D mean here: `q if !(t/Step)` and `q if t/Step` (A32).
-    fn continuous_condition(&self, association: &Association, moment: Moment) -> Option<TokenStream> {
-        let limit = association.time.map(|time| {
-            let elapsed = self.elapsed(time, association.step, moment);
-            if association.qualifier == Qualifier::L { quote!(!#elapsed) } else { elapsed }
-        });
-        let condition = association.condition.as_ref().map(|condition| self.value(condition, moment));
-        let terms: Vec<_> = limit.into_iter().chain(condition).collect();
-        (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
     /// The continuous outputs, on the stable situation (A9, A10).

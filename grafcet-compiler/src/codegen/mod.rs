@@ -6,6 +6,7 @@ mod chart_impl;
 mod control;
 mod cycle;
 mod deadline;
+mod derives;
 mod description;
 mod evolution;
 mod grafcet;

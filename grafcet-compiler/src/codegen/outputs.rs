@@ -3,8 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::bind::Moment;
 use super::{Cx, names, types};
-use crate::model::{Id, OutputId, Qualifier};
+use crate::model::{Association, Id, OutputId, Qualifier};
 
 impl Cx<'_> {
     /// The outputs to be returned, with their initial values.
@@ -43,6 +44,17 @@ impl Cx<'_> {
                 quote!(#local = true;)
             }
         }
+    }
+
+    /// Behind `if`, and what L and D of one step mean: `q if !(t/Step)` and `q if t/Step` (A32).
+    pub(super) fn continuous_condition(&self, association: &Association, moment: Moment) -> Option<TokenStream> {
+        let limit = association.time.map(|time| {
+            let elapsed = self.elapsed(time, association.step, moment);
+            if association.qualifier == Qualifier::L { quote!(!#elapsed) } else { elapsed }
+        });
+        let condition = association.condition.as_ref().map(|condition| self.value(condition, moment));
+        let terms: Vec<_> = limit.into_iter().chain(condition).collect();
+        (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
     /// The flags of resets that come behind everything that sets.

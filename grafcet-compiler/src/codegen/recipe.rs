@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{Cx, types};
+use super::{Cx, derives, types};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let (params, actions) = (params(cx), actions(cx));
@@ -25,13 +25,13 @@ fn params(cx: &Cx<'_>) -> TokenStream {
         let (name, value) = (&param.name, types::initial_value(param.init.as_ref(), &param.ty, p));
         quote!(#name: #value,)
     });
-    let derives = types::derives(model.params.values().map(|param| &param.ty), p);
+    let derives = derives::of(model.params.values().map(|param| &param.ty)).attributes(model, p);
     let (vis, name, chart) = (&model.vis, &cx.names.params, &model.name);
     let levels = types::levels(model);
     let doc = format!("The recipe of [`{chart}`]; `default()` holds the values in the chart.");
     quote! {
         #[doc = #doc]
-        #[derive(#derives)]
+        #derives
         #levels
         #vis struct #name { #(#fields)* }
 

@@ -134,11 +134,8 @@ impl Cx<'_> {
     }
 
     fn under_condition(&self, association: &Association, act: TokenStream) -> TokenStream {
-        match &association.condition {
-            Some(condition) => {
-                let condition = self.value(condition, Moment::Action);
-                quote!(if #condition { #act })
-            }
+        match self.continuous_condition(association, Moment::Action) {
+            Some(condition) => quote!(if #condition { #act }),
             None => act,
         }
     }

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use super::{Cx, names, types};
+use super::{Cx, derives, names, types};
 use crate::model::{Place, Qualifier, Ty};
 use crate::plan::{RegionId, Target, What};
 
@@ -15,7 +15,7 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
 
 /// The steps of a region; at most one of them is active.
 fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
-    let p = &cx.p;
+    let derives = derives::of_states().attributes(cx.model, &cx.p);
     let region = &cx.plan.regions.all()[id];
     let name = cx.names.region(id, cx.plan);
     let steps = region.steps.iter().map(|step| names::private_variant(cx.model, *step));
@@ -24,10 +24,7 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     let variants: Vec<Ident> = steps.chain(empty).chain(start).collect();
     let marked = cx.is_marked(id).then(|| marked(cx, &variants));
     quote! {
-        #[derive(
-            #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
-            #p::core::fmt::Debug,
-        )]
+        #derives
         #[doc(hidden)]
         enum #name { #(#variants,)* }
 
@@ -40,6 +37,7 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
 fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
     let p = &cx.p;
     let (name, state) = (cx.names.marked(cx.plan), cx.names.region(0, cx.plan));
+    let derives = derives::of_states().attributes(cx.model, p);
     let mark = variants.len().next_power_of_two();
     let (number, literal): (_, fn(usize) -> Literal) = match mark {
         0..=128 => (quote!(#p::u8), |n| Literal::u8_suffixed(u8::try_from(n).unwrap_or(u8::MAX))),
@@ -53,10 +51,7 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
     });
     quote! {
         /// A state, and above it the mark of a search that did not become stable.
-        #[derive(
-            #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
-            #p::core::fmt::Debug,
-        )]
+        #derives
         #[doc(hidden)]
         struct #name(#number);
 
@@ -299,14 +294,14 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let remembered = cx.plan.memory.stored.iter().chain(&cx.plan.memory.last).map(|id| &model.outputs[*id].ty);
     let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
     let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).collect();
-    let derives = types::derives(types.into_iter(), p);
+    let derives = derives::of(types.into_iter()).attributes(model, p);
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
     let drawing = super::description::drawing(cx);
     quote! {
         #docs
         #drawing
-        #[derive(#derives)]
+        #derives
         #vis struct #name { #(#declared)* #params_field }
 
         #levels

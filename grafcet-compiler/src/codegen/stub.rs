@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::names::Names;
-use super::types;
+use super::{derives, types};
 use crate::model::{Model, Ty};
 use syn::{Attribute, Ident};
 
@@ -26,11 +26,11 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, params, .. } = names;
     let record = |name: &Ident, docs: TokenStream, declared: Vec<Declared<'_>>| {
         let vis = &model.vis;
-        let derives = types::derives(declared.iter().map(|(_, _, ty)| *ty), p);
+        let derives = derives::of(declared.iter().map(|(_, _, ty)| *ty)).attributes(model, p);
         let fields = fields(declared.into_iter(), p);
         quote! {
             #docs
-            #[derive(#derives)]
+            #derives
             #[allow(missing_docs, dead_code, clippy::all, clippy::pedantic)]
             #vis struct #name { #fields }
             impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
@@ -65,11 +65,9 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let list = |name: &Ident, variants: Vec<TokenStream>| {
         let vis = &model.vis;
+        let derives = derives::of_names().attributes(model, p);
         quote! {
-            #[derive(
-                #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
-                #p::core::cmp::PartialOrd, #p::core::cmp::Ord, #p::core::hash::Hash, #p::core::fmt::Debug,
-            )]
+            #derives
             #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
             #vis enum #name { #(#variants,)* }
         }

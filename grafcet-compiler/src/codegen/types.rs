@@ -5,7 +5,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Attribute, Type};
 
-use super::Cx;
+use super::{Cx, derives};
 use crate::model::{Expr, Model, OutputId, Ty};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
@@ -21,12 +21,12 @@ fn inputs(cx: &Cx<'_>) -> TokenStream {
         let docs = docs(&input.attrs, &format!("Input `{name}`."));
         quote!(#docs pub #name: #ty,)
     });
-    let derives = derives(model.inputs.values().map(|input| &input.ty), p);
+    let derives = derives::of(model.inputs.values().map(|input| &input.ty)).and("Default").attributes(model, p);
     let (vis, name, levels) = (&model.vis, &cx.names.inputs, levels(model));
     let doc = format!("The process inputs of [`{}`], sampled once per cycle.", model.name);
     quote! {
         #[doc = #doc]
-        #[derive(#derives, #p::core::default::Default)]
+        #derives
         #levels
         #vis struct #name { #(#fields)* }
     }
@@ -39,15 +39,16 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
         let docs = docs(&output.attrs, &format!("Output `{name}`."));
         quote!(#docs pub #name: #ty,)
     });
-    let derives = derives(model.outputs.values().map(|output| &output.ty), p);
+    let derives = derives::of(model.outputs.values().map(|output| &output.ty));
     let (vis, name, levels) = (&model.vis, &cx.names.outputs, levels(model));
-    let (by_derive, default) = default_outputs(cx);
+    let default = default_outputs(cx);
+    let derives = if default.is_some() { derives } else { derives.and("Default") }.attributes(model, p);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     // Processors without unaligned stores clear many single bytes through a call, words at once.
     let align = (model.outputs.len() > 4).then(|| quote!(#[repr(align(4))]));
     quote! {
         #[doc = #doc]
-        #[derive(#derives #by_derive)]
+        #derives
         #levels
         #align
         #vis struct #name { #(#fields)* }
@@ -56,26 +57,25 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     }
 }
 
-/// The outputs before anything has acted on them: derived, unless the chart says what they are.
-fn default_outputs(cx: &Cx<'_>) -> (Option<TokenStream>, Option<TokenStream>) {
+/// The outputs before anything has acted on them, where the chart says what they are.
+fn default_outputs(cx: &Cx<'_>) -> Option<TokenStream> {
     let Cx { model, p, .. } = cx;
     if model.outputs.values().all(|output| output.init.is_none()) {
-        return (Some(quote!(, #p::core::default::Default)), None);
+        return None;
     }
     let initial = model.outputs.iter().map(|(id, output)| {
         let (name, value) = (&output.name, initial_output(model, id, p));
         quote!(#name: #value,)
     });
     let (name, levels) = (&cx.names.outputs, levels(model));
-    let default = quote! {
+    Some(quote! {
         #levels
         impl #p::core::default::Default for #name {
             fn default() -> Self {
                 Self { #(#initial)* }
             }
         }
-    };
-    (None, Some(default))
+    })
 }
 
 fn step_names(cx: &Cx<'_>) -> TokenStream {
@@ -105,13 +105,11 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
         !name.starts_with(|first: char| first.is_ascii_uppercase()) || name.contains('_')
     });
     let unusual = unusual.then(|| quote!(#[allow(non_camel_case_types)]));
-    let (vis, p, levels) = (&cx.model.vis, &cx.p, levels(cx.model));
+    let (vis, levels) = (&cx.model.vis, levels(cx.model));
+    let derives = derives::of_names().attributes(cx.model, &cx.p);
     quote! {
         #[doc = #doc]
-        #[derive(
-            #p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq,
-            #p::core::cmp::PartialOrd, #p::core::cmp::Ord, #p::core::hash::Hash, #p::core::fmt::Debug,
-        )]
+        #derives
         #unusual
         #levels
         #vis enum #name { #variants }
@@ -126,23 +124,6 @@ pub(super) fn transition_text(model: &Model, transition: &crate::model::Transiti
     };
     let (from, to) = (list(&transition.sources), list(&transition.targets));
     format!("`{from} -[{}]-> {to}`", transition.condition.text)
-}
-
-/// The derives of a struct with fields of these types. Of a user's own type only what a chart needs is asked for.
-pub(super) fn derives<'t>(types: impl Iterator<Item = &'t Ty>, p: &TokenStream) -> TokenStream {
-    let types: Vec<_> = types.collect();
-    let mut derives = quote!(#p::core::clone::Clone, #p::core::marker::Copy);
-    if types.iter().all(|ty| is_known(ty)) {
-        derives.extend(quote!(, #p::core::fmt::Debug, #p::core::cmp::PartialEq));
-        if !types.iter().any(|ty| ty.is_float()) {
-            derives.extend(quote!(, #p::core::cmp::Eq));
-        }
-    }
-    derives
-}
-
-fn is_known(ty: &Ty) -> bool {
-    !matches!(ty, Ty::Other(_)) || ty.is_float()
 }
 
 /// The declared type in Rust.

@@ -12,7 +12,7 @@ mod resolve;
 
 use syn::{Attribute, Ident, Visibility};
 
-pub use crate::ast::{Dialect, LevelAttr, Qualifier};
+pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier};
 use crate::diagnostic::Mark;
 pub use expr::{Binary, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
 pub use ids::{
@@ -28,6 +28,8 @@ pub struct Model {
     pub vis: Visibility,
     /// Doc comments and lint attributes for the generated struct.
     pub attrs: Vec<Attribute>,
+    /// What the user wants the chart's types to derive.
+    pub derives: Vec<Derive>,
     /// Lint attributes of the chart as a whole.
     pub levels: Vec<LevelAttr>,
     /// The unit of the time argument of `cycle`, in nanoseconds.

@@ -3,10 +3,10 @@
 use proc_macro2::{Delimiter, TokenStream};
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
-use syn::{AttrStyle, Attribute, Meta, MetaList, Token};
+use syn::{AttrStyle, Attribute, Meta, MetaList, Path, Token};
 
 use super::{Error, Input, Result};
-use crate::ast::{Attrs, LevelAttr};
+use crate::ast::{Attrs, Derive, LevelAttr};
 use crate::diagnostic::{Mark, Severity, Sink, rules};
 
 /// The attributes in front of an item.
@@ -45,8 +45,21 @@ impl Outer {
     }
 }
 
-/// The attributes that stand in front of what comes next.
+/// The attributes in front of the chart.
+pub(super) fn of_chart(input: &mut Input, sink: &mut Sink) -> Attrs {
+    all(input, sink).attrs
+}
+
+/// The attributes that stand in front of what comes next in a body.
 pub(super) fn outer(input: &mut Input, sink: &mut Sink) -> Outer {
+    let mut outer = all(input, sink);
+    for derive in outer.attrs.derives.drain(..) {
+        sink.notation(derive.mark, "derives stand in front of the chart and reach all its types");
+    }
+    outer
+}
+
+fn all(input: &mut Input, sink: &mut Sink) -> Outer {
     let mut outer = Outer::default();
     while input.at("#") {
         let start = *input;
@@ -112,13 +125,18 @@ fn sort(attr: Attribute, mark: Mark, attrs: &mut Attrs) -> Result<()> {
         attrs.passed_on.push(attr);
         return Ok(());
     }
+    if let Some(derive) = derive(&attr.meta, mark)? {
+        attrs.derives.push(derive);
+        return Ok(());
+    }
     if path.is_ident("cfg") || path.is_ident("cfg_attr") {
-        let message = "conditional compilation belongs on the whole macro call: `#[cfg(…)] grafcet! { … }`";
+        let message = "conditional compilation belongs on the whole macro call: `#[cfg(…)] grafcet! { … }`; a condition \
+                       is possible on what the chart derives: `#[cfg_attr(…, derive(…))]`";
         return Err(Error::new(mark, message));
     }
     let Some(set) = level_of(path) else {
-        let message =
-            "possible here are doc comments and the lint attributes `allow`, `expect`, `warn`, `deny` and `forbid`";
+        let message = "possible here are doc comments, the lint attributes `allow`, `expect`, `warn`, `deny` and `forbid`, and \
+             `derive` in front of the chart";
         return Err(Error::new(mark, message));
     };
     let Meta::List(list) = &attr.meta else {
@@ -148,6 +166,27 @@ fn sort(attr: Attribute, mark: Mark, attrs: &mut Attrs) -> Result<()> {
     Error::several(mistakes).map_or(Ok(()), Err)
 }
 
+/// `derive(…)`, also behind the condition of a `cfg_attr`.
+fn derive(meta: &Meta, mark: Mark) -> Result<Option<Derive>> {
+    let Meta::List(list) = meta else { return Ok(None) };
+    if list.path.is_ident("derive") {
+        let traits = list.parse_args_with(Punctuated::<Path, Token![,]>::parse_terminated)?;
+        return Ok(Some(Derive { when: None, traits: traits.into_iter().collect(), mark }));
+    }
+    if !list.path.is_ident("cfg_attr") {
+        return Ok(None);
+    }
+    let metas = list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated)?;
+    let mut metas = metas.iter();
+    let Some(when) = metas.next().map(ToTokens::to_token_stream) else { return Ok(None) };
+    let mut traits = Vec::new();
+    for meta in metas {
+        let Some(inner) = derive(meta, mark)?.filter(|inner| inner.when.is_none()) else { return Ok(None) };
+        traits.extend(inner.traits);
+    }
+    Ok((!traits.is_empty()).then_some(Derive { when: Some(when), traits, mark }))
+}
+
 /// What a lint attribute does to its lints.
 #[derive(Clone, Copy)]
 enum Level {
@@ -156,7 +195,7 @@ enum Level {
 }
 
 /// The level a lint attribute sets.
-fn level_of(path: &syn::Path) -> Option<Level> {
+fn level_of(path: &Path) -> Option<Level> {
     match path.get_ident()?.to_string().as_str() {
         "allow" => Some(Level::Is(Severity::Allow)),
         "warn" => Some(Level::Is(Severity::Warn)),
@@ -167,7 +206,7 @@ fn level_of(path: &syn::Path) -> Option<Level> {
 }
 
 /// Whose lint it is; `None` for somebody's who has no business here.
-fn tool(path: &syn::Path) -> Option<&'static str> {
+fn tool(path: &Path) -> Option<&'static str> {
     let first = path.segments.first()?;
     match path.segments.len() {
         1 => Some("rustc"),
@@ -175,7 +214,7 @@ fn tool(path: &syn::Path) -> Option<&'static str> {
     }
 }
 
-fn level(path: &syn::Path, level: Level) -> std::result::Result<LevelAttr, (Mark, String)> {
+fn level(path: &Path, level: Level) -> std::result::Result<LevelAttr, (Mark, String)> {
     let Level::Is(severity) = level else {
         let message = "`expect` is for lints of rustc; a rule takes `allow`, `warn` or `deny`";
         return Err((Mark::of(path), message.to_owned()));
@@ -218,8 +257,9 @@ pub(super) fn inner(input: &mut Input, sink: &mut Sink) -> Vec<LevelAttr> {
         let result = read.and_then(|attr| sort(attr, mark, &mut attrs));
         if let Err(error) = result {
             error.report(sink);
-        } else if !attrs.passed_on.is_empty() {
+        } else if !attrs.passed_on.is_empty() || !attrs.derives.is_empty() {
             attrs.passed_on.clear();
+            attrs.derives.clear();
             sink.notation(
                 mark,
                 "inside a chart only the levels of rules can be set: `#![allow(grafcet::…)]`; \

@@ -11,7 +11,7 @@ use crate::diagnostic::Sink;
 
 /// The one chart of a call.
 pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
-    let attrs = attrs::outer(&mut input, sink).attrs;
+    let attrs = attrs::of_chart(&mut input, sink);
     let (vis, dialect, name, inside) = match header(&mut input, sink) {
         Ok(header) => header,
         Err(error) => {

@@ -1,13 +1,14 @@
 //! `sfc`: which targets the action control of IEC 61131-3 works on, and how much of it each of them needs (A31).
 //!
 //! Most actions need none of it: a boolean output under N, S, R and P is collected in the arms of its steps, and an
-//! assignment or block under N, P1 or P0 runs in them. What is left over gets a [`Target`]: its flags are collected
-//! first, then its Q is computed, then it runs in its place.
+//! assignment or block under N, P1 or P0 runs in them. So is an output under L or D, where the time of its step says what
+//! a timer would. What is left over gets a [`Target`]: its flags are collected first, then its Q is computed, then it
+//! runs in its place.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::analysis::Concurrency;
-use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier};
+use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef};
 
 /// A target whose associations are combined by the action control.
 pub struct Target {
@@ -75,6 +76,13 @@ pub struct Control {
 }
 
 impl Control {
+    /// The time of an association under L or D that is compared with the time of its step (A32; in an `sfc` where that is
+    /// what its timer would say).
+    #[must_use]
+    pub fn step_limit(&self, model: &Model, id: AssociationId) -> Option<TimeRef> {
+        model.associations[id].time.filter(|_| self.of_association[id.index()].is_none())
+    }
+
     pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
         let mut control = Self { targets: Vec::new(), of_association: vec![None; model.associations.len()] };
         if model.dialect != Dialect::Sfc {
@@ -136,13 +144,21 @@ fn key(id: AssociationId, effect: &Effect) -> Key {
     }
 }
 
-/// By output, whether it is controlled by no other qualifiers than N, S, R and P.
+/// By output, whether it is controlled by no other qualifiers than N, S, R and P, and by L and D once each.
 fn simple_outputs(model: &Model) -> Vec<bool> {
     let mut simple = vec![true; model.outputs.len()];
+    let mut timed: BTreeSet<(usize, Qualifier)> = BTreeSet::new();
     for association in model.associations.values() {
         if let Effect::Control(Place::Output(output)) = association.effect {
-            simple[output.index()] &=
-                matches!(association.qualifier, Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P);
+            simple[output.index()] &= match association.qualifier {
+                Qualifier::N | Qualifier::S | Qualifier::R | Qualifier::P => true,
+                // The timer of a single step without a condition runs as long as the step is active. Several steps have
+                // one timer, which goes on from step to step.
+                qualifier @ (Qualifier::L | Qualifier::D) => {
+                    association.condition.is_none() && timed.insert((output.index(), qualifier))
+                }
+                _ => false,
+            };
         }
     }
     simple

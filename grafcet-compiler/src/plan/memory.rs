@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::{Drive, Regions};
+use super::{Control, Drive, Regions};
 use crate::analysis::combinational;
-use crate::model::{EdgeId, Id, MacroId, Model, OutputId, Read, StepId, VarId};
+use crate::model::{Association, AssociationId, EdgeId, Id, MacroId, Model, OutputId, Read, StepId, VarId};
 
 /// The remembered values.
 pub struct Memory {
@@ -27,13 +27,13 @@ pub struct Memory {
 }
 
 impl Memory {
-    pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive]) -> Self {
+    pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive], control: &Control) -> Self {
         let reads: BTreeSet<Read> = model.expressions().flatten().copied().collect();
         let combinational = combinational::in_order(model);
         let pick = |wanted: &dyn Fn(&Drive) -> bool| {
             model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
         };
-        let timed = timed_steps(model, &reads);
+        let timed = timed_steps(model, control, &reads);
         Self {
             vars: model.vars.ids().filter(|id| !combinational.contains(id)).collect(),
             combinational,
@@ -51,13 +51,14 @@ impl Memory {
     }
 }
 
-/// Steps whose time is read. L and D of a `grafcet` are conditions on it (A32).
-fn timed_steps(model: &Model, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
+/// Steps whose time is read.
+fn timed_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
     let read = reads.iter().filter_map(|read| match read {
         Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
         _ => None,
     });
-    let limited = model.associations.values().filter(|a| model.is_grafcet() && a.time.is_some()).map(|a| a.step);
+    let is_limited = |(id, _): &(AssociationId, &Association)| control.step_limit(model, *id).is_some();
+    let limited = model.associations.iter().filter(is_limited).map(|(_, association)| association.step);
     read.chain(limited).collect()
 }
 

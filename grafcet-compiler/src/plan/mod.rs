@@ -64,7 +64,7 @@ impl Plan {
         }
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         Self {
-            memory: Memory::of(model, &regions, &drives),
+            memory: Memory::of(model, &regions, &drives, &control),
             has_start: has_start(model, &initial),
             stored: Stored::of(model),
             nests: Nest::all(model, &regions, &evolution, &concurrency),

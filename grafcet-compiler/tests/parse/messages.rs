@@ -51,7 +51,7 @@ fn headers() {
             true,
         ),
         ("#[cfg(test)] sfc Motor { }", "#[cfg(test)]", "`#[cfg(…)] grafcet! { … }`", true),
-        ("#[derive(Debug)] sfc Motor { }", "#[derive(Debug)]", "doc comments and the lint attributes", true),
+        ("#[repr(C)] sfc Motor { }", "#[repr(C)]", "doc comments, the lint attributes", true),
     ] {
         let (chart, errors) = run(text);
         assert_eq!(chart.is_some(), some, "{text}");
@@ -282,6 +282,8 @@ fn attributes() {
     in_chart(&[
         ("#[cfg(x)] step A;", "#[cfg(x)]", "on the whole macro call"),
         ("#[cfg_attr(x, y)] input a: bool;", "#[cfg_attr(x, y)]", "on the whole macro call"),
+        ("#[cfg_attr(x, derive(Hash))] step A;", "#[cfg_attr(x, derive(Hash))]", "derives stand in front of the chart"),
+        ("#[derive(Hash)] step A;", "#[derive(Hash)]", "derives stand in front of the chart"),
         ("#[inline] action a();", "#[inline]", "possible here are doc comments"),
         ("#[allow] step A;", "#[allow]", "lists its lints"),
         ("#[allow(rustfmt::skip)] step A;", "rustfmt::skip", "possible are lints of rustc"),

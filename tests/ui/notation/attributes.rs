@@ -2,7 +2,12 @@ use grafcet::grafcet;
 
 grafcet! {
     #[derive(Debug)]
+    #[cfg_attr(feature = "horn", inline)]
+    #[repr(C)]
     sfc Lamp {
+        #![derive(Hash)]
+        #[derive(Hash)]
+        input push: bool;
         #[cfg(feature = "horn")]
         output horn: bool;
         output light: bool;

@@ -70,6 +70,7 @@ fn empty(chart: &ast::Chart) -> Model {
         name: chart.name.clone(),
         vis: chart.vis.clone(),
         attrs: chart.attrs.passed_on.clone(),
+        derives: chart.attrs.derives.clone(),
         levels,
         clock_nanos: time::MILLISECOND,
         incomplete: false,
