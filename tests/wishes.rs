@@ -21,7 +21,7 @@ mod machines {
     }
 
     /// Nobody outside can name `Own`.
-    pub fn runs(on: bool) -> bool {
+    pub(crate) fn runs(on: bool) -> bool {
         let mut own = Own::new();
         own.cycle(&OwnInputs::default());
         own.cycle(&OwnInputs { on }).run && own.is_active(OwnStep::On)
