@@ -24,11 +24,13 @@ pub(crate) fn run() -> Result {
 /// # Errors
 /// A package lacks something, or does not build from what is in it.
 pub(crate) fn pack() -> Result {
+    let packages = published()?;
     // What is tried is the working tree; cargo asks for a clean one where it publishes indeed.
-    run_command(&mut cargo(&["publish", "--workspace", "--dry-run", "--locked", "--quiet", "--allow-dirty"]))?;
+    let mut command = cargo(&["package", "--locked", "--quiet", "--allow-dirty"]);
+    run_command(command.args(packages.iter().flat_map(|package| ["--package", &package.name])))?;
     // Cargo packs without them, too.
     let wanted = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
-    for package in published()? {
+    for package in packages {
         let files = capture(&mut cargo(&["package", "--package", &package.name, "--list", "--allow-dirty"]))?;
         if let Some(missing) = wanted.iter().find(|file| !files.lines().any(|line| line == **file)) {
             return Err(format!("the package of {} has no {missing}", package.name));
