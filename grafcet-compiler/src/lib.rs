@@ -26,6 +26,7 @@ use plan::Plan;
 #[must_use]
 pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let mut sink = Sink::new();
+    let written = chart.clone();
     let Some(chart) = parse::chart(chart, &mut sink) else {
         return diagnostic::tokens(&sink.finish());
     };
@@ -41,7 +42,8 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     }
     let items = match plan {
         Some(plan) if !sink.has_errors() => codegen::generate(&model, &plan, root),
-        _ => codegen::stub(&model, root),
+        // What could not be read may be where the time is used.
+        _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };
     let mut tokens = diagnostic::tokens(&sink.finish());
     tokens.extend(items);

@@ -182,7 +182,6 @@ pub struct Batch {
     since_0: ::grafcet::__private::Ticks,
     since_1: ::grafcet::__private::Ticks,
     delay_0: ::grafcet::__private::Delay,
-    timer_flag_l_lamp: ::grafcet::__private::OnDelay,
     kept_q_heat: ::grafcet::__private::bool,
     association_heat: ::grafcet::__private::u8,
     timer_flag_d_pump: ::grafcet::__private::OnDelay,
@@ -209,7 +208,6 @@ impl Batch {
             since_0: ::grafcet::__private::Ticks::ZERO,
             since_1: ::grafcet::__private::Ticks::ZERO,
             delay_0: ::grafcet::__private::Delay::new(),
-            timer_flag_l_lamp: ::grafcet::__private::OnDelay::new(),
             kept_q_heat: false,
             association_heat: 0,
             timer_flag_d_pump: ::grafcet::__private::OnDelay::new(),
@@ -387,30 +385,32 @@ impl Batch {
         }
         self.settled = !moved && !rising_now_0;
         match self.region_0 {
+            __BatchRegion0::Idle => {
+                outputs.lamp = true;
+            }
             __BatchRegion0::Fill => {
                 outputs.valve = true;
             }
             _ => {}
         }
-        let mut flag_n_lamp = false;
-        let mut flag_l_lamp = false;
+        match self.region_1 {
+            __BatchRegion1::Heat => {
+                if self.since_1 < ::grafcet::__private::Ticks::new(3000u32) {
+                    outputs.lamp = true;
+                }
+            }
+            _ => {}
+        }
         let mut flag_n_heat = false;
         let mut left_flag_n_heat = false;
         let mut flag_n_pump = false;
         let mut flag_r_pump = false;
         let mut flag_d_pump = false;
         let mut flag_sd_pump = false;
-        match self.region_0 {
-            __BatchRegion0::Idle => {
-                flag_n_lamp = true;
-            }
-            _ => {}
-        }
         match self.region_1 {
             __BatchRegion1::Heat => {
                 flag_n_heat = true;
                 self.association_heat = 0;
-                flag_l_lamp = true;
                 flag_d_pump = true;
             }
             _ => {}
@@ -432,15 +432,6 @@ impl Batch {
             }
             _ => {}
         }
-        let done_flag_l_lamp = self
-            .timer_flag_l_lamp
-            .update(
-                flag_l_lamp,
-                false,
-                ::grafcet::__private::Ticks::new(3000u32),
-                elapsed,
-            );
-        let q_lamp = !false && (flag_n_lamp || flag_l_lamp && !done_flag_l_lamp);
         let q_heat = !false && (flag_n_heat);
         let done_flag_d_pump = self
             .timer_flag_d_pump
@@ -527,7 +518,6 @@ impl Batch {
             }
             _ => {}
         }
-        outputs.lamp = q_lamp;
         if q_heat {
             if self.kept_q_heat {
                 self.settled = false;
@@ -659,6 +649,15 @@ impl Batch {
         if self.region_1 == __BatchRegion1::Heat {
             soonest = ::grafcet::__private::sooner(
                 soonest,
+                ::grafcet::__private::until(
+                    self.since_1,
+                    ::grafcet::__private::Ticks::new(3000u32),
+                ),
+            );
+        }
+        if self.region_1 == __BatchRegion1::Heat {
+            soonest = ::grafcet::__private::sooner(
+                soonest,
                 ::grafcet::__private::until(self.since_1, self.params.soak),
             );
         }
@@ -679,10 +678,6 @@ impl Batch {
                     ::grafcet::__private::Ticks::new(1000u32),
                     ::grafcet::__private::Ticks::new(500u32),
                 ),
-        );
-        soonest = ::grafcet::__private::sooner(
-            soonest,
-            self.timer_flag_l_lamp.remaining(::grafcet::__private::Ticks::new(3000u32)),
         );
         soonest = ::grafcet::__private::sooner(
             soonest,

@@ -48,9 +48,18 @@ impl Cx<'_> {
 
     /// Behind `if`, and what L and D of one step mean: `q if !(t/Step)` and `q if t/Step` (A32).
     pub(super) fn continuous_condition(&self, association: &Association, moment: Moment) -> Option<TokenStream> {
-        let limit = association.time.map(|time| {
-            let elapsed = self.elapsed(time, association.step, moment);
-            if association.qualifier == Qualifier::L { quote!(!#elapsed) } else { elapsed }
+        let limit = association.time.map(|time| match (moment, association.qualifier) {
+            // In the arm of its step, behind the evolution.
+            (Moment::Action, qualifier) => {
+                let since = names::step_time(self.plan.regions.of_step(association.step), self.plan);
+                let time = self.time(time);
+                if qualifier == Qualifier::L { quote!(self.#since < #time) } else { quote!(self.#since >= #time) }
+            }
+            (_, Qualifier::L) => {
+                let elapsed = self.elapsed(time, association.step, moment);
+                quote!(!#elapsed)
+            }
+            _ => self.elapsed(time, association.step, moment),
         });
         let condition = association.condition.as_ref().map(|condition| self.value(condition, moment));
         let terms: Vec<_> = limit.into_iter().chain(condition).collect();

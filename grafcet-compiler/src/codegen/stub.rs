@@ -1,20 +1,22 @@
 //! What a chart with mistakes expands to: its types, so that the rest of the program gets no follow-up errors.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::names::Names;
 use super::{derives, types};
 use crate::model::{Model, Ty};
-use syn::Ident;
+use syn::{Attribute, Ident};
 
-/// The public items of a chart, with empty bodies.
-pub(crate) fn stub(model: &Model, root: &TokenStream) -> TokenStream {
+/// The public items of a chart, with empty bodies. `timed` where `cycle` takes the time.
+pub(crate) fn stub(model: &Model, timed: bool, root: &TokenStream) -> TokenStream {
     let p = quote!(#root::__private);
     let names = Names::of(model);
     let records = records(model, &names, &p);
     let enums = enums(model, &names, &p);
-    let methods = methods(model, &names, &p);
+    let methods = methods(model, timed, &names, &p);
     let uniform = uniform(model, &names, &p);
     quote!(#records #enums #methods #uniform)
 }
@@ -22,31 +24,46 @@ pub(crate) fn stub(model: &Model, root: &TokenStream) -> TokenStream {
 /// The chart, its inputs, outputs and recipe.
 fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, params, .. } = names;
-    let record = |name: &Ident, declared: Vec<(&Ident, &Ty)>| {
+    let record = |name: &Ident, docs: TokenStream, declared: Vec<Declared<'_>>| {
         let vis = &model.vis;
-        let derives = derives::of(declared.iter().map(|(_, ty)| *ty)).attributes(model, p);
+        let derives = derives::of(declared.iter().map(|(_, _, ty)| *ty)).attributes(model, p);
         let fields = fields(declared.into_iter(), p);
         quote! {
+            #docs
             #derives
             #[allow(missing_docs, dead_code, clippy::all, clippy::pedantic)]
             #vis struct #name { #fields }
             impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
         }
     };
-    let chart = record(chart, Vec::new());
-    let inputs = record(inputs, model.inputs.values().map(|input| (&input.name, &input.ty)).collect());
-    let outputs = record(outputs, model.outputs.values().map(|output| (&output.name, &output.ty)).collect());
+    let none = TokenStream::new;
+    let chart = record(chart, docs(&model.attrs), Vec::new());
+    let declared = model.inputs.values().map(|input| (&input.attrs[..], &input.name, &input.ty));
+    let inputs = record(inputs, none(), declared.collect());
+    let declared = model.outputs.values().map(|output| (&output.attrs[..], &output.name, &output.ty));
+    let outputs = record(outputs, none(), declared.collect());
     let params = (!model.params.is_empty()).then(|| {
         let vis = &model.vis;
-        let record = record(params, model.params.values().map(|param| (&param.name, &param.ty)).collect());
-        quote!(#record #[allow(missing_docs, dead_code)] impl #params { #vis const fn new() -> Self { loop {} } })
+        let declared = model.params.values().map(|param| (&param.attrs[..], &param.name, &param.ty));
+        let record = record(params, none(), declared.collect());
+        // A recipe may be a constant, which rustc evaluates beside these errors: a value, and no `loop {}`.
+        let mut seen = BTreeSet::new();
+        let declared = model.params.values().filter(|param| seen.insert(param.name.to_string()));
+        let values = declared.map(|param| {
+            let own = matches!(param.ty, Ty::Other(_)) && !param.ty.is_float();
+            let value = types::initial_value(param.init.as_ref().filter(|_| own), &param.ty, p);
+            let name = &param.name;
+            quote!(#name: #value,)
+        });
+        let new = quote!(#vis const fn new() -> Self { Self { #(#values)* } });
+        quote!(#record #[allow(missing_docs, dead_code)] impl #params { #new })
     });
     quote!(#chart #inputs #outputs #params)
 }
 
 /// The names of steps and transitions.
 fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
-    let list = |name: &Ident, variants: Vec<&Ident>| {
+    let list = |name: &Ident, variants: Vec<TokenStream>| {
         let vis = &model.vis;
         let derives = derives::of_names().attributes(model, p);
         quote! {
@@ -55,17 +72,22 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             #vis enum #name { #(#variants,)* }
         }
     };
-    let steps = list(&names.step, first_of_each(model.steps.values().map(|step| &step.name)));
-    let transitions = model.transitions.ids().map(|id| names.transition_variant(id)).collect();
+    let mut seen = BTreeSet::new();
+    let steps = model.steps.values().filter(|step| seen.insert(step.name.to_string())).map(|step| {
+        let (docs, name) = (docs(&step.attrs), &step.name);
+        quote!(#docs #name)
+    });
+    let steps = list(&names.step, steps.collect());
+    let transitions = model.transitions.ids().map(|id| names.transition_variant(id).to_token_stream()).collect();
     let transitions = list(&names.transition, transitions);
     quote!(#steps #transitions)
 }
 
 /// The methods, with the arguments they would have; and the trait of the code actions, whose methods need not be there.
-fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
+fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, step, params, actions, .. } = names;
     let vis = &model.vis;
-    let now = model.uses_time().then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
+    let now = timed.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
     let recipe = (!model.params.is_empty()).then(|| {
         quote! {
             #vis const fn with_params(params: #params) -> Self { Self {} }
@@ -75,12 +97,12 @@ fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     });
     let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
     let methods = model.actions.values().map(|action| {
-        let name = &action.name;
+        let (docs, name) = (docs(&action.attrs), &action.name);
         let params = action.params.iter().map(|(name, ty)| {
             let ty = types::rust_type(ty, p);
             quote!(#name: #ty)
         });
-        quote!(fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
+        quote!(#docs fn #name(&mut self, phase: #p::Phase, #(#params),*) {})
     });
     let trait_item = (!model.actions.is_empty())
         .then(|| quote!(#[allow(missing_docs, dead_code, unused_variables)] #vis trait #actions { #(#methods)* }));
@@ -102,7 +124,7 @@ fn methods(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
             #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool { loop {} }
-            #vis fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { loop {} }
+            #vis const fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { #p::Ticks::ZERO }
         }
     }
 }
@@ -134,18 +156,21 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     }
 }
 
-fn fields<'m>(declared: impl Iterator<Item = (&'m Ident, &'m Ty)>, p: &TokenStream) -> TokenStream {
-    let mut seen = std::collections::BTreeSet::new();
+/// A declaration's attributes, its name and type.
+type Declared<'m> = (&'m [Attribute], &'m Ident, &'m Ty);
+
+fn fields<'m>(declared: impl Iterator<Item = Declared<'m>>, p: &TokenStream) -> TokenStream {
+    let mut seen = BTreeSet::new();
     declared
-        .filter(|(name, _)| seen.insert(name.to_string()))
-        .map(|(name, ty)| {
-            let ty = types::rust_type(ty, p);
-            quote!(pub #name: #ty,)
+        .filter(|(_, name, _)| seen.insert(name.to_string()))
+        .map(|(attrs, name, ty)| {
+            let (docs, ty) = (docs(attrs), types::rust_type(ty, p));
+            quote!(#docs pub #name: #ty,)
         })
         .collect()
 }
 
-fn first_of_each<'m>(names: impl Iterator<Item = &'m Ident>) -> Vec<&'m Ident> {
-    let mut seen = std::collections::BTreeSet::new();
-    names.filter(|name| seen.insert(name.to_string())).collect()
+/// The user's doc comments, which an editor shows while the chart is half written.
+fn docs(attrs: &[Attribute]) -> TokenStream {
+    attrs.iter().filter(|attr| attr.path().is_ident("doc")).map(ToTokens::to_token_stream).collect()
 }

@@ -33,7 +33,7 @@ use self::input::Input;
 use crate::ast::Chart;
 use crate::diagnostic::Sink;
 
-pub use time::time_literal;
+pub use time::{mentions_time, time_literal};
 
 /// Parses the tokens of one macro call.
 ///

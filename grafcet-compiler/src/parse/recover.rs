@@ -66,7 +66,7 @@ fn unexpected(input: &Input) -> Error {
     if input.at(":=") {
         return input.error("an assignment is written `=`, not `:=`");
     }
-    if input.at("#") {
+    if input.behind("#").is_some_and(|next| !next.at_group(Delimiter::Bracket)) {
         return input.error("a time is written with its unit alone: `5s`, not `T#5s`");
     }
     input.error(format!("expected `;`, found {found}"))

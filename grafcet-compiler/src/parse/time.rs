@@ -1,6 +1,6 @@
 //! Durations: `5s`, `500ms`, `1.5s`, `1h30m`, `250us`.
 
-use proc_macro2::Literal;
+use proc_macro2::{Literal, TokenStream, TokenTree};
 use syn::Lit;
 
 use super::Input;
@@ -28,6 +28,27 @@ pub fn time_literal(lit: &Lit) -> Option<Result<Time, String>> {
         return None;
     }
     Some(nanos(&token.to_string()).map(|nanos| Time { span: lit.span(), nanos }))
+}
+
+/// Whether a chart speaks of time: `5s`, `Step.T`, a value of type `time`. For one that could not be read as a whole.
+#[must_use]
+pub fn mentions_time(chart: TokenStream) -> bool {
+    let mut open = vec![chart];
+    while let Some(tokens) = open.pop() {
+        let mut dot = false;
+        for token in tokens {
+            match &token {
+                TokenTree::Group(group) => open.push(group.stream()),
+                TokenTree::Literal(literal) if matches!(time_literal(&Lit::new(literal.clone())), Some(Ok(_))) => {
+                    return true;
+                }
+                TokenTree::Ident(name) if name == "time" || dot && name == "T" => return true,
+                _ => {}
+            }
+            dot = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.');
+        }
+    }
+    false
 }
 
 /// The time at `input`, where nothing else than a time can stand; `None` is a number that was reported.

@@ -1,0 +1,102 @@
+//! What is known of an atom, without deciding anything.
+
+use super::{Scene, Snapshot, When};
+use crate::analysis::explore::formula::Kind;
+use crate::analysis::explore::knowledge::Known;
+use crate::analysis::explore::slots::Bit;
+
+impl Scene<'_> {
+    /// What is known of an atom.
+    pub(super) fn value(&mut self, atom: usize, when: When) -> Known {
+        if self.reserved[atom] {
+            self.spoilt = true;
+        }
+        self.value_of(atom, when)
+    }
+
+    pub(super) fn value_of(&self, atom: usize, when: When) -> Known {
+        let net = self.net;
+        let kind = net.atoms[atom].kind;
+        if when == When::Before && self.previous.is_none() {
+            return self.recorded_value(atom, kind);
+        }
+        match kind {
+            Kind::Number(low, high) => match self.given.get(atom) {
+                Known::Unknown => Known::Range(low, high),
+                known => known,
+            },
+            Kind::Step(step) if self.is_own(step) => Known::Bool(self.at(when).active.binary_search(&step).is_ok()),
+            Kind::Macro(id) if self.owns(id) => Known::Bool(self.any_active(id, when)),
+            Kind::Free | Kind::Step(_) | Kind::Macro(_) => self.given.get(atom),
+            Kind::Slot(slot) => self.slot(slot, when),
+            Kind::Since(step) => {
+                let active = self.at(when).active.binary_search(&step).is_ok();
+                let timed = active || self.is_left(&[step], when);
+                let zero = self.is_own(step) && (!timed || self.fresh.contains(&step));
+                self.time(atom, zero)
+            }
+            Kind::MacroSince(id) => {
+                let timed = self.any_active(id, when) || self.is_left(&net.macros[id], when);
+                let zero = self.owns(id) && !timed;
+                self.time(atom, zero)
+            }
+        }
+    }
+
+    /// `sfc`: whether the actions run of a cycle in which one of the steps was left: it has the time it had reached (A34).
+    fn is_left(&self, steps: &[usize], when: When) -> bool {
+        let was = |start: &Snapshot| steps.iter().any(|step| start.active.binary_search(step).is_ok());
+        when == When::Now && self.start.as_ref().is_some_and(was)
+    }
+
+    fn recorded_value(&self, atom: usize, kind: Kind) -> Known {
+        match (self.recorded.get(atom), kind) {
+            (Known::Unknown, Kind::Number(low, high)) => Known::Range(low, high),
+            (Known::Unknown, Kind::Since(_) | Kind::MacroSince(_)) => Known::Range(0, i128::from(u32::MAX)),
+            (known, _) => known,
+        }
+    }
+
+    fn slot(&self, slot: usize, when: When) -> Known {
+        let own = self.own.iter().rev().find(|(written, _)| *written == slot);
+        let bit = match own {
+            Some((_, bit)) if when == When::Now => *bit,
+            _ => self.at(when).slots[slot],
+        };
+        match bit {
+            Bit::False => Known::Bool(false),
+            Bit::True => Known::Bool(true),
+            Bit::Any => Known::Unknown,
+        }
+    }
+
+    fn time(&self, atom: usize, zero: bool) -> Known {
+        match self.given.get(atom) {
+            _ if zero => Known::Range(0, 0),
+            Known::Unknown => Known::Range(0, i128::from(u32::MAX)),
+            known => known,
+        }
+    }
+
+    pub(super) fn at(&self, when: When) -> &Snapshot {
+        match when {
+            When::Now => &self.now,
+            When::Sample => self.start.as_ref().unwrap_or(&self.now),
+            When::Before => self.previous.as_ref().unwrap_or(&self.now),
+        }
+    }
+
+    /// Whether the step belongs to what is explored.
+    pub(super) fn is_own(&self, step: usize) -> bool {
+        self.unit.is_none_or(|unit| self.net.unit_of[step] == unit)
+    }
+
+    pub(super) fn owns(&self, id: usize) -> bool {
+        self.net.macros[id].first().is_none_or(|step| self.is_own(*step))
+    }
+
+    fn any_active(&self, id: usize, when: When) -> bool {
+        let active = &self.at(when).active;
+        self.net.macros[id].iter().any(|step| active.binary_search(step).is_ok())
+    }
+}

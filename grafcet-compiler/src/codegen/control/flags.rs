@@ -1,0 +1,150 @@
+//! The flags of the targets: what the associations of this cycle say, and what leaving a step says.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::codegen::bind::Moment;
+use crate::codegen::segments::Item;
+use crate::codegen::{Cx, names};
+use crate::model::{Association, AssociationId, Effect, Id, Qualifier};
+use crate::plan::{Target, What, source_order};
+
+/// The qualifiers whose timer starts again with a step that is left and re-entered at once.
+const RESTARTED: [Qualifier; 3] = [Qualifier::L, Qualifier::D, Qualifier::Ds];
+
+impl Cx<'_> {
+    /// The flags of all targets, their conditions read before the first action runs.
+    pub(in crate::codegen) fn gather_flags(&self) -> TokenStream {
+        let targets = &self.plan.control.targets;
+        let declare = targets.iter().enumerate().map(|(i, target)| self.declare_flags(i, target));
+        let gathered = source_order(self.model).filter_map(|id| {
+            let target = self.plan.control.of_association[id.index()]?;
+            Some(self.gather(id, target))
+        });
+        let gathered = self.in_order(gathered);
+        quote!(#(#declare)* #gathered)
+    }
+
+    fn declare_flags(&self, index: usize, target: &Target) -> TokenStream {
+        let flags = target.associations.iter().map(|id| self.model.associations[*id].qualifier);
+        let mut flags: Vec<Qualifier> = flags.collect();
+        flags.sort_unstable();
+        flags.dedup();
+        let flags = flags.iter().map(|qualifier| {
+            let flag = names::target(names::flag(*qualifier), self.model, index, target);
+            quote!(let mut #flag = false;)
+        });
+        let restarts = RESTARTED.into_iter().filter(|qualifier| self.restarts(target, *qualifier)).map(|qualifier| {
+            let restart = self.restart(index, target, qualifier);
+            quote!(let mut #restart = false;)
+        });
+        let left = self.leavable(target).into_iter().map(|qualifier| {
+            let left = self.left(index, target, qualifier);
+            quote!(let mut #left = false;)
+        });
+        let chooses = |qualifier: &&(Qualifier, &str)| {
+            target.what == What::Runs && self.has_choice(target) && target.has(self.model, qualifier.0)
+        };
+        let numbers = [(Qualifier::P0, "number_p0"), (Qualifier::P1, "number_p1")];
+        let numbers = numbers.iter().filter(chooses).map(|(_, prefix)| {
+            let number = names::target(prefix, self.model, index, target);
+            let ty = names::number_type(target.associations.len(), &self.p);
+            quote!(let mut #number: #ty = 0;)
+        });
+        let held = target.remembers_held.iter().map(|id| {
+            let (before, held) = self.held_before(*id, index, target);
+            quote!(let #before = self.#held; self.#held = false;)
+        });
+        quote!(#(#flags)* #(#restarts)* #(#left)* #(#numbers)* #(#held)*)
+    }
+
+    /// What one association adds to the flags of its target.
+    fn gather(&self, id: AssociationId, index: usize) -> Item {
+        let (association, target) = (&self.model.associations[id], &self.plan.control.targets[index]);
+        let flag = names::target(names::flag(association.qualifier), self.model, index, target);
+        let number = self.note_number(id, association, index, target);
+        let mut set = quote!(#flag = true; #number);
+        if target.remembers_time(self.model, association.qualifier) {
+            let prefix = format!("time_{}", names::flag(association.qualifier));
+            let field = names::target(&prefix, self.model, index, target);
+            let number = names::association_number(target, id);
+            set.extend(quote!(self.#field = #number;));
+        }
+        if target.remembers_held.contains(&id) {
+            let held = self.held_before(id, index, target).1;
+            set.extend(quote!(self.#held = true;));
+        }
+        if let Some(condition) = &association.condition {
+            let condition = self.value(condition, Moment::Action);
+            set = quote!(if #condition { #set });
+        }
+        let step = association.step;
+        let region = self.plan.regions.of_step(step);
+        match association.qualifier {
+            Qualifier::P0 => self.if_left(step, &set),
+            Qualifier::P1 | Qualifier::P => self.if_entered(step, &set),
+            _ => {
+                let qualifier = association.qualifier;
+                let again = self.plan.sees_reentry[region] && self.restarts(target, qualifier);
+                let restart = again.then(|| {
+                    let (restart, again) = (self.restart(index, target, qualifier), names::again(region, self.plan));
+                    quote!(#restart |= #again;)
+                });
+                Item::After(step, quote!(#set #restart))
+            }
+        }
+    }
+
+    /// Which association's arguments a run takes: the last active one in source order, never an R (A31).
+    fn note_number(&self, id: AssociationId, association: &Association, index: usize, target: &Target) -> TokenStream {
+        if target.what != What::Runs || association.qualifier == Qualifier::R || !self.has_choice(target) {
+            return TokenStream::new();
+        }
+        let number = names::association_number(target, id);
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let (leaving, entering, remembered) = (name("number_p0"), name("number_p1"), name("association"));
+        match association.qualifier {
+            Qualifier::P0 => quote!(#leaving = #number;),
+            Qualifier::P1 => quote!(#entering = #number;),
+            _ if target.has(self.model, Qualifier::P1) => quote!(#entering = #number; self.#remembered = #number;),
+            _ => quote!(self.#remembered = #number;),
+        }
+    }
+
+    /// Several associations of the target give different calls.
+    pub(super) fn has_choice(&self, target: &Target) -> bool {
+        let runs = |id: &&AssociationId| {
+            let association = &self.model.associations[**id];
+            association.qualifier != Qualifier::R
+                && matches!(&association.effect, Effect::Call(_, arguments) if !arguments.is_empty())
+        };
+        target.associations.iter().filter(runs).count() > 1
+    }
+
+    /// An association of the target under this qualifier, whose timer starts again with its step, can be re-entered (A4s).
+    pub(super) fn restarts(&self, target: &Target, qualifier: Qualifier) -> bool {
+        let reentered = |id| self.plan.sees_reentry[self.plan.regions.of_step(self.model.associations[id].step)];
+        RESTARTED.contains(&qualifier) && target.under(self.model, qualifier).any(reentered)
+    }
+
+    /// The local that says that such a step has been re-entered.
+    pub(super) fn restart(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
+        names::target(&format!("restart_{}", names::flag(qualifier)), self.model, index, target)
+    }
+
+    /// The qualifiers of the target that leaving a step can end, and a final call with them.
+    pub(super) fn leavable(&self, target: &Target) -> Vec<Qualifier> {
+        if target.remembers_q { target.leavable(self.model) } else { Vec::new() }
+    }
+
+    /// The local that says that a step with this qualifier has been left.
+    pub(super) fn left(&self, index: usize, target: &Target, qualifier: Qualifier) -> Ident {
+        names::target(&format!("left_{}", names::flag(qualifier)), self.model, index, target)
+    }
+
+    /// Whether the condition of an association held in the cycle before: the local, and the field.
+    pub(super) fn held_before(&self, id: AssociationId, index: usize, target: &Target) -> (Ident, Ident) {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        (name(&format!("before_{}", names::held(target, id))), name(&names::held(target, id)))
+    }
+}

@@ -1,0 +1,184 @@
+//! What a target does, in the order of the runs: among what is left, among what is entered, and the rest (A29).
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use crate::codegen::bind::Moment;
+use crate::codegen::segments::Item;
+use crate::codegen::{Cx, names};
+use crate::model::{AssociationId, Effect, Id, Place, Qualifier};
+use crate::plan::{Target, What, source_order};
+
+impl Cx<'_> {
+    /// Final calls caused by leaving a step are told apart from the others (A29).
+    pub(in crate::codegen) fn note_leaving(&self) -> TokenStream {
+        let items = source_order(self.model).filter_map(|id| {
+            let index = self.plan.control.of_association[id.index()]?;
+            let (target, association) = (&self.plan.control.targets[index], &self.model.associations[id]);
+            if !self.leavable(target).contains(&association.qualifier) {
+                return None;
+            }
+            let left = self.left(index, target, association.qualifier);
+            let note = match target.remembers_held.contains(&id).then(|| self.held_before(id, index, target).0) {
+                Some(before) => quote!(#left |= #before;),
+                None => quote!(#left = true;),
+            };
+            if association.qualifier == Qualifier::D {
+                // On a self-loop the delay begins again: that ends the action.
+                return Some(self.if_left(association.step, &note));
+            }
+            let (after, variant) =
+                (names::after(self.plan.regions.of_step(association.step), self.plan), self.variant(association.step));
+            Some(Item::Before(association.step, quote!(if #after != #variant { #note })))
+        });
+        self.in_order(items)
+    }
+
+    /// The run of a target among the deactivations: P0, and a final call caused by leaving a step.
+    pub(in crate::codegen) fn run_leaving(&self, index: usize, target: &Target) -> TokenStream {
+        if target.what != What::Runs {
+            return TokenStream::new();
+        }
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let p0 = target.has(self.model, Qualifier::P0).then(|| name(names::flag(Qualifier::P0)));
+        let (q, kept) = (name("q"), name("kept_q"));
+        let falls = target.remembers_q.then(|| quote!(self.#kept && !#q));
+        let leaving = self.by_leaving(index, target);
+        let p0_run = |phase: TokenStream| self.run_at(index, target, &phase, RunKind::P0, Moment::Leaving);
+        let (first, last) = (p0_run(quote!(First)), p0_run(quote!(Final)));
+        let final_run = self.run_at(index, target, &quote!(Final), RunKind::Level, Moment::Leaving);
+        match (p0, falls, leaving) {
+            (Some(p0), Some(falls), Some(left)) => {
+                quote!(if #p0 { if #falls { #last } else { #first } } else if #falls && #left { #final_run })
+            }
+            (Some(p0), Some(falls), None) => quote!(if #p0 { if #falls { #last } else { #first } }),
+            (Some(p0), None, _) => quote!(if #p0 { #first }),
+            (None, Some(falls), Some(left)) => quote!(if #falls && #left { #final_run }),
+            _ => TokenStream::new(),
+        }
+    }
+
+    /// The run of a target among the activations: P1.
+    pub(in crate::codegen) fn run_entering(&self, index: usize, target: &Target) -> TokenStream {
+        if target.what != What::Runs || !target.has(self.model, Qualifier::P1) {
+            return TokenStream::new();
+        }
+        let p1 = names::target(names::flag(Qualifier::P1), self.model, index, target);
+        let run = self.run(index, target, &quote!(First), RunKind::P1);
+        quote!(if #p1 { #run })
+    }
+
+    /// What is left of a target: its value, or its run while Q holds, or the final call that no leaving has caused.
+    pub(in crate::codegen) fn run_rest(&self, index: usize, target: &Target) -> TokenStream {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let q = name("q");
+        match target.what {
+            What::Boolean(Place::Output(output)) => {
+                let local = names::output_local(self.model, output);
+                return quote!(#local = #q;);
+            }
+            What::Boolean(Place::Var(var)) => {
+                let field = names::var_field(self.model, var);
+                let settled = self.unsettle_if(&quote!(self.#field != #q));
+                return quote!(#settled self.#field = #q;);
+            }
+            What::Runs if !target.remembers_q => return TokenStream::new(),
+            What::Runs => {}
+        }
+        let kept = name("kept_q");
+        let first = self.run(index, target, &quote!(First), RunKind::Level);
+        let repeated = self.run(index, target, &quote!(Repeated), RunKind::Level);
+        let last = self.run(index, target, &quote!(Final), RunKind::Level);
+        let done = |qualifier, prefix: &str| {
+            target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag))
+        };
+        let not_p1 = done(Qualifier::P1, names::flag(Qualifier::P1));
+        let not_p0 = done(Qualifier::P0, names::flag(Qualifier::P0));
+        let not_left = self.by_leaving(index, target).map(|left| quote!(&& !#left));
+        let kept_terms = self.leavable(target).into_iter().filter(|_| target.remembers_terms(self.model));
+        let kept_terms = kept_terms.map(|qualifier| {
+            let (kept, now) = (
+                name(&format!("kept_{}", names::flag(qualifier))),
+                self.term(index, target, qualifier, &quote!(false)).1,
+            );
+            quote!(self.#kept = #now;)
+        });
+        let run = if self.tells_phase(target) { quote!(if self.#kept { #repeated } else { #first }) } else { first };
+        quote! {
+            if #q #not_p1 { #run } else if self.#kept && !#q #not_p0 #not_left { #last }
+            self.#kept = #q;
+            #(#kept_terms)*
+        }
+    }
+
+    /// Only the method of an action is told the phase.
+    fn tells_phase(&self, target: &Target) -> bool {
+        target.associations.iter().any(|id| matches!(self.model.associations[*id].effect, Effect::Call(..)))
+    }
+
+    /// One run of a target.
+    fn run(&self, index: usize, target: &Target, phase: &TokenStream, kind: RunKind) -> TokenStream {
+        self.run_at(index, target, phase, kind, Moment::Action)
+    }
+
+    /// One run of a target; among the steps left, with the time they had reached (A34).
+    fn run_at(&self, index: usize, target: &Target, phase: &TokenStream, kind: RunKind, moment: Moment) -> TokenStream {
+        let unsettle = self.unsettle();
+        let runs =
+            target.associations.iter().copied().filter(|id| self.model.associations[*id].qualifier != Qualifier::R);
+        let of_kind = |id: &AssociationId| match (kind, self.model.associations[*id].qualifier) {
+            (RunKind::P0, qualifier) => qualifier == Qualifier::P0,
+            (RunKind::P1, qualifier) => qualifier != Qualifier::P0,
+            (RunKind::Level, qualifier) => !matches!(qualifier, Qualifier::P0 | Qualifier::P1),
+        };
+        let runs: Vec<_> = runs.filter(of_kind).collect();
+        let one = |id: &AssociationId| self.effect_run(&self.model.associations[*id].effect, phase, moment);
+        let Some((last, others)) = runs.split_last() else { return TokenStream::new() };
+        if !self.has_choice(target) || others.is_empty() {
+            let run = one(last);
+            return quote!(#unsettle #run);
+        }
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let number = match kind {
+            RunKind::P0 => name("number_p0").into_token_stream(),
+            RunKind::P1 => name("number_p1").into_token_stream(),
+            RunKind::Level => {
+                let field = name("association");
+                quote!(self.#field)
+            }
+        };
+        let arms = others.iter().map(|id| {
+            let (number, run) = (names::association_number(target, *id), one(id));
+            quote!(#number => { #run })
+        });
+        let last = one(last);
+        quote!(#unsettle match #number { #(#arms)* _ => { #last } })
+    }
+
+    /// The effect of an action that runs.
+    pub(in crate::codegen) fn effect_run(&self, effect: &Effect, phase: &TokenStream, moment: Moment) -> TokenStream {
+        match effect {
+            Effect::Call(action, args) => self.call(*action, phase, args, moment),
+            Effect::Assign(place, value) => {
+                let (field, value) = (names::place_field(self.model, *place), self.value(value, moment));
+                quote!(self.#field = #value;)
+            }
+            Effect::Block(code) => self.block(code, moment, |place| {
+                let field = names::place_field(self.model, place);
+                quote!(self.#field)
+            }),
+            Effect::Control(_) => TokenStream::new(),
+        }
+    }
+}
+
+/// Which associations a run is of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum RunKind {
+    /// On leaving a step.
+    P0,
+    /// On entering one: its arguments are the last in the source among P1 and what is active.
+    P1,
+    /// While Q holds, and the final call.
+    Level,
+}
