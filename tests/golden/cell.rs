@@ -133,11 +133,15 @@ impl __CellRegion0Mark {
         Self(state as ::grafcet::__private::u8)
     }
     const fn state(self) -> __CellRegion0 {
-        match self.0 & 3u8 {
-            0u8 => __CellRegion0::Ready,
-            1u8 => __CellRegion0::Stopped,
-            2u8 => __CellRegion0::Restart,
-            _ => __CellRegion0::INIT,
+        let number = self.0 & 3u8;
+        if number >= 3u8 {
+            __CellRegion0::INIT
+        } else {
+            match number {
+                0u8 => __CellRegion0::Ready,
+                1u8 => __CellRegion0::Stopped,
+                _ => __CellRegion0::Restart,
+            }
         }
     }
     const fn unmarked(self) -> Self {
@@ -298,10 +302,7 @@ impl Cell {
                     }
                 }
                 __CellRegion0::Stopped => {
-                    if {
-                        let estop = inputs.estop;
-                        !estop
-                    } {
+                    if { !inputs.estop } {
                         after_0 = __CellRegion0::Restart;
                     }
                 }
@@ -321,11 +322,7 @@ impl Cell {
                     __CellRegion1::Idle => {
                         if inputs.start {
                             after_1 = __CellRegion1::Feed;
-                        } else if {
-                            let auto = inputs.auto;
-                            let start = inputs.start;
-                            auto && !start
-                        } {
+                        } else if { inputs.auto && !inputs.start } {
                             after_1 = __CellRegion1::Auto;
                         } else {}
                     }
@@ -340,10 +337,7 @@ impl Cell {
                         }
                     }
                     __CellRegion1::Open => {
-                        if {
-                            let clamped = inputs.clamped;
-                            !clamped
-                        } {
+                        if { !inputs.clamped } {
                             after_1 = __CellRegion1::Idle;
                         }
                     }

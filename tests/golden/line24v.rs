@@ -88,6 +88,7 @@ pub enum Line24VTransition {
     ::grafcet::__private::core::fmt::Debug
 )]
 #[doc(hidden)]
+#[repr(u32)]
 enum __Line24VState {
     S1,
     S2,
@@ -109,11 +110,15 @@ impl __Line24VStateMark {
         Self(state as ::grafcet::__private::u8)
     }
     const fn state(self) -> __Line24VState {
-        match self.0 & 3u8 {
-            0u8 => __Line24VState::S1,
-            1u8 => __Line24VState::S2,
-            2u8 => __Line24VState::S3,
-            _ => __Line24VState::S4,
+        let number = self.0 & 3u8;
+        if number >= 3u8 {
+            __Line24VState::S4
+        } else {
+            match number {
+                0u8 => __Line24VState::S1,
+                1u8 => __Line24VState::S2,
+                _ => __Line24VState::S3,
+            }
         }
     }
     const fn unmarked(self) -> Self {
@@ -167,31 +172,38 @@ impl Line24V {
             q3: false,
         };
         self.situation = self.situation.unmarked();
-        let mut evolutions_left: ::grafcet::__private::u32 = 10;
-        loop {
-            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
-            let before = self.situation.state();
-            let after = match before {
-                __Line24VState::S1 => if inputs.b1 { __Line24VState::S2 } else { break }
-                __Line24VState::S2 => if inputs.b2 { __Line24VState::S3 } else { break }
-                __Line24VState::S3 => if inputs.b3 { __Line24VState::S4 } else { break }
-                __Line24VState::S4 => if inputs.b4 { __Line24VState::S1 } else { break }
-            };
-            if evolutions_left == 0 {
-                self.situation = self.situation.marked();
-                break;
-            }
-            evolutions_left -= 1;
-            match after {
-                __Line24VState::S2 => {
-                    self.out_q2 = true;
+        'search: {
+            let mut state = self.situation.state();
+            for _ in 0..10u32 {
+                let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+                let before = state;
+                let after = match before {
+                    __Line24VState::S1 => {
+                        if inputs.b1 { __Line24VState::S2 } else { break 'search }
+                    }
+                    __Line24VState::S2 => {
+                        if inputs.b2 { __Line24VState::S3 } else { break 'search }
+                    }
+                    __Line24VState::S3 => {
+                        if inputs.b3 { __Line24VState::S4 } else { break 'search }
+                    }
+                    __Line24VState::S4 => {
+                        if inputs.b4 { __Line24VState::S1 } else { break 'search }
+                    }
+                };
+                match after {
+                    __Line24VState::S2 => {
+                        self.out_q2 = true;
+                    }
+                    __Line24VState::S4 => {
+                        self.out_q2 = false;
+                    }
+                    _ => {}
                 }
-                __Line24VState::S4 => {
-                    self.out_q2 = false;
-                }
-                _ => {}
+                state = after;
+                self.situation = __Line24VStateMark::of(after);
             }
-            self.situation = __Line24VStateMark::of(after);
+            self.situation = self.situation.marked();
         }
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,

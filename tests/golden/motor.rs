@@ -122,22 +122,14 @@ impl Motor {
         let before = self.situation;
         let after = match before {
             __MotorState::Off => {
-                if {
-                    let on = inputs.on;
-                    let over_temp = inputs.over_temp;
-                    on && !over_temp
-                } {
+                if { inputs.on & !inputs.over_temp } {
                     __MotorState::On
                 } else {
                     __MotorState::Off
                 }
             }
             __MotorState::On => {
-                if {
-                    let off = inputs.off;
-                    let over_temp = inputs.over_temp;
-                    off || over_temp
-                } {
+                if { inputs.off | inputs.over_temp } {
                     __MotorState::Off
                 } else {
                     __MotorState::On
@@ -146,16 +138,9 @@ impl Motor {
             __MotorState::INIT => __MotorState::Off,
         };
         self.situation = after;
-        match after {
-            __MotorState::Off => {
-                outputs.red = true;
-            }
-            __MotorState::On => {
-                outputs.relay = true;
-                outputs.green = true;
-            }
-            _ => {}
-        }
+        outputs.red |= after == __MotorState::Off;
+        outputs.relay |= after == __MotorState::On;
+        outputs.green |= after == __MotorState::On;
         outputs
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -23,6 +23,14 @@ impl Stability {
         Self { certain: !events && !is_refilled(model) && !has_circle(&mut Follows::new(model)) }
     }
 
+    /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
+    /// search that comes back to a situation then goes on for ever.
+    #[must_use]
+    pub fn is_memoryless(model: &Model) -> bool {
+        let follows = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
+        model.transitions.values().flat_map(|transition| &transition.condition.reads).all(follows)
+    }
+
     /// Every search ends after each transition has cleared at most once.
     #[must_use]
     pub fn is_certain(&self) -> bool {

@@ -1,10 +1,10 @@
 //! A user's expression in generated code: what it reads is bound to the names it uses, then its tokens follow.
 
-use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 
 use super::{Cx, names, writes};
-use crate::model::{Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, placeholder};
+use crate::model::{Binary, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder};
 use crate::plan::RegionId;
 
 /// At which moment of the cycle an expression is evaluated: which situation and which values it sees.
@@ -42,6 +42,12 @@ impl Cx<'_> {
             // Located there, so that a type error stands there.
             return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
         }
+        if moment == Moment::Condition && !expr.reads.is_empty() && self.is_logic(&expr.tree) {
+            // In a search, an input that a lazy operator does not come to is better not read; elsewhere a jump costs more.
+            let tokens = if self.model.is_grafcet() { tokens.clone() } else { eager(tokens) };
+            let tokens = self.with_inputs(tokens.to_token_stream());
+            return quote!({ #tokens });
+        }
         let bindings = self.bindings(&expr.reads, &[], is_opaque(&expr.tree), moment);
         if bindings.is_empty() && is_term(tokens) {
             return tokens.to_token_stream();
@@ -51,6 +57,33 @@ impl Cx<'_> {
             return quote!({ #bindings let value = #tokens; value });
         }
         quote!({ #bindings #tokens })
+    }
+
+    /// Whether an expression is made of boolean inputs, `!`, `&&` and `||` alone.
+    fn is_logic(&self, tree: &Tree) -> bool {
+        match tree {
+            Tree::Read(Read::Name(Name::Input(id))) => matches!(self.model.inputs[*id].ty, Ty::Bool(_)),
+            Tree::Unary(Unary::Not, operand) => self.is_logic(operand),
+            Tree::Binary(Binary::And | Binary::Or, left, right) => self.is_logic(left) && self.is_logic(right),
+            _ => false,
+        }
+    }
+
+    /// Tokens with `inputs.on` where they say `on`.
+    fn with_inputs(&self, tokens: TokenStream) -> TokenStream {
+        let one = |token: TokenTree| match token {
+            TokenTree::Ident(name) if self.model.inputs.values().any(|input| input.name == name) => {
+                // Located there, so that a type error stands there.
+                quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name)
+            }
+            TokenTree::Group(group) => {
+                let mut inner = Group::new(group.delimiter(), self.with_inputs(group.stream()));
+                inner.set_span(group.span());
+                TokenTree::Group(inner).into()
+            }
+            other => other.into(),
+        };
+        tokens.into_iter().map(one).collect()
     }
 
     /// A block of the user: what it may write is a copy, which `commit` takes over.
@@ -268,6 +301,27 @@ pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
         .collect();
     let tokens = &expr.tokens;
     if bindings.is_empty() { tokens.to_token_stream() } else { quote!({ #bindings #tokens }) }
+}
+
+/// `a & b` for `a && b`: the same for values that are read without an effect.
+fn eager(expr: &syn::Expr) -> syn::Expr {
+    let mut expr = expr.clone();
+    match &mut expr {
+        syn::Expr::Binary(binary) => {
+            *binary.left = eager(&binary.left);
+            *binary.right = eager(&binary.right);
+            match binary.op {
+                syn::BinOp::And(_) => binary.op = syn::BinOp::BitAnd(syn::token::And::default()),
+                syn::BinOp::Or(_) => binary.op = syn::BinOp::BitOr(syn::token::Or::default()),
+                _ => {}
+            }
+        }
+        syn::Expr::Unary(unary) => *unary.expr = eager(&unary.expr),
+        syn::Expr::Paren(paren) => *paren.expr = eager(&paren.expr),
+        syn::Expr::Group(group) => *group.expr = eager(&group.expr),
+        _ => {}
+    }
+    expr
 }
 
 fn plain_name(expr: &syn::Expr) -> Option<&Ident> {

@@ -71,15 +71,16 @@ impl Cx<'_> {
             return self.sequence();
         }
         if self.model.is_grafcet() {
+            let stop = self.stop();
             let leaving = |step: &&StepId| !self.plan.evolution.owned[step.index()].is_empty();
             let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).collect();
-            let rest = (steps.len() < self.states(0)).then(|| quote!(_ => break,));
+            let rest = (steps.len() < self.states(0)).then(|| quote!(_ => #stop,));
             let arms = steps.into_iter().map(|step| {
                 let (variant, next) = (self.variant(*step), self.next_step(*step));
                 quote!(#variant => #next,)
             });
-            let stop = (!self.breaks_out()).then(|| quote!(if #after == #before { break; }));
-            return quote!(let #after = match #before { #(#arms)* #rest }; #stop);
+            let unless = (!self.breaks_out()).then(|| quote!(if #after == #before { #stop; }));
+            return quote!(let #after = match #before { #(#arms)* #rest }; #unless);
         }
         let arms = self.plan.regions.all()[0].steps.iter().map(|step| {
             let (variant, next) = (self.variant(*step), self.next_step(*step));
@@ -111,7 +112,7 @@ impl Cx<'_> {
 
     /// A path on which nothing clears: in a search it is the end of it.
     fn stay(&self, step: StepId) -> TokenStream {
-        if self.breaks_out() { quote!(break) } else { self.variant(step) }
+        if self.breaks_out() { self.stop() } else { self.variant(step) }
     }
 
     /// Whether the paths of a search that clear nothing leave it with `break`. That is the faster code; in a longer chart

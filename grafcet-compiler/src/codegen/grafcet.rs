@@ -59,6 +59,9 @@ impl Cx<'_> {
 
     /// The search for stability.
     fn search(&self) -> TokenStream {
+        if self.walks() {
+            return self.walk();
+        }
         let combinational = self.all_combinational(Moment::Condition);
         let (declare_bound, bound) = self.bound();
         let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(fresh)));
@@ -68,18 +71,13 @@ impl Cx<'_> {
         let (commit, restart) = (self.commit(), self.restart_times());
         let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
-        let p = &self.p;
-        // Inputs do not change during the search, and LLVM would read all of them in front of the loop, also those that
-        // no active step asks for.
-        let opaque = (!self.model.inputs.is_empty() && !self.evolves_apart())
-            .then(|| quote!(let inputs = #p::core::hint::black_box(inputs);));
+        let opaque = self.opaque_inputs();
         let fence = self.breaks_out().then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
         let gone =
             (self.plan.memory.time && !gone.is_empty()).then(|| quote!(if #(#gone)||* { self.settled = false; }));
-        // A delay is sampled once per cycle: the next one sees the new situation.
-        let unsettle = (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;));
+        let unsettle = self.unsettle_delays();
         let code = quote! {
             #combinational #keep_edges #edges #fresh
             #evolve
@@ -99,6 +97,19 @@ impl Cx<'_> {
             #gone
             #fence
         }
+    }
+
+    /// Inputs do not change during the search, and LLVM would read all of them in front of the loop, also those that no
+    /// active step asks for.
+    pub(super) fn opaque_inputs(&self) -> Option<TokenStream> {
+        let p = &self.p;
+        let reads = !self.model.inputs.is_empty() && !self.evolves_apart();
+        reads.then(|| quote!(let inputs = #p::core::hint::black_box(inputs);))
+    }
+
+    /// A delay is sampled once per cycle: the next one sees the new situation.
+    pub(super) fn unsettle_delays(&self) -> Option<TokenStream> {
+        (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;))
     }
 
     /// No instruction: it keeps LLVM from copying the actions of the steps into the evolution before, or from holding the
@@ -213,7 +224,7 @@ impl Cx<'_> {
     }
 
     /// Variables that follow from the situation (A22), each behind those it reads.
-    fn all_combinational(&self, moment: Moment) -> TokenStream {
+    pub(super) fn all_combinational(&self, moment: Moment) -> TokenStream {
         self.plan.memory.combinational.iter().map(|var| self.combinational(*var, moment)).collect()
     }
 
@@ -246,13 +257,13 @@ impl Cx<'_> {
             if act.is_empty() {
                 return Item::After(association.step, act);
             }
-            Item::After(
-                association.step,
-                match self.continuous_condition(association, Moment::Stable) {
-                    Some(condition) => quote!(if #condition { #act }),
-                    None => act,
-                },
-            )
+            match (self.continuous_condition(association, Moment::Stable), &association.effect) {
+                (Some(condition), _) => Item::After(association.step, quote!(if #condition { #act })),
+                (None, Effect::Control(Place::Output(output))) => {
+                    self.while_active(association.step, &names::output_local(self.model, *output))
+                }
+                (None, _) => Item::After(association.step, act),
+            }
         });
         self.in_order(items)
     }

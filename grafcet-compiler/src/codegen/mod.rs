@@ -23,6 +23,7 @@ mod stored;
 mod stub;
 mod time;
 mod types;
+mod walk;
 mod writes;
 
 use proc_macro2::TokenStream;

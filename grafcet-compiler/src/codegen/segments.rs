@@ -68,6 +68,15 @@ impl Cx<'_> {
         tokens
     }
 
+    /// `local` is true while `step` is active. With two steps that is a comparison and no jump.
+    pub(super) fn while_active(&self, step: StepId, local: &TokenStream) -> Item {
+        if self.is_one_match() && self.model.steps.len() == 2 {
+            let (after, variant) = (names::after(0, self.plan), self.variant(step));
+            return Item::Always(quote!(#local |= #after == #variant;));
+        }
+        Item::After(step, quote!(#local = true;))
+    }
+
     fn segment(&self, segment: Segment) -> TokenStream {
         let Segment { before, region, arms, .. } = segment;
         let state = match before {
@@ -76,12 +85,22 @@ impl Cx<'_> {
             false if self.in_place() => self.plain_state(region),
             false => names::after(region, self.plan).to_token_stream(),
         };
-        let rest = (arms.len() < self.states(region)).then(|| quote!(_ => {}));
+        let rest = (arms.len() < self.states(region)).then(|| self.other_states(region, &arms));
         let arms = arms.iter().map(|(step, body)| {
             let variant = self.variant(*step);
             quote!(#variant => { #body })
         });
         quote!(match #state { #(#arms)* #rest })
+    }
+
+    /// The arm for the states that `arms` leave out.
+    fn other_states(&self, region: RegionId, arms: &[(StepId, TokenStream)]) -> TokenStream {
+        if !self.is_wide() || self.has_start_variant(region) || self.states(region).is_power_of_two() {
+            return quote!(_ => {});
+        }
+        let steps = self.plan.regions.all()[region].steps.iter();
+        let others = steps.filter(|step| arms.iter().all(|(other, _)| other != *step)).map(|step| self.variant(*step));
+        quote!(#(#others)|* => {})
     }
 
     /// How many states a region has.

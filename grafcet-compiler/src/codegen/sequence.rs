@@ -73,7 +73,7 @@ impl Cx<'_> {
         let (negated, number) = (Literal::u8_suffixed(NEGATED), Literal::u8_suffixed(NEGATED - 1));
         let (some, none) = (quote!(#p::core::option::Option::Some), quote!(#p::core::option::Option::None));
         let (stay, first) =
-            if self.model.is_grafcet() { (quote!(break), quote!(break)) } else { (quote!(#before), self.initial(0)) };
+            if self.model.is_grafcet() { (self.stop(), self.stop()) } else { (quote!(#before), self.initial(0)) };
         quote! {
             const EXITS: [#entry; #length] = [#(#exits),*];
             let #after = match EXITS.get(#before as #p::usize) {

@@ -120,6 +120,11 @@ impl Cx<'_> {
             return nothing;
         }
         let act = match &association.effect {
+            Effect::Control(Place::Output(output))
+                if association.qualifier == Qualifier::N && association.condition.is_none() =>
+            {
+                return self.while_active(step, &names::output_local(self.model, *output));
+            }
             Effect::Control(Place::Output(output)) => self.drive(*output, association.qualifier),
             Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => {
                 // Its value belongs to the rest, its condition is read before the first action runs.

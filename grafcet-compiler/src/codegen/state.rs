@@ -23,9 +23,11 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     let start = cx.has_start_variant(id).then(|| cx.names.start.clone());
     let variants: Vec<Ident> = steps.chain(empty).chain(start).collect();
     let marked = cx.is_marked(id).then(|| marked(cx, &variants));
+    let wide = cx.is_wide().then(|| quote!(#[repr(u32)]));
     quote! {
         #derives
         #[doc(hidden)]
+        #wide
         enum #name { #(#variants,)* }
 
         #marked
@@ -44,11 +46,7 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
         _ => (quote!(#p::u16), |n| Literal::u16_suffixed(u16::try_from(n).unwrap_or(u16::MAX))),
     };
     let (mark, below) = (literal(mark), literal(mark - 1));
-    let last = variants.last();
-    let arms = variants.iter().enumerate().take(variants.len() - 1).map(|(i, variant)| {
-        let number = literal(i);
-        quote!(#number => #state::#variant,)
-    });
+    let numbered = from_number(&state, variants, &literal);
     quote! {
         /// A state, and above it the mark of a search that did not become stable.
         #derives
@@ -61,7 +59,8 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
             }
 
             const fn state(self) -> #state {
-                match self.0 & #below { #(#arms)* _ => #state::#last }
+                let number = self.0 & #below;
+                #numbered
             }
 
             const fn unmarked(self) -> Self {
@@ -77,6 +76,19 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
             }
         }
     }
+}
+
+/// The state that `number` stands for. Numbers that no state has are the last one's; that it is asked for first keeps LLVM
+/// from comparing with each of three.
+fn from_number(state: &Ident, variants: &[Ident], literal: &impl Fn(usize) -> Literal) -> TokenStream {
+    let Some((last, others)) = variants.split_last() else { return TokenStream::new() };
+    let Some((rest, first)) = others.split_last() else { return quote!({ let _ = number; #state::#last }) };
+    let arms = first.iter().enumerate().map(|(i, variant)| {
+        let number = literal(i);
+        quote!(#number => #state::#variant,)
+    });
+    let highest = literal(others.len());
+    quote!(if number >= #highest { #state::#last } else { match number { #(#arms)* _ => #state::#rest } })
 }
 
 /// A field of the chart's struct.

@@ -45,6 +45,9 @@ pub struct Plan {
     pub may_be_unstable: bool,
     /// After how many evolutions that changed something such a search is given up.
     pub max_evolutions: u32,
+    /// A search of a chart whose situation is one step that takes so many evolutions is certain to go on: a step has come
+    /// back by then.
+    pub comes_back: bool,
 }
 
 impl Plan {
@@ -71,6 +74,7 @@ impl Plan {
             sees_reentry,
             may_be_unstable: may_be_unstable(model),
             max_evolutions: max_evolutions(model),
+            comes_back: Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len(),
             regions,
             evolution,
             drives,
