@@ -302,7 +302,7 @@ impl Cell {
                     }
                 }
                 __CellRegion0::Stopped => {
-                    if { !inputs.estop } {
+                    if !inputs.estop {
                         after_0 = __CellRegion0::Restart;
                     }
                 }
@@ -322,7 +322,10 @@ impl Cell {
                     __CellRegion1::Idle => {
                         if inputs.start {
                             after_1 = __CellRegion1::Feed;
-                        } else if { inputs.auto && !inputs.start } {
+                        } else if {
+                            let value = inputs.auto && !inputs.start;
+                            value
+                        } {
                             after_1 = __CellRegion1::Auto;
                         } else {}
                     }
@@ -337,7 +340,7 @@ impl Cell {
                         }
                     }
                     __CellRegion1::Open => {
-                        if { !inputs.clamped } {
+                        if !inputs.clamped {
                             after_1 = __CellRegion1::Idle;
                         }
                     }

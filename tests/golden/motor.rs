@@ -122,14 +122,20 @@ impl Motor {
         let before = self.situation;
         let after = match before {
             __MotorState::Off => {
-                if { inputs.on & !inputs.over_temp } {
+                if {
+                    let value = inputs.on & !inputs.over_temp;
+                    value
+                } {
                     __MotorState::On
                 } else {
                     __MotorState::Off
                 }
             }
             __MotorState::On => {
-                if { inputs.off | inputs.over_temp } {
+                if {
+                    let value = inputs.off | inputs.over_temp;
+                    value
+                } {
                     __MotorState::Off
                 } else {
                     __MotorState::On

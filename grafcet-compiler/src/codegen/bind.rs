@@ -45,8 +45,8 @@ impl Cx<'_> {
         if moment == Moment::Condition && !expr.reads.is_empty() && self.is_logic(&expr.tree) {
             // In a search, an input that a lazy operator does not come to is better not read; elsewhere a jump costs more.
             let tokens = if self.model.is_grafcet() { tokens.clone() } else { eager(tokens) };
-            let tokens = self.with_inputs(tokens.to_token_stream());
-            return quote!({ #tokens });
+            let read = self.with_inputs(tokens.to_token_stream());
+            return if is_term(&tokens) { read } else { quote!({ let value = #read; value }) };
         }
         let bindings = self.bindings(&expr.reads, &[], is_opaque(&expr.tree), moment);
         if bindings.is_empty() && is_term(tokens) {
