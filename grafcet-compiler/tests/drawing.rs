@@ -49,7 +49,8 @@ fn nothing_covers_another_in_the_charts_of_the_project() {
 fn nothing_covers_another_in_random_charts() {
     let mut said = String::new();
     let mut drawn = 0;
-    for seed in 0..400 {
+    // The last has a convergence whose arc leads back from one of its sources, and down from the other.
+    for seed in (0..400).chain([9_051_100_094]) {
         let chart = random::chart(seed, seed % 2 == 0, 0).chart;
         let Some(drawing) = chart.parse().ok().and_then(drawing) else { continue };
         drawn += 1;

@@ -187,6 +187,7 @@ impl<'s> Builder<'s> {
             }
         }
         let (looped, jumps) = self.split();
+        let rising = self.rising();
         for (target, links) in looped {
             self.raise(target, &links);
         }
@@ -194,7 +195,7 @@ impl<'s> Builder<'s> {
             for target in targets {
                 if jumps.contains(&(link, *target)) {
                     self.jump(link, *target);
-                } else if !self.search.back.contains(&(link, *target)) {
+                } else if !rising.contains(&(link, *target)) {
                     self.descend(self.link_item[link], self.node_item[*target]);
                 }
             }
@@ -256,11 +257,25 @@ impl<'s> Builder<'s> {
         self.graph.loops.push(Loop { from, rises, to });
     }
 
+    /// The arcs that lead up on paper. These are the arcs back, as a rule; where a transition has several sources, one that
+    /// leads back from the first may lead down from the last, and the other way round.
+    fn rising(&self) -> Vec<(usize, usize)> {
+        let search = self.search;
+        let leads_up = |arc: &(usize, usize)| self.layer(self.node_item[arc.1]) < self.layer(self.link_item[arc.0]);
+        let mut rising: Vec<_> = search.back.iter().copied().filter(leads_up).collect();
+        for (link, targets) in search.targets.iter().enumerate() {
+            let arcs = targets.iter().map(|target| (link, *target)).filter(leads_up);
+            rising.extend(arcs.filter(|arc| !search.back.contains(arc)));
+        }
+        rising
+    }
+
     /// The steps that a line leads back to, with its transitions; and what is written as a reference.
     fn split(&self) -> (Vec<Returns>, Vec<(usize, usize)>) {
         let search = self.search;
         let mut looped: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        for (link, target) in &search.back {
+        let rising = self.rising();
+        for (link, target) in &rising {
             if search.targets[*link].len() == 1 {
                 looped.entry(*target).or_default().push(*link);
             }
@@ -269,10 +284,10 @@ impl<'s> Builder<'s> {
         looped.sort_by_key(|(target, _)| self.layer(self.node_item[*target]));
         looped.truncate(LOOPS);
         let drawn = |arc: &(usize, usize)| looped.iter().any(|(to, links)| *to == arc.1 && links.contains(&arc.0));
-        let mut jumps: Vec<_> = search.back.iter().copied().filter(|arc| !drawn(arc)).collect();
+        let mut jumps: Vec<_> = rising.iter().copied().filter(|arc| !drawn(arc)).collect();
         let mut far = Vec::new();
         for (link, targets) in search.targets.iter().enumerate() {
-            let arcs = targets.iter().map(|target| (link, *target)).filter(|arc| !search.back.contains(arc));
+            let arcs = targets.iter().map(|target| (link, *target)).filter(|arc| !rising.contains(arc));
             far.extend(arcs.filter(|arc| self.layer(self.node_item[arc.1]) > self.layer(self.link_item[link]) + 1));
         }
         if far.len() > MANY {
