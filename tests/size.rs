@@ -102,6 +102,7 @@ fn memory_follows_from_use() {
 chart! { sfc Timed { step Second; Second -[5s/Second]-> First; } }
 chart! { grafcet TimedOnce { step Second; Second -[5s/Second || Second.T > 1s && b]-> First; } }
 chart! { sfc Limited { output q: bool; step Second { L 2s q; } } }
+chart! { sfc LimitedTwice { output q: bool; step Second { L 2s q; } step Third { L 2s q; } Second -[a]-> Third -[b]-> First; } }
 chart! { sfc Kept { output q: bool; step Second { SL 2s q; } } }
 chart! { sfc Delayed { step Second; Second -[1s/b/2s]-> First; } }
 chart! { sfc TimedRecipe { param soak: time = 5s; step Second; Second -[soak/Second]-> First; } }
@@ -112,7 +113,8 @@ fn time() {
     let with = |words: usize, bytes: usize| (4 * (1 + words) + 2 + bytes).next_multiple_of(4);
     assert_eq!(size_of::<Timed>(), with(1, 0), "the time of the active step");
     assert_eq!(size_of::<TimedOnce>(), with(1, 0), "one time, however often it is looked at");
-    assert_eq!(size_of::<Limited>(), with(2, 0), "a timer: its time, and the input of the cycle before");
+    assert_eq!(size_of::<Limited>(), with(1, 0), "the time of the active step");
+    assert_eq!(size_of::<LimitedTwice>(), with(2, 0), "a timer: its time, and the input of the cycle before");
     assert_eq!(size_of::<Kept>(), with(2, 1), "a timer and a flip-flop");
     assert_eq!(size_of::<Delayed>(), with(2, 0), "a delay: its time, and input and output of the cycle before");
     assert_eq!(size_of::<TimedRecipe>(), with(2, 0));
