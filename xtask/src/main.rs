@@ -37,7 +37,7 @@ Usage: cargo xtask <task>
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
   first-chart
             follow docs/first-chart.md in a clean folder, command by command
-  packages  pack and build what is published, check every set of features and the oldest dependencies allowed
+  packages  pack and build what is published, check sets of features and the oldest dependencies allowed
   release   before a release: licences and advisories (cargo-deny), the interface against the last release (cargo-semver-checks)
   msrv      check the crates that ship with the oldest supported Rust
 ";
