@@ -36,7 +36,8 @@ struct Block<'p> {
 /// # Errors
 /// A command does other than the page says, or the page cannot be followed.
 pub(crate) fn run() -> Result {
-    let folder = project::target("first-chart");
+    // Outside of the project, or cargo would make the crates members of its workspace.
+    let folder = std::env::temp_dir().join("grafcet-first-chart");
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
@@ -44,6 +45,8 @@ pub(crate) fn run() -> Result {
     let mut reader = Reader { folder, printed: None, commands: 0 };
     let blocks = blocks(PAGE)?;
     blocks.iter().try_for_each(|block| reader.follow(block))?;
+    let made = std::env::temp_dir().join("grafcet-first-chart");
+    fs::remove_dir_all(&made).map_err(|error| format!("{}: {error}", made.display()))?;
     println!("first-chart: {} commands did what the page says", reader.commands);
     Ok(())
 }
