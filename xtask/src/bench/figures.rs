@@ -15,6 +15,9 @@ const HEADER: &str = "\
 # instructions of 4096 busy and of 4096 idle cycles, the bytes of RAM, the hash of the outputs.
 ";
 
+/// In another folder crates have other hashes, and the linker puts functions elsewhere: one of so many parts.
+const OTHER_FOLDER: u32 = 100;
+
 /// With another compiler than the recorded one, figures may be larger by one of so many parts.
 const OTHER_COMPILER: u32 = 10;
 
@@ -74,7 +77,7 @@ impl Recorded {
 fn excess<'a>(name: &'a str, cost: &'a Cost, recorded: &'a Cost, same: bool) -> impl Iterator<Item = String> + 'a {
     FIGURES.into_iter().filter_map(move |figure| {
         let (now, before) = ((figure.of)(cost), (figure.of)(recorded));
-        let tolerance = if same { figure.resolution } else { before / OTHER_COMPILER };
+        let tolerance = if same { figure.resolution.max(before / OTHER_FOLDER) } else { before / OTHER_COMPILER };
         (now > before + tolerance).then(|| format!("{name}, {}: {now}, recorded {before}", figure.name))
     })
 }
@@ -136,15 +139,15 @@ mod tests {
 
     #[test]
     fn what_is_recorded_or_less_passes() {
-        assert_eq!(compare("rustc 1.96", row(64, 50_010)), Ok(()));
+        assert_eq!(compare("rustc 1.96", row(64, 50_500)), Ok(()));
         assert_eq!(compare("rustc 1.96", row(60, 40_000)), Ok(()));
     }
 
     #[test]
     fn more_fails() {
-        let error = compare("rustc 1.96", row(65, 50_011)).expect_err("both are more");
+        let error = compare("rustc 1.96", row(65, 50_501)).expect_err("both are more");
         let expected =
-            "thumb: motor sfc, flash: 65, recorded 64\n  motor sfc, instructions, busy: 50011, recorded 50000\n";
+            "thumb: motor sfc, flash: 65, recorded 64\n  motor sfc, instructions, busy: 50501, recorded 50000\n";
         assert!(error.starts_with(expected), "{error}");
     }
 
