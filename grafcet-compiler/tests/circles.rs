@@ -191,15 +191,6 @@ fn commands() {
         certain(&master(order, "Run -[B.X]-> Held -[b && !a]-> Run;"), "");
         certain(&master(order, "Run -[n > 3]-> Held -[b && !a]-> Run;"), "");
     }
-    // What the circle asks for may be forced away in the middle of the search.
-    let asking = |way: &str| {
-        format!(
-            "partial Master {{ initial step Run; step Held {{ force Mode {{Off}}; }} {way} }}
-             partial Mode {{ initial step Auto; step Off; }}
-             partial Work {{ initial step A; step B; A -[a && Auto.X]-> B -[a && Auto.X]-> A; }}"
-        )
-    };
-    certain(&asking("Run -[B.X]-> Held -[b && !a]-> Run;"), "");
     let enclosed = |way: &str| {
         let work = work.replace("initial", "linked");
         format!("partial Master {{ initial step Off; enclosing step Auto {{ {work} }} step Off2; {way} }}")

@@ -9,16 +9,10 @@ use super::view::View;
 use crate::model::{Id, Name, PartialId, Read, StepId, TransitionId};
 
 impl Circles<'_> {
-    /// Whether nothing that commands the circle's partial grafcets, or those whose steps it asks for, evolves in a cycle that
-    /// something else began.
+    /// Whether nothing that commands the circle's partial grafcets evolves in a cycle that something else began.
     pub(super) fn is_undisturbed(&self, circle: &[TransitionId]) -> bool {
         let mut known: BTreeSet<PartialId> = BTreeSet::new();
-        let mut open: Vec<PartialId> = Vec::new();
-        for id in circle {
-            let transition = &self.model.transitions[*id];
-            open.push(transition.partial);
-            open.extend(transition.condition.reads.iter().filter_map(|read| self.partial_of(read)));
-        }
+        let mut open: Vec<PartialId> = circle.iter().map(|id| self.model.transitions[*id].partial).collect();
         while let Some(partial) = open.pop() {
             if !known.insert(partial) {
                 continue;
@@ -41,18 +35,6 @@ impl Circles<'_> {
             }
         }
         true
-    }
-
-    /// The partial grafcet of the step that is read.
-    fn partial_of(&self, read: &Read) -> Option<PartialId> {
-        let step = match read {
-            Read::Active(step) | Read::Since(step) | Read::Elapsed(_, step) => *step,
-            Read::MacroActive(id) | Read::MacroSince(id) | Read::MacroElapsed(_, id) => {
-                *self.model.macros[*id].steps.first()?
-            }
-            _ => return None,
-        };
-        Some(self.model.steps[step].partial)
     }
 
     /// Whether the transition can clear behind the first evolution of a cycle. It cannot if it waits for inputs alone:
