@@ -11,11 +11,19 @@ pub(super) fn is_free(model: &Model, never: &[&Tree]) -> bool {
     Groups::of(model, never).is_some_and(|groups| groups.all.iter().all(|group| groups.is_free(group)))
 }
 
-/// Whether the chart can stop in a step: in a `grafcet` the inputs with which it is entered may lead on at once.
+/// Whether the chart can wait in each of its steps as long as it likes, too.
+pub(super) fn can_wait(model: &Model, never: &[&Tree]) -> bool {
+    let can_wait = |groups: &Groups<'_>, group: &Group| groups.can_wait(group) && groups.is_calm(group);
+    Groups::of(model, never).is_some_and(|groups| groups.all.iter().all(|group| can_wait(&groups, group)))
+}
+
+/// Whether the chart can stop in a step: in a `grafcet` the inputs with which it is entered may lead on at once, and they
+/// may be those with which the step before was entered.
 pub(super) fn comes_to_rest(model: &Model, step: StepId, never: &[&Tree]) -> bool {
     let Some(groups) = Groups::of(model, never) else { return false };
-    let group = groups.all.iter().find(|group| group.sources == [step]);
-    !model.is_grafcet() || group.is_some_and(|group| groups.entries(group).any(|entry| groups.rests(group, entry)))
+    let Some(group) = groups.all.iter().find(|group| group.sources == [step]) else { return false };
+    let stops = |entry| groups.rests(group, entry) && groups.is_calm(&groups.all[groups.of[Id::index(entry)]]);
+    !model.is_grafcet() || groups.entries(group).any(stops)
 }
 
 /// The transitions that leave the same steps.
@@ -85,9 +93,19 @@ impl<'m> Groups<'m> {
         };
         let can_clear = |id: &TransitionId| self.ways(*id).iter().any(|goals| self.can_be(goals));
         let alone = group.leaving.len() < 2 || !self.model.is_grafcet();
-        let may_pass =
-            alone || group.leaving.iter().all(exclusive) && self.entries(group).all(|entry| self.rests(group, entry));
-        may_pass && group.leaving.iter().all(can_clear)
+        let one_way = alone || group.leaving.iter().all(exclusive) && self.is_calm(group);
+        one_way && group.leaving.iter().all(can_clear)
+    }
+
+    /// Whether inputs keep the chart in the steps of a group, however long they have been active.
+    fn can_wait(&self, group: &Group) -> bool {
+        let stays = group.leaving.iter().map(|id| Some((self.reading(*id).at(Time::Ever)?, false)));
+        stays.collect::<Option<Goals<'_>>>().is_some_and(|stays| self.can_be(&stays))
+    }
+
+    /// Whether the steps of a group can be entered by each transition that leads to them without being left at once.
+    fn is_calm(&self, group: &Group) -> bool {
+        !self.model.is_grafcet() || self.entries(group).all(|entry| self.rests(group, entry))
     }
 
     /// The transitions that lead to steps of a group.
@@ -131,14 +149,16 @@ impl<'m> Groups<'m> {
     }
 }
 
-/// Whether a condition reads inputs, their edges, and how long the sources of its transition have been active.
+/// Whether a condition reads inputs, edges of boolean ones, and how long the sources of its transition have been active.
 fn is_plain(model: &Model, tree: &Tree, sources: &[StepId]) -> bool {
     match tree {
         Tree::Bool(_) | Tree::Int(_) | Tree::Read(Read::Ticks(_) | Read::Name(Name::Input(_) | Name::Param(_))) => true,
         Tree::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) | Tree::Read(Read::Since(step)) => {
             sources.contains(step)
         }
-        Tree::Read(Read::Rising(edge) | Read::Falling(edge)) => is_plain(model, &model.edges[*edge].of.tree, &[]),
+        Tree::Read(Read::Rising(edge) | Read::Falling(edge)) => {
+            matches!(model.edges[*edge].of.tree, Tree::Read(Read::Name(Name::Input(_))))
+        }
         Tree::Unary(_, inner) => is_plain(model, inner, sources),
         Tree::Binary(_, a, b) => is_plain(model, a, sources) && is_plain(model, b, sources),
         _ => false,
@@ -153,14 +173,14 @@ enum Time {
     Soon,
     /// When all times have passed.
     Late,
-    /// Whenever it can hold.
+    /// At any time, wherever it can hold.
     Ever,
 }
 
 const TIMES: [Time; 4] = [Time::Entered, Time::Soon, Time::Late, Time::Ever];
 
-/// A plain condition at some time; `None` where it looks at edges, which have to be waited for, or at times in another way
-/// than whether they have passed. `positive` tells whether it holds the rather, the rather this part of it does.
+/// A plain condition at some time; `None` where it looks at times in another way than whether they have passed, or at edges
+/// that have to be waited for. `positive` tells whether it holds the rather, the rather this part of it does.
 fn at(tree: &Tree, time: Time, positive: bool) -> Option<Tree> {
     let passed = match time {
         Time::Entered | Time::Soon => false,
@@ -179,7 +199,7 @@ fn at(tree: &Tree, time: Time, positive: bool) -> Option<Tree> {
         }
         Tree::Unary(..) | Tree::Binary(..) => is_timeless(tree).then(|| tree.clone()),
         Tree::Elapsed(..) | Tree::Read(Read::Since(_)) => None,
-        Tree::Read(Read::Rising(_) | Read::Falling(_)) if time != Time::Entered => None,
+        Tree::Read(Read::Rising(_) | Read::Falling(_)) if matches!(time, Time::Soon | Time::Late) => None,
         other => Some(other.clone()),
     }
 }

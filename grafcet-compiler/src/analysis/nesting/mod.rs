@@ -80,7 +80,7 @@ impl<'m> Nesting<'m> {
     /// inputs that do not occur.
     #[must_use]
     pub fn tells_all(&self, never: &[&Tree]) -> bool {
-        never.is_empty() && self.independent && free::is_free(self.model, never)
+        never.is_empty() && self.independent && free::is_free(self.model, never) && free::can_wait(self.model, never)
     }
 
     /// From every situation there is a way to exactly `home`; `false` where that does not follow from the structure.
