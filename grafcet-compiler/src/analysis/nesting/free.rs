@@ -1,7 +1,7 @@
 //! Whether each transition can clear by itself: whether there are inputs under which it does and the others that leave the
 //! same steps do not, although these may have to be active for some time.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::analysis::{Answer, Condition, Logic};
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TimeRef, TransitionId, Tree, Unary};
@@ -11,26 +11,27 @@ pub(super) fn is_free(model: &Model, never: &[&Tree]) -> bool {
     Groups::of(model, never).is_some_and(|groups| groups.all.iter().all(|group| groups.is_free(group)))
 }
 
-/// Whether the chart can wait in each of its steps as long as it likes, too.
+/// Whether the chart can wait in each of its steps as long as it likes, too. Where branches meet, one waits for another.
 pub(super) fn can_wait(model: &Model, never: &[&Tree]) -> bool {
-    let can_wait = |groups: &Groups<'_>, group: &Group| groups.can_wait(group) && groups.is_calm(group);
+    let can_wait = |groups: &Groups<'_>, group: &Group| {
+        group.sources.len() > 1 || groups.can_wait(group) && groups.is_settled(group)
+    };
     Groups::of(model, never).is_some_and(|groups| groups.all.iter().all(|group| can_wait(&groups, group)))
 }
 
-/// Whether the chart can stop in a step: in a `grafcet` the inputs with which it is entered may lead on at once, and they
-/// may be those with which the step before was entered.
+/// Whether the chart can stop in a step: in a `grafcet` the inputs with which it is entered may lead on at once.
 pub(super) fn comes_to_rest(model: &Model, step: StepId, never: &[&Tree]) -> bool {
     let Some(groups) = Groups::of(model, never) else { return false };
-    let Some(group) = groups.all.iter().find(|group| group.sources == [step]) else { return false };
-    let stops = |entry| groups.rests(group, entry) && groups.is_calm(&groups.all[groups.of[Id::index(entry)]]);
-    !model.is_grafcet() || groups.entries(group).any(stops)
+    let group = groups.all.iter().find(|group| group.sources == [step]);
+    !model.is_grafcet() || group.is_some_and(|group| group.entering.iter().any(|entry| groups.rests(group, *entry)))
 }
 
 /// The transitions that leave the same steps.
-#[derive(Default)]
 struct Group {
     sources: Vec<StepId>,
     leaving: Vec<TransitionId>,
+    /// The transitions that lead to one of the steps.
+    entering: Vec<TransitionId>,
 }
 
 /// A condition as it stands, and what it is at some times.
@@ -70,7 +71,7 @@ impl<'m> Groups<'m> {
             sources.sort_unstable();
             let number = *known.get(sources.first()?).unwrap_or(&all.len());
             if number == all.len() {
-                all.push(Group { sources: sources.clone(), leaving: Vec::new() });
+                all.push(Group { sources: sources.clone(), leaving: Vec::new(), entering: Vec::new() });
             }
             let strange = |source: &StepId| *known.entry(*source).or_insert(number) != number;
             let tree = &transition.condition.tree;
@@ -83,6 +84,13 @@ impl<'m> Groups<'m> {
             let whole = logic.condition(tree);
             readings.push(Reading { whole, at: TIMES.map(at) });
         }
+        for (id, transition) in model.transitions.iter() {
+            let groups: BTreeSet<usize> =
+                transition.targets.iter().filter_map(|target| known.get(target).copied()).collect();
+            for group in groups {
+                all[group].entering.push(id);
+            }
+        }
         Some(Self { model, logic, all, of, readings })
     }
 
@@ -93,7 +101,7 @@ impl<'m> Groups<'m> {
         };
         let can_clear = |id: &TransitionId| self.ways(*id).iter().any(|goals| self.can_be(goals));
         let alone = group.leaving.len() < 2 || !self.model.is_grafcet();
-        let one_way = alone || group.leaving.iter().all(exclusive) && self.is_calm(group);
+        let one_way = alone || group.leaving.iter().all(exclusive) && self.is_settled(group);
         one_way && group.leaving.iter().all(can_clear)
     }
 
@@ -104,24 +112,35 @@ impl<'m> Groups<'m> {
     }
 
     /// Whether the steps of a group can be entered by each transition that leads to them without being left at once.
-    fn is_calm(&self, group: &Group) -> bool {
-        !self.model.is_grafcet() || self.entries(group).all(|entry| self.rests(group, entry))
+    fn is_settled(&self, group: &Group) -> bool {
+        !self.model.is_grafcet() || group.entering.iter().all(|entry| self.rests(group, *entry))
     }
 
-    /// The transitions that lead to steps of a group.
-    fn entries<'g>(&'g self, group: &'g Group) -> impl Iterator<Item = TransitionId> + 'g {
-        let leads = |targets: &[StepId]| targets.iter().any(|target| group.sources.contains(target));
-        self.model.transitions.iter().filter(move |(_, transition)| leads(&transition.targets)).map(|(id, _)| id)
-    }
-
-    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to.
+    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to, also where
+    /// it can clear only with the inputs with which the steps before were entered.
     fn rests(&self, group: &Group, entry: TransitionId) -> bool {
+        let before = &self.all[self.of[entry.index()]];
+        let through = |first: &TransitionId| {
+            self.is_calm(&self.all[self.of[first.index()]]) && self.stops(group, &[*first, entry])
+        };
+        self.stops(group, &[entry]) && (self.is_calm(before) || before.entering.iter().all(through))
+    }
+
+    /// The same where the steps before can be left at any time.
+    fn is_calm(&self, group: &Group) -> bool {
+        group.entering.iter().all(|entry| self.stops(group, &[*entry]))
+    }
+
+    /// Whether transitions can clear with the same inputs, one of the ways of each, and none that leaves the group.
+    fn stops(&self, group: &Group, entries: &[TransitionId]) -> bool {
         let next = group.leaving.iter().map(|id| Some((self.reading(*id).at(Time::Entered)?, false)));
         let Some(next) = next.collect::<Option<Goals<'_>>>() else { return false };
-        self.ways(entry).into_iter().any(|mut goals| {
-            goals.extend(&next);
-            self.can_be(&goals)
-        })
+        let mut ways = vec![next];
+        for entry in entries {
+            let own = self.ways(*entry);
+            ways = ways.iter().flat_map(|way| own.iter().map(|own| [&way[..], &own[..]].concat())).collect();
+        }
+        ways.iter().any(|way| self.can_be(way))
     }
 
     /// What suffices for a transition to clear: that its condition holds and those of its group do not, from the beginning
