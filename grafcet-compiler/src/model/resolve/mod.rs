@@ -8,6 +8,7 @@ mod code;
 mod declare;
 mod delay;
 mod expr;
+mod foreign;
 mod misplaced;
 mod properties;
 mod scope;
