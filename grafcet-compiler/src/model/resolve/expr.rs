@@ -197,6 +197,7 @@ impl<'r, 's> Lower<'r, 's> {
     /// The step a path names; `None` is reported. A declared value with a field `X` is Rust.
     pub(super) fn step(&mut self, path: &[Ident]) -> Option<Meaning> {
         let name = path.last()?;
+        self.resolver.mention(name);
         if let [partial, _] = path {
             let partial = self.resolver.scope.partial(partial, self.resolver.sink)?;
             let found = self.resolver.scope.step(name, self.resolver.sink)?;
