@@ -45,7 +45,7 @@ pub(crate) struct Density {
 
 impl Density {
     pub(crate) const ROOMY: Self = Self { text: NAME, pad: 1, lines: 5 };
-    pub(crate) const DENSE: Self = Self { text: 10, pad: 0, lines: 8 };
+    pub(crate) const DENSE: Self = Self { text: 8, pad: 0, lines: 8 };
 }
 
 /// The steps from which references lead to a step.
@@ -291,7 +291,7 @@ impl Step {
         let from = self.from.iter().map(|line| width(line) + 4).max().unwrap_or(0);
         Extent {
             left: half + if self.linked { 2 } else { 0 },
-            right: from.max(half + boxes.map_or(0, |width| width + 1 + self.pad)),
+            right: from.max(half + boxes.map_or(0, |width| width + 2 * self.pad)),
             height: bottom.max(self.top() + 2),
         }
     }

@@ -94,6 +94,8 @@ fn copy_into(folder: &Path) -> Result {
 /// A crate that is published.
 pub(crate) struct Package {
     pub(crate) name: String,
+    /// A program can link it: it is no macro.
+    pub(crate) is_library: bool,
     features: Vec<String>,
 }
 
@@ -114,7 +116,9 @@ pub(crate) fn published() -> Result<Vec<Package>> {
 fn package(package: &Value) -> Option<Package> {
     let name = package["name"].as_str().filter(|_| package["publish"].is_null())?.to_owned();
     let features = package["features"].as_object()?.keys().filter(|name| *name != "default").cloned().collect();
-    Some(Package { name, features })
+    let kinds = package["targets"].as_array()?.iter().filter_map(|target| target["kind"].as_array()).flatten();
+    let is_library = kinds.into_iter().any(|kind| kind == "lib");
+    Some(Package { name, is_library, features })
 }
 
 /// The sets of these features, as cargo takes them: none, each, each two and all. What three need together would show
@@ -147,8 +151,12 @@ mod tests {
     #[test]
     fn what_is_not_published_is_left_out() {
         let features = json!({ "default": [], "std": [] });
-        let crate_ = package(&json!({ "name": "a", "publish": null, "features": features }));
-        assert!(crate_.is_some_and(|package| package.name == "a" && package.features == ["std"]));
-        assert!(package(&json!({ "name": "b", "publish": [], "features": {} })).is_none());
+        let targets = json!([{ "kind": ["test"] }, { "kind": ["lib"] }]);
+        let crate_ = package(&json!({ "name": "a", "publish": null, "features": features, "targets": targets }));
+        assert!(crate_.is_some_and(|crate_| crate_.name == "a" && crate_.features == ["std"] && crate_.is_library));
+        assert!(package(&json!({ "name": "b", "publish": [], "features": {}, "targets": targets })).is_none());
+        let macros = json!([{ "kind": ["proc-macro"] }]);
+        let crate_ = package(&json!({ "name": "c", "publish": null, "features": {}, "targets": macros }));
+        assert!(crate_.is_some_and(|crate_| !crate_.is_library));
     }
 }

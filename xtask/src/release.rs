@@ -22,7 +22,8 @@ pub(crate) fn run() -> Result {
     match tags.lines().next() {
         None => println!("release: this is the first, there is no interface to compare with"),
         Some(last) => {
-            for package in packages::published()? {
+            // Of a macro, the tool knows nothing; what charts expand to is recorded in `tests/golden`.
+            for package in packages::published()?.into_iter().filter(|package| package.is_library) {
                 run_command(&mut cargo(&["semver-checks", "--package", &package.name, "--baseline-rev", last]))?;
             }
         }
