@@ -31,7 +31,7 @@ impl Cx<'_> {
     /// The search.
     pub(super) fn walk(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
-        let (state, field) = (self.plain_state(0), names::region_field(0, self.plan));
+        let (state, mark) = (self.plain_state(0), self.mark(true));
         let limit = Literal::u32_suffixed(self.plan.max_evolutions);
         let label = label();
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
@@ -59,7 +59,7 @@ impl Cx<'_> {
                     #restart
                     #delayed
                 }
-                self.#field = self.#field.marked();
+                #mark
                 #unsettle
             }
             #fence
