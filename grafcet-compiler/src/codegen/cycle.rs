@@ -21,7 +21,8 @@ impl Cx<'_> {
     /// The situation before the evolution.
     pub(super) fn befores(&self) -> TokenStream {
         if self.has_flags() {
-            return quote!(let before = self.situation;);
+            let before = names::before(0, self.plan);
+            return quote!(let #before = self.situation;);
         }
         (0..self.plan.regions.all().len()).map(|region| self.before(region)).collect()
     }
@@ -56,7 +57,10 @@ impl Cx<'_> {
             });
             quote!(#declare #again)
         });
-        let flags = self.has_flags().then(|| quote!(let mut after = before;));
+        let flags = self.has_flags().then(|| {
+            let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
+            quote!(let mut #after = #before;)
+        });
         quote!(#befores #flags #(#afters)*)
     }
 
@@ -66,7 +70,8 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         if self.has_flags() {
-            return quote!(self.situation = after;);
+            let after = names::after(0, self.plan);
+            return quote!(self.situation = #after;);
         }
         let regions = (0..self.plan.regions.all().len()).map(|region| {
             let after = names::after(region, self.plan);

@@ -47,8 +47,8 @@ impl Cx<'_> {
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let starting = self.is_starting(At::Before);
         if self.has_flags() {
-            let (initial, moved) = (self.initial_flags(), self.note_moved());
-            return quote!(if #starting { after = #initial; #moved } else { #evolve });
+            let (initial, moved, after) = (self.initial_flags(), self.note_moved(), names::after(0, self.plan));
+            return quote!(if #starting { #after = #initial; #moved } else { #evolve });
         }
         if regions.len() == 1 {
             return evolve;

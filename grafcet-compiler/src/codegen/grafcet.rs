@@ -211,7 +211,8 @@ impl Cx<'_> {
             return quote!(#fence #states #combinational);
         }
         if self.has_flags() {
-            return quote!(let after = self.situation; #combinational);
+            let after = names::after(0, self.plan);
+            return quote!(let #after = self.situation; #combinational);
         }
         quote!(#(#states)* #combinational)
     }

@@ -203,17 +203,13 @@ impl Cx<'_> {
             return quote!(self.settled = !moved #(&& !#edges)*;);
         }
         let regions = 0..self.plan.regions.all().len();
-        let again = regions.clone().filter(|region| self.plan.sees_reentry[*region]);
+        let compared = if self.has_flags() { 0..1 } else { regions.clone() };
+        let again = regions.filter(|region| self.plan.sees_reentry[*region]);
         let again: Vec<_> = again.map(|region| names::again(region, self.plan)).collect();
-        let same = if self.has_flags() {
-            vec![quote!(before == after)]
-        } else {
-            let same = regions.map(|region| {
-                let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-                quote!(#before == #after)
-            });
-            same.collect()
-        };
+        let same = compared.map(|region| {
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            quote!(#before == #after)
+        });
         quote!(self.settled = #(#same)&&* #(&& !#again)* #(&& !#edges)*;)
     }
 

@@ -32,7 +32,7 @@ impl Cx<'_> {
     /// Whether a step is active: `before == __MotorState::Off`, `before[0] & 1 != 0`.
     pub(super) fn in_step(&self, at: At, step: StepId) -> TokenStream {
         if self.has_flags() {
-            return Self::bit(at, step.index(), true);
+            return self.bit(at, step.index(), true);
         }
         let (state, variant) = (self.state(at, self.plan.regions.of_step(step)), self.variant(step));
         quote!(#state == #variant)
@@ -41,7 +41,7 @@ impl Cx<'_> {
     /// Whether a step is not active.
     pub(super) fn not_in_step(&self, at: At, step: StepId) -> TokenStream {
         if self.has_flags() {
-            return Self::bit(at, step.index(), false);
+            return self.bit(at, step.index(), false);
         }
         let (state, variant) = (self.state(at, self.plan.regions.of_step(step)), self.variant(step));
         quote!(#state != #variant)
@@ -51,8 +51,9 @@ impl Cx<'_> {
     pub(super) fn is_changed(&self, region: RegionId) -> TokenStream {
         if self.has_flags() {
             // A region is a step.
-            let (byte, mask) = place(region);
-            return quote!((after[#byte] ^ before[#byte]) & #mask != 0);
+            let (before, after) = (self.byte_of(At::Before, region), self.byte_of(At::After, region));
+            let mask = place(region).1;
+            return quote!((#after ^ #before) & #mask != 0);
         }
         let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
         quote!(#after != #before)
@@ -61,7 +62,7 @@ impl Cx<'_> {
     /// Whether the first cycle is still to come.
     pub(super) fn is_starting(&self, at: At) -> TokenStream {
         if self.has_flags() {
-            return Self::bit(at, self.start_bit(), true);
+            return self.bit(at, self.start_bit(), true);
         }
         let (state, start) = (self.state(at, 0), self.start());
         quote!(#state == #start)
@@ -70,8 +71,8 @@ impl Cx<'_> {
     /// A step is active from this evolution on.
     pub(super) fn enter(&self, step: StepId) -> TokenStream {
         if self.has_flags() {
-            let (byte, mask) = place(step.index());
-            return quote!(after[#byte] |= #mask;);
+            let (byte, mask) = (self.byte_of(At::After, step.index()), place(step.index()).1);
+            return quote!(#byte |= #mask;);
         }
         self.enter_state(self.plan.regions.of_step(step), &self.variant(step))
     }
@@ -79,8 +80,8 @@ impl Cx<'_> {
     /// A step is not active any more, and no other one of its region is.
     pub(super) fn leave_empty(&self, step: StepId) -> TokenStream {
         if self.has_flags() {
-            let (byte, mask) = place(step.index());
-            return quote!(after[#byte] &= !#mask;);
+            let (byte, mask) = (self.byte_of(At::After, step.index()), place(step.index()).1);
+            return quote!(#byte &= !#mask;);
         }
         let region = self.plan.regions.of_step(step);
         let empty = self.empty(region);
@@ -119,12 +120,8 @@ impl Cx<'_> {
     /// Takes the mark of an unstable search away, or sets it (A30).
     pub(super) fn mark(&self, unstable: bool) -> TokenStream {
         if self.has_flags() {
-            let (byte, mask) = place(self.mark_bit());
-            return if unstable {
-                quote!(self.situation[#byte] |= #mask;)
-            } else {
-                quote!(self.situation[#byte] &= !#mask;)
-            };
+            let (byte, mask) = (self.byte_of(At::Now, self.mark_bit()), place(self.mark_bit()).1);
+            return if unstable { quote!(#byte |= #mask;) } else { quote!(#byte &= !#mask;) };
         }
         let field = names::region_field(0, self.plan);
         if unstable {
@@ -137,7 +134,7 @@ impl Cx<'_> {
     /// Whether the mark of an unstable search is not there.
     pub(super) fn is_unmarked(&self) -> TokenStream {
         if self.has_flags() {
-            return Self::bit(At::Now, self.mark_bit(), false);
+            return self.bit(At::Now, self.mark_bit(), false);
         }
         let field = names::region_field(0, self.plan);
         quote!(!self.#field.is_marked())
@@ -145,16 +142,12 @@ impl Cx<'_> {
 
     /// Whether the evolution has not changed the situation, as one comparison for each region.
     pub(super) fn is_same(&self) -> Vec<TokenStream> {
-        if self.has_flags() {
-            return vec![quote!(after == before)];
-        }
-        let regions = 0..self.plan.regions.all().len();
-        regions
-            .map(|region| {
-                let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-                quote!(#after == #before)
-            })
-            .collect()
+        let regions = 0..if self.has_flags() { 1 } else { self.plan.regions.all().len() };
+        let same = regions.map(|region| {
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            quote!(#after == #before)
+        });
+        same.collect()
     }
 }
 
@@ -221,9 +214,9 @@ impl Cx<'_> {
             here.fold(0_u8, |mask, bit| mask | 1 << (bit % 8))
         };
         let bytes = (0..self.flag_bytes()).filter(|byte| mask(steps, *byte) != 0).map(|byte| {
-            let (number, set) = (Literal::usize_suffixed(byte), Literal::u8_suffixed(mask(active, byte)));
-            let kept = Literal::u8_suffixed(!mask(steps, byte));
-            quote!(after[#number] = after[#number] & #kept | #set;)
+            let (set, kept) = (Literal::u8_suffixed(mask(active, byte)), Literal::u8_suffixed(!mask(steps, byte)));
+            let after = self.byte_of(At::After, 8 * byte);
+            quote!(#after = #after & #kept | #set;)
         });
         bytes.collect()
     }
@@ -231,22 +224,33 @@ impl Cx<'_> {
     /// What happens while steps are active, in their order of declaration. Bytes without an active one of them are passed
     /// over at once.
     pub(super) fn visit(&self, at: At, arms: &[(StepId, TokenStream)]) -> TokenStream {
-        let bytes = arms.chunk_by(|(one, _), (other, _)| one.index() / 8 == other.index() / 8);
-        let bytes = bytes.map(|arms| {
+        let bytes = arms.chunk_by(|(one, _), (other, _)| one.index() / 8 == other.index() / 8).map(|arms| {
             let all = arms.iter().map(|(step, body)| {
                 let active = self.in_step(at, *step);
                 quote!(if #active { #body })
             });
-            let [(first, _), _, ..] = arms else { return all.collect() };
+            let all = self.one_behind_the_other(all);
+            let [(first, _), _, ..] = arms else { return all };
             let mask = arms.iter().fold(0_u8, |mask, (step, _)| mask | 1 << (step.index() % 8));
-            let (byte, mask) = (byte_of(at, first.index()), Literal::u8_suffixed(mask));
-            quote!(if #byte & #mask != 0 { #(#all)* })
+            let (byte, mask) = (self.byte_of(at, first.index()), Literal::u8_suffixed(mask));
+            quote!(if #byte & #mask != 0 { #all })
         });
-        bytes.collect()
+        self.one_behind_the_other(bytes)
     }
 
-    fn bit(at: At, bit: usize, set: bool) -> TokenStream {
-        let (byte, mask) = (byte_of(at, bit), place(bit).1);
+    /// Where one step is active at most, nothing is left to be done behind it.
+    fn one_behind_the_other(&self, all: impl Iterator<Item = TokenStream>) -> TokenStream {
+        let all: Vec<_> = all.collect();
+        if self.plan.most_active == 1 { quote!(#(#all)else*) } else { quote!(#(#all)*) }
+    }
+
+    fn byte_of(&self, at: At, bit: usize) -> TokenStream {
+        let (byte, state) = (place(bit).0, if at == At::Now { quote!(self.situation) } else { self.state(at, 0) });
+        quote!(#state[#byte])
+    }
+
+    fn bit(&self, at: At, bit: usize, set: bool) -> TokenStream {
+        let (byte, mask) = (self.byte_of(at, bit), place(bit).1);
         if set { quote!(#byte & #mask != 0) } else { quote!(#byte & #mask == 0) }
     }
 }
@@ -255,16 +259,6 @@ impl Cx<'_> {
 pub(super) fn shown_in(step: StepId) -> TokenStream {
     let (byte, mask) = place(step.index());
     quote!(self.steps[#byte] & #mask != 0)
-}
-
-/// The byte that holds a bit.
-fn byte_of(at: At, bit: usize) -> TokenStream {
-    let byte = place(bit).0;
-    match at {
-        At::Before => quote!(before[#byte]),
-        At::After => quote!(after[#byte]),
-        At::Now => quote!(self.situation[#byte]),
-    }
 }
 
 /// Where a bit is: its byte, and in it.
