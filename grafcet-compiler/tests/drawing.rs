@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use grafcet_compiler::describe::with_description;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::{model, parse};
-use grafcet_draw::{Drawing, Frame, Shape};
+use grafcet_draw::{Drawing, Frame, Heading, Shape};
 use proc_macro2::{TokenStream, TokenTree};
 
 #[test]
@@ -220,6 +220,59 @@ fn frames(drawing: &Drawing) -> Vec<String> {
         }
     }
     problems
+}
+
+fn arrows(drawing: &Drawing, heading: Heading) -> usize {
+    drawing.shapes.iter().filter(|shape| matches!(shape, Shape::Arrow { to, .. } if *to == heading)).count()
+}
+
+/// A hundred steps stand in columns, each of which a screen can show; where one ends, both ends of the line name each other.
+#[test]
+fn long_sequences_are_folded() {
+    let (mut steps, mut arcs) = (String::new(), String::new());
+    for n in 1..100 {
+        let _ = write!(steps, "step S{n} {{ N q; }}");
+        let _ = write!(arcs, "-[a && !b]-> S{n} ");
+    }
+    let chart =
+        format!("sfc Long {{ input a, b: bool; output q: bool; initial step S0; {steps} S0 {arcs} -[a]-> S0; }}");
+    let drawing = drawing(chart.parse().expect("tokens")).expect("a drawing");
+    assert_eq!(problems(&drawing), Vec::<String>::new());
+    assert!(drawing.width <= 110 && drawing.height <= 200, "{} x {}", drawing.width, drawing.height);
+    let texts: Vec<&str> = drawing
+        .shapes
+        .iter()
+        .filter_map(|shape| if let Shape::Text { text, .. } = shape { Some(text.as_str()) } else { None })
+        .collect();
+    let columns = arrows(&drawing, Heading::Down);
+    assert!((8..=12).contains(&columns), "{columns} columns");
+    assert_eq!(arrows(&drawing, Heading::Left), columns);
+    let shown = |n: usize| texts.iter().filter(|text| **text == format!("S{n}")).count();
+    // A step in its frame, and a name at both ends of each line that is broken.
+    assert!((0..100).all(|n| shown(n) >= 1));
+    assert_eq!((0..100).map(shown).sum::<usize>(), 100 + 2 * columns);
+}
+
+/// Branches side by side stand closely where there are many.
+#[test]
+fn many_branches_are_drawn_densely() {
+    let chart = |count: usize| {
+        let (mut steps, mut last, mut first) = (String::new(), Vec::new(), Vec::new());
+        for n in 0..count {
+            let _ = write!(steps, "step A{n} {{ N motor; }} step B{n}; A{n} -[sensor_reached && !done]-> B{n};");
+            first.push(format!("A{n}"));
+            last.push(format!("B{n}"));
+        }
+        let (first, last) = (first.join(", "), last.join(", "));
+        let chart = format!(
+            "sfc Wide {{ input sensor_reached, done: bool; output motor: bool; initial step Wait; {steps}
+             Wait -[true]-> ({first}); ({last}) -[done]-> Wait; }}"
+        );
+        drawing(chart.parse().expect("tokens")).expect("a drawing")
+    };
+    let (few, many) = (chart(3), chart(30));
+    assert_eq!(problems(&many), Vec::<String>::new());
+    assert!(many.width < few.width * 7, "{} squares, {} for three branches", many.width, few.width);
 }
 
 /// A description can be made by hand, and then says what it likes.

@@ -65,6 +65,12 @@ fn nothing_is_said_about_good_branches() {
 }
 
 #[test]
+fn a_way_back_is_proved_by_reduction() {
+    all_say("home Start;", "", &[]);
+    all_say("step Trap; S7_2 -[other]-> Trap; home Start;", "", &["property_undecided", "stuck_join"]);
+}
+
+#[test]
 fn a_branch_that_is_left_by_a_jump() {
     all_say("S3_2 -[other]-> End;", "", &["unsafe_step"]);
 }

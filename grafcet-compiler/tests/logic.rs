@@ -151,6 +151,7 @@ fn steps_and_times() {
 #[test]
 fn edges_and_delays() {
     assert!(never("rising(a) && !a") && never("falling(a) && a") && exclusive("rising(a)", "falling(a)"));
+    assert!(never("falling(a && !a)") && never("rising(level > 5 || level <= 5)") && !never("falling(a && b)"));
     assert!(exclusive("rising(level > 5)", "level < 3") && exclusive("rising(a)", "rising(!a)"));
     assert!(
         !exclusive("rising(a)", "rising(b)") && !exclusive("rising(a)", "a") && !exclusive("rising(a)", "falling(b)")

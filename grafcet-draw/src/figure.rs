@@ -1,15 +1,19 @@
 //! What each thing looks like: its size, and its shapes once it has a place.
 
+use std::collections::BTreeMap;
+
 use grafcet_core::description::{Action, Description, Dialect};
 
 use crate::graph::{Item, Kind};
-use crate::shape::{Drawing, Frame, Shape};
+use crate::shape::{Drawing, Frame, Heading, Shape};
 use crate::sheets::{Node, name};
 use crate::wrap::{width, wrap};
 
-/// Texts are broken at so many squares.
-const TEXT: i32 = 34;
-/// At most so many lines of a text are shown.
+/// Names and words are cut at so many squares.
+pub(crate) const NAME: i32 = 34;
+/// And names of steps that lead to another at so many.
+const FROM: i32 = 20;
+/// And in so many lines.
 const LINES: usize = 5;
 
 /// The room a thing takes around its middle, in squares.
@@ -25,7 +29,27 @@ pub(crate) struct Extent {
 pub(crate) struct Scene<'a> {
     pub(crate) chart: &'a Description<'a>,
     pub(crate) active: Vec<bool>,
+    pub(crate) density: Density,
 }
+
+/// How closely a net is drawn.
+#[derive(Clone, Copy)]
+pub(crate) struct Density {
+    /// Texts are broken at so many squares, words at none.
+    text: i32,
+    /// Between a text and its box.
+    pad: i32,
+    /// At most so many lines of a text are shown.
+    lines: usize,
+}
+
+impl Density {
+    pub(crate) const ROOMY: Self = Self { text: NAME, pad: 1, lines: 5 };
+    pub(crate) const DENSE: Self = Self { text: 10, pad: 0, lines: 8 };
+}
+
+/// The steps from which references lead to a step.
+pub(crate) type References = BTreeMap<Node, Vec<Node>>;
 
 /// A thing that can be placed.
 pub(crate) enum Figure {
@@ -40,7 +64,11 @@ pub(crate) struct Step {
     frame: Frame,
     active: bool,
     linked: bool,
+    /// The steps whose references lead here.
+    from: Vec<String>,
     boxes: Vec<Box>,
+    /// Between the step and its actions.
+    pad: i32,
 }
 
 /// An action or forcing order.
@@ -51,33 +79,35 @@ struct Box {
     qualifier: String,
     lines: Vec<String>,
     kind: Frame,
+    /// Between the texts and the lines around them.
+    pad: i32,
 }
 
 impl Box {
     /// The qualifier's cell with the line behind it.
     fn cell(&self) -> i32 {
-        if self.qualifier.is_empty() { 0 } else { width(&self.qualifier) + 3 }
+        if self.qualifier.is_empty() { 0 } else { width(&self.qualifier) + 1 + 2 * self.pad }
     }
 
     /// From edge to edge.
     fn width(&self) -> i32 {
         let text = self.lines.iter().map(|line| width(line)).max().unwrap_or(0);
-        self.cell() + text + 4
+        self.cell() + text + 2 + 2 * self.pad
     }
 }
 
 impl Scene<'_> {
-    /// What an item of a net looks like.
-    pub(crate) fn figure(&self, item: &Item) -> Figure {
+    /// What an item of a net looks like; `references` lead to its steps from elsewhere.
+    pub(crate) fn figure(&self, item: &Item, references: &References) -> Figure {
         match item.kind {
-            Kind::Node(node) => Figure::Step(self.step(node)),
+            Kind::Node(node) => Figure::Step(self.step(node, references.get(&node).map_or(&[], |from| from))),
             Kind::Jump(node) => Figure::Jump(name(self.chart, node).to_owned()),
             Kind::Transition(id) => self.transition(id),
             Kind::Pass | Kind::Rise => Figure::Line,
         }
     }
 
-    fn step(&self, node: Node) -> Step {
+    fn step(&self, node: Node, from: &[Node]) -> Step {
         let name = short(name(self.chart, node));
         let active = self.is_active(node);
         let step = match node {
@@ -95,10 +125,11 @@ impl Scene<'_> {
             boxes.push(self.action(action));
         }
         for force in step.map_or(&[][..], |step| step.forces) {
-            let lines = wrap(force, TEXT, LINES);
-            boxes.push(Box { condition: String::new(), qualifier: String::new(), lines, kind: Frame::Force });
+            boxes.push(self.boxed(String::new(), String::new(), force, Frame::Force));
         }
-        Step { name, frame, active, linked: step.is_some_and(|step| step.linked), boxes }
+        let from: Vec<_> = from.iter().map(|node| crate::sheets::name(self.chart, *node)).collect();
+        let from = if from.is_empty() { Vec::new() } else { wrap(&from.join(", "), FROM, LINES) };
+        Step { name, frame, active, linked: step.is_some_and(|step| step.linked), from, boxes, pad: self.density.pad }
     }
 
     /// Whether a net begins here.
@@ -151,16 +182,23 @@ impl Scene<'_> {
         };
         let qualifier =
             if action.time.is_empty() { qualifier.to_owned() } else { format!("{qualifier} {}", action.time) };
-        let lines = wrap(&text, TEXT, LINES);
-        let condition = wrap(action.condition, TEXT, 1).concat();
-        Box { condition, qualifier, lines, kind: Frame::Action }
+        self.boxed(short(action.condition), qualifier, &text, Frame::Action)
+    }
+
+    fn boxed(&self, condition: String, qualifier: String, text: &str, kind: Frame) -> Box {
+        let lines = self.lines(text);
+        Box { condition, qualifier, lines, kind, pad: self.density.pad }
+    }
+
+    fn lines(&self, text: &str) -> Vec<String> {
+        wrap(text, self.density.text, self.density.lines)
     }
 
     fn transition(&self, id: usize) -> Figure {
         let Some(transition) = self.chart.transitions.get(id) else { return Figure::Line };
-        let mut lines = wrap(transition.condition, TEXT, LINES);
+        let mut lines = self.lines(transition.condition);
         for clearing in transition.clearing {
-            lines.extend(wrap(&format!("⇒ {clearing}"), TEXT, LINES));
+            lines.extend(self.lines(&format!("⇒ {clearing}")));
         }
         Figure::Transition { name: short(transition.name), lines }
     }
@@ -168,7 +206,7 @@ impl Scene<'_> {
 
 /// A name on one line.
 fn short(name: &str) -> String {
-    wrap(name, TEXT, 1).concat()
+    wrap(name, NAME, 1).concat()
 }
 
 impl Figure {
@@ -201,7 +239,7 @@ impl Figure {
         match self {
             Figure::Step(step) => step.draw(x, y, to),
             Figure::Jump(name) => {
-                to.shapes.push(Shape::Arrow { at: (x, y), up: false });
+                to.shapes.push(Shape::Arrow { at: (x, y), to: Heading::Down });
                 to.centred((x, y + 1), name);
             }
             Figure::Transition { name, lines } => {
@@ -222,9 +260,13 @@ impl Step {
         (width(&self.name) + 4).max(5) | 1
     }
 
-    /// Room for the condition above the first action.
+    /// Room for references, and for the condition above the first action.
     fn top(&self) -> i32 {
-        i32::from(self.boxes.first().is_some_and(|first| !first.condition.is_empty()))
+        self.references() + i32::from(self.boxes.first().is_some_and(|first| !first.condition.is_empty()))
+    }
+
+    fn references(&self) -> i32 {
+        i32::try_from(self.from.len()).unwrap_or(0)
     }
 
     /// The first and last row of each box below the top of the figure.
@@ -246,9 +288,10 @@ impl Step {
         let half = self.width() / 2;
         let boxes = self.boxes.iter().map(|each| each.width().max(width(&each.condition) + 5)).max();
         let bottom = self.rows().last().map_or(0, |(_, bottom)| *bottom);
+        let from = self.from.iter().map(|line| width(line) + 4).max().unwrap_or(0);
         Extent {
             left: half + if self.linked { 2 } else { 0 },
-            right: half + boxes.map_or(0, |width| width + 2),
+            right: from.max(half + boxes.map_or(0, |width| width + 1 + self.pad)),
             height: bottom.max(self.top() + 2),
         }
     }
@@ -257,15 +300,22 @@ impl Step {
         let (left, top) = (x - self.width() / 2, y + self.top());
         to.shapes.push(Shape::Frame { at: (left, top), size: (self.width(), 3), kind: self.frame });
         to.centred((x, top + 1), &self.name);
+        if !self.from.is_empty() {
+            to.line((x, y), (x + 2, y), false);
+            to.shapes.push(Shape::Arrow { at: (x + 1, y), to: Heading::Left });
+        }
+        for (row, line) in (y..).zip(&self.from) {
+            to.text((x + 4, row), line);
+        }
         if self.active {
             to.shapes.push(Shape::Mark { at: (left + 1, top + 1) });
         }
         if self.linked {
             to.text((left - 2, top + 1), "*");
         }
-        let start = left + self.width() + 1;
+        let start = left + self.width() + self.pad;
         if !self.boxes.is_empty() {
-            to.line((start - 2, top + 1), (start, top + 1), false);
+            to.line((start - 1 - self.pad, top + 1), (start, top + 1), false);
         }
         // Boxes in one column are equally wide where they touch.
         let wide = self.boxes.iter().map(Box::width).max().unwrap_or(0);
@@ -284,15 +334,16 @@ impl Box {
     fn draw(&self, (x, y): (i32, i32), size: (i32, i32), to: &mut Drawing) {
         to.shapes.push(Shape::Frame { at: (x, y), size, kind: self.kind });
         if !self.condition.is_empty() {
-            to.line((x + 2, y - 1), (x + 2, y), false);
-            to.text((x + 4, y - 1), &self.condition);
+            let line = x + 1 + self.pad;
+            to.line((line, y - 1), (line, y), false);
+            to.text((line + 2, y - 1), &self.condition);
         }
         if !self.qualifier.is_empty() {
-            to.text((x + 2, y + 1), &self.qualifier);
+            to.text((x + 1 + self.pad, y + 1), &self.qualifier);
             to.line((x + self.cell(), y), (x + self.cell(), y + size.1 - 1), false);
         }
         for (row, line) in (y + 1..).zip(&self.lines) {
-            to.text((x + self.cell() + 2, row), line);
+            to.text((x + self.cell() + 1 + self.pad, row), line);
         }
     }
 }

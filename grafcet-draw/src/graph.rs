@@ -53,6 +53,8 @@ pub(crate) struct Graph {
     /// From an item to one in the layer below.
     pub(crate) hops: Vec<(usize, usize)>,
     pub(crate) loops: Vec<Loop>,
+    /// From a transition, by its number in the description, to a step: what is written as a reference.
+    pub(crate) jumps: Vec<(usize, Node)>,
     /// From left to right.
     pub(crate) layers: Vec<Vec<usize>>,
 }
@@ -194,11 +196,14 @@ impl<'s> Builder<'s> {
         for (link, targets) in self.search.targets.iter().enumerate() {
             for target in targets {
                 if jumps.contains(&(link, *target)) {
-                    self.jump(link, *target);
+                    self.jump(link, self.search.net.nodes[*target]);
                 } else if !rising.contains(&(link, *target)) {
                     self.descend(self.link_item[link], self.node_item[*target]);
                 }
             }
+        }
+        for (link, cut) in self.search.net.links.iter().enumerate() {
+            cut.jumps.iter().for_each(|target| self.jump(link, *target));
         }
         let layers = self.graph.items.iter().map(|item| item.layer + 1).max().unwrap_or(0);
         self.graph.layers = vec![Vec::new(); layers];
@@ -229,11 +234,12 @@ impl<'s> Builder<'s> {
     }
 
     /// A reference below a transition.
-    fn jump(&mut self, link: usize, target: usize) {
+    fn jump(&mut self, link: usize, target: Node) {
         let transition = self.link_item[link];
         let (layer, key) = (self.layer(transition) + 1, self.graph.items[transition].key + 1);
-        let jump = self.item(Kind::Jump(self.search.net.nodes[target]), layer, key);
+        let jump = self.item(Kind::Jump(target), layer, key);
         self.graph.hops.push((transition, jump));
+        self.graph.jumps.push((self.search.net.links[link].transition, target));
     }
 
     /// A line up at the left side; the longer one is further outside.

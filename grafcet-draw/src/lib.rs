@@ -6,6 +6,7 @@
 //! feature `std`, this crate is `grafcet::draw`.
 
 mod figure;
+mod fold;
 mod graph;
 mod mermaid;
 mod net;
@@ -21,9 +22,9 @@ mod wrap;
 use grafcet_core::ActiveSteps;
 use grafcet_core::description::Description;
 
-use figure::Scene;
+use figure::{Density, Scene};
 pub use mermaid::mermaid;
-pub use shape::{Drawing, Frame, Shape};
+pub use shape::{Drawing, Frame, Heading, Shape};
 
 /// A chart of more steps than this is not drawn step by step.
 const MOST_STEPS: usize = 150;
@@ -44,11 +45,9 @@ pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) 
         return overview(&sheets);
     }
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
-    let scene = Scene { chart, active };
-    let drawn = sheets.iter().map(|sheet| {
-        let pieces = sheets::pieces(sheet).iter().map(|piece| net::draw(&scene, piece)).collect();
-        framed(&sheet.title, shape::pack(pieces, WIDTH - 4, (3, 1)))
-    });
+    let scene = Scene { chart, active, density: Density::ROOMY };
+    let drawn =
+        sheets.iter().map(|sheet| framed(&sheet.title, shape::pack(net::draw(&scene, sheet), WIDTH - 4, (3, 1))));
     shape::pack(drawn.collect(), WIDTH, (2, 1))
 }
 

@@ -1,20 +1,54 @@
 //! One net on paper.
 
-use crate::figure::{Extent, Figure, Scene};
+use crate::figure::{Density, Extent, Figure, References, Scene};
+use crate::fold::columns;
 use crate::graph::{Graph, layered};
 use crate::order::order;
 use crate::place::place;
 use crate::route::{Channel, channel};
-use crate::shape::{Drawing, Shape};
-use crate::sheets::Sheet;
+use crate::shape::{Drawing, Heading, Shape};
+use crate::sheets::{Node, Sheet, pieces};
 
-/// Draws a net whose steps are all connected.
-pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
-    let mut graph = layered(net, |node| scene.is_initial(node));
-    order(&mut graph);
-    let figures: Vec<Figure> = graph.items.iter().map(|item| scene.figure(item)).collect();
+/// Wider nets are drawn anew densely: what fits a page that is scaled to three fifths.
+const WIDE: i32 = 180;
+
+/// Draws the nets of a sheet, long ones in columns.
+pub(crate) fn draw(scene: &Scene<'_>, sheet: &Sheet) -> Vec<Drawing> {
+    let columns = pieces(sheet).into_iter().flat_map(|net| columns(scene, net));
+    let graphs = columns.map(|net| {
+        let mut graph = layered(&net, |node| scene.is_initial(node));
+        order(&mut graph);
+        graph
+    });
+    let graphs: Vec<Graph> = graphs.collect();
+    let references = references(sheet, &graphs);
+    let dense = Scene { chart: scene.chart, active: scene.active.clone(), density: Density::DENSE };
+    let drawings = graphs.iter().map(|graph| {
+        let drawing = drawn(scene, graph, &references);
+        if drawing.width > WIDE { drawn(&dense, graph, &references) } else { drawing }
+    });
+    drawings.collect()
+}
+
+/// The steps that lead to others by references, each once, as they stand on paper.
+fn references(sheet: &Sheet, graphs: &[Graph]) -> References {
+    let mut references = References::new();
+    for (transition, target) in graphs.iter().flat_map(|graph| &graph.jumps) {
+        let from: &mut Vec<Node> = references.entry(*target).or_default();
+        for source in sheet.links.iter().filter(|link| link.transition == *transition).flat_map(|link| &link.sources) {
+            if !from.contains(source) {
+                from.push(*source);
+            }
+        }
+    }
+    references
+}
+
+/// A net whose steps are all connected.
+fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
+    let figures: Vec<Figure> = graph.items.iter().map(|item| scene.figure(item, references)).collect();
     let extents: Vec<Extent> = figures.iter().map(Figure::extent).collect();
-    let x = place(&graph, &extents);
+    let x = place(graph, &extents);
     let mut hops = vec![Vec::new(); graph.layers.len() + 1];
     let mut leads_on = vec![false; graph.items.len()];
     for (upper, lower) in &graph.hops {
@@ -24,7 +58,7 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
     for id in graph.loops.iter().flat_map(|upward| &upward.from) {
         leads_on[*id] = true;
     }
-    let channels = hops.iter().enumerate().map(|(below, hops)| channel(&graph, &x, below, hops));
+    let channels = hops.iter().enumerate().map(|(below, hops)| channel(graph, &x, below, hops));
     let channels: Vec<Channel> = channels.collect();
     let mut drawing = Drawing::default();
     let mut last = -1;
@@ -48,8 +82,8 @@ pub(crate) fn draw(scene: &Scene<'_>, net: &Sheet) -> Drawing {
         channel.draw(last, last + channel.height, &mut drawing);
         last += channel.height;
     }
-    arrows(&graph, &x, &rows, &mut drawing);
-    finish(drawing, &graph, &x, &extents, last + 1)
+    arrows(graph, &x, &rows, &mut drawing);
+    finish(drawing, graph, &x, &extents, last + 1)
 }
 
 /// What goes up has an arrow (IEC 60848, 4.6): in the middle of its way through the layers `rows`.
@@ -57,7 +91,7 @@ fn arrows(graph: &Graph, x: &[i32], rows: &[(i32, i32)], drawing: &mut Drawing) 
     for upward in &graph.loops {
         let (Some(first), Some(last)) = (upward.rises.first(), upward.rises.last()) else { continue };
         let (top, bottom) = (rows[graph.items[*first].layer].0, rows[graph.items[*last].layer].1);
-        drawing.shapes.push(Shape::Arrow { at: (x[*first], top + (bottom - top) / 2), up: true });
+        drawing.shapes.push(Shape::Arrow { at: (x[*first], top + (bottom - top) / 2), to: Heading::Up });
     }
 }
 

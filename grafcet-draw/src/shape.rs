@@ -44,8 +44,8 @@ pub enum Shape {
     Arrow {
         /// Its square.
         at: (i32, i32),
-        /// It points up, not down.
-        up: bool,
+        /// Where it points.
+        to: Heading,
     },
     /// The mark of an active step.
     Mark {
@@ -61,6 +61,17 @@ pub enum Shape {
         /// Half a square further right, where there is half of one: in the middle of a frame.
         half: bool,
     },
+}
+
+/// Where an arrow points.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Heading {
+    /// To a step above.
+    Up,
+    /// To the name of a step that is drawn elsewhere.
+    Down,
+    /// From the names of such steps.
+    Left,
 }
 
 /// What a rectangle frames.

@@ -18,6 +18,8 @@ pub(crate) struct Link {
     pub(crate) transition: usize,
     pub(crate) sources: Vec<Node>,
     pub(crate) targets: Vec<Node>,
+    /// Targets to which a reference leads in place of a line.
+    pub(crate) jumps: Vec<Node>,
 }
 
 /// What belongs together on the paper.
@@ -49,7 +51,7 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
         };
         let (sources, targets) = (nodes(described.sources, source), nodes(described.targets, target));
         let Some(first) = sources.first().or(targets.first()).copied() else { continue };
-        let link = Link { transition, sources, targets };
+        let link = Link { transition, sources, targets, jumps: Vec::new() };
         rooms.entry(room(chart, first)).or_default().links.push(link);
     }
     for (room, sheet) in &mut rooms {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::shape::{Drawing, Frame, Shape};
+use crate::shape::{Drawing, Frame, Heading, Shape};
 use crate::wrap::width;
 
 /// A square in pixels.
@@ -70,10 +70,14 @@ impl Layers {
                 let _ = write!(self.lines, "M{x} {}v16", y - 8);
             }
             Shape::Frame { at, size, kind } => self.frame(middle(*at), *size, *kind),
-            Shape::Arrow { at, up } => {
+            Shape::Arrow { at, to } => {
                 let (x, y) = middle(*at);
-                let head = if *up { "l4 9h-8z" } else { "l4 -9h-8z" };
-                let _ = write!(self.marks, "<path d=\"M{x} {}{head}\"/>", if *up { y - 5 } else { y + 5 });
+                let (x, y, head) = match to {
+                    Heading::Up => (x, y - 5, "l4 9h-8z"),
+                    Heading::Down => (x, y + 5, "l4 -9h-8z"),
+                    Heading::Left => (x - 7, y, "l9 4v-8z"),
+                };
+                let _ = write!(self.marks, "<path d=\"M{x} {y}{head}\"/>");
             }
             Shape::Mark { at } => {
                 let (x, y) = middle(*at);

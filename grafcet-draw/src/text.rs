@@ -1,6 +1,6 @@
 //! The drawing list in characters.
 
-use crate::shape::{Drawing, Frame, Shape};
+use crate::shape::{Drawing, Frame, Heading, Shape};
 use crate::wrap::width;
 
 /// To which sides the lines in a square go.
@@ -50,7 +50,14 @@ impl Paper {
                 self.mark(*at, UP | DOWN);
             }
             Shape::Frame { at, size, kind } => self.frame(*at, *size, *kind),
-            Shape::Arrow { at, up } => self.put(*at, if *up { '▲' } else { '▼' }),
+            Shape::Arrow { at, to } => {
+                let head = match to {
+                    Heading::Up => '▲',
+                    Heading::Down => '▼',
+                    Heading::Left => '◄',
+                };
+                self.put(*at, head);
+            }
             Shape::Mark { at } => self.put(*at, '●'),
             Shape::Text { at, text, .. } => {
                 let mut x = at.0;

@@ -1,17 +1,19 @@
 //! Texts in squares.
 
+use crate::figure::NAME;
+
 /// How many squares a text takes. Characters of the wide scripts take two.
 pub(crate) fn width(text: &str) -> i32 {
     let squares = text.chars().map(|c| if c >= '\u{1100}' && !('\u{2000}'..'\u{2e80}').contains(&c) { 2 } else { 1 });
     squares.sum()
 }
 
-/// A text in lines of at most `width` squares, broken at blanks where it has some; what is beyond `most` lines is an
-/// ellipsis.
+/// A text in lines of at most `width_limit` squares, broken at blanks, but for longer words; what is beyond `most` lines is
+/// an ellipsis.
 pub(crate) fn wrap(text: &str, width_limit: i32, most: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
-        for piece in pieces(word, width_limit) {
+        for piece in pieces(word, width_limit.max(NAME)) {
             match lines.last_mut() {
                 Some(line) if line.is_empty() => *line = piece,
                 Some(line) if width(line) + 1 + width(&piece) <= width_limit => {

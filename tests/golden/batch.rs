@@ -826,3 +826,34 @@ impl ::grafcet::__private::ActiveSteps for BatchSituation {
         }
     }
 }
+#[allow(unexpected_cfgs)]
+const _: () = {
+    #[cfg(rust_analyzer)]
+    fn mentions<A: BatchActions + ?::grafcet::__private::core::marker::Sized>(
+        outputs: &BatchOutputs,
+    ) {
+        let _ = [
+            BatchStep::Idle,
+            BatchStep::Fill,
+            BatchStep::Heat,
+            BatchStep::Fill,
+            BatchStep::Heat,
+            BatchStep::Stir,
+            BatchStep::Drain,
+            BatchStep::Idle,
+            BatchStep::Heat,
+            BatchStep::Stir,
+        ];
+        let _ = (
+            &outputs.lamp,
+            &outputs.valve,
+            &outputs.lamp,
+            &outputs.pump,
+            &outputs.speed,
+            &outputs.pump,
+            &outputs.pump,
+            &outputs.pump,
+        );
+        let _ = (A::heat, A::heat);
+    }
+};

@@ -633,3 +633,30 @@ impl ::grafcet::__private::ActiveSteps for CellSituation {
         }
     }
 }
+#[allow(unexpected_cfgs)]
+const _: () = {
+    #[cfg(rust_analyzer)]
+    fn mentions(outputs: &CellOutputs) {
+        let _ = [
+            CellStep::Ready,
+            CellStep::Stopped,
+            CellStep::Restart,
+            CellStep::Ready,
+            CellStep::Close,
+            CellStep::Open,
+            CellStep::Idle,
+            CellStep::Feed,
+            CellStep::Idle,
+            CellStep::Idle,
+            CellStep::Auto,
+            CellStep::Idle,
+        ];
+        let _ = (
+            &outputs.lamp,
+            &outputs.belt,
+            &outputs.clamp,
+            &outputs.clamp,
+            &outputs.bell,
+        );
+    }
+};

@@ -335,3 +335,17 @@ impl ::grafcet::__private::ActiveSteps for Line24VStep {
         }
     }
 }
+#[allow(unexpected_cfgs)]
+const _: () = {
+    #[cfg(rust_analyzer)]
+    fn mentions(outputs: &Line24VOutputs) {
+        let _ = [
+            Line24VStep::S1,
+            Line24VStep::S2,
+            Line24VStep::S3,
+            Line24VStep::S4,
+            Line24VStep::S1,
+        ];
+        let _ = (&outputs.q1, &outputs.q2, &outputs.q3, &outputs.q2);
+    }
+};

@@ -250,3 +250,11 @@ impl ::grafcet::__private::ActiveSteps for MotorStep {
         }
     }
 }
+#[allow(unexpected_cfgs)]
+const _: () = {
+    #[cfg(rust_analyzer)]
+    fn mentions(outputs: &MotorOutputs) {
+        let _ = [MotorStep::Off, MotorStep::On, MotorStep::Off];
+        let _ = (&outputs.red, &outputs.relay, &outputs.green);
+    }
+};

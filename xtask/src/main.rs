@@ -9,6 +9,7 @@ mod debian;
 mod firmware;
 mod first_chart;
 mod image;
+mod interface;
 mod msrv;
 mod packages;
 mod project;
@@ -21,7 +22,7 @@ const USAGE: &str = "\
 Usage: cargo xtask <task>
 
   bench     what generated charts cost on a controller and while building, beside hand-written ones and other crates:
-            writes docs/cost.md and the figures that CI compares with
+            writes docs/cost.md, the README's table and the figures that CI compares with
   bench cost
             the costs on a controller alone, shown and not written
   bench pinned
@@ -37,8 +38,11 @@ Usage: cargo xtask <task>
   firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
   first-chart
             follow docs/first-chart.md in a clean folder, command by command
+  interface [record]
+            the public interfaces beside those in tests/interface (cargo-public-api), or records them anew
   packages  pack and build what is published, check sets of features and the oldest dependencies allowed
-  release   before a release: licences and advisories (cargo-deny), the interface against the last release (cargo-semver-checks)
+  release   before a release: licences and advisories (cargo-deny), the interfaces as `interface` does and beside the last
+            release (cargo-semver-checks)
   msrv      check the crates that ship with the oldest supported Rust
 ";
 
@@ -57,6 +61,8 @@ fn main() -> ExitCode {
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
         ["first-chart"] => first_chart::run(),
+        ["interface"] => interface::compare(),
+        ["interface", "record"] => interface::record(),
         ["msrv"] => msrv::run(),
         ["packages"] => packages::run(),
         ["release"] => release::run(),

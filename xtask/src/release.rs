@@ -3,18 +3,20 @@
 use std::process::Command;
 
 use crate::command::{Result, capture, find, run as run_command};
-use crate::packages;
 use crate::project::{cargo, root};
+use crate::{interface, packages};
 
-/// Checks licences, advisories and sources (`deny.toml`), and that no interface has changed more than the version says.
+/// Checks licences, advisories and sources (`deny.toml`), that the public interfaces are those recorded, and that none has
+/// changed more since the last release than the version says.
 ///
 /// # Errors
 /// A tool is missing, or one of the checks fails.
 pub(crate) fn run() -> Result {
-    for name in ["cargo-deny", "cargo-semver-checks"] {
+    for name in ["cargo-deny", "cargo-public-api", "cargo-semver-checks"] {
         find(name).ok_or_else(|| format!("{name} is not in the PATH: `cargo install --locked {name}`"))?;
     }
     run_command(&mut cargo(&["deny", "check"]))?;
+    interface::compare()?;
     let tags =
         capture(Command::new("git").args(["tag", "--list", "v*", "--sort=-version:refname"]).current_dir(root()))?;
     match tags.lines().next() {

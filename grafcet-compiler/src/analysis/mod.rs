@@ -6,12 +6,16 @@ mod concurrency;
 pub mod explore;
 pub mod hierarchy;
 mod logic;
+mod nesting;
 mod pairs;
 mod relation;
 mod stability;
+mod union;
 pub mod visible;
 
 pub use concurrency::Concurrency;
 pub use logic::{Answer, Condition, Logic};
+pub use nesting::Nesting;
 pub use relation::Relation;
 pub use stability::Stability;
+pub use union::Union;

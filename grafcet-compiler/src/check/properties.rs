@@ -3,7 +3,7 @@
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
 use crate::analysis::explore::{Answer, Doubt, Exploration, Limits, Path, situation, text};
-use crate::analysis::{Logic, visible};
+use crate::analysis::{Logic, Nesting, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{Claim, LevelAttr, Model, Property, StepId, Tree};
 
@@ -25,8 +25,13 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&
             Answer::Unknown(doubt) => report.undecided(property, &exploration, &doubt, sink),
         }
     }
+    let has_home = model.properties.iter().any(|property| matches!(property.claim, Claim::Home(..)));
+    let nesting = if has_home { Nesting::of(model) } else { None };
     for property in &model.properties {
         let Claim::Home(home, mark) = &property.claim else { continue };
+        if nesting.as_ref().is_some_and(|nesting| nesting.returns_to(home, never)) {
+            continue;
+        }
         match exploration.away_from(home) {
             Answer::Never => {}
             Answer::Possible(path) => report.not_home(property, (home, *mark), &path, sink),

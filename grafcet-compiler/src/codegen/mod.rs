@@ -8,6 +8,7 @@ mod cycle;
 mod deadline;
 mod derives;
 mod description;
+mod editor;
 mod encoding;
 mod evolution;
 mod grafcet;
@@ -57,5 +58,6 @@ pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenS
     let chart = chart_impl::inherent(&cx);
     let uniform = chart_impl::uniform(&cx);
     let description = description::all(&cx);
-    quote!(#types #recipe #state #chart #uniform #description)
+    let mentions = editor::mentions(model, &cx.names, &cx.p);
+    quote!(#types #recipe #state #chart #uniform #description #mentions)
 }

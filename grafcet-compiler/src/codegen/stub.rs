@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::names::Names;
-use super::{derives, types};
+use super::{derives, editor, types};
 use crate::model::{Model, Ty};
 use syn::{Attribute, Ident};
 
@@ -18,7 +18,8 @@ pub(crate) fn stub(model: &Model, timed: bool, root: &TokenStream) -> TokenStrea
     let enums = enums(model, &names, &p);
     let methods = methods(model, timed, &names, &p);
     let uniform = uniform(model, &names, &p);
-    quote!(#records #enums #methods #uniform)
+    let mentions = editor::mentions(model, &names, &p);
+    quote!(#records #enums #methods #uniform #mentions)
 }
 
 /// The chart, its inputs, outputs and recipe.

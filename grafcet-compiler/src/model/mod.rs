@@ -10,6 +10,7 @@ pub mod placeholder;
 mod queries;
 mod resolve;
 
+use proc_macro2::Span;
 use syn::{Attribute, Ident, Visibility};
 
 pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier};
@@ -61,6 +62,19 @@ pub struct Model {
     pub assumptions: Vec<Assumption>,
     /// What the checker shall prove, in source order.
     pub properties: Vec<Property>,
+    /// Where steps, outputs and code actions are mentioned.
+    pub mentions: Vec<(Mention, Span)>,
+}
+
+/// What is mentioned.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mention {
+    /// In chains, forced situations and step variables.
+    Step(StepId),
+    /// Where an action drives it.
+    Output(OutputId),
+    /// Where it is called.
+    Action(ActionId),
 }
 
 /// `assume never b1 && b3;`
@@ -100,7 +114,7 @@ pub enum Ty {
         rust: syn::Type,
     },
     /// The keyword `time`: `Ticks`.
-    Time(proc_macro2::Span),
+    Time(Span),
     /// Any other Rust type.
     Other(syn::Type),
 }

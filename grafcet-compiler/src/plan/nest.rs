@@ -3,8 +3,10 @@
 //! Where a transition that forks or joins clears, nothing else in the regions it touches can: they are tested first, and
 //! the branches inside only where none of them clears. So no region is changed before all that look at its state have done so.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::{Evolution, RegionId, Regions};
-use crate::analysis::Concurrency;
+use crate::analysis::{Concurrency, Union};
 use crate::model::{Id, Model, StepId, TransitionId};
 
 /// Regions that transitions connect.
@@ -40,9 +42,9 @@ impl Nest {
             return None;
         }
         let search = Search { model, regions, evolution, concurrency };
-        let all = (0..regions.all().len()).collect();
+        let all: Vec<_> = (0..regions.all().len()).collect();
         search
-            .parts(all, &model.transitions.ids().collect::<Vec<_>>())
+            .parts(&all, &model.transitions.ids().collect::<Vec<_>>())
             .into_iter()
             .map(|part| search.nest(part))
             .collect()
@@ -50,6 +52,7 @@ impl Nest {
 }
 
 /// Regions, and the transitions that touch nothing else.
+#[derive(Default)]
 struct Part {
     regions: Vec<RegionId>,
     transitions: Vec<TransitionId>,
@@ -66,19 +69,20 @@ impl Search<'_> {
     fn nest(&self, part: Part) -> Option<Nest> {
         let Part { regions, transitions } = part;
         let (head, alone) = self.head(&regions)?;
+        let inside: BTreeSet<_> = transitions.iter().copied().collect();
         let leaving = |step: &StepId| {
             let owned = self.evolution.owned[step.index()].iter().copied();
-            let owned: Vec<_> = owned.filter(|id| self.is_single(*id) && transitions.contains(id)).collect();
+            let owned: Vec<_> = owned.filter(|id| self.is_single(*id) && inside.contains(id)).collect();
             (!owned.is_empty()).then_some((*step, owned))
         };
         let alone: Vec<_> = alone.iter().filter_map(leaving).collect();
-        let from_alone = |id: &TransitionId| alone.iter().any(|(_, owned)| owned.contains(id));
-        let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone(id)).collect();
+        let from_alone: BTreeSet<_> = alone.iter().flat_map(|(_, owned)| owned).copied().collect();
+        let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone.contains(id)).collect();
         let (common, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| self.is_common(*id, &regions));
         if rest.is_empty() {
             return Some(Nest { regions, head, alone, common, inner: Vec::new() });
         }
-        let parts = self.parts(regions.clone(), &rest);
+        let parts = self.parts(&regions, &rest);
         if parts.len() == 1 && alone.is_empty() && common.is_empty() {
             return None;
         }
@@ -114,26 +118,26 @@ impl Search<'_> {
     }
 
     /// Divides regions into those that transitions connect.
-    fn parts(&self, regions: Vec<RegionId>, transitions: &[TransitionId]) -> Vec<Part> {
-        let mut parts: Vec<Part> =
-            regions.into_iter().map(|region| Part { regions: vec![region], transitions: Vec::new() }).collect();
+    fn parts(&self, regions: &[RegionId], transitions: &[TransitionId]) -> Vec<Part> {
+        let mut connected = Union::new(self.regions.all().len());
         for id in transitions {
-            let transition = &self.model.transitions[*id];
-            let steps = transition.sources.iter().chain(&transition.targets);
-            let touched: Vec<_> = steps.map(|step| self.regions.of_step(*step)).collect();
-            let meets = |part: &Part| part.regions.iter().any(|region| touched.contains(region));
-            let (connected, apart): (Vec<_>, Vec<_>) = parts.into_iter().partition(meets);
-            let mut whole = Part { regions: Vec::new(), transitions: vec![*id] };
-            for part in connected {
-                whole.regions.extend(part.regions);
-                whole.transitions.extend(part.transitions);
-            }
-            whole.regions.sort_unstable();
-            whole.transitions.sort_unstable();
-            parts = apart;
-            parts.push(whole);
+            let (here, others) = self.touched(*id);
+            others.for_each(|other| connected.join(here, other));
         }
-        parts.sort_by_key(|part| part.regions.first().copied());
-        parts
+        let mut parts: BTreeMap<RegionId, Part> = BTreeMap::new();
+        for region in regions {
+            parts.entry(connected.root(*region)).or_default().regions.push(*region);
+        }
+        for id in transitions {
+            parts.entry(connected.root(self.touched(*id).0)).or_default().transitions.push(*id);
+        }
+        parts.into_values().collect()
+    }
+
+    /// The regions of a transition's steps: one, and all of them.
+    fn touched(&self, id: TransitionId) -> (RegionId, impl Iterator<Item = RegionId> + '_) {
+        let transition = &self.model.transitions[id];
+        let steps = transition.sources.iter().chain(&transition.targets);
+        (self.regions.of_step(transition.sources[0]), steps.map(|step| self.regions.of_step(*step)))
     }
 }

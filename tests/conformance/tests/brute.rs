@@ -7,17 +7,21 @@ use grafcet_conformance::brute::run::{Kind, Outcome, number};
 /// Each chart of a kind, and all differences at once. So many of them have to be compared exactly, so that the test is one.
 fn agree(kind: Kind, exactly: usize) {
     let (mut differences, mut exact, mut claims) = (String::new(), 0, [0; 3]);
+    let mut nested = [0; 2];
     for index in 0..120 {
         let (text, outcome) = number(index, kind).expect("a chart that the interpreter understands");
         let Outcome::Compared(comparison) = outcome else { continue };
         exact += usize::from(comparison.exact);
         claims.iter_mut().zip(comparison.claims).for_each(|(all, own)| *all += own);
+        nested.iter_mut().zip(comparison.nested).for_each(|(all, own)| *all += own);
         for difference in comparison.differences {
             _ = writeln!(differences, "chart {index}: {}: {}\n{text}", difference.kind, difference.text);
         }
     }
     assert!(differences.is_empty(), "{differences}\n`cargo xtask brute` makes them smaller");
     assert!(exact >= exactly, "only {exact} charts were compared exactly");
+    let [home, told] = nested;
+    assert!(home >= 1 && told >= 1, "the structure tells {home} ways back, and all of {told} charts");
     let [proved, broken, _] = claims;
     assert!(proved >= 30 && broken >= 30, "only {proved} properties were proved, and {broken} broken");
 }

@@ -43,7 +43,7 @@ impl Recorded {
         let mut problems = Vec::new();
         for row in rows {
             let Some(cost) = &row.costs[0] else { continue };
-            match self.find(target, &row.name)? {
+            match self.find(target, &row.name, AUTHORS[0])? {
                 None => problems.push(format!("{} is not recorded", row.name)),
                 Some(recorded) if recorded.hash != cost.hash => {
                     problems.push(format!("{} has other outputs than recorded", row.name));
@@ -67,9 +67,9 @@ impl Recorded {
         }
     }
 
-    /// The recorded cost of a generated chart.
-    fn find(&self, target: &str, name: &str) -> Result<Option<Cost>> {
-        let prefix = format!("{target} {name} generated ");
+    /// The recorded cost of a chart as an author wrote it.
+    pub(super) fn find(&self, target: &str, name: &str, author: &str) -> Result<Option<Cost>> {
+        let prefix = format!("{target} {name} {author} ");
         self.text.lines().find_map(|line| line.strip_prefix(&prefix)).map(parse).transpose()
     }
 }

@@ -12,6 +12,7 @@ mod goals;
 mod machines;
 mod measure;
 mod page;
+mod readme;
 mod speed;
 mod table;
 
@@ -67,7 +68,7 @@ impl Row {
     }
 }
 
-/// Measures everything, records the figures and writes the page of costs.
+/// Measures everything, records the figures and writes the page of costs and the README's table.
 ///
 /// # Errors
 /// A tool is missing, a build fails, the authors' charts behave differently, or the generated charts miss a goal.
@@ -78,6 +79,7 @@ pub(crate) fn run() -> Result {
     let times = builds::measure()?;
     let goals: Vec<_> = goals::of_costs(&measured).into_iter().chain(goals::of_builds(&times)).collect();
     page::write(&measured, &times, &goals, &compilers)?;
+    readme::write(&measured)?;
     print!("{}", goals::table(&goals));
     let missed: Vec<String> = goals.iter().filter(|goal| !goal.is_met()).map(ToString::to_string).collect();
     match missed.len() {

@@ -36,7 +36,8 @@ impl Figure {
         (1..=RIVALS).filter_map(|author| self.get(row, author)).min()
     }
 
-    fn show(&self, value: Option<u32>) -> String {
+    /// The figure as it is shown.
+    pub(super) fn show(&self, value: Option<u32>) -> String {
         match (value, self.per) {
             (None, _) => "–".to_owned(),
             (Some(value), 1) => value.to_string(),

@@ -42,7 +42,7 @@ use self::net::Net;
 use self::search::{Graph, Search, Seen};
 use self::verdicts::Report;
 use self::ways::Ways;
-use super::Concurrency;
+use super::{Concurrency, Nesting};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 
 /// How much is explored before the search gives up.
@@ -138,7 +138,10 @@ impl Exploration {
         let length = 60 * (net.leaving.len() + net.arcs.len()) as u64;
         let limit = limits.work.saturating_add(length);
         let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
-        let mut budget = Budget { limit: if limits.only_ways { 0 } else { limit }, work: 0 };
+        // Each situation takes more than one unit.
+        let nesting = Nesting::of(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
+        let is_told = nesting.is_some_and(|nesting| nesting.tells_all(assumed_never));
+        let mut budget = Budget { limit: if limits.only_ways || is_told { 0 } else { limit }, work: 0 };
         let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, false);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
         let approximate = net.approximate || net.grafcet && sooner.is_some();
@@ -159,7 +162,7 @@ impl Exploration {
                 pieces.push(graph);
             }
         }
-        let ways = (!whole.complete).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
+        let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
             unsafe_steps: BTreeMap::new(),

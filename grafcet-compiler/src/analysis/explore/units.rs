@@ -1,5 +1,6 @@
 //! The connected pieces of partial grafcets: what evolves by itself.
 
+use crate::analysis::Union;
 use crate::model::{Id, Model};
 
 /// The number of each step's piece, and how many there are.
@@ -25,28 +26,4 @@ pub(super) fn of(model: &Model) -> (Vec<usize>, usize) {
         })
         .collect();
     (units, count)
-}
-
-/// Disjoint sets of numbers.
-pub(super) struct Union {
-    parents: Vec<usize>,
-}
-
-impl Union {
-    pub(super) fn new(size: usize) -> Self {
-        Self { parents: (0..size).collect() }
-    }
-
-    pub(super) fn root(&mut self, mut item: usize) -> usize {
-        while self.parents[item] != item {
-            self.parents[item] = self.parents[self.parents[item]];
-            item = self.parents[item];
-        }
-        item
-    }
-
-    pub(super) fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.root(a), self.root(b));
-        self.parents[a.max(b)] = a.min(b);
-    }
 }

@@ -16,7 +16,7 @@ use super::formula::Formula;
 use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, When};
-use super::units::Union;
+use crate::analysis::Union;
 
 /// Whether a group of transitions can wait in a cycle.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -61,10 +61,10 @@ impl Links {
         let mut found = Vec::new();
         let mut work: Vec<AtomId> = asked.iter().copied().collect();
         while let Some(atom) = work.pop() {
-            let compares = self.has_assumptions();
+            let assuming = self.has_assumptions();
             let own = self.own.entry(atom).or_insert_with(|| {
                 let mut links = own(model, atoms, atom);
-                links.extend(compares.then(|| before(model, atoms, atom)).flatten());
+                links.extend(before(model, atoms, atom, assuming));
                 links
             });
             let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| &link.formula);
@@ -165,14 +165,17 @@ fn own(model: &Model, atoms: &mut Atoms, atom: AtomId) -> Vec<Link> {
     }
 }
 
-/// On an edge of inputs, their values in the cycle before were others. Only assumptions say anything about these.
-fn before(model: &Model, atoms: &mut Atoms, atom: AtomId) -> Option<Link> {
+/// On an edge of inputs, their values in the cycle before were others. Of a single one only assumptions say anything more.
+fn before(model: &Model, atoms: &mut Atoms, atom: AtomId, assuming: bool) -> Option<Link> {
     let (id, rising) = match atoms.get(atom)?.key {
         Key::Boolean(Tree::Read(Read::Rising(id))) => (id, true),
         Key::Boolean(Tree::Read(Read::Falling(id))) => (id, false),
         _ => return None,
     };
     let of = &model.edges[id].of.tree;
+    if !assuming && matches!(of, Tree::Read(_)) {
+        return None;
+    }
     let mut inputs = true;
     of.each_read(&mut |read| inputs &= matches!(read, Read::Name(Name::Input(_)) | Read::Ticks(_)));
     if !inputs {

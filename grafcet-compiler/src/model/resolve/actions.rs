@@ -6,7 +6,7 @@ use super::scope::Meaning;
 use super::{Resolver, code, expr};
 use crate::ast::{self, Target};
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Association, Effect, Name, Place, Qualifier, StepId};
+use crate::model::{Association, Effect, Mention, Name, Place, Qualifier, StepId};
 
 /// The name of a target, or its whole block.
 pub(super) fn mark_of(target: &Target) -> Mark {
@@ -59,6 +59,9 @@ impl Resolver<'_> {
             _ => None,
         });
         if let Some(place) = { places }.next() {
+            if let Place::Output(id) = place {
+                self.model.mentions.push((Mention::Output(id), name.span()));
+            }
             return Some(place);
         }
         let message = match self.scope.get(name) {
@@ -88,7 +91,10 @@ impl Resolver<'_> {
     fn call(&mut self, name: &Ident, args: &[syn::Expr]) -> Option<Effect> {
         let args: Vec<_> = args.iter().map(|arg| (Mark::of(arg), expr::resolve(arg, self))).collect();
         let action = match self.scope.get(name) {
-            Some(Meaning::Action(action)) => action,
+            Some(Meaning::Action(action)) => {
+                self.model.mentions.push((Mention::Action(action), name.span()));
+                action
+            }
             Some(other) => {
                 let message = format!(
                     "`{name}` is {}, which cannot be called; declare an `action` under another name",

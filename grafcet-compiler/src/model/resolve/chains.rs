@@ -19,6 +19,8 @@ impl Resolver<'_> {
     /// All transitions of a chain, in source order.
     pub(super) fn chain(&mut self, chain: &ast::Chain, partial: PartialId) {
         let mut before = &chain.first;
+        let nodes = std::iter::once(before).chain(chain.rest.iter().map(|(_, node)| node));
+        nodes.flat_map(names).for_each(|name| self.mention(name));
         self.repeated(before);
         if chain.rest.is_empty() {
             self.node(before, End::Source, partial);

@@ -4,7 +4,8 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Block, Stmt};
 
 use super::Resolver;
-use super::expr::{Lower, locals_of_block, single_name};
+use super::expr::{Lower, single_name};
+use super::foreign::locals_of_block;
 use super::scope::{Meaning, Scope};
 use crate::model::{Binary, Code, Name, Place, Statement, Tree};
 

@@ -8,6 +8,7 @@ mod code;
 mod declare;
 mod delay;
 mod expr;
+mod foreign;
 mod misplaced;
 mod properties;
 mod scope;
@@ -18,8 +19,8 @@ use proc_macro2::Ident;
 
 use self::scope::Scope;
 use super::{
-    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Model, Name, PartialId, Step,
-    StepId, Ty,
+    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Mention, Model, Name, PartialId,
+    Step, StepId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -93,6 +94,7 @@ fn empty(chart: &ast::Chart) -> Model {
         budget: None,
         assumptions: Vec::new(),
         properties: Vec::new(),
+        mentions: Vec::new(),
     }
 }
 
@@ -165,6 +167,7 @@ impl Resolver<'_> {
     fn forced_steps(&mut self, names: &[Ident], target: PartialId) -> Vec<StepId> {
         let mut steps = Vec::new();
         for name in names {
+            self.mention(name);
             match self.scope.step(name, self.sink) {
                 Some(scope::Meaning::Step(step)) => {
                     self.forced_step(name, step, target);
@@ -182,6 +185,13 @@ impl Resolver<'_> {
             }
         }
         steps
+    }
+
+    /// Takes note that a step is named here.
+    fn mention(&mut self, name: &Ident) {
+        if let Some(scope::Meaning::Step(step)) = self.scope.get(name) {
+            self.model.mentions.push((Mention::Step(step), name.span()));
+        }
     }
 
     /// Reports a step of a forced situation that belongs to another partial grafcet.

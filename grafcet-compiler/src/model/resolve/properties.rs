@@ -94,6 +94,7 @@ impl Resolver<'_> {
     fn home(&mut self, names: &[Ident]) -> Vec<StepId> {
         let mut steps = Vec::new();
         for name in names {
+            self.mention(name);
             match self.scope.step(name, self.sink) {
                 Some(Meaning::Step(step)) => match names.iter().find(|first| *first == name) {
                     Some(first) if steps.contains(&step) => self.repeated_step(first, name),

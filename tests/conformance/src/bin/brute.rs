@@ -46,7 +46,7 @@ fn charts(kind: Kind, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
     let name =
         format!("{}{}", if kind.grafcet { "grafcet" } else { "sfc" }, if kind.timed { " with times" } else { "" });
     let (mut compared, mut exact, mut large, mut differing) = (0, 0, 0, 0);
-    let mut claims = [0; 3];
+    let (mut claims, mut nested) = ([0; 3], [0; 2]);
     let (mut refused, mut kinds) = (BTreeMap::<String, usize>::new(), BTreeMap::<String, usize>::new());
     for index in options["--first"]..options["--first"] + options["--charts"] {
         let (text, outcome) = number(index, kind)?;
@@ -57,6 +57,7 @@ fn charts(kind: Kind, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
                 compared += 1;
                 exact += usize::from(comparison.exact);
                 claims.iter_mut().zip(comparison.claims).for_each(|(all, own)| *all += own);
+                nested.iter_mut().zip(comparison.nested).for_each(|(all, own)| *all += own);
                 if let Some(first) = comparison.differences.first() {
                     differing += 1;
                     let count = kinds.entry(first.kind.clone()).or_default();
@@ -71,6 +72,8 @@ fn charts(kind: Kind, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
     println!("{name}: {compared} compared, {exact} of them exactly, {differing} differ, {large} too large");
     let [proved, broken, undecided] = claims;
     println!("  properties: {proved} proved, {broken} broken, {undecided} undecided");
+    let [home, told] = nested;
+    println!("  by the structure: {home} ways back proved, all told of {told} charts");
     for (kind, count) in kinds {
         println!("  {count:6}  {kind}");
     }

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use grafcet_compiler::analysis::explore::{Answer, Exploration, Limits};
 use grafcet_compiler::model::{Model, StepId, Tree};
 
-use super::facts;
 use super::graph::{Edge, Graph};
 use super::replay;
 use super::verdicts::Verdicts;
+use super::{facts, nested};
 
 /// Something that both do not say.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -27,6 +27,8 @@ pub struct Comparison {
     pub exact: bool,
     /// How many properties that stand in the chart are proved, broken and undecided.
     pub claims: [usize; 3],
+    /// How many ways back the structure proves, and of how many charts it tells all.
+    pub nested: [usize; 2],
 }
 
 /// Compares a chart. `watched` are expressions over inputs, outputs and steps, `home` are situations.
@@ -51,7 +53,13 @@ pub fn compare(model: &Model, graph: &Graph, watched: &[Tree], home: &[StepId]) 
         both.differences.extend(replay::check(model, graph, &both.explored));
         both.some_ways(&assumed);
     }
-    Ok(Comparison { differences: both.differences, exact, claims: [0; 3] })
+    let mut nested = [0; 2];
+    if exact && stable {
+        let (differences, count) = nested::check(model, graph, &both.verdicts, &assumed);
+        both.differences.extend(differences);
+        nested = count;
+    }
+    Ok(Comparison { differences: both.differences, exact, claims: [0; 3], nested })
 }
 
 struct Both<'m> {

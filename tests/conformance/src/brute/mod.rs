@@ -5,6 +5,7 @@
 //! - `compare`, `replay`: the checker's answers and ways beside these
 //! - `facts`: what the rest of the compiler takes for granted, beside what happens
 //! - `rules`: what is reported beside what happens
+//! - `nested`: what is decided by reduction
 //! - `claims`: the properties that stand in the chart
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
@@ -16,6 +17,7 @@ mod facts;
 pub mod graph;
 mod hierarchy;
 pub mod make;
+mod nested;
 mod replay;
 mod rules;
 pub mod run;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use grafcet_compiler::analysis::explore::{Exploration, Limits};
 use grafcet_compiler::diagnostic::rules::ALL;
 use grafcet_compiler::model::Model;
 
@@ -43,7 +44,10 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, exact: bool) -> Ve
             "stuck_join",
             "deadlock",
         ];
-        rules.needs(unreachable || dead || !verdicts.deadlocks.is_empty(), &dead_ends, &mut wrong);
+        let ends = unreachable || dead || !verdicts.deadlocks.is_empty();
+        // A chart with unsafe steps can have more situations than are looked at by default; these are to be mended first.
+        let seen = !rules.reported.contains("unsafe_step") || Exploration::of(model, &Limits::default()).is_complete();
+        rules.needs(ends && seen, &dead_ends, &mut wrong);
         // A source transition is meant to bring one token after the other.
         let sources = model.transitions.values().all(|transition| !transition.sources.is_empty());
         rules.needs(sources && !verdicts.unsafe_steps.is_empty(), &["unsafe_step"], &mut wrong);

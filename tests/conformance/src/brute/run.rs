@@ -72,7 +72,7 @@ fn nothing_left(text: &str, cycles: usize) -> Result<Outcome, String> {
     }
     let difference =
         Difference { kind: "assumptions leave something".to_owned(), text: format!("{:?}", graph.valuations[0]) };
-    Ok(Outcome::Compared(Comparison { differences: vec![difference], exact: true, claims: [0; 3] }))
+    Ok(Outcome::Compared(Comparison { differences: vec![difference], exact: true, claims: [0; 3], nested: [0; 2] }))
 }
 
 /// The smallest chart found with a difference of the same kind, and that difference.

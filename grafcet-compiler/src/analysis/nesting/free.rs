@@ -1,0 +1,234 @@
+//! Whether each transition can clear by itself: whether there are inputs under which it does and the others that leave the
+//! same steps do not, although these may have to be active for some time.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::analysis::{Answer, Condition, Logic};
+use crate::model::{Binary, Id, Model, Name, Read, StepId, TimeRef, TransitionId, Tree, Unary};
+
+/// Whether that holds for all transitions of a chart, whose conditions read inputs and how long their sources are active.
+pub(super) fn is_free(model: &Model, never: &[&Tree]) -> bool {
+    Groups::of(model, never).is_some_and(|groups| groups.all.iter().all(|group| groups.is_free(group)))
+}
+
+/// Whether the chart can wait in each of its steps as long as it likes, too. Where branches meet, one waits for another.
+pub(super) fn can_wait(model: &Model, never: &[&Tree]) -> bool {
+    let can_wait = |groups: &Groups<'_>, group: &Group| {
+        group.sources.len() > 1 || groups.can_wait(group) && groups.is_settled(group)
+    };
+    Groups::of(model, never).is_some_and(|groups| groups.all.iter().all(|group| can_wait(&groups, group)))
+}
+
+/// Whether the chart can stop in a step: in a `grafcet` the inputs with which it is entered may lead on at once.
+pub(super) fn comes_to_rest(model: &Model, step: StepId, never: &[&Tree]) -> bool {
+    let Some(groups) = Groups::of(model, never) else { return false };
+    let group = groups.all.iter().find(|group| group.sources == [step]);
+    !model.is_grafcet() || group.is_some_and(|group| group.entering.iter().any(|entry| groups.rests(group, *entry)))
+}
+
+/// The transitions that leave the same steps.
+struct Group {
+    sources: Vec<StepId>,
+    leaving: Vec<TransitionId>,
+    /// The transitions that lead to one of the steps.
+    entering: Vec<TransitionId>,
+}
+
+/// A condition as it stands, and what it is at some times.
+struct Reading {
+    whole: Condition,
+    /// By [`Time`].
+    at: [Option<Condition>; 4],
+}
+
+impl Reading {
+    fn at(&self, time: Time) -> Option<&Condition> {
+        self.at[time as usize].as_ref()
+    }
+}
+
+struct Groups<'m> {
+    model: &'m Model,
+    logic: Logic<'m>,
+    all: Vec<Group>,
+    /// By transition.
+    of: Vec<usize>,
+    readings: Vec<Reading>,
+}
+
+/// What shall hold, and what shall not.
+type Goals<'g> = Vec<(&'g Condition, bool)>;
+
+impl<'m> Groups<'m> {
+    /// `None` where steps are left by transitions that do not leave the same ones, or conditions read something else.
+    fn of(model: &'m Model, never: &[&Tree]) -> Option<Self> {
+        let logic = Logic::assuming(model, never);
+        let mut all: Vec<Group> = Vec::new();
+        let mut known: BTreeMap<StepId, usize> = BTreeMap::new();
+        let (mut of, mut readings) = (Vec::new(), Vec::new());
+        for (id, transition) in model.transitions.iter() {
+            let mut sources = transition.sources.clone();
+            sources.sort_unstable();
+            let number = *known.get(sources.first()?).unwrap_or(&all.len());
+            if number == all.len() {
+                all.push(Group { sources: sources.clone(), leaving: Vec::new(), entering: Vec::new() });
+            }
+            let strange = |source: &StepId| *known.entry(*source).or_insert(number) != number;
+            let tree = &transition.condition.tree;
+            if sources.iter().any(strange) || all[number].sources != sources || !is_plain(model, tree, &sources) {
+                return None;
+            }
+            all[number].leaving.push(id);
+            of.push(number);
+            let at = |time| at(tree, time, true).map(|tree| logic.condition(&tree));
+            let whole = logic.condition(tree);
+            readings.push(Reading { whole, at: TIMES.map(at) });
+        }
+        for (id, transition) in model.transitions.iter() {
+            let groups: BTreeSet<usize> =
+                transition.targets.iter().filter_map(|target| known.get(target).copied()).collect();
+            for group in groups {
+                all[group].entering.push(id);
+            }
+        }
+        Some(Self { model, logic, all, of, readings })
+    }
+
+    fn is_free(&self, group: &Group) -> bool {
+        let exclusive = |a: &TransitionId| {
+            let others = group.leaving.iter().filter(|b| *b != a);
+            others.into_iter().all(|b| self.logic.exclusive(&self.reading(*a).whole, &self.reading(*b).whole))
+        };
+        let can_clear = |id: &TransitionId| self.ways(*id).iter().any(|goals| self.can_be(goals));
+        let alone = group.leaving.len() < 2 || !self.model.is_grafcet();
+        let one_way = alone || group.leaving.iter().all(exclusive) && self.is_settled(group);
+        one_way && group.leaving.iter().all(can_clear)
+    }
+
+    /// Whether inputs keep the chart in the steps of a group, however long they have been active.
+    fn can_wait(&self, group: &Group) -> bool {
+        let stays = group.leaving.iter().map(|id| Some((self.reading(*id).at(Time::Ever)?, false)));
+        stays.collect::<Option<Goals<'_>>>().is_some_and(|stays| self.can_be(&stays))
+    }
+
+    /// Whether the steps of a group can be entered by each transition that leads to them without being left at once.
+    fn is_settled(&self, group: &Group) -> bool {
+        !self.model.is_grafcet() || group.entering.iter().all(|entry| self.rests(group, *entry))
+    }
+
+    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to, also where
+    /// it can clear only with the inputs with which the steps before were entered.
+    fn rests(&self, group: &Group, entry: TransitionId) -> bool {
+        let before = &self.all[self.of[entry.index()]];
+        let through = |first: &TransitionId| {
+            self.is_calm(&self.all[self.of[first.index()]]) && self.stops(group, &[*first, entry])
+        };
+        self.stops(group, &[entry]) && (self.is_calm(before) || before.entering.iter().all(through))
+    }
+
+    /// The same where the steps before can be left at any time.
+    fn is_calm(&self, group: &Group) -> bool {
+        group.entering.iter().all(|entry| self.stops(group, &[*entry]))
+    }
+
+    /// Whether transitions can clear with the same inputs, one of the ways of each, and none that leaves the group.
+    fn stops(&self, group: &Group, entries: &[TransitionId]) -> bool {
+        let next = group.leaving.iter().map(|id| Some((self.reading(*id).at(Time::Entered)?, false)));
+        let Some(next) = next.collect::<Option<Goals<'_>>>() else { return false };
+        let mut ways = vec![next];
+        for entry in entries {
+            let own = self.ways(*entry);
+            ways = ways.iter().flat_map(|way| own.iter().map(|own| [&way[..], &own[..]].concat())).collect();
+        }
+        ways.iter().any(|way| self.can_be(way))
+    }
+
+    /// What suffices for a transition to clear: that its condition holds and those of its group do not, from the beginning
+    /// or until it has been waited long enough. One that is alone need not be waited for in any special way.
+    fn ways(&self, id: TransitionId) -> Vec<Goals<'_>> {
+        let group = &self.all[self.of[id.index()]];
+        let own = self.reading(id);
+        if group.leaving.len() == 1 {
+            return vec![vec![(&own.whole, true)]];
+        }
+        let others = || group.leaving.iter().filter(|other| **other != id).map(|other| self.reading(*other));
+        let with = |time: Time, others_time: Time| {
+            let others = others().map(|other| Some((other.at(others_time)?, false)));
+            others.chain([own.at(time).map(|own| (own, true))]).collect::<Option<Goals<'_>>>()
+        };
+        with(Time::Soon, Time::Soon).into_iter().chain(with(Time::Late, Time::Ever)).collect()
+    }
+
+    fn reading(&self, id: TransitionId) -> &Reading {
+        &self.readings[id.index()]
+    }
+
+    fn can_be(&self, goals: &Goals<'_>) -> bool {
+        matches!(self.logic.certainly_together(goals, &[]), Answer::Witness(_))
+    }
+}
+
+/// Whether a condition reads inputs, edges of boolean ones, and how long the sources of its transition have been active.
+fn is_plain(model: &Model, tree: &Tree, sources: &[StepId]) -> bool {
+    match tree {
+        Tree::Bool(_) | Tree::Int(_) | Tree::Read(Read::Ticks(_) | Read::Name(Name::Input(_) | Name::Param(_))) => true,
+        Tree::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) | Tree::Read(Read::Since(step)) => {
+            sources.contains(step)
+        }
+        Tree::Read(Read::Rising(edge) | Read::Falling(edge)) => {
+            matches!(model.edges[*edge].of.tree, Tree::Read(Read::Name(Name::Input(_))))
+        }
+        Tree::Unary(_, inner) => is_plain(model, inner, sources),
+        Tree::Binary(_, a, b) => is_plain(model, a, sources) && is_plain(model, b, sources),
+        _ => false,
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Time {
+    /// In the evolution that follows the one that activates the sources.
+    Entered,
+    /// In the next cycle.
+    Soon,
+    /// When all times have passed.
+    Late,
+    /// At any time, wherever it can hold.
+    Ever,
+}
+
+const TIMES: [Time; 4] = [Time::Entered, Time::Soon, Time::Late, Time::Ever];
+
+/// A plain condition at some time; `None` where it looks at times in another way than whether they have passed, or at edges
+/// that have to be waited for. `positive` tells whether it holds the rather, the rather this part of it does.
+fn at(tree: &Tree, time: Time, positive: bool) -> Option<Tree> {
+    let passed = match time {
+        Time::Entered | Time::Soon => false,
+        Time::Late => true,
+        Time::Ever => positive,
+    };
+    let is_since = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(_)));
+    let is_time = |tree: &Tree| matches!(tree, Tree::Read(Read::Ticks(1..)));
+    match tree {
+        Tree::Elapsed(TimeRef::Ticks(1..), _) => Some(Tree::Bool(passed)),
+        Tree::Binary(Binary::Ge | Binary::Gt, a, b) if is_since(a) && is_time(b) => Some(Tree::Bool(passed)),
+        Tree::Binary(Binary::Le | Binary::Lt, a, b) if is_time(a) && is_since(b) => Some(Tree::Bool(passed)),
+        Tree::Unary(Unary::Not, inner) => Some(Tree::Unary(Unary::Not, Box::new(at(inner, time, !positive)?))),
+        Tree::Binary(operator @ (Binary::And | Binary::Or | Binary::BitAnd | Binary::BitOr), a, b) => {
+            Some(Tree::Binary(*operator, Box::new(at(a, time, positive)?), Box::new(at(b, time, positive)?)))
+        }
+        Tree::Unary(..) | Tree::Binary(..) => is_timeless(tree).then(|| tree.clone()),
+        Tree::Elapsed(..) | Tree::Read(Read::Since(_)) => None,
+        Tree::Read(Read::Rising(_) | Read::Falling(_)) if matches!(time, Time::Soon | Time::Late) => None,
+        other => Some(other.clone()),
+    }
+}
+
+/// Whether a plain condition reads inputs alone.
+fn is_timeless(tree: &Tree) -> bool {
+    match tree {
+        Tree::Elapsed(..) | Tree::Read(Read::Since(_) | Read::Rising(_) | Read::Falling(_)) => false,
+        Tree::Unary(_, inner) => is_timeless(inner),
+        Tree::Binary(_, a, b) => is_timeless(a) && is_timeless(b),
+        _ => true,
+    }
+}

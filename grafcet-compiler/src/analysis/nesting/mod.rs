@@ -1,0 +1,305 @@
+//! Well-nested charts, which are decided by reduction in about linear time, however many situations they have.
+//!
+//! Steps that plain arrows connect are a sequence, with alternatives and loops as one likes. Where transitions enter some
+//! sequences together and leave them together only, these are the branches of a block, and the block is taken for one
+//! step; and so on, from the innermost blocks outwards, until one sequence is left. Whatever has become active in such a
+//! chart comes to the end of its branch, waits there for the others, and goes on with them: one branch after the other can be
+//! led there by the inputs, whatever the others do meanwhile. So no step is activated while it is active, nothing waits forever,
+//! and everything can happen, if each transition can clear alone among those that leave the same steps ([`free`]).
+
+mod free;
+
+use std::collections::BTreeSet;
+
+use super::Union;
+use super::hierarchy::initial_situation;
+use crate::model::{Id, InputId, Model, Name, Read, StepId, TransitionId, Tree};
+
+/// A chart that is one sequence in the end.
+pub struct Nesting<'m> {
+    model: &'m Model,
+    /// What stands in the outermost sequence.
+    places: Vec<Place>,
+    /// Per place those that arrows lead to it from.
+    before: Vec<Vec<usize>>,
+    /// Parallel branches have no inputs in common.
+    independent: bool,
+}
+
+/// A step, or a block that is taken for one.
+#[derive(Clone)]
+struct Place {
+    /// `None` for a block.
+    step: Option<StepId>,
+    active: bool,
+    /// In how many ways it can be active.
+    situations: u64,
+    /// What is read within.
+    inputs: BTreeSet<InputId>,
+}
+
+/// A transition, between steps and blocks.
+struct Arc {
+    sources: Vec<usize>,
+    targets: Vec<usize>,
+    /// `false` where it lies within a block.
+    outside: bool,
+}
+
+impl Arc {
+    fn is_plain(&self) -> bool {
+        matches!((&self.sources[..], &self.targets[..]), ([_], [_]))
+    }
+}
+
+impl<'m> Nesting<'m> {
+    /// Reduces a chart; `None` if it is not well nested.
+    #[must_use]
+    pub fn of(model: &'m Model) -> Option<Self> {
+        let ends = |arcs: &[StepId]| arcs.is_empty();
+        let open = model.transitions.values().any(|arc| ends(&arc.sources) || ends(&arc.targets));
+        if open || model.partials.len() != 1 || !model.forces.is_empty() {
+            return None;
+        }
+        let mut reduction = Reduction::new(model);
+        while reduction.arcs.iter().any(|arc| arc.outside && !arc.is_plain()) {
+            if !reduction.round() {
+                return None;
+            }
+        }
+        reduction.outermost()
+    }
+
+    /// So many situations there are at most.
+    #[must_use]
+    pub fn situations(&self) -> u64 {
+        sum(self.places.iter().map(|place| place.situations))
+    }
+
+    /// Nothing is to be found out by exploring the chart: it does whatever its structure allows. `never` are the
+    /// inputs that do not occur.
+    #[must_use]
+    pub fn tells_all(&self, never: &[&Tree]) -> bool {
+        never.is_empty() && self.independent && free::is_free(self.model, never) && free::can_wait(self.model, never)
+    }
+
+    /// From every situation there is a way to exactly `home`; `false` where that does not follow from the structure.
+    #[must_use]
+    pub fn returns_to(&self, home: &[StepId], never: &[&Tree]) -> bool {
+        let [home] = home else { return false };
+        let Some(place) = self.places.iter().position(|place| place.step == Some(*home)) else { return false };
+        reached(&[place], &self.before).iter().all(|returns| *returns)
+            && free::is_free(self.model, never)
+            && free::comes_to_rest(self.model, *home, never)
+    }
+}
+
+struct Reduction<'m> {
+    model: &'m Model,
+    places: Vec<Place>,
+    /// By transition.
+    arcs: Vec<Arc>,
+    /// Per place, whether it has become part of a block.
+    inside: Vec<bool>,
+    independent: bool,
+}
+
+/// The sequences at the beginning of a round.
+struct Sequences {
+    /// Per place.
+    of: Vec<usize>,
+    places: Vec<Vec<usize>>,
+    /// The arcs within each, and those that enter or leave it beside others.
+    within: Vec<Vec<usize>>,
+    entering: Vec<Vec<usize>>,
+    leaving: Vec<Vec<usize>>,
+}
+
+impl<'m> Reduction<'m> {
+    fn new(model: &'m Model) -> Self {
+        let initial = initial_situation(model);
+        let place = |step: StepId| Place {
+            step: Some(step),
+            active: initial.contains(&step),
+            situations: 1,
+            inputs: BTreeSet::new(),
+        };
+        let numbers = |steps: &[StepId]| steps.iter().map(|step| step.index()).collect();
+        let arcs = model.transitions.values();
+        let arcs = arcs.map(|t| Arc { sources: numbers(&t.sources), targets: numbers(&t.targets), outside: true });
+        Self {
+            model,
+            places: model.steps.ids().map(place).collect(),
+            arcs: arcs.collect(),
+            inside: vec![false; model.steps.len()],
+            independent: true,
+        }
+    }
+
+    fn sequences(&self) -> Sequences {
+        let mut union = Union::new(self.places.len());
+        let outside = || self.arcs.iter().enumerate().filter(|(_, arc)| arc.outside);
+        for (_, arc) in outside().filter(|(_, arc)| arc.is_plain()) {
+            union.join(arc.sources[0], arc.targets[0]);
+        }
+        let of: Vec<usize> = (0..self.places.len()).map(|place| union.root(place)).collect();
+        let none = || vec![Vec::new(); of.len()];
+        let (mut places, mut within, mut entering, mut leaving) = (none(), none(), none(), none());
+        for place in (0..of.len()).filter(|place| !self.inside[*place]) {
+            places[of[place]].push(place);
+        }
+        for (number, arc) in outside() {
+            if arc.is_plain() {
+                within[of[arc.sources[0]]].push(number);
+                continue;
+            }
+            arc.targets.iter().for_each(|target| entering[of[*target]].push(number));
+            arc.sources.iter().for_each(|source| leaving[of[*source]].push(number));
+        }
+        Sequences { of, places, within, entering, leaving }
+    }
+
+    /// Takes the innermost blocks for steps; `false` if there are none.
+    fn round(&mut self) -> bool {
+        let sequences = self.sequences();
+        let mut found = false;
+        for number in 0..self.arcs.len() {
+            let arc = &self.arcs[number];
+            // Steps of this round are not looked at before the next.
+            let is_fork = arc.outside && arc.targets.len() > 1 && arc.targets.iter().all(|t| *t < sequences.of.len());
+            if is_fork && !self.inside[arc.targets[0]] {
+                let branches: Vec<usize> = arc.targets.iter().map(|target| sequences.of[*target]).collect();
+                if self.is_block(&sequences, &branches) {
+                    self.enclose(&sequences, &branches);
+                    found = true;
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether sequences are the branches of a block.
+    fn is_block(&self, sequences: &Sequences, branches: &[usize]) -> bool {
+        let of = |place: &usize| sequences.of.get(*place).copied();
+        let all: BTreeSet<Option<usize>> = branches.iter().map(|branch| Some(*branch)).collect();
+        let one_each =
+            |places: &[usize]| places.len() == all.len() && places.iter().map(of).collect::<BTreeSet<_>>() == all;
+        let mut entering = branches.iter().flat_map(|branch| &sequences.entering[*branch]);
+        let mut leaving = branches.iter().flat_map(|branch| &sequences.leaving[*branch]);
+        let Some(first) = leaving.next() else { return false };
+        let last: BTreeSet<usize> = self.arcs[*first].sources.iter().copied().collect();
+        let starts = branches.iter().filter(|branch| self.starts(sequences, **branch)).count();
+        all.len() == branches.len()
+            && one_each(&self.arcs[*first].sources)
+            && leaving.all(|arc| self.arcs[*arc].sources.iter().copied().collect::<BTreeSet<_>>() == last)
+            && entering.all(|arc| one_each(&self.arcs[*arc].targets))
+            && (starts == 0 || starts == branches.len())
+            && branches.iter().all(|branch| self.is_branch(sequences, *branch, &last))
+    }
+
+    fn starts(&self, sequences: &Sequences, branch: usize) -> bool {
+        sequences.places[branch].iter().any(|place| self.places[*place].active)
+    }
+
+    /// Whether all of a sequence is reached from where it is entered, and its last step, which nothing else leaves, from
+    /// all of it.
+    fn is_branch(&self, sequences: &Sequences, branch: usize, last: &BTreeSet<usize>) -> bool {
+        let places = &sequences.places[branch];
+        let arcs = || sequences.within[branch].iter().map(|arc| &self.arcs[*arc]);
+        let Some(last) = places.iter().find(|place| last.contains(*place)) else { return false };
+        let number = |place: usize| places.binary_search(&place).unwrap_or_default();
+        let (mut before, mut behind) = (vec![Vec::new(); places.len()], vec![Vec::new(); places.len()]);
+        for arc in arcs() {
+            let (from, to) = (number(arc.sources[0]), number(arc.targets[0]));
+            behind[from].push(to);
+            before[to].push(from);
+        }
+        let entered = sequences.entering[branch].iter().flat_map(|arc| &self.arcs[*arc].targets);
+        let active: Vec<usize> = places.iter().copied().filter(|place| self.places[*place].active).collect();
+        let first: Vec<usize> =
+            entered.chain(&active).filter(|place| places.contains(place)).map(|place| number(*place)).collect();
+        active.len() < 2
+            && behind[number(*last)].is_empty()
+            && reached(&first, &behind).iter().all(|is| *is)
+            && reached(&[number(*last)], &before).iter().all(|is| *is)
+    }
+
+    /// Takes branches for one step.
+    fn enclose(&mut self, sequences: &Sequences, branches: &[usize]) {
+        let mut block =
+            Place { step: None, active: self.starts(sequences, branches[0]), situations: 1, inputs: BTreeSet::new() };
+        for branch in branches {
+            let places = &sequences.places[*branch];
+            let situations = sum(places.iter().map(|place| self.places[*place].situations));
+            block.situations = block.situations.saturating_mul(situations);
+            let mut inputs = BTreeSet::new();
+            for place in places {
+                self.inside[*place] = true;
+                inputs.append(&mut self.places[*place].inputs);
+            }
+            for arc in &sequences.within[*branch] {
+                self.arcs[*arc].outside = false;
+                let transition = &self.model.transitions[TransitionId::new(*arc)];
+                inputs_of(self.model, &transition.condition.reads, &mut inputs);
+            }
+            self.independent &= block.inputs.is_disjoint(&inputs);
+            block.inputs.append(&mut inputs);
+        }
+        let number = self.places.len();
+        for branch in branches {
+            for arc in &sequences.entering[*branch] {
+                self.arcs[*arc].targets = vec![number];
+            }
+            for arc in &sequences.leaving[*branch] {
+                self.arcs[*arc].sources = vec![number];
+            }
+        }
+        self.places.push(block);
+        self.inside.push(false);
+    }
+
+    /// What is left, if it is one sequence that goes on from each of its steps.
+    fn outermost(self) -> Option<Nesting<'m>> {
+        let left: Vec<usize> = (0..self.places.len()).filter(|place| !self.inside[*place]).collect();
+        let number = |place: usize| left.binary_search(&place).unwrap_or_default();
+        let (mut before, mut behind) = (vec![Vec::new(); left.len()], vec![Vec::new(); left.len()]);
+        for arc in self.arcs.iter().filter(|arc| arc.outside) {
+            let (from, to) = (number(arc.sources[0]), number(arc.targets[0]));
+            behind[from].push(to);
+            before[to].push(from);
+        }
+        let places: Vec<Place> = left.iter().map(|place| self.places[*place].clone()).collect();
+        let active: Vec<usize> = (0..places.len()).filter(|place| places[*place].active).collect();
+        let is_sequence = active.len() == 1
+            && behind.iter().all(|next| !next.is_empty())
+            && reached(&active, &behind).iter().all(|is| *is);
+        is_sequence.then_some(Nesting { model: self.model, places, before, independent: self.independent })
+    }
+}
+
+/// What can be reached from some places.
+fn reached(from: &[usize], next: &[Vec<usize>]) -> Vec<bool> {
+    let mut reached = vec![false; next.len()];
+    let mut work = from.to_vec();
+    while let Some(place) = work.pop() {
+        if !std::mem::replace(&mut reached[place], true) {
+            work.extend(&next[place]);
+        }
+    }
+    reached
+}
+
+fn sum(numbers: impl Iterator<Item = u64>) -> u64 {
+    numbers.fold(0, u64::saturating_add)
+}
+
+/// The inputs that a condition reads.
+fn inputs_of(model: &Model, reads: &[Read], inputs: &mut BTreeSet<InputId>) {
+    for read in reads {
+        match read {
+            Read::Name(Name::Input(id)) => _ = inputs.insert(*id),
+            Read::Rising(edge) | Read::Falling(edge) => inputs_of(model, &model.edges[*edge].of.reads, inputs),
+            _ => {}
+        }
+    }
+}

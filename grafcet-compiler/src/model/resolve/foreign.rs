@@ -1,0 +1,109 @@
+//! Rust inside an expression that is not looked into: only its names are resolved.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::quote_spanned;
+use syn::visit_mut::{self, VisitMut};
+
+use super::expr::Lower;
+use super::scope::Meaning;
+use crate::model::{Read, Tree};
+
+impl Lower<'_, '_> {
+    /// The meaning is the text alone, and what is read.
+    pub(super) fn opaque(&mut self, expr: &mut syn::Expr) -> Tree {
+        let text = super::text::of(&*expr);
+        let outside = std::mem::take(&mut self.reads);
+        visit_mut::visit_expr_mut(self, expr);
+        let reads = std::mem::replace(&mut self.reads, outside);
+        for read in &reads {
+            self.note(*read);
+        }
+        Tree::Opaque { text, reads }
+    }
+
+    /// Inside a macro call there are only tokens: declared names are noted, step variables replaced.
+    fn macro_tokens(&mut self, tokens: TokenStream) -> TokenStream {
+        let mut out = Vec::new();
+        for tree in tokens {
+            match tree {
+                TokenTree::Group(group) => {
+                    let mut inner = Group::new(group.delimiter(), self.macro_tokens(group.stream()));
+                    inner.set_span(group.span());
+                    out.push(TokenTree::Group(inner));
+                }
+                TokenTree::Ident(name) => {
+                    self.macro_ident(&name, &mut out);
+                }
+                other => out.push(other),
+            }
+        }
+        out.into_iter().collect()
+    }
+
+    /// Appends `name`, or the placeholder of `Step.X` when `name` is its `X`.
+    fn macro_ident(&mut self, name: &Ident, out: &mut Vec<TokenTree>) {
+        if name == "X" || name == "T" {
+            if let [.., TokenTree::Ident(step), TokenTree::Punct(dot)] = &out[..] {
+                if dot.as_char() == '.' {
+                    let mut field = syn::parse_quote_spanned!(step.span()=> #step.#name);
+                    if !matches!(self.resolver.scope.get(step), Some(Meaning::Value(_))) {
+                        self.lower(&mut field);
+                        out.truncate(out.len() - 2);
+                        let group = Group::new(Delimiter::None, quote_spanned!(name.span()=> #field));
+                        out.push(TokenTree::Group(group));
+                        return;
+                    }
+                }
+            }
+        }
+        let is_field = matches!(out.last(), Some(TokenTree::Punct(p)) if p.as_char() == '.');
+        if let (false, Some(Meaning::Value(value))) = (is_field, self.resolver.scope.get(name)) {
+            self.note(Read::Name(value));
+            self.places.push((Read::Name(value), name.into()));
+            let mut name = name.clone();
+            name.set_span(name.span().resolved_at(self.resolver.model.value_name(value).span()));
+            out.push(TokenTree::Ident(name));
+            return;
+        }
+        out.push(TokenTree::Ident(name.clone()));
+    }
+}
+
+impl VisitMut for Lower<'_, '_> {
+    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+        self.lower(expr);
+    }
+
+    fn visit_macro_mut(&mut self, call: &mut syn::Macro) {
+        call.tokens = self.macro_tokens(std::mem::take(&mut call.tokens));
+    }
+
+    fn visit_field_value_mut(&mut self, field: &mut syn::FieldValue) {
+        // `Point { x }` would lose its name when `x` is replaced.
+        if field.colon_token.is_none() {
+            field.colon_token = Some(syn::token::Colon::default());
+        }
+        self.visit_expr_mut(&mut field.expr);
+    }
+}
+
+/// The names bound by patterns inside the expression.
+pub(super) fn locals_of_expr(expr: &mut syn::Expr, locals: &mut BTreeSet<String>) {
+    Locals(locals).visit_expr_mut(expr);
+}
+
+/// The names bound by patterns inside the block.
+pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut BTreeSet<String>) {
+    Locals(locals).visit_block_mut(block);
+}
+
+struct Locals<'a>(&'a mut BTreeSet<String>);
+
+impl VisitMut for Locals<'_> {
+    fn visit_pat_ident_mut(&mut self, pattern: &mut syn::PatIdent) {
+        self.0.insert(pattern.ident.to_string());
+        visit_mut::visit_pat_ident_mut(self, pattern);
+    }
+}

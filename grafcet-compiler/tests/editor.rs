@@ -1,0 +1,73 @@
+//! What an editor finds in a chart: the code for rust-analyzer mentions names at the tokens at which the user wrote them.
+
+use grafcet_compiler::compile;
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::quote;
+
+/// Marked with `^` below them are the names that the rest of the code does not mention there.
+const CHART: &str = "\
+grafcet Press {
+    input a: bool;
+    output b, c: bool; action beep();
+    initial step Wait { beep(); }
+    #                   ^^^^
+    step Down { b; } step Up { S c if a; R c; }
+    #           ^                ^         ^
+    Wait -[a]-> (Down, Up) -[Down.X && !a]-> Wait;
+    ^^^^         ^^^^  ^^    ^^^^            ^^^^
+}";
+
+/// The lines of the chart alone, and the marked words with their line and column.
+fn read() -> (String, Vec<(String, usize, usize)>) {
+    let (mut chart, mut marked) = (Vec::new(), Vec::new());
+    for line in CHART.lines() {
+        let is_mark = line.contains(['#', '^']);
+        if !is_mark {
+            chart.push(line);
+            continue;
+        }
+        let above = chart.last().expect("a line above the marks");
+        for (blank, _) in line.match_indices(" ^") {
+            let column = blank + 1;
+            let length = line[column..].chars().take_while(|c| *c == '^').count();
+            marked.push((above[column..column + length].to_owned(), chart.len(), column));
+        }
+    }
+    (chart.join("\n"), marked)
+}
+
+fn idents(tokens: TokenStream, to: &mut Vec<Ident>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => idents(group.stream(), to),
+            TokenTree::Ident(ident) => to.push(ident),
+            _ => {}
+        }
+    }
+}
+
+/// What the function for editors mentions, in source order.
+fn mentioned(chart: &str) -> Vec<(String, usize, usize)> {
+    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens"));
+    let mut all = Vec::new();
+    idents(code, &mut all);
+    let start = all.iter().position(|ident| ident == "rust_analyzer").expect("the code for editors");
+    let place = |ident: &Ident| (ident.to_string(), ident.span().start().line, ident.span().start().column);
+    let chart = all[start..].iter().filter(|ident| ident.span().source_text().is_some_and(|text| **ident == *text));
+    let mut found: Vec<_> = chart.map(place).collect();
+    found.sort_by_key(|(_, line, column)| (*line, *column));
+    found
+}
+
+#[test]
+fn names_are_mentioned_where_they_stand() {
+    let (chart, marked) = read();
+    assert_eq!(mentioned(&chart), marked);
+}
+
+/// A chart with a mistake has them, too.
+#[test]
+fn names_are_mentioned_in_a_chart_with_a_mistake() {
+    let (chart, marked) = read();
+    assert_eq!(mentioned(&chart.replace("[a]", "[x]")), marked);
+}
