@@ -461,3 +461,24 @@ impl ::grafcet::__private::ActiveSteps for StationsSituation {
         }
     }
 }
+#[allow(unexpected_cfgs)]
+const _: () = {
+    #[cfg(rust_analyzer)]
+    fn mentions(outputs: &StationsOutputs) {
+        let _ = [
+            StationsStep::Wait,
+            StationsStep::Drill,
+            StationsStep::Test,
+            StationsStep::Drill,
+            StationsStep::Drilled,
+            StationsStep::Test,
+            StationsStep::Tested,
+            StationsStep::Drilled,
+            StationsStep::Tested,
+            StationsStep::Out,
+            StationsStep::Wait,
+            StationsStep::Out,
+        ];
+        let _ = (&outputs.motor, &outputs.drill, &outputs.test, &outputs.motor);
+    }
+};
