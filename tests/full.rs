@@ -101,3 +101,40 @@ fn cell() {
     cell.cycle(&idle);
     assert_eq!(format!("{:?}", cell.situation()), "{Ready, Idle}");
 }
+
+grafcet! {
+    /// Two stations beside each other, and a bit for each step.
+    pub grafcet Stations {
+        encoding flags;
+        input part, drilled, tested: bool;
+        output drill, test, motor: bool;
+
+        initial step Wait;
+        step Drill { S motor; drill; }
+        step Drilled;
+        step Test { test; }
+        step Tested;
+        step Out { R motor; }
+
+        Wait -[part]-> (Drill, Test);
+        Drill -[drilled]-> Drilled;
+        Test -[tested]-> Tested;
+        (Drilled, Tested) -[!part]-> Out -[2s/Out]-> Wait;
+    }
+}
+
+#[test]
+fn stations() {
+    let mut stations = Stations::new();
+    let none = StationsInputs::default();
+    assert!(stations.is_active(StationsStep::Wait) && !stations.cycle(&none, 0).motor);
+    let q = stations.cycle(&StationsInputs { part: true, ..none }, 10);
+    assert!(q.motor && q.drill && q.test);
+    assert_eq!(&stations.active_steps()[..], [StationsStep::Drill, StationsStep::Test]);
+    stations.cycle(&StationsInputs { part: true, drilled: true, ..none }, 20);
+    assert_eq!(format!("{:?}", stations.situation()), "{Drilled, Test}");
+    assert!(!stations.cycle(&StationsInputs { tested: true, ..none }, 30).motor);
+    assert!(stations.situation().is_active(StationsStep::Out));
+    stations.cycle(&none, 2030);
+    assert!(stations.situation() == Stations::new().situation(), "{stations:?}");
+}

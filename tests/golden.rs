@@ -11,7 +11,7 @@ use std::fs;
 const FILES: &[(&str, &[&str])] = &[
     ("examples/charts/motor.rs", &["motor"]),
     ("examples/charts/line24v.rs", &["line24v"]),
-    ("tests/full.rs", &["batch", "cell"]),
+    ("tests/full.rs", &["batch", "cell", "stations"]),
 ];
 
 #[test]

@@ -1,6 +1,9 @@
 //! The state of a chart holds what the chart needs, and nothing else.
 
+mod charts;
+
 use grafcet::grafcet;
+use proc_macro2::TokenStream;
 
 grafcet! {
     /// One step at a time: a plain enum.
@@ -38,6 +41,56 @@ grafcet! {
         Start -[go]-> (A, B, C);
         (A, B, C) -[done]-> Start;
     }
+}
+
+/// Charts of so many steps, with a bit for each.
+macro_rules! flags {
+    ($dialect:ident $name:ident: $first:ident $($step:ident)*) => {
+        grafcet! {
+            $dialect $name {
+                encoding flags;
+                input go, back: bool;
+                initial step $first;
+                $(step $step;)*
+                $first $(-[go]-> $step)* -[back && !go]-> $first;
+            }
+        }
+    };
+}
+
+flags! { sfc SevenFlags: S1 S2 S3 S4 S5 S6 S7 }
+flags! { sfc EightFlags: S1 S2 S3 S4 S5 S6 S7 S8 }
+flags! { grafcet SearchedFlags: S1 S2 S3 S4 S5 S6 S7 S8 }
+flags! { grafcet SixteenFlags: S1 S2 S3 S4 S5 S6 S7 S8 S9 S10 S11 S12 S13 S14 S15 S16 }
+
+grafcet! {
+    /// Three branches beside each other, with bits.
+    sfc ParallelFlags {
+        encoding flags;
+        input go, done: bool;
+        output a, b, c: bool;
+        initial step Start;
+        step A { a; }
+        step B { b; }
+        step C { c; }
+        Start -[go]-> (A, B, C);
+        (A, B, C) -[done]-> Start;
+    }
+}
+
+#[test]
+fn flags() {
+    assert_eq!(size_of::<SevenFlags>(), 1, "seven bits, and one for the first cycle");
+    assert_eq!(size_of::<EightFlags>(), 2);
+    assert_eq!(size_of::<SearchedFlags>(), 1, "the first cycle is like the others");
+    assert_eq!(size_of::<SixteenFlags>(), 2);
+    assert_eq!(size_of::<ParallelFlags>(), 1, "and not a byte per branch");
+    assert_eq!(size_of::<ParallelFlagsSituation>(), 1);
+    // What is seen from outside is the same.
+    let step: SevenFlagsStep = SevenFlags::new().situation();
+    assert_eq!(step, SevenFlagsStep::S1);
+    assert_eq!(SevenFlags::new().active_steps().capacity(), 1);
+    assert_eq!(ParallelFlags::new().active_steps().capacity(), Parallel::new().active_steps().capacity());
 }
 
 #[test]
@@ -179,4 +232,23 @@ fn long_sequences() {
         chart.cycle(&ThreeHundredInputs { go: true, back: false });
     }
     assert!(chart.is_active(ThreeHundredStep::S299));
+}
+
+/// What the documentation of the type says is what the type is.
+#[test]
+fn encoding_is_documented() {
+    let said = |chart: TokenStream| {
+        let tokens = charts::expand(chart).to_string();
+        let text = tokens.split("The situation takes ").nth(1).map(|rest| rest.split(".").next().unwrap_or_default());
+        text.unwrap_or_default().to_owned()
+    };
+    let said: Vec<String> = charts::charts(include_str!("size.rs")).into_iter().map(said).collect();
+    let expected = [
+        "one byte: which of its 2 steps is active",
+        "one byte: which of its 4 steps is active",
+        "3 bytes: for each of these sets of steps, which of them is active, if any",
+        "one byte (`encoding flags;`): a bit for each of its 4 steps and one for the first cycle, as long as it is still \
+         to come",
+    ];
+    assert_eq!(said, expected, "Motor, Line24V, Parallel, ParallelFlags");
 }

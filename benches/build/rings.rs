@@ -8,12 +8,13 @@ pub(crate) const STEPS: [usize; 3] = [10, 100, 1000];
 /// As a user of the macro writes it.
 pub(crate) fn generated(steps: usize) -> String {
     let chart = chart(steps);
-    let small = if steps == 100 {
-        format!("both! {{ chain100_size {{\noptimize size;\n{chart} }} }}\n")
-    } else {
-        String::new()
-    };
-    format!("both! {{ chain{steps} {{\n{chart} }} }}\n{small}")
+    let with = |name: &str, setting: &str| format!("both! {{ chain{steps}{name} {{\n{setting}{chart} }} }}\n");
+    let mut all = with("", "");
+    if steps == 100 {
+        all += &with("_size", "optimize size;\n");
+        all += &with("_flags", "encoding flags;\n");
+    }
+    all
 }
 
 /// As an engineer writes it in Rust.

@@ -149,6 +149,7 @@ benches! {
     chain10: Cycle sfc grafcet;
     chain100: Cycle sfc grafcet;
     chain100_size: Cycle sfc grafcet;
+    chain100_flags: Cycle sfc grafcet;
     chain1000: Cycle sfc grafcet;
     par8: Cycle sfc grafcet;
     selection: Cycle sfc grafcet;

@@ -132,6 +132,8 @@ pub enum Setting {
     AssumeNever { keyword: Span, condition: Expr },
     /// `optimize size;`
     OptimizeSize { keyword: Span },
+    /// `encoding flags;`
+    EncodingFlags { keyword: Span },
 }
 
 /// Something the checker shall prove.

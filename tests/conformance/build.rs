@@ -1,4 +1,5 @@
-//! Writes a module for each chart of the corpus, so that `cargo test` compiles all of them through the macro.
+//! Writes two modules for each chart of the corpus, one with `encoding flags;`, so that `cargo test` compiles all of them
+//! through the macro.
 #![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 use std::error::Error;
@@ -29,11 +30,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let text = fs::read_to_string(path)?;
         let (chart, _) = text.split_once("\n---\n").ok_or_else(|| format!("{name}: no line `---`"))?;
-        let module = emit::module(chart).map_err(|error| format!("{name}: {error}"))?;
-        writeln!(modules, "mod {name} {{\n{module}}}")?;
-        let subject = format!("|| Box::new({name}::Compiled::default())");
-        let file = format!("include_str!(r\"{}\")", path.display());
-        writeln!(list, "    Entry {{ name: \"{name}\", text: {file}, subject: {subject} }},")?;
+        let end = chart.rfind('}').ok_or_else(|| format!("{name}: no end of the chart"))?;
+        let flags = format!("{}encoding flags;\n{}", &chart[..end], &chart[end..]);
+        for (name, chart) in [(name.to_string(), chart), (format!("{name}_flags"), &flags)] {
+            let module = emit::module(chart).map_err(|error| format!("{name}: {error}"))?;
+            writeln!(modules, "mod {name} {{\n{module}}}")?;
+            let subject = format!("|| Box::new({name}::Compiled::default())");
+            let file = format!("include_str!(r\"{}\")", path.display());
+            writeln!(list, "    Entry {{ name: \"{name}\", text: {file}, subject: {subject} }},")?;
+        }
     }
     let code = format!("{modules}\n/// The corpus.\nconst CORPUS: &[Entry] = &[\n{list}];\n");
     fs::write(Path::new(&env::var("OUT_DIR")?).join("corpus.rs"), code)?;

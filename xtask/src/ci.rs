@@ -31,7 +31,7 @@ const STEPS: [Step; 11] = [
     ("msrv", msrv::run),
     ("firmware", firmware::run),
     ("first chart", first_chart::run),
-    ("cost", bench::pinned),
+    ("cost", bench::pinned_on_one),
     ("packages", packages::run),
 ];
 

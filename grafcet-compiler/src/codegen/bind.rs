@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote, quote_spanned};
 
+use super::situation::At;
 use super::{Cx, names, writes};
 use crate::model::{Binary, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder};
 use crate::plan::RegionId;
@@ -27,9 +28,12 @@ pub(super) enum Moment {
 }
 
 impl Moment {
-    /// Whether the situation before the evolution is meant.
-    fn is_before(self) -> bool {
-        matches!(self, Self::Sample | Self::Condition | Self::Stored)
+    /// Which situation is meant.
+    fn at(self) -> At {
+        match self {
+            Self::Sample | Self::Condition | Self::Stored => At::Before,
+            Self::Action | Self::Leaving | Self::Start | Self::Stable => At::After,
+        }
     }
 }
 
@@ -223,18 +227,16 @@ impl Cx<'_> {
 
     /// Whether a step is active at a moment of the cycle.
     pub(super) fn is_active(&self, step: StepId, moment: Moment) -> TokenStream {
-        let region = self.plan.regions.of_step(step);
-        let variant = self.variant(step);
         if moment == Moment::Start {
             return quote!(false);
         }
-        let state = self.state_at(region, moment);
+        let active = self.in_step(moment.at(), step);
         let starts = self.plan.initial.contains(&step);
         if moment == Moment::Sample && starts && self.plan.has_start && !self.model.is_grafcet() {
-            let (first, start) = (names::before(0, self.plan), self.start());
-            return quote!((#state == #variant || #first == #start));
+            let starting = self.is_starting(At::Before);
+            return quote!((#active || #starting));
         }
-        quote!((#state == #variant))
+        quote!((#active))
     }
 
     /// Whether any step of a macro-step's expansion is active (A20).
@@ -247,27 +249,22 @@ impl Cx<'_> {
         if steps.is_empty() { quote!(false) } else { quote!((#(#active)||*)) }
     }
 
-    /// The local with the state of a region at a moment.
-    fn state_at(&self, region: RegionId, moment: Moment) -> Ident {
-        if moment.is_before() { names::before(region, self.plan) } else { names::after(region, self.plan) }
-    }
-
     /// The time of a step (A34): zero when it is not active, what it had reached where it has just been left.
     fn since(&self, step: StepId, moment: Moment) -> TokenStream {
         let p = &self.p;
         let region = self.plan.regions.of_step(step);
-        let (variant, since) = (self.variant(step), names::step_time(region, self.plan));
-        let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+        let since = names::step_time(region, self.plan);
+        let (before, after) = (self.in_step(At::Before, step), self.in_step(At::After, step));
         let reached = names::step_time_before(region, self.plan);
         match moment {
             Moment::Start => quote!(#p::Ticks::ZERO),
             Moment::Sample | Moment::Condition | Moment::Stored => {
-                quote!((if #before == #variant { self.#since } else { #p::Ticks::ZERO }))
+                quote!((if #before { self.#since } else { #p::Ticks::ZERO }))
             }
-            Moment::Stable => quote!((if #after == #variant { self.#since } else { #p::Ticks::ZERO })),
-            Moment::Leaving => quote!((if #before == #variant { #reached } else { #p::Ticks::ZERO })),
+            Moment::Stable => quote!((if #after { self.#since } else { #p::Ticks::ZERO })),
+            Moment::Leaving => quote!((if #before { #reached } else { #p::Ticks::ZERO })),
             Moment::Action => quote! {
-                (if #after == #variant { self.#since } else if #before == #variant { #reached } else { #p::Ticks::ZERO })
+                (if #after { self.#since } else if #before { #reached } else { #p::Ticks::ZERO })
             },
         }
     }

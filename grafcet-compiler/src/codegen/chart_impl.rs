@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::bind::Moment;
+use super::situation::{At, shown_in};
 use super::state::step_name;
 use super::{Cx, derives, names, types};
 use crate::model::StepId;
@@ -183,10 +184,10 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
 
 /// The capacity of `active_steps` and the body that fills it.
 fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
-    let capacity = Literal::usize_unsuffixed(cx.plan.regions.all().len().max(1));
+    let capacity = Literal::usize_unsuffixed(cx.plan.most_active.max(1));
     let p = &cx.p;
     let steps = names::local("steps");
-    let pushes = if cx.plan.regions.is_single() {
+    let pushes = if cx.plan.one_step {
         quote!(let _ = #steps.push(self.situation());)
     } else {
         // The order of declaration runs across the regions.
@@ -200,7 +201,7 @@ fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
 }
 
 fn is_active(cx: &Cx<'_>) -> TokenStream {
-    if cx.plan.regions.is_single() {
+    if cx.plan.one_step {
         return quote!(self.situation() == step);
     }
     let arms = cx.model.steps.ids().map(|id| {
@@ -213,21 +214,25 @@ fn is_active(cx: &Cx<'_>) -> TokenStream {
 /// Whether the chart's state holds a step.
 fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let region = cx.plan.regions.of_step(step);
-    let (state, variant) = (cx.plain_state(region), cx.variant(step));
-    let starting = (cx.has_start_variant(region) && cx.plan.initial.contains(&step)).then(|| {
-        let start = cx.start();
-        quote!(|| #state == #start)
+    let active = cx.in_step(At::Now, step);
+    let starts = if cx.has_flags() { cx.plan.has_start } else { cx.has_start_variant(region) };
+    let starting = (starts && cx.plan.initial.contains(&step)).then(|| {
+        let starting = cx.is_starting(At::Now);
+        quote!(|| #starting)
     });
-    quote!(#state == #variant #starting)
+    quote!(#active #starting)
 }
 
 /// One step, where that is all a situation can be.
 fn situation_type(cx: &Cx<'_>) -> TokenStream {
-    let name = if cx.plan.regions.is_single() { &cx.names.step } else { &cx.names.situation };
+    let name = if cx.plan.one_step { &cx.names.step } else { &cx.names.situation };
     quote!(#name)
 }
 
 fn situation(cx: &Cx<'_>) -> TokenStream {
+    if cx.has_flags() {
+        return situation_of_flags(cx);
+    }
     let entered = |region| {
         let state = cx.plain_state(region);
         if cx.has_start_variant(region) {
@@ -257,9 +262,23 @@ fn situation(cx: &Cx<'_>) -> TokenStream {
     quote!(match #state { #(#arms)* })
 }
 
+fn situation_of_flags(cx: &Cx<'_>) -> TokenStream {
+    if !cx.plan.one_step {
+        let (name, shown) = (&cx.names.situation, cx.shown_flags());
+        return quote!(#shown #name { steps });
+    }
+    let mut steps: Vec<_> = cx.model.steps.ids().collect();
+    let last = steps.pop().map(|step| step_name(cx, step));
+    let others = steps.into_iter().map(|step| {
+        let (active, name) = (holds(cx, step), step_name(cx, step));
+        quote!(if #active { return #name; })
+    });
+    quote!(#(#others)* #last)
+}
+
 /// `MotorSituation`: the states of all regions.
 fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
-    if cx.plan.regions.is_single() {
+    if cx.plan.one_step {
         return None;
     }
     let Cx { model, p, names, plan, .. } = cx;
@@ -268,9 +287,19 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
         let (field, ty) = (names::region_field(region, plan), cx.names.region(region, plan));
         quote!(#field: #ty,)
     });
+    let fields: TokenStream = if cx.has_flags() {
+        let bytes = Literal::usize_suffixed(cx.flag_bytes());
+        quote!(steps: [#p::u8; #bytes])
+    } else {
+        fields.collect()
+    };
     let arms = model.steps.ids().map(|id| {
-        let region = plan.regions.of_step(id);
-        let (step, field, variant) = (step_name(cx, id), names::region_field(region, plan), cx.variant(id));
+        let step = step_name(cx, id);
+        if cx.has_flags() {
+            let active = shown_in(id);
+            return quote!(#step => #active,);
+        }
+        let (field, variant) = (names::region_field(plan.regions.of_step(id), plan), cx.variant(id));
         quote!(#step => self.#field == #variant,)
     });
     let derives = derives::of_states().users(model, &["Default"]);
@@ -279,7 +308,7 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
         #[doc = #doc]
         #[derive(#p::core::clone::Clone, #p::core::marker::Copy, #p::core::cmp::PartialEq, #p::core::cmp::Eq)]
         #derives
-        #vis struct #name { #(#fields)* }
+        #vis struct #name { #fields }
 
         impl #name {
             /// Whether `step` is active in this situation.
@@ -309,8 +338,7 @@ fn is_stable(cx: &Cx<'_>) -> Option<TokenStream> {
     if !cx.model.is_grafcet() {
         return None;
     }
-    let field = names::region_field(0, cx.plan);
-    let value = if cx.plan.may_be_unstable { quote!(!self.#field.is_marked()) } else { quote!(true) };
+    let value = if cx.plan.may_be_unstable { cx.is_unmarked() } else { quote!(true) };
     Some(quote! {
         /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
         /// and keeps the situation it had reached (decision A30).

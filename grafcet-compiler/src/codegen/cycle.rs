@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::bind::Moment;
+use super::situation::At;
 use super::{Cx, names};
 use crate::model::{ActionId, Dialect, Expr};
 use crate::plan::RegionId;
@@ -19,6 +20,10 @@ impl Cx<'_> {
 
     /// The situation before the evolution.
     pub(super) fn befores(&self) -> TokenStream {
+        if self.has_flags() {
+            let before = names::before(0, self.plan);
+            return quote!(let #before = self.situation;);
+        }
         (0..self.plan.regions.all().len()).map(|region| self.before(region)).collect()
     }
 
@@ -26,8 +31,8 @@ impl Cx<'_> {
     pub(super) fn before(&self, region: RegionId) -> TokenStream {
         let (before, state) = (names::before(region, self.plan), self.plain_state(region));
         if self.enters_first(region) {
-            let (first, start, empty) = (names::before(0, self.plan), self.start(), self.empty(region));
-            return quote!(let #before = if #first == #start { #empty } else { #state };);
+            let (starting, empty) = (self.is_starting(At::Before), self.empty(region));
+            return quote!(let #before = if #starting { #empty } else { #state };);
         }
         quote!(let #before = #state;)
     }
@@ -44,20 +49,29 @@ impl Cx<'_> {
         let befores = if in_place { self.befores_for(code) } else { self.befores() };
         let afters = (0..self.plan.regions.all().len()).map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            let declare = (!self.is_one_match() && !in_place).then(|| quote!(let mut #after = #before;));
+            let own = !self.is_one_match() && !in_place && !self.has_flags();
+            let declare = own.then(|| quote!(let mut #after = #before;));
             let again = self.plan.sees_reentry[region].then(|| {
                 let again = names::again(region, self.plan);
                 quote!(let mut #again = false;)
             });
             quote!(#declare #again)
         });
-        quote!(#befores #(#afters)*)
+        let flags = self.has_flags().then(|| {
+            let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
+            quote!(let mut #after = #before;)
+        });
+        quote!(#befores #flags #(#afters)*)
     }
 
     /// The situation after the evolution becomes the chart's, where it is not already.
     pub(super) fn commit(&self) -> TokenStream {
         if self.in_place() {
             return TokenStream::new();
+        }
+        if self.has_flags() {
+            let after = names::after(0, self.plan);
+            return quote!(self.situation = #after;);
         }
         let regions = (0..self.plan.regions.all().len()).map(|region| {
             let after = names::after(region, self.plan);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Binary, Effect, Expr, MacroId, Name, Qualifier, Read, StepId, TimeRef, Tree};
 
@@ -66,17 +67,11 @@ impl Cx<'_> {
         let p = &self.p;
         let (active, since) = match clock {
             Clock::Step(step) => {
-                let region = self.plan.regions.of_step(step);
-                let (state, variant) = (self.plain_state(region), self.variant(step));
-                let since = names::step_time(region, self.plan);
-                (quote!(#state == #variant), quote!(self.#since))
+                let since = names::step_time(self.plan.regions.of_step(step), self.plan);
+                (self.in_step(At::Now, step), quote!(self.#since))
             }
             Clock::Macro(id) => {
-                let active = self.model.macros[id].steps.iter().map(|step| {
-                    let state = self.plain_state(self.plan.regions.of_step(*step));
-                    let variant = self.variant(*step);
-                    quote!(#state == #variant)
-                });
+                let active = self.model.macros[id].steps.iter().map(|step| self.in_step(At::Now, *step));
                 let (active, since) = (active.collect::<Vec<_>>(), names::macro_time(id));
                 (quote!(#(#active)||*), quote!(self.#since))
             }

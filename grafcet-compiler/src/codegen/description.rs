@@ -23,8 +23,8 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
     let described = with_description(model, description);
-    let situation = if cx.plan.regions.is_single() { step } else { &names.situation };
-    let active = if cx.plan.regions.is_single() { quote!(active == self) } else { quote!(self.is_active(*active)) };
+    let situation = if cx.plan.one_step { step } else { &names.situation };
+    let active = if cx.plan.one_step { quote!(active == self) } else { quote!(self.is_active(*active)) };
     quote! {
         impl #chart {
             /// What the chart looks like: its steps, transitions and actions as they stand in the source.

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::branches::Branch;
+use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
@@ -30,7 +31,13 @@ impl Cx<'_> {
         }
         let contests = self.plan.evolution.contests.iter().map(|contest| self.contest(contest));
         let regions: Vec<_> = self.plan.regions.of_partial(partial).collect();
-        let transitions = regions.iter().map(|region| self.evolve_region(*region));
+        let transitions = if self.has_flags() {
+            let steps = self.model.partials[partial].steps.iter();
+            let arms = steps.filter_map(|step| Some((*step, self.leave_step(*step)?)));
+            vec![self.visit(At::Before, &arms.collect::<Vec<_>>())]
+        } else {
+            regions.iter().map(|region| self.evolve_region(*region)).collect()
+        };
         let sources = self.source_transitions(partial);
         let late = self.enter_late(partial);
         let evolve = quote!(#(#contests)* #(#transitions)* #sources #late);
@@ -38,15 +45,19 @@ impl Cx<'_> {
             return self.under_masters(partial, &evolve);
         }
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
+        let starting = self.is_starting(At::Before);
+        if self.has_flags() {
+            let (initial, moved, after) = (self.initial_flags(), self.note_moved(), names::after(0, self.plan));
+            return quote!(if #starting { #after = #initial; #moved } else { #evolve });
+        }
         if regions.len() == 1 {
             return evolve;
         }
-        let (before, start) = (names::before(0, self.plan), self.start());
         let enter = regions.iter().map(|region| {
             let (after, initial) = (names::after(*region, self.plan), self.initial(*region));
             quote!(#after = #initial;)
         });
-        quote!(if #before == #start { #(#enter)* } else { #evolve })
+        quote!(if #starting { #(#enter)* } else { #evolve })
     }
 
     /// Whether the evolution is one `match` from a step to the next: one region, each transition from one step to one,
@@ -141,7 +152,8 @@ impl Cx<'_> {
     fn evolve_region(&self, region: RegionId) -> TokenStream {
         let before = names::before(region, self.plan);
         let steps = &self.plan.regions.all()[region].steps;
-        let arms: Vec<_> = steps.iter().filter_map(|step| self.leave_step(*step)).collect();
+        let arms = steps.iter().filter_map(|step| Some((self.variant(*step), self.leave_step(*step)?)));
+        let arms: Vec<_> = arms.map(|(variant, body)| quote!(#variant => { #body })).collect();
         let alone = !self.model.is_grafcet() && self.plan.regions.all().len() == 1;
         let start = (alone && self.has_start_variant(region)).then(|| {
             let (start, initial, after) = (self.start(), self.initial(region), names::after(region, self.plan));
@@ -161,15 +173,12 @@ impl Cx<'_> {
         if leaving.is_empty() {
             return None;
         }
-        let variant = self.variant(step);
-        let body = if self.plan.evolution.exclusive[step.index()] {
+        Some(if self.plan.evolution.exclusive[step.index()] {
             self.first_of(leaving)
         } else {
             // IEC 60848 rule 4: all that can clear do so together.
-            let all = leaving.iter().map(|id| self.if_enabled(*id, &self.clear(*id)));
-            quote!(#(#all)*)
-        };
-        Some(quote!(#variant => { #body }))
+            leaving.iter().map(|id| self.if_enabled(*id, &self.clear(*id))).collect()
+        })
     }
 
     /// `if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude each
@@ -252,7 +261,7 @@ impl Cx<'_> {
                     writes.push(quote!(#again = true;));
                 }
             } else {
-                writes.push(self.enter(region, &self.variant(*target)));
+                writes.push(self.enter(*target));
             }
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
@@ -269,13 +278,7 @@ impl Cx<'_> {
         if replaced || !must_leave && transition.targets.contains(&source) {
             return TokenStream::new();
         }
-        let (after, empty, variant) = (names::after(region, self.plan), self.empty(region), self.variant(source));
-        if self.plan.evolution.exclusive[source.index()] {
-            self.enter(region, &empty)
-        } else {
-            // Another transition out of the step may have cleared already.
-            quote!(if #after == #variant { #after = #empty; })
-        }
+        self.leave_empty(source)
     }
 
     /// Steps that one transition takes away and another one gives back: activation wins (rule 5).
@@ -283,14 +286,14 @@ impl Cx<'_> {
         let late = self.plan.evolution.entered_last.iter().filter(|step| self.model.steps[**step].partial == partial);
         late.map(|step| {
             let region = self.plan.regions.of_step(*step);
-            let (enter, variant) = (names::enter_local(*step), self.variant(*step));
-            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             let again = self.plan.sees_reentry[region].then(|| {
                 let again = names::again(region, self.plan);
+                let (was, left) = (self.in_step(At::Before, *step), self.not_in_step(At::After, *step));
                 // A step that was active and not left is not activated anew.
-                quote!(if #before == #variant && #after != #variant { #again = true; })
+                quote!(if #was && #left { #again = true; })
             });
-            quote!(if #enter { #again #after = #variant; })
+            let (is_entered, enter) = (names::enter_local(*step), self.enter(*step));
+            quote!(if #is_entered { #again #enter })
         })
         .collect()
     }

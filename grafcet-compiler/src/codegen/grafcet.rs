@@ -31,7 +31,7 @@ impl Cx<'_> {
         if !self.plan.has_start {
             return delays;
         }
-        let (first, enter) = (self.first(), self.set_state(0, &self.initial(0)));
+        let (first, enter) = (self.first(), self.enter_initial());
         let stored = self.initial_stored();
         let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(let mut fresh = #first;));
         if delays.is_empty() || stored.is_empty() {
@@ -128,8 +128,8 @@ impl Cx<'_> {
         let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let unchanged = self.unchanged();
         if !self.in_place() {
-            let evolve = self.evolve();
-            return quote!(#declare #evolve #collect if #unchanged { break; });
+            let (moved, evolve) = (self.declare_moved(), self.evolve());
+            return quote!(#declare #moved #evolve #collect if #unchanged { break; });
         }
         let afters = self.afters_for(&quote!(#collect #rest));
         if self.evolves_apart() {
@@ -142,12 +142,12 @@ impl Cx<'_> {
 
     /// A30: where the bound is reached, whether the search would go on is tried on a copy.
     fn probe(&self) -> TokenStream {
-        let (evolve, field, unsettle) = (names::evolve(), names::region_field(0, self.plan), self.unsettle());
+        let (evolve, mark, unsettle) = (names::evolve(), self.mark(true), self.unsettle());
         quote! {
             if evolutions_left == 0 {
                 let mut copy = *self;
                 if copy.#evolve(inputs) {
-                    self.#field = self.#field.marked();
+                    #mark
                     #unsettle
                 }
                 break;
@@ -157,13 +157,8 @@ impl Cx<'_> {
 
     /// A25: the situation is a fixed point, and nothing else is to be done.
     fn unchanged(&self) -> TokenStream {
-        let in_place = self.in_place().then(|| quote!(!moved));
-        let compared = if in_place.is_some() { 0 } else { self.plan.regions.all().len() };
-        let same = (0..compared).map(|region| {
-            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            quote!(#after == #before)
-        });
-        let terms: Vec<_> = in_place.into_iter().chain(same).chain(self.collected_unchanged()).collect();
+        let same = if self.notes_moves() { vec![quote!(!moved)] } else { self.is_same() };
+        let terms: Vec<_> = same.into_iter().chain(self.collected_unchanged()).collect();
         if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
     }
 
@@ -180,9 +175,7 @@ impl Cx<'_> {
         if self.evolves_apart() {
             return (declare, quote!(evolutions_left -= 1;));
         }
-        let unsettle = self.unsettle();
-        let field = names::region_field(0, self.plan);
-        let mark = quote!(self.#field = self.#field.marked(););
+        let (mark, unsettle) = (self.mark(true), self.unsettle());
         let bound = quote! {
             if evolutions_left == 0 {
                 #mark
@@ -197,10 +190,7 @@ impl Cx<'_> {
 
     /// The mark of an unstable search is taken away at the begin of the next cycle.
     fn forget_instability(&self) -> Option<TokenStream> {
-        self.is_marked(0).then(|| {
-            let field = names::region_field(0, self.plan);
-            quote!(self.#field = self.#field.unmarked();)
-        })
+        self.is_marked(0).then(|| self.mark(false))
     }
 
     /// The situation the search has reached, for the continuous actions.
@@ -219,6 +209,10 @@ impl Cx<'_> {
             let fence = self.fence();
             let states = self.afters_for(&quote!(#combinational #rest));
             return quote!(#fence #states #combinational);
+        }
+        if self.has_flags() {
+            let after = names::after(0, self.plan);
+            return quote!(let #after = self.situation; #combinational);
         }
         quote!(#(#states)* #combinational)
     }

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::Cx;
 use super::bind::{Moment, bare};
-use super::{Cx, names};
 use crate::model::{ForceOrder, PartialId, StepId};
 
 impl Cx<'_> {
@@ -37,16 +37,5 @@ impl Cx<'_> {
     fn marked(&self, partial: PartialId, wanted: fn(&crate::model::Step) -> bool) -> Vec<StepId> {
         let steps = &self.model.partials[partial].steps;
         steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).collect()
-    }
-
-    /// Makes exactly these steps of a partial grafcet active.
-    fn set_situation(&self, partial: PartialId, steps: &[StepId]) -> TokenStream {
-        let regions = self.plan.regions.of_partial(partial).map(|region| {
-            let after = names::after(region, self.plan);
-            let step = steps.iter().find(|step| self.plan.regions.of_step(**step) == region);
-            let state = step.map_or_else(|| self.empty(region), |step| self.variant(*step));
-            quote!(#after = #state;)
-        });
-        regions.collect()
     }
 }

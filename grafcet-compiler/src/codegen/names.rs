@@ -82,14 +82,18 @@ pub(super) fn region_field(region: RegionId, plan: &Plan) -> Ident {
     numbered("situation", "region", region, plan)
 }
 
-/// The state of a region before the evolution.
+/// The state of a region before the evolution; that of all, where they are bits.
 pub(super) fn before(region: RegionId, plan: &Plan) -> Ident {
-    numbered("before", "before", region, plan)
+    state("before", region, plan)
 }
 
-/// The state of a region after the evolution.
+/// The state of a region after the evolution; that of all, where they are bits.
 pub(super) fn after(region: RegionId, plan: &Plan) -> Ident {
-    numbered("after", "after", region, plan)
+    state("after", region, plan)
+}
+
+fn state(name: &str, region: RegionId, plan: &Plan) -> Ident {
+    if plan.regions.are_flags() { local(name) } else { numbered(name, name, region, plan) }
 }
 
 /// The function that does one evolution.

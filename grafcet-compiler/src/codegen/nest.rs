@@ -7,6 +7,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
 use super::bind::Moment;
+use super::situation::At;
 use super::{Cx, names};
 use crate::model::{TransitionId, Tree};
 use crate::plan::{Nest, RegionId};
@@ -33,8 +34,14 @@ impl Cx<'_> {
     }
 
     /// Whether the evolution notes in `moved` that it has changed the situation.
-    fn notes_moves(&self) -> bool {
-        self.in_place() && (self.model.is_grafcet() || self.plan.memory.time)
+    pub(super) fn notes_moves(&self) -> bool {
+        let sees = self.in_place() || self.has_flags() && self.changes_by_clearing();
+        sees && (self.model.is_grafcet() || self.plan.memory.time)
+    }
+
+    /// Whether a transition that clears changes the situation: no other one gives back what it takes away.
+    fn changes_by_clearing(&self) -> bool {
+        self.model.partials.len() == 1 && self.plan.evolution.entered_last.is_empty()
     }
 
     pub(super) fn declare_moved(&self) -> Option<TokenStream> {
@@ -46,7 +53,7 @@ impl Cx<'_> {
     }
 
     /// `state` is that of the region after the evolution.
-    pub(super) fn enter(&self, region: RegionId, state: &TokenStream) -> TokenStream {
+    pub(super) fn enter_state(&self, region: RegionId, state: &TokenStream) -> TokenStream {
         if self.in_place() {
             return self.set_state(region, state);
         }
@@ -68,15 +75,14 @@ impl Cx<'_> {
         let nests = self.nests()?;
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let start = (!self.model.is_grafcet()).then(|| {
-            // The other regions hold their initial states from the beginning.
-            let (enter, moved) = (self.set_state(0, &self.initial(0)), self.note_moved());
+            let (enter, moved) = (self.enter_initial(), self.note_moved());
             (self.start(), quote!({ #enter #moved }))
         });
         Some(match (nests, start) {
             ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
-            (nests, Some((start, enter))) => {
-                let (first, evolve) = (self.plain_state(0), nests.iter().map(|nest| self.nest(nest, None)));
-                quote!(if #first == #start #enter else { #(#evolve)* })
+            (nests, Some((_, enter))) => {
+                let (starting, evolve) = (self.is_starting(At::Now), nests.iter().map(|nest| self.nest(nest, None)));
+                quote!(if #starting #enter else { #(#evolve)* })
             }
             (nests, None) => nests.iter().map(|nest| self.nest(nest, None)).collect(),
         })
@@ -131,10 +137,7 @@ impl Cx<'_> {
     /// The condition of a transition whose regions have not been changed yet.
     fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
-        let sources = transition.sources.iter().map(|step| {
-            let (state, variant) = (self.plain_state(self.plan.regions.of_step(*step)), self.variant(*step));
-            quote!(#state == #variant)
-        });
+        let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
         let condition = (transition.condition.tree != Tree::Bool(true))
             .then(|| self.value(&transition.condition, Moment::Condition));
         let terms: Vec<_> = sources.chain(condition).collect();

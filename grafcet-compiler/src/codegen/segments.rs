@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::situation::At;
 use super::{Cx, names};
 use crate::model::StepId;
 use crate::plan::RegionId;
@@ -49,7 +50,7 @@ impl Cx<'_> {
             }
             let region = self.plan.regions.of_step(step);
             match &mut open {
-                Some(segment) if segment.before == before && segment.region == region => {
+                Some(segment) if segment.before == before && self.joins(segment, region) => {
                     let arms = &mut segment.arms;
                     let place = *segment.places.entry(step).or_insert_with(|| {
                         arms.push((step, TokenStream::new()));
@@ -68,6 +69,16 @@ impl Cx<'_> {
         tokens
     }
 
+    /// Whether an item of this region belongs into the segment. With a bit for each step that is one of a step behind all
+    /// of the segment, or any where only one step is active.
+    fn joins(&self, segment: &Segment, region: RegionId) -> bool {
+        if !self.has_flags() {
+            return segment.region == region;
+        }
+        let behind = |(last, _): &(StepId, TokenStream)| self.plan.regions.of_step(*last) <= region;
+        self.plan.most_active == 1 || segment.arms.last().is_some_and(behind)
+    }
+
     /// `local` is true while `step` is active. With two steps that is a comparison and no jump.
     pub(super) fn while_active(&self, step: StepId, local: &TokenStream) -> Item {
         if self.is_one_match() && self.model.steps.len() == 2 {
@@ -78,7 +89,11 @@ impl Cx<'_> {
     }
 
     fn segment(&self, segment: Segment) -> TokenStream {
-        let Segment { before, region, arms, .. } = segment;
+        let Segment { before, region, mut arms, .. } = segment;
+        if self.has_flags() {
+            arms.sort_by_key(|(step, _)| *step);
+            return self.visit(if before { At::Before } else { At::After }, &arms);
+        }
         let state = match before {
             true => names::before(region, self.plan).to_token_stream(),
             // Read where it is used, not held in a register until then.
@@ -115,10 +130,9 @@ impl Cx<'_> {
         if self.always_moves() {
             return Item::Before(step, body.clone());
         }
-        let region = self.plan.regions.of_step(step);
-        let (after, variant, again) = (names::after(region, self.plan), self.variant(step), self.or_again(region));
+        let (left, again) = (self.not_in_step(At::After, step), self.or_again(self.plan.regions.of_step(step)));
         let nothing = body.is_empty();
-        Item::Before(step, if nothing { TokenStream::new() } else { quote!(if #after != #variant #again { #body }) })
+        Item::Before(step, if nothing { TokenStream::new() } else { quote!(if #left #again { #body }) })
     }
 
     /// `body`, if the step has been entered.
@@ -126,15 +140,14 @@ impl Cx<'_> {
         if self.always_moves() {
             return Item::After(step, body.clone());
         }
-        let region = self.plan.regions.of_step(step);
-        let (before, variant, again) = (names::before(region, self.plan), self.variant(step), self.or_again(region));
+        let (entered, again) = (self.not_in_step(At::Before, step), self.or_again(self.plan.regions.of_step(step)));
         let nothing = body.is_empty();
-        Item::After(step, if nothing { TokenStream::new() } else { quote!(if #before != #variant #again { #body }) })
+        Item::After(step, if nothing { TokenStream::new() } else { quote!(if #entered #again { #body }) })
     }
 
-    /// In the search of a chart with one region, an evolution that changes anything goes from one step to another.
+    /// Where one step is active at most, an evolution of a search that changes anything goes from one step to another.
     fn always_moves(&self) -> bool {
-        self.model.is_grafcet() && self.plan.regions.all().len() == 1 && self.only_situation
+        self.model.is_grafcet() && self.plan.most_active == 1 && self.only_situation
     }
 
     /// `|| again`, where a step of the region can be left and entered in one evolution.

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::segments::Item;
+use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::plan::{Target, source_order};
@@ -67,9 +68,7 @@ impl Cx<'_> {
     /// One region, no action control, and nothing that leaving a step does: the order across steps does not matter.
     fn runs_in_one_pass(&self) -> bool {
         let leaves = |id: AssociationId| !self.local_run_tokens(id, Part::Deactivation).is_empty();
-        self.plan.regions.all().len() == 1
-            && self.plan.control.targets.is_empty()
-            && !source_order(self.model).any(leaves)
+        self.plan.most_active == 1 && self.plan.control.targets.is_empty() && !source_order(self.model).any(leaves)
     }
 
     /// All runs of one part of the cycle; a target stands where its first association stands.
@@ -152,8 +151,8 @@ impl Cx<'_> {
         match part {
             // The final run of N: on a self-loop Q has no gap.
             Part::Deactivation if self.model.associations[id].qualifier == Qualifier::N => {
-                let (after, variant) = (names::after(self.plan.regions.of_step(step), self.plan), self.variant(step));
-                let body = if body.is_empty() { body } else { quote!(if #after != #variant { #body }) };
+                let left = self.not_in_step(At::After, step);
+                let body = if body.is_empty() { body } else { quote!(if #left { #body }) };
                 Item::Before(step, body)
             }
             Part::Deactivation => self.if_left(step, &body),
@@ -199,19 +198,19 @@ impl Cx<'_> {
         if !self.plan.memory.time {
             return TokenStream::new();
         }
-        let regions = (0..self.plan.regions.all().len()).map(|region| {
-            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            let again = self.plan.sees_reentry[region].then(|| {
-                let again = names::again(region, self.plan);
-                quote!(&& !#again)
-            });
-            quote!(#before == #after #again)
-        });
         let edges = self.edge_names();
-        if self.in_place() {
+        if self.notes_moves() {
             return quote!(self.settled = !moved #(&& !#edges)*;);
         }
-        quote!(self.settled = #(#regions)&&* #(&& !#edges)*;)
+        let regions = 0..self.plan.regions.all().len();
+        let compared = if self.has_flags() { 0..1 } else { regions.clone() };
+        let again = regions.filter(|region| self.plan.sees_reentry[*region]);
+        let again: Vec<_> = again.map(|region| names::again(region, self.plan)).collect();
+        let same = compared.map(|region| {
+            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
+            quote!(#before == #after)
+        });
+        quote!(self.settled = #(#same)&&* #(&& !#again)* #(&& !#edges)*;)
     }
 
     /// An action runs, and would run again in the next cycle or has changed what others read.

@@ -8,7 +8,8 @@ use crate::model::{Place, Qualifier, Ty};
 use crate::plan::{RegionId, Target, What};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
-    let regions: TokenStream = (0..cx.plan.regions.all().len()).map(|region| region_enum(cx, region)).collect();
+    let enums = if cx.has_flags() { 0 } else { cx.plan.regions.all().len() };
+    let regions: TokenStream = (0..enums).map(|region| region_enum(cx, region)).collect();
     let chart = chart_struct(cx);
     quote!(#regions #chart)
 }
@@ -160,6 +161,14 @@ impl Cx<'_> {
     }
 
     fn region_fields(&self) -> Vec<Field> {
+        if self.has_flags() {
+            let (p, bytes) = (&self.p, Literal::usize_suffixed(self.flag_bytes()));
+            return vec![Field {
+                name: names::local("situation"),
+                ty: quote!([#p::u8; #bytes]),
+                initial: self.first_flags(),
+            }];
+        }
         let one = |region| Field {
             name: names::region_field(region, self.plan),
             ty: {
@@ -309,9 +318,12 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let derives = derives::of(types.into_iter()).attributes(model, p);
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
+    let encoding = cx.encoding().map(|text| format!("\n\n{text}"));
+    let encoding = encoding.map(|text| quote!(#[doc = #text]));
     let drawing = super::description::drawing(cx);
     quote! {
         #docs
+        #encoding
         #drawing
         #derives
         #vis struct #name { #(#declared)* #params_field }

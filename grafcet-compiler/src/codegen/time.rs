@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::bind::Moment;
+use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
 use crate::model::{DelayId, EdgeId, Expr, Name, Read, VarId};
@@ -48,9 +49,9 @@ impl Cx<'_> {
     pub(super) fn restart_times(&self) -> TokenStream {
         let p = &self.p;
         let regions = self.timed_regions().map(|region| {
-            let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             let (since, again) = (names::step_time(region, self.plan), self.or_again(region));
-            quote!(if #after != #before #again { self.#since = #p::Ticks::ZERO; })
+            let changed = self.is_changed(region);
+            quote!(if #changed #again { self.#since = #p::Ticks::ZERO; })
         });
         let macros = self.plan.memory.macro_times.iter().map(|id| {
             let since = names::macro_time(*id);
@@ -205,7 +206,6 @@ impl Cx<'_> {
         if !self.plan.has_start {
             return quote!(false);
         }
-        let (state, start) = (self.plain_state(0), self.start());
-        quote!(#state == #start)
+        self.is_starting(At::Now)
     }
 }

@@ -13,13 +13,15 @@ use super::{Cx, names};
 const LONG: usize = 3;
 
 impl Cx<'_> {
-    /// Whether the search is such a walk. What edges compare with would change in an evolution too.
+    /// Whether the search is such a walk. What edges compare with would change in an evolution too; a sequence whose next
+    /// step is computed is smaller in the search with a trial.
     pub(super) fn walks(&self) -> bool {
         self.model.is_grafcet()
             && self.plan.may_be_unstable
             && self.plan.comes_back
             && self.plan.memory.edges.is_empty()
             && self.is_one_match()
+            && !self.is_small_sequence()
     }
 
     /// Whether the region's enum is as wide as a register, which saves widening the state in every evolution. The field holds
@@ -31,7 +33,7 @@ impl Cx<'_> {
     /// The search.
     pub(super) fn walk(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
-        let (state, field) = (self.plain_state(0), names::region_field(0, self.plan));
+        let (state, mark) = (self.plain_state(0), self.mark(true));
         let limit = Literal::u32_suffixed(self.plan.max_evolutions);
         let label = label();
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
@@ -59,7 +61,7 @@ impl Cx<'_> {
                     #restart
                     #delayed
                 }
-                self.#field = self.#field.marked();
+                #mark
                 #unsettle
             }
             #fence

@@ -41,6 +41,8 @@ pub struct Model {
     pub max_evolutions: Option<u32>,
     /// `optimize size;`: of two ways to generate code, the smaller one is meant.
     pub small: bool,
+    /// `encoding flags;`: a bit for each step, whatever can be active together.
+    pub flags: bool,
     pub inputs: Arena<InputId, Input>,
     pub outputs: Arena<OutputId, Output>,
     pub vars: Arena<VarId, Var>,

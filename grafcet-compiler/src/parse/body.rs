@@ -49,7 +49,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         "never" | "always" | "home" => {
             Item::Property(property::parse(input, meant, outer.levels_only("a property", sink), sink)?)
         }
-        "clock" | "max_evolutions" | "budget" | "assume" | "optimize" => {
+        "clock" | "max_evolutions" | "budget" | "assume" | "optimize" | "encoding" => {
             outer.refuse("a setting", sink);
             Item::Setting(setting::parse(input, meant, sink)?)
         }

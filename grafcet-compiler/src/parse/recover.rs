@@ -134,4 +134,5 @@ pub(super) fn may_be_step(mut start: Input) -> bool {
     }
 }
 
-const SETTINGS: [&str; 8] = ["clock", "max_evolutions", "budget", "assume", "optimize", "never", "always", "home"];
+const SETTINGS: [&str; 9] =
+    ["clock", "max_evolutions", "budget", "assume", "optimize", "encoding", "never", "always", "home"];

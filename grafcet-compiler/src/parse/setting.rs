@@ -1,4 +1,4 @@
-//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;`
+//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;` `encoding flags;`
 
 use proc_macro2::Span;
 use syn::LitInt;
@@ -17,6 +17,7 @@ pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Se
         "max_evolutions" => Setting::MaxEvolutions { keyword, count: count(input, word)? },
         "budget" => Setting::Budget { keyword, count: count(input, word)? },
         "optimize" => optimize(input, keyword)?,
+        "encoding" => encoding(input, keyword)?,
         _ => assume(input, keyword)?,
     };
     recover::semicolon(input, Place::Body, sink);
@@ -50,6 +51,15 @@ fn optimize(input: &mut Input, keyword: Span) -> Result<Setting> {
         return Err(Error::new(input.span(), message));
     }
     Ok(Setting::OptimizeSize { keyword })
+}
+
+fn encoding(input: &mut Input, keyword: Span) -> Result<Setting> {
+    if !input.eat_word("flags") {
+        let message =
+            format!("the encoding that can be asked for is `flags`, found {}; write `encoding flags;`", input.found());
+        return Err(Error::new(input.span(), message));
+    }
+    Ok(Setting::EncodingFlags { keyword })
 }
 
 fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {

@@ -15,6 +15,7 @@ pub(super) const ITEMS: &[&str] = &[
     "budget",
     "assume",
     "optimize",
+    "encoding",
     "never",
     "always",
     "home",

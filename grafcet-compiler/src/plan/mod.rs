@@ -27,6 +27,10 @@ use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Trans
 /// The plan for one chart.
 pub struct Plan {
     pub regions: Regions,
+    /// The situation is one step: the chart has no parallel branches and never stands without an active step.
+    pub one_step: bool,
+    /// As many steps as this can be active together, as far as is known.
+    pub most_active: usize,
     pub evolution: Evolution,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
@@ -65,12 +69,19 @@ impl Plan {
             // Before the first cycle nothing is active yet: its activation is seen as a change of the situation.
             regions.allow_leaving(&initial);
         }
+        // What the chart is from outside does not depend on its encoding.
+        let (one_step, most_active) = (regions.is_single(), regions.all().len());
+        if model.flags {
+            regions = Regions::flags(model, &initial);
+        }
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         Self {
             memory: Memory::of(model, &regions, &drives, &control),
             has_start: has_start(model, &initial),
             stored: Stored::of(model),
             nests: Nest::all(model, &regions, &evolution, &concurrency),
+            one_step,
+            most_active,
             sees_reentry,
             may_be_unstable: may_be_unstable(model),
             max_evolutions: max_evolutions(model),

@@ -33,6 +33,7 @@ impl Nest {
     ) -> Option<Vec<Self>> {
         let plain = model.partials.len() == 1
             && regions.all().len() > 1
+            && !regions.are_flags()
             && evolution.contests.is_empty()
             && evolution.entered_last.is_empty()
             && model.steps.ids().all(|step| evolution.exclusive[step.index()])

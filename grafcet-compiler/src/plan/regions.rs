@@ -3,11 +3,13 @@
 //! The regions are the colours of the concurrency relation, given greedily in order of declaration. The relation of a
 //! well-nested chart has no induced path of four steps (it is a cograph), and on such a graph the greedy colouring
 //! needs the fewest colours in any order: one for a chart without parallel branches, else one per parallel branch.
+//!
+//! Under `encoding flags;` each step is a region of its own, whose state is a bit.
 
 use std::collections::BTreeSet;
 
 use crate::analysis::Concurrency;
-use crate::model::{ForceOrder, Id, Model, PartialId, StepId};
+use crate::model::{ForceOrder, Id, Model, PartialId, Step, StepId};
 
 /// The position of a region.
 pub type RegionId = usize;
@@ -26,8 +28,9 @@ pub struct Region {
 
 /// All regions of a chart.
 pub struct Regions {
-    regions: Vec<Region>,
+    list: Vec<Region>,
     of_step: Vec<RegionId>,
+    flags: bool,
 }
 
 impl Regions {
@@ -53,17 +56,36 @@ impl Regions {
             }
             of_step.push(region);
         }
-        let mut all = Self { regions, of_step };
-        for region in 0..all.regions.len() {
-            all.regions[region].may_be_empty = all.may_become_empty(model, region);
+        let mut all = Self { list: regions, of_step, flags: false };
+        for region in 0..all.list.len() {
+            all.list[region].may_be_empty = all.may_become_empty(model, region);
         }
         all
+    }
+
+    /// A region for each step, whose state is a bit.
+    #[must_use]
+    pub fn flags(model: &Model, initial: &BTreeSet<StepId>) -> Self {
+        let alone = |(step, declared): (StepId, &Step)| Region {
+            partial: declared.partial,
+            steps: vec![step],
+            initial: initial.contains(&step).then_some(step),
+            may_be_empty: true,
+        };
+        let regions = model.steps.iter().map(alone).collect();
+        Self { list: regions, of_step: (0..model.steps.len()).collect(), flags: true }
+    }
+
+    /// The state of each region is a bit.
+    #[must_use]
+    pub fn are_flags(&self) -> bool {
+        self.flags
     }
 
     /// Steps that are first taken away and then given back leave their region empty in between.
     pub(super) fn allow_leaving(&mut self, steps: &BTreeSet<StepId>) {
         for step in steps {
-            self.regions[self.of_step[step.index()]].may_be_empty = true;
+            self.list[self.of_step[step.index()]].may_be_empty = true;
         }
     }
 
@@ -76,26 +98,26 @@ impl Regions {
     /// All regions.
     #[must_use]
     pub fn all(&self) -> &[Region] {
-        &self.regions
+        &self.list
     }
 
     /// The regions of a partial grafcet.
     pub fn of_partial(&self, partial: PartialId) -> impl Iterator<Item = RegionId> + '_ {
-        self.regions.iter().enumerate().filter(move |(_, region)| region.partial == partial).map(|(id, _)| id)
+        self.list.iter().enumerate().filter(move |(_, region)| region.partial == partial).map(|(id, _)| id)
     }
 
-    /// The situation is one step: the chart has no parallel branches and never stands without an active step.
+    /// The state is that of one region, which always has an active step.
     #[must_use]
     pub fn is_single(&self) -> bool {
-        matches!(&self.regions[..], [region] if !region.may_be_empty)
+        matches!(&self.list[..], [region] if !region.may_be_empty) && !self.flags
     }
 
     /// Whether a region starts empty, or something takes its active step away without giving it another.
     fn may_become_empty(&self, model: &Model, region: RegionId) -> bool {
         let here = |step: &StepId| self.of_step(*step) == region;
-        let partial = self.regions[region].partial;
+        let partial = self.list[region].partial;
         let forced = model.forces.values().any(|f| f.target == partial && f.order != ForceOrder::Hold);
-        self.regions[region].initial.is_none()
+        self.list[region].initial.is_none()
             || forced
             || model.partials[partial].enclosed_by.is_some()
             || model.transitions.values().any(|t| t.sources.iter().any(here) && !t.targets.iter().any(here))

@@ -113,6 +113,7 @@ fn settings_and_properties() {
             ("budget 100_000;", "budget 100_000"),
             ("assume never b1 && b3;", "assume never b1 && b3"),
             ("optimize size;", "optimize size"),
+            ("encoding flags;", "encoding flags"),
             ("never Up.X && Down.X;", "never Up . X && Down . X"),
             ("never -x > 3;", "never - x > 3"),
             ("never match x { 1 => true, _ => false };", "never match x { 1 => true , _ => false }"),

@@ -22,6 +22,7 @@ const WORDS: &[&str] = &[
     "budget",
     "assume",
     "optimize",
+    "encoding",
     "never",
     "always",
     "home",

@@ -79,6 +79,7 @@ fn setting(setting: &Setting) -> String {
         Setting::MaxEvolutions { count, .. } => format!("max_evolutions {count}"),
         Setting::Budget { count, .. } => format!("budget {count}"),
         Setting::OptimizeSize { .. } => "optimize size".to_owned(),
+        Setting::EncodingFlags { .. } => "encoding flags".to_owned(),
         Setting::AssumeNever { condition, .. } => format!("assume never {}", tokens(condition)),
     }
 }

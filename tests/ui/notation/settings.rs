@@ -5,6 +5,9 @@ grafcet! {
         clock 1ms;
         max_evolutions 20;
         clock 10ms;
+        encoding flags;
+        optimize size;
+        encoding flags;
 
         initial step Dark;
     }
@@ -18,6 +21,7 @@ grafcet! {
         partial Feeding {
             input part: bool;
             clock 1ms;
+            encoding flags;
             initial step Idle;
             partial Inner { initial step Deep; }
         }

@@ -24,7 +24,7 @@ enum Than {
 /// A figure of a chart, what it is compared with, and how many hundredths of that it may be.
 type Rule = (&'static str, &'static Figure, Than, u32);
 
-const RULES: [Rule; 14] = [
+const RULES: [Rule; 16] = [
     ("line24v", &FLASH, Than::Best, 100),
     ("line24v", &BUSY, Than::Best, 100),
     ("line24v", &RAM, Than::Nothing, 200),
@@ -34,6 +34,8 @@ const RULES: [Rule; 14] = [
     ("chain100_size", &FLASH, Than::Author(1), 30),
     ("chain100_size", &BUSY, Than::Author(1), 400),
     ("chain100_size", &RAM, Than::Nothing, 100),
+    ("chain100_flags", &BUSY, Than::Author(5), 100),
+    ("chain100_flags", &RAM, Than::Nothing, 1300),
     ("par8", &FLASH, Than::Best, 95),
     ("par8", &BUSY, Than::ByHand, 90),
     ("par8", &RAM, Than::Nothing, 800),

@@ -5,6 +5,7 @@ use quote::{ToTokens, quote};
 
 use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
+use crate::codegen::situation::At;
 use crate::codegen::{Cx, names};
 use crate::model::{AssociationId, Effect, Id, Place, Qualifier};
 use crate::plan::{Target, What, source_order};
@@ -27,9 +28,8 @@ impl Cx<'_> {
                 // On a self-loop the delay begins again: that ends the action.
                 return Some(self.if_left(association.step, &note));
             }
-            let (after, variant) =
-                (names::after(self.plan.regions.of_step(association.step), self.plan), self.variant(association.step));
-            Some(Item::Before(association.step, quote!(if #after != #variant { #note })))
+            let is_left = self.not_in_step(At::After, association.step);
+            Some(Item::Before(association.step, quote!(if #is_left { #note })))
         });
         self.in_order(items)
     }

@@ -15,6 +15,7 @@ impl Resolver<'_> {
             Setting::Budget { keyword, .. } => ("budget", *keyword),
             Setting::AssumeNever { keyword, .. } => ("assume", *keyword),
             Setting::OptimizeSize { keyword } => ("optimize", *keyword),
+            Setting::EncodingFlags { keyword } => ("encoding", *keyword),
         };
         if place != Where::Chart {
             let message =
@@ -51,6 +52,7 @@ impl Resolver<'_> {
                     .notation(count.span(), "more than 18_446_744_073_709_551_615 situations cannot be counted"),
             },
             Setting::OptimizeSize { .. } => self.model.small = true,
+            Setting::EncodingFlags { .. } => self.model.flags = true,
             // Names are known only later.
             Setting::AssumeNever { .. } => {}
         }

@@ -77,6 +77,7 @@ fn empty(chart: &ast::Chart) -> Model {
         incomplete: false,
         max_evolutions: None,
         small: false,
+        flags: false,
         inputs: Arena::default(),
         outputs: Arena::default(),
         vars: Arena::default(),

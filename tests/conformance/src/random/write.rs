@@ -43,6 +43,10 @@ impl Gen {
             self.note("optimize size");
             lines.push("optimize size;".to_owned());
         }
+        if self.rng.chance(10) {
+            self.note("encoding flags");
+            lines.push("encoding flags;".to_owned());
+        }
         if self.grafcet && self.rng.chance(15) {
             self.note("max_evolutions");
             lines.push(format!("max_evolutions {};", self.rng.between(1, 8)));

@@ -105,6 +105,32 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// A bit for each step: a step that is taken and given back at once, an enclosure, edges, times, an unstable search.
+    pub grafcet Flags {
+        encoding flags;
+        input a, b, hold: bool;
+        output on, off: bool;
+        output count: u8;
+        max_evolutions 3;
+
+        partial Master {
+            initial step Free;
+            enclosing step Held { on; partial Inner { linked step First { on rising(a) count = count.wrapping_add(1); } } }
+            Free -[hold]-> Held -[2s/Held && !hold]-> Free;
+        }
+        #[allow(grafcet::unsafe_step, grafcet::overlapping_branches)]
+        partial Branches {
+            initial step Left;
+            step Right { off; }
+            step Both { off if Both.T < 1s; }
+            Left -[a]-> Both -[b]-> Left;
+            Both -[rising(a)]-> Both;
+            () -[rising(b) && hold]-> Right -[!b && First.X]-> ();
+        }
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;

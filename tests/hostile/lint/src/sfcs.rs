@@ -95,6 +95,19 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// A bit for each step: one at a time, entered anew, with times and a variable.
+    pub sfc Flags {
+        encoding flags;
+        input go, stop: bool;
+        output x, y: bool;
+        var n: u8 = 0;
+        initial step Off { x if n > 3; }
+        step On { L 1s y; P1 n = n.wrapping_add(1); P0 { n |= 1; } }
+        Off -[rising(go)]-> On -[go && 1s/On]-> On -[stop]-> Off;
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;

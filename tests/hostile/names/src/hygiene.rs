@@ -80,6 +80,26 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// With a bit for each step, in several bytes.
+    pub grafcet Flags {
+        #![allow(grafcet::deadlock)]
+        encoding flags;
+        input before, after, first_of_byte, byte, set, moved, steps: bool;
+        output situation, state, on: bool;
+        var count: u8;
+        initial step A0 { situation if before && A1.X; }
+        step A1; step A2 { state; } step A3; step A4; step A5; step A6; step A7; step A8; step A9; step B0;
+        step B1; step B2; step B3; step B4; step B5; step B6; step B7; step B8; step B9; step C0 { on if set && byte; }
+        step C1; step C2; step C3; step C4; step C5; step C6; step C7; step C8; step C9 { P1 { let byte = 2; count += byte; } }
+        A0 -[before && !A1.X || after && A2.X]-> (A1, A2);
+        (A1, A2) -[first_of_byte && A2.X]-> A3 -[byte]-> A4 -[set]-> A5 -[moved && count == 0]-> A6 -[steps]-> A7;
+        A7 -[byte]-> A8 -[set]-> A9 -[byte]-> B0 -[set]-> B1 -[byte]-> B2 -[set]-> B3 -[byte]-> B4 -[set]-> B5;
+        B5 -[byte]-> B6 -[set]-> B7 -[byte]-> B8 -[set]-> B9 -[byte]-> C0 -[!set]-> C1 -[byte]-> C2 -[set]-> C3;
+        C3 -[byte]-> C4 -[set]-> C5 -[byte]-> C6 -[set]-> C7 -[byte]-> C8 -[before && set]-> C9 -[rising(set)]-> A0;
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;
@@ -154,6 +174,10 @@ fn runs() {
     assert!(timed.cycle(&TimedInputs::default(), 0, &mut Silent).situation);
     let q = timed.cycle(&TimedInputs { inputs: true, now: true, ticks: 7, ..Default::default() }, 1, &mut Silent);
     assert_eq!(q.speed, 8);
+    let mut flags = Flags::new();
+    let all = FlagsInputs { first_of_byte: true, byte: true, set: true, moved: true, steps: true, ..Default::default() };
+    assert!(flags.cycle(&FlagsInputs { before: true, ..Default::default() }).state);
+    assert!(flags.cycle(&all).on && flags.is_active(FlagsStep::C0));
     let mut search = Search::new();
     assert!(search.cycle(&SearchInputs::default(), 0, &mut Silent).situation);
     let q = search.cycle(&SearchInputs { actions: true, elapsed: 9, ..Default::default() }, 1, &mut Silent);

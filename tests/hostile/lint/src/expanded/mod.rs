@@ -18,3 +18,7 @@ pub mod line24v;
 #[rustfmt::skip]
 #[path = "../../../../golden/motor.rs"]
 pub mod motor;
+/// The expansion `stations`.
+#[rustfmt::skip]
+#[path = "../../../../golden/stations.rs"]
+pub mod stations;

@@ -1,0 +1,484 @@
+// Recorded by `cargo xtask bless`.
+
+///The process inputs of [`Stations`], sampled once per cycle.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+pub struct StationsInputs {
+    ///Input `part`.
+    pub part: ::grafcet::__private::core::primitive::bool,
+    ///Input `drilled`.
+    pub drilled: ::grafcet::__private::core::primitive::bool,
+    ///Input `tested`.
+    pub tested: ::grafcet::__private::core::primitive::bool,
+}
+///The process outputs of [`Stations`]; `default()` holds the initial values.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::default::Default
+)]
+pub struct StationsOutputs {
+    ///Output `drill`.
+    pub drill: ::grafcet::__private::core::primitive::bool,
+    ///Output `test`.
+    pub test: ::grafcet::__private::core::primitive::bool,
+    ///Output `motor`.
+    pub motor: ::grafcet::__private::core::primitive::bool,
+}
+///The names of the steps of [`Stations`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug
+)]
+pub enum StationsStep {
+    ///Step `Wait`.
+    Wait,
+    ///Step `Drill`.
+    Drill,
+    ///Step `Drilled`.
+    Drilled,
+    ///Step `Test`.
+    Test,
+    ///Step `Tested`.
+    Tested,
+    ///Step `Out`.
+    Out,
+}
+///The names of the transitions of [`Stations`].
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq,
+    ::grafcet::__private::core::cmp::PartialOrd,
+    ::grafcet::__private::core::cmp::Ord,
+    ::grafcet::__private::core::hash::Hash,
+    ::grafcet::__private::core::fmt::Debug
+)]
+pub enum StationsTransition {
+    ///`Wait -[part]-> (Drill, Test)`
+    WaitToDrillAndTest,
+    ///`Drill -[drilled]-> Drilled`
+    DrillToDrilled,
+    ///`Test -[tested]-> Tested`
+    TestToTested,
+    ///`(Drilled, Tested) -[!part]-> Out`
+    DrilledAndTestedToOut,
+    ///`Out -[2s/Out]-> Wait`
+    OutToWait,
+}
+/// Two stations beside each other, and a bit for each step.
+/**
+
+The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps, one for the first cycle, as long as it is still to come and one for a search that did not become stable.*/
+#[cfg_attr(
+    doc,
+    doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 440 536\" style=\"width:440px;max-width:max(100%,264px);height:auto\" role=\"img\" aria-label=\"Chart Stations\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H76M108 184H124M348 184H364M100 440H116M12 520H76M68 134H324M68 138H324M68 358H324M68 362H324M12 8V520M76 8V40M76 72V168M76 200V296M76 328V424M76 456V520M148 424V456M156 168V200M316 136V168M316 200V296M316 328V360M76 96v16M76 256v16M316 256v16M76 384v16M76 480v16\"/><rect x=\"44\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"47\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"44\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"124\" y=\"168\" width=\"136\" height=\"32\"/><rect x=\"124\" y=\"200\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"364\" y=\"168\" width=\"56\" height=\"32\"/><rect x=\"36\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"276\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"52\" y=\"424\" width=\"48\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"136\" height=\"32\"/><path d=\"M62 104h28M62 264h28M302 264h28M62 392h28M62 488h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 259l4 9h-8z\"/><text x=\"60\" y=\"56\" textLength=\"32\">Wait</text><text x=\"104\" y=\"104\" textLength=\"32\">part</text><text x=\"56\" y=\"184\" textLength=\"40\">Drill</text><text x=\"136\" y=\"184\" textLength=\"8\">↑</text><text x=\"168\" y=\"184\" textLength=\"80\">motor := 1</text><text x=\"136\" y=\"216\" textLength=\"40\">drill</text><text x=\"300\" y=\"184\" textLength=\"32\">Test</text><text x=\"376\" y=\"184\" textLength=\"32\">test</text><text x=\"104\" y=\"264\" textLength=\"56\">drilled</text><text x=\"344\" y=\"264\" textLength=\"48\">tested</text><text x=\"48\" y=\"312\" textLength=\"56\">Drilled</text><text x=\"292\" y=\"312\" textLength=\"48\">Tested</text><text x=\"104\" y=\"392\" textLength=\"40\">!part</text><text x=\"64\" y=\"440\" textLength=\"24\">Out</text><text x=\"128\" y=\"440\" textLength=\"8\">↑</text><text x=\"160\" y=\"440\" textLength=\"80\">motor := 0</text><text x=\"104\" y=\"488\" textLength=\"48\">2s/Out</text></g></svg></div>\n"
+)]
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct Stations {
+    situation: [::grafcet::__private::u8; 1usize],
+    out_motor: ::grafcet::__private::core::primitive::bool,
+    now: ::grafcet::__private::Ticks,
+    settled: ::grafcet::__private::bool,
+    since_5: ::grafcet::__private::Ticks,
+}
+impl Stations {
+    ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            situation: [64u8],
+            out_motor: false,
+            now: ::grafcet::__private::Ticks::ZERO,
+            settled: false,
+            since_5: ::grafcet::__private::Ticks::ZERO,
+        }
+    }
+}
+impl ::grafcet::__private::core::default::Default for Stations {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+///A situation of [`Stations`]: which steps are active.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct StationsSituation {
+    steps: [::grafcet::__private::u8; 1usize],
+}
+impl StationsSituation {
+    /// Whether `step` is active in this situation.
+    #[must_use]
+    pub fn is_active(&self, step: StationsStep) -> ::grafcet::__private::bool {
+        match step {
+            StationsStep::Wait => self.steps[0usize] & 1u8 != 0,
+            StationsStep::Drill => self.steps[0usize] & 2u8 != 0,
+            StationsStep::Drilled => self.steps[0usize] & 4u8 != 0,
+            StationsStep::Test => self.steps[0usize] & 8u8 != 0,
+            StationsStep::Tested => self.steps[0usize] & 16u8 != 0,
+            StationsStep::Out => self.steps[0usize] & 32u8 != 0,
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Debug for StationsSituation {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        let mut set = f.debug_set();
+        for step in <Stations as ::grafcet::__private::Chart>::STEPS {
+            if self.is_active(*step) {
+                let _ = set.entry(step);
+            }
+        }
+        set.finish()
+    }
+}
+impl Stations {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    pub fn cycle(
+        &mut self,
+        inputs: &StationsInputs,
+        now: impl ::grafcet::__private::core::convert::Into<::grafcet::__private::Ticks>,
+    ) -> StationsOutputs {
+        let now: ::grafcet::__private::Ticks = ::grafcet::__private::core::convert::Into::into(
+            now,
+        );
+        let mut outputs = StationsOutputs {
+            drill: false,
+            test: false,
+            motor: false,
+        };
+        self.situation[0usize] &= !128u8;
+        let elapsed = if self.situation[0usize] & 64u8 != 0 {
+            ::grafcet::__private::Ticks::ZERO
+        } else {
+            now.since(self.now)
+        };
+        self.now = now;
+        self.since_5 = self.since_5 + elapsed;
+        if self.situation[0usize] & 64u8 != 0 {
+            self.situation = [1u8];
+        }
+        let mut evolutions_left: ::grafcet::__private::u32 = 14;
+        self.settled = true;
+        loop {
+            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+            let before = self.situation;
+            let mut after = before;
+            let mut moved = false;
+            if before[0usize] & 47u8 != 0 {
+                if before[0usize] & 1u8 != 0 {
+                    if inputs.part {
+                        after[0usize] &= !1u8;
+                        after[0usize] |= 2u8;
+                        after[0usize] |= 8u8;
+                        moved = true;
+                    }
+                }
+                if before[0usize] & 2u8 != 0 {
+                    if inputs.drilled {
+                        after[0usize] &= !2u8;
+                        after[0usize] |= 4u8;
+                        moved = true;
+                    }
+                }
+                if before[0usize] & 4u8 != 0 {
+                    if (before[0usize] & 16u8 != 0) && !inputs.part {
+                        after[0usize] &= !4u8;
+                        after[0usize] &= !16u8;
+                        after[0usize] |= 32u8;
+                        moved = true;
+                    }
+                }
+                if before[0usize] & 8u8 != 0 {
+                    if inputs.tested {
+                        after[0usize] &= !8u8;
+                        after[0usize] |= 16u8;
+                        moved = true;
+                    }
+                }
+                if before[0usize] & 32u8 != 0 {
+                    if {
+                        let elapsed_2000_5 = (before[0usize] & 32u8 != 0)
+                            && (if before[0usize] & 32u8 != 0 {
+                                self.since_5
+                            } else {
+                                ::grafcet::__private::Ticks::ZERO
+                            }) >= ::grafcet::__private::Ticks::new(2000u32);
+                        elapsed_2000_5
+                    } {
+                        after[0usize] &= !32u8;
+                        after[0usize] |= 1u8;
+                        moved = true;
+                    }
+                }
+            }
+            if !moved {
+                break;
+            }
+            if evolutions_left == 0 {
+                self.situation[0usize] |= 128u8;
+                self.settled = false;
+                break;
+            }
+            evolutions_left -= 1;
+            if after[0usize] & 34u8 != 0 {
+                if after[0usize] & 2u8 != 0 {
+                    if before[0usize] & 2u8 == 0 {
+                        self.out_motor = true;
+                    }
+                }
+                if after[0usize] & 32u8 != 0 {
+                    if before[0usize] & 32u8 == 0 {
+                        self.out_motor = false;
+                    }
+                }
+            }
+            self.situation = after;
+            if (after[0usize] ^ before[0usize]) & 32u8 != 0 {
+                self.since_5 = ::grafcet::__private::Ticks::ZERO;
+            }
+        }
+        let after = self.situation;
+        if after[0usize] & 10u8 != 0 {
+            if after[0usize] & 2u8 != 0 {
+                outputs.drill = true;
+            }
+            if after[0usize] & 8u8 != 0 {
+                outputs.test = true;
+            }
+        }
+        outputs.motor = self.out_motor;
+        outputs
+    }
+    /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
+    /// first one.
+    pub fn init(&mut self) {
+        *self = Self::new();
+    }
+    /// Whether `step` is active.
+    #[must_use]
+    pub fn is_active(&self, step: StationsStep) -> ::grafcet::__private::bool {
+        match step {
+            StationsStep::Wait => {
+                self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0
+            }
+            StationsStep::Drill => self.situation[0usize] & 2u8 != 0,
+            StationsStep::Drilled => self.situation[0usize] & 4u8 != 0,
+            StationsStep::Test => self.situation[0usize] & 8u8 != 0,
+            StationsStep::Tested => self.situation[0usize] & 16u8 != 0,
+            StationsStep::Out => self.situation[0usize] & 32u8 != 0,
+        }
+    }
+    /// The active steps, in the order of their declaration; the capacity is the most that can be active.
+    #[must_use]
+    pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<StationsStep, 2> {
+        let mut steps = ::grafcet::__private::heapless::Vec::new();
+        if self.situation[0usize] & 1u8 != 0 || self.situation[0usize] & 64u8 != 0 {
+            let _ = steps.push(StationsStep::Wait);
+        }
+        if self.situation[0usize] & 2u8 != 0 {
+            let _ = steps.push(StationsStep::Drill);
+        }
+        if self.situation[0usize] & 4u8 != 0 {
+            let _ = steps.push(StationsStep::Drilled);
+        }
+        if self.situation[0usize] & 8u8 != 0 {
+            let _ = steps.push(StationsStep::Test);
+        }
+        if self.situation[0usize] & 16u8 != 0 {
+            let _ = steps.push(StationsStep::Tested);
+        }
+        if self.situation[0usize] & 32u8 != 0 {
+            let _ = steps.push(StationsStep::Out);
+        }
+        steps
+    }
+    /// The situation: which steps are active.
+    #[must_use]
+    pub const fn situation(&self) -> StationsSituation {
+        let mut steps = self.situation;
+        if self.situation[0usize] & 64u8 != 0 {
+            steps = [1u8];
+        }
+        steps[0usize] &= !128u8;
+        StationsSituation { steps }
+    }
+    /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
+    /// and keeps the situation it had reached (decision A30).
+    #[must_use]
+    pub const fn is_stable(&self) -> ::grafcet::__private::bool {
+        self.situation[0usize] & 128u8 == 0
+    }
+    /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+    /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+    /// "scan again at once"; `None` means "only an input can change anything".
+    #[must_use]
+    pub fn next_deadline(
+        &self,
+    ) -> ::grafcet::__private::Option<::grafcet::__private::Ticks> {
+        if !self.settled {
+            return ::grafcet::__private::Option::Some(self.now);
+        }
+        let mut soonest = ::grafcet::__private::Option::None;
+        if self.situation[0usize] & 32u8 != 0 {
+            soonest = ::grafcet::__private::sooner(
+                soonest,
+                ::grafcet::__private::until(
+                    self.since_5,
+                    ::grafcet::__private::Ticks::new(2000u32),
+                ),
+            );
+        }
+        match soonest {
+            ::grafcet::__private::Option::Some(time) => {
+                ::grafcet::__private::Option::Some(self.now.after(time))
+            }
+            ::grafcet::__private::Option::None => ::grafcet::__private::Option::None,
+        }
+    }
+    /// A duration in the chart's clock unit, rounded up.
+    #[must_use]
+    pub const fn ticks(
+        duration: ::grafcet::__private::core::time::Duration,
+    ) -> ::grafcet::__private::Ticks {
+        ::grafcet::__private::Ticks::from_duration(duration, 1000000)
+    }
+}
+impl ::grafcet::__private::Chart for Stations {
+    type Inputs = StationsInputs;
+    type Outputs = StationsOutputs;
+    type Step = StationsStep;
+    type Transition = StationsTransition;
+    type Situation = StationsSituation;
+    type Actions<'a> = ();
+    const NAME: &'static ::grafcet::__private::str = "Stations";
+    const STEPS: &'static [StationsStep] = &[
+        StationsStep::Wait,
+        StationsStep::Drill,
+        StationsStep::Drilled,
+        StationsStep::Test,
+        StationsStep::Tested,
+        StationsStep::Out,
+    ];
+    const TRANSITIONS: &'static [StationsTransition] = &[
+        StationsTransition::WaitToDrillAndTest,
+        StationsTransition::DrillToDrilled,
+        StationsTransition::TestToTested,
+        StationsTransition::DrilledAndTestedToOut,
+        StationsTransition::OutToWait,
+    ];
+    fn scan(
+        &mut self,
+        inputs: &StationsInputs,
+        now: ::grafcet::__private::Ticks,
+        _actions: &mut Self::Actions<'_>,
+    ) -> StationsOutputs {
+        self.cycle(inputs, now)
+    }
+    fn init(&mut self) {
+        self.init();
+    }
+    fn is_active(&self, step: StationsStep) -> ::grafcet::__private::bool {
+        self.is_active(step)
+    }
+    fn situation(&self) -> StationsSituation {
+        self.situation()
+    }
+}
+impl Stations {
+    /// What the chart looks like: its steps, transitions and actions as they stand in the source.
+    pub const CHART: ::grafcet::__private::description::Description<'static> = {
+        use ::grafcet::__private::description as d;
+        const CHART: d::Description<'static> = d::Description {
+            name: "Stations",
+            dialect: d::Dialect::Grafcet,
+            partials: &[d::Partial::new("")],
+            macros: &[],
+            steps: &[
+                d::Step::new("Wait", 0, &[], &[]).initial(),
+                d::Step::new(
+                    "Drill",
+                    0,
+                    &[
+                        d::Action::new("S", "", "", "motor"),
+                        d::Action::new("N", "", "", "drill"),
+                    ],
+                    &[],
+                ),
+                d::Step::new("Drilled", 0, &[], &[]),
+                d::Step::new("Test", 0, &[d::Action::new("N", "", "", "test")], &[]),
+                d::Step::new("Tested", 0, &[], &[]),
+                d::Step::new("Out", 0, &[d::Action::new("R", "", "", "motor")], &[]),
+            ],
+            transitions: &[
+                d::Transition::new("", &[0], &[1, 3], "part", &[]),
+                d::Transition::new("", &[1], &[2], "drilled", &[]),
+                d::Transition::new("", &[3], &[4], "tested", &[]),
+                d::Transition::new("", &[2, 4], &[5], "!part", &[]),
+                d::Transition::new("", &[5], &[0], "2s/Out", &[]),
+            ],
+        };
+        CHART
+    };
+}
+impl ::grafcet::__private::ActiveSteps for StationsSituation {
+    fn is_active_at(
+        &self,
+        step: ::grafcet::__private::usize,
+    ) -> ::grafcet::__private::bool {
+        match <Stations as ::grafcet::__private::Chart>::STEPS.get(step) {
+            ::grafcet::__private::Option::Some(active) => self.is_active(*active),
+            ::grafcet::__private::Option::None => false,
+        }
+    }
+}
+#[allow(unexpected_cfgs)]
+const _: () = {
+    #[cfg(rust_analyzer)]
+    fn mentions(outputs: &StationsOutputs) {
+        let _ = [
+            StationsStep::Wait,
+            StationsStep::Drill,
+            StationsStep::Test,
+            StationsStep::Drill,
+            StationsStep::Drilled,
+            StationsStep::Test,
+            StationsStep::Tested,
+            StationsStep::Drilled,
+            StationsStep::Tested,
+            StationsStep::Out,
+            StationsStep::Wait,
+            StationsStep::Out,
+        ];
+        let _ = (&outputs.motor, &outputs.drill, &outputs.test, &outputs.motor);
+    }
+};
