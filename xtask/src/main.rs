@@ -41,8 +41,8 @@ Usage: cargo xtask <task>
   interface [record]
             the public interfaces beside those in tests/interface (cargo-public-api), or records them anew
   packages  pack and build what is published, check sets of features and the oldest dependencies allowed
-  release   before a release: licences and advisories (cargo-deny), the interfaces as `interface` does and beside the last
-            release (cargo-semver-checks)
+  release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
+            beside the last release (cargo-semver-checks)
   msrv      check the crates that ship with the oldest supported Rust
 ";
 

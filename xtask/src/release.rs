@@ -6,8 +6,8 @@ use crate::command::{Result, capture, find, run as run_command};
 use crate::project::{cargo, root};
 use crate::{interface, packages};
 
-/// Checks licences, advisories and sources (`deny.toml`), that the public interfaces are those recorded, and that none has
-/// changed more since the last release than the version says.
+/// Checks licences, advisories and sources (`deny.toml`), all sets of features, that the public interfaces are those recorded, and
+/// that none has changed more since the last release than the version says.
 ///
 /// # Errors
 /// A tool is missing, or one of the checks fails.
@@ -16,6 +16,7 @@ pub(crate) fn run() -> Result {
         find(name).ok_or_else(|| format!("{name} is not in the PATH: `cargo install --locked {name}`"))?;
     }
     run_command(&mut cargo(&["deny", "check"]))?;
+    packages::all_features()?;
     interface::compare()?;
     let tags =
         capture(Command::new("git").args(["tag", "--list", "v*", "--sort=-version:refname"]).current_dir(root()))?;
