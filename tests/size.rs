@@ -239,7 +239,7 @@ fn long_sequences() {
 fn encoding_is_documented() {
     let said = |chart: TokenStream| {
         let tokens = charts::expand(chart).to_string();
-        let text = tokens.split("The situation takes ").nth(1).map(|rest| rest.split(".").next().unwrap_or_default());
+        let text = tokens.split("The situation takes ").nth(1).map(|rest| rest.split('.').next().unwrap_or_default());
         text.unwrap_or_default().to_owned()
     };
     let said: Vec<String> = charts::charts(include_str!("size.rs")).into_iter().map(said).collect();

@@ -175,7 +175,8 @@ fn runs() {
     let q = timed.cycle(&TimedInputs { inputs: true, now: true, ticks: 7, ..Default::default() }, 1, &mut Silent);
     assert_eq!(q.speed, 8);
     let mut flags = Flags::new();
-    let all = FlagsInputs { first_of_byte: true, byte: true, set: true, moved: true, steps: true, ..Default::default() };
+    let all =
+        FlagsInputs { first_of_byte: true, byte: true, set: true, moved: true, steps: true, ..Default::default() };
     assert!(flags.cycle(&FlagsInputs { before: true, ..Default::default() }).state);
     assert!(flags.cycle(&all).on && flags.is_active(FlagsStep::C0));
     let mut search = Search::new();
