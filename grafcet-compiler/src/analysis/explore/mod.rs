@@ -357,7 +357,7 @@ fn explore_whole(
     seen: &mut Seen,
     thorough: bool,
 ) -> (Graph, Option<Graph>) {
-    let share = if several { budget.limit / 2 } else { budget.limit };
+    let share = if several { budget.limit / 3 } else { budget.limit };
     // What waits may rely on values that nobody can choose.
     let may_wait = !thorough || !net.unfollowed.contains(&true);
     let lazy = may_wait && (!net.grafcet || net.is_calm(None));
