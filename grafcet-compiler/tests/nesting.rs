@@ -105,6 +105,13 @@ fn a_choice_in_time() {
     assert_eq!(told("sfc", never), (false, false));
 }
 
+/// Who waits for too long waits for ever: nothing is proved of what has to be done in time.
+#[test]
+fn in_time() {
+    both_tell("initial step O; step A; O -[a]-> A -[b && A.T < 5s]-> O;", (false, false));
+    both_tell("initial step O; step A; O -[a]-> A -[b && !(5s/A)]-> O;", (false, false));
+}
+
 /// In a `grafcet` several transitions clear together, and inputs can lead on at once.
 #[test]
 fn what_does_not_follow_in_a_grafcet() {

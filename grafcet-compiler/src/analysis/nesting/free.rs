@@ -75,7 +75,7 @@ impl<'m> Groups<'m> {
             }
             let strange = |source: &StepId| *known.entry(*source).or_insert(number) != number;
             let tree = &transition.condition.tree;
-            if sources.iter().any(strange) || all[number].sources != sources || !is_plain(model, tree, &sources) {
+            if sources.iter().any(strange) || all[number].sources != sources || !is_plain(model, tree, &sources, true) {
                 return None;
             }
             all[number].leaving.push(id);
@@ -168,18 +168,26 @@ impl<'m> Groups<'m> {
     }
 }
 
-/// Whether a condition reads inputs, edges of boolean ones, and how long the sources of its transition have been active.
-fn is_plain(model: &Model, tree: &Tree, sources: &[StepId]) -> bool {
+/// Whether a condition reads inputs, edges of boolean ones, and whether the sources of its transition have been active for some
+/// time; not whether they have been for less: who waits for too long would wait for ever. `positive` as in [`at`].
+fn is_plain(model: &Model, tree: &Tree, sources: &[StepId], positive: bool) -> bool {
+    let is_own = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(step)) if sources.contains(step));
+    let is_time = |tree: &Tree| matches!(tree, Tree::Read(Read::Ticks(_) | Read::Name(Name::Param(_))));
     match tree {
-        Tree::Bool(_) | Tree::Int(_) | Tree::Read(Read::Ticks(_) | Read::Name(Name::Input(_) | Name::Param(_))) => true,
-        Tree::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) | Tree::Read(Read::Since(step)) => {
-            sources.contains(step)
-        }
+        Tree::Bool(_) | Tree::Int(_) | Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))) => true,
+        Tree::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) => positive && sources.contains(step),
+        Tree::Binary(Binary::Ge | Binary::Gt, a, b) if is_own(a) && is_time(b) => positive,
+        Tree::Binary(Binary::Le | Binary::Lt, a, b) if is_time(a) && is_own(b) => positive,
         Tree::Read(Read::Rising(edge) | Read::Falling(edge)) => {
             matches!(model.edges[*edge].of.tree, Tree::Read(Read::Name(Name::Input(_))))
         }
-        Tree::Unary(_, inner) => is_plain(model, inner, sources),
-        Tree::Binary(_, a, b) => is_plain(model, a, sources) && is_plain(model, b, sources),
+        Tree::Unary(Unary::Not, inner) => is_plain(model, inner, sources, !positive),
+        Tree::Binary(Binary::And | Binary::Or | Binary::BitAnd | Binary::BitOr, a, b) => {
+            is_plain(model, a, sources, positive) && is_plain(model, b, sources, positive)
+        }
+        // Of what is compared nothing is known to hold the rather.
+        Tree::Unary(_, inner) => is_plain(model, inner, &[], positive),
+        Tree::Binary(_, a, b) => is_plain(model, a, &[], positive) && is_plain(model, b, &[], positive),
         _ => false,
     }
 }
