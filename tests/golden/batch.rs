@@ -855,5 +855,13 @@ const _: () = {
             &outputs.pump,
         );
         let _ = (A::heat, A::heat);
+        {
+            struct Variables {
+                count: ::grafcet::__private::core::primitive::u16,
+            }
+            fn mentions(variables: &Variables) {
+                let _ = (&variables.count,);
+            }
+        }
     }
 };

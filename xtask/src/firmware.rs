@@ -18,7 +18,7 @@ const BOARD: &str = "thumbv7m-none-eabi";
 pub(crate) const FOLDER: &str = "firmware";
 
 /// The manifest of the examples for the board.
-const EXAMPLES_CRATE: &str = "examples/firmware/Cargo.toml";
+pub(crate) const EXAMPLES_CRATE: &str = "examples/firmware/Cargo.toml";
 
 /// The same of the charts as tasks of RTIC and Embassy.
 const RTIC_CRATE: &str = "examples/rtic/Cargo.toml";
@@ -44,7 +44,8 @@ const CHECKED: [(&str, &str); 2] = [("thumbv7em-none-eabihf", "--bins"), ("riscv
 const IMAGE: &str = "lm3s6965evb";
 
 /// The examples in the order in which the firmware plays their scripts.
-const EXAMPLES: [&str; 7] = ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "controller"];
+pub(crate) const EXAMPLES: [&str; 7] =
+    ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "controller"];
 
 /// An emulated board ends within a fraction of a second; one that has not by then hangs.
 const LIMIT: Duration = Duration::from_secs(60);

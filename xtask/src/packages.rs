@@ -1,14 +1,13 @@
 //! What is published: the packages in their order, sets of features, the oldest dependencies that the manifests allow.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
 use crate::command::{Result, capture, run as run_command};
-use crate::project::{self, cargo, root};
+use crate::project::{self, cargo, remove, root};
 
 /// All that is checked here.
 ///
@@ -109,14 +108,6 @@ fn copy_into(folder: &Path) -> Result {
         fs::copy(root().join(file), &copy).map_err(|error| failed(&copy, error))?;
     }
     Ok(())
-}
-
-/// Removes a folder, where it is there.
-fn remove(folder: &Path) -> Result {
-    match fs::remove_dir_all(folder) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(format!("{}: {error}", folder.display())),
-        _ => Ok(()),
-    }
 }
 
 /// A crate that is published.
