@@ -136,6 +136,16 @@ fn what_does_not_follow_in_a_grafcet() {
     assert_eq!((told("sfc", passing), told("grafcet", passing)), ((true, true), (false, false)));
 }
 
+/// Inputs can lead on at once for several steps: behind the convergence every round comes past `O` with `b` and `c`.
+#[test]
+fn passing_through_a_home_step() {
+    let chart = "initial step H; step O; step A; step B; step C; step E; step F; step G; H -[b]-> O -[c]-> (A, B); \
+                 A -[a]-> (C, E); (C, E) -[!c]-> F; (F, B) -[b && c]-> G -[true]-> H;";
+    assert_eq!((told("sfc", chart).1, told("grafcet", chart).1), (true, false));
+    let waits = chart.replace("G -[true]", "G -[!b]");
+    assert!(told("grafcet", &waits).1);
+}
+
 /// Values that actions write, other steps and Rust that is not looked into are left to the exploration.
 #[test]
 fn conditions_that_are_not_about_inputs() {

@@ -32,13 +32,15 @@ struct Group {
     leaving: Vec<TransitionId>,
     /// The transitions that lead to one of the steps.
     entering: Vec<TransitionId>,
+    /// The groups to whose steps those that leave lead.
+    next: Vec<usize>,
     /// A condition does not only wait for times, so that one can come too late.
     hurries: bool,
 }
 
 impl Group {
     fn of(sources: &[StepId]) -> Self {
-        Self { sources: sources.to_vec(), leaving: Vec::new(), entering: Vec::new(), hurries: false }
+        Self { sources: sources.to_vec(), leaving: Vec::new(), entering: Vec::new(), next: Vec::new(), hurries: false }
     }
 }
 
@@ -62,7 +64,12 @@ struct Groups<'m> {
     /// By transition.
     of: Vec<usize>,
     readings: Vec<Reading>,
+    /// See [`Groups::resting`].
+    resting: Vec<bool>,
 }
+
+/// How many transitions that lead on at once are looked at.
+const CHAIN: usize = 3;
 
 /// What shall hold, and what shall not.
 type Goals<'g> = Vec<(&'g Condition, bool)>;
@@ -98,9 +105,14 @@ impl<'m> Groups<'m> {
                 transition.targets.iter().filter_map(|target| known.get(target).copied()).collect();
             for group in groups {
                 all[group].entering.push(id);
+                all[of[id.index()]].next.push(group);
             }
         }
-        Some(Self { model, logic, all, of, readings })
+        let mut groups = Self { model, logic, all, of, readings, resting: Vec::new() };
+        if model.is_grafcet() {
+            groups.resting = groups.resting();
+        }
+        Some(groups)
     }
 
     fn is_free(&self, group: &Group) -> bool {
@@ -132,19 +144,43 @@ impl<'m> Groups<'m> {
         !self.model.is_grafcet() || group.entering.iter().all(|entry| self.rests(group, *entry))
     }
 
-    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to, also where
-    /// it can clear only with the inputs with which the steps before were entered.
+    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to.
     fn rests(&self, group: &Group, entry: TransitionId) -> bool {
-        let before = &self.all[self.of[entry.index()]];
-        let through = |first: &TransitionId| {
-            self.is_calm(&self.all[self.of[first.index()]]) && self.stops(group, &[*first, entry])
-        };
-        self.stops(group, &[entry]) && (self.is_calm(before) || before.entering.iter().all(through))
+        self.comes_to_rest(group, &[entry], &self.resting)
     }
 
-    /// The same where the steps before can be left at any time.
-    fn is_calm(&self, group: &Group) -> bool {
-        group.entering.iter().all(|entry| self.stops(group, &[*entry]))
+    /// The groups in which the chart can come to rest whenever it enters them, on whichever way.
+    fn resting(&self) -> Vec<bool> {
+        let mut resting = vec![true; self.all.len()];
+        let mut open: Vec<usize> = (0..self.all.len()).collect();
+        let mut is_open = resting.clone();
+        while let Some(number) = open.pop() {
+            is_open[number] = false;
+            let group = &self.all[number];
+            let rests = |entry: &TransitionId| self.comes_to_rest(group, &[*entry], &resting);
+            if !resting[number] || group.entering.iter().all(rests) {
+                continue;
+            }
+            resting[number] = false;
+            // What is entered from there has to be looked at again.
+            let mut next: Vec<usize> = vec![number];
+            for _ in 1..CHAIN {
+                next = next.iter().flat_map(|number| &self.all[*number].next).copied().collect();
+                next.sort_unstable();
+                next.dedup();
+                open.extend(next.iter().filter(|number| !std::mem::replace(&mut is_open[**number], true)));
+            }
+        }
+        resting
+    }
+
+    /// Whether a chain of transitions can clear with inputs that do not lead on from the group that it ends in: from where
+    /// the chart can rest, or from wherever it comes.
+    fn comes_to_rest(&self, group: &Group, chain: &[TransitionId], resting: &[bool]) -> bool {
+        let before = self.of[chain[0].index()];
+        let longer = |first: &TransitionId| self.comes_to_rest(group, &[&[*first], chain].concat(), resting);
+        self.stops(group, chain)
+            && (resting[before] || chain.len() < CHAIN && self.all[before].entering.iter().all(longer))
     }
 
     /// Whether transitions can clear with the same inputs, one of the ways of each, and none that leaves the group.
