@@ -105,11 +105,26 @@ fn a_choice_in_time() {
     assert_eq!(told("sfc", never), (false, false));
 }
 
-/// Who waits for too long waits for ever: nothing is proved of what has to be done in time.
+/// Who waits for too long waits for ever: nothing is proved where something has to be done in time, unless there is another
+/// way for who is late.
 #[test]
 fn in_time() {
     both_tell("initial step O; step A; O -[a]-> A -[b && A.T < 5s]-> O;", (false, false));
     both_tell("initial step O; step A; O -[a]-> A -[b && !(5s/A)]-> O;", (false, false));
+    both_tell("initial step O; step A; step B; O -[a]-> A -[b && !(5s/A)]-> O; A -[5s/A]-> B -[c]-> O;", (false, true));
+    both_tell(
+        "initial step O; step A; step B; O -[a]-> A -[b && 5s > A.T]-> O; A -[c && 5s <= A.T]-> B -[!a]-> O;",
+        (true, true),
+    );
+    both_tell(
+        "initial step O; step A; step B; O -[a]-> A -[b && A.T < 5s]-> O; A -[c && !b && A.T < 5s]-> B -[c]-> O;",
+        (false, false),
+    );
+    // One of the two would have to be in time.
+    both_tell(
+        "initial step O; step A; step B; O -[a]-> (A, B); (A, B) -[b && A.T >= 5s && B.T < 5s]-> O;",
+        (false, false),
+    );
 }
 
 /// In a `grafcet` several transitions clear together, and inputs can lead on at once.
@@ -119,6 +134,16 @@ fn what_does_not_follow_in_a_grafcet() {
     assert_eq!((told("sfc", overlapping), told("grafcet", overlapping)), ((true, true), (false, false)));
     let passing = "initial step O; step A; O -[a]-> A -[a]-> O;";
     assert_eq!((told("sfc", passing), told("grafcet", passing)), ((true, true), (false, false)));
+}
+
+/// Inputs can lead on at once for several steps: behind the convergence every round comes past `O` with `b` and `c`.
+#[test]
+fn passing_through_a_home_step() {
+    let chart = "initial step H; step O; step A; step B; step C; step E; step F; step G; H -[b]-> O -[c]-> (A, B); \
+                 A -[a]-> (C, E); (C, E) -[!c]-> F; (F, B) -[b && c]-> G -[true]-> H;";
+    assert_eq!((told("sfc", chart).1, told("grafcet", chart).1), (true, false));
+    let waits = chart.replace("G -[true]", "G -[!b]");
+    assert!(told("grafcet", &waits).1);
 }
 
 /// Values that actions write, other steps and Rust that is not looked into are left to the exploration.

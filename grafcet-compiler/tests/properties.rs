@@ -378,3 +378,51 @@ fn long() {
         assert!(said.iter().all(undecided), "{said:?}");
     }
 }
+
+/// The time of an active step only grows: who has to do something in time can be too late.
+#[test]
+fn in_time() {
+    let both = |steps: &str| {
+        ["sfc", "grafcet"].map(|dialect| {
+            format!(
+                "#[allow(grafcet::unused_input)] {dialect} C {{ input a, b, c: bool; initial step O; {steps} home O; }}"
+            )
+        })
+    };
+    let late = |steps: &str, word: &str| {
+        for chart in both(steps) {
+            fails(&chart, "not_home", word);
+        }
+    };
+    let kept = |steps: &str| both(steps).iter().for_each(|chart| holds(chart));
+    late(
+        "step A; O -[a]-> A -[b && A.T < 5s]-> O;",
+        "who waits in `A` until `A.T >= 5s` has no way back to exactly `O`",
+    );
+    late("step A; O -[a]-> A -[b && !(5s/A)]-> O;", "until `A.T >= 5s`");
+    late("step A; step B; O -[a]-> A -[b]-> B -[c && A.X || B.T == 5s]-> O;", "until `B.T >= 5001ms`");
+    // Whoever is late has another way, or begins anew.
+    kept("step A; step B; O -[a]-> A -[b && A.T < 5s]-> O; A -[A.T >= 5s]-> B -[b]-> O;");
+    kept("step A; step B; O -[a]-> A -[b && A.T < 5s]-> O; A -[!b && c]-> B -[a && B.T >= 2s]-> A;");
+    // Nobody has to wait here, but the next cycle can come late.
+    late("step A; step B; O -[a]-> A -[b && A.T < 5s]-> O; A -[!b && A.T < 5s]-> B -[b]-> O;", "until `A.T >= 5s`");
+    // The time of another step, which goes on.
+    late(
+        "step A; step B; step C; step E; O -[a]-> (A, B); B -[c && A.T < 5s]-> C; B -[!c && b]-> E -[!b]-> B; (A, C) -[b]-> O;",
+        "until `A.T >= 5s`",
+    );
+}
+
+/// A property is not broken by a time that falls back.
+#[test]
+fn times_that_pass() {
+    let chart = |property: &str| {
+        format!(
+            "sfc C {{ input a: bool; output late, quick: bool; initial step O {{ R late; }} \
+             step A {{ S late if A.T >= 5s; N quick if A.T < 5s; }} O -[a]-> A -[a]-> O; {property} }}"
+        )
+    };
+    holds(&chart("never late && quick;"));
+    let table = fails(&chart("never late && A.X;"), "property_violated", "cycle 3");
+    assert_eq!(table[3], "3     | !a, A.T >= 5s | -       | A");
+}

@@ -2,10 +2,10 @@
 //!
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
-use crate::analysis::explore::{Answer, Doubt, Exploration, Limits, Path, situation, text};
+use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, situation, text};
 use crate::analysis::{Logic, Nesting, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
-use crate::model::{Claim, LevelAttr, Model, Property, StepId, Tree};
+use crate::model::{Claim, LevelAttr, Model, Property, Read, StepId, Tree};
 
 /// Returns the exploration, for the other rules.
 pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&Tree], sink: &mut Sink) -> Exploration {
@@ -95,10 +95,37 @@ impl Report<'_> {
         self.say(&rules::PROPERTY_UNDECIDED, property, vec![(property.mark, message)], sink);
     }
 
+    fn too_late(&self, property: &Property, home: (&str, Mark), times: &[&Given], path: &Path, sink: &mut Sink) {
+        let (model, (home, mark)) = (self.model, home);
+        let texts: Vec<String> = times.iter().map(|given| given.text(model)).collect();
+        let (late, lost) = (texts.join(" && "), situation(model, path.end()));
+        let message = format!(
+            "who waits in `{lost}` until `{late}` has no way back to exactly `{home}`; draw one, or correct the property\n{}",
+            path.table(model)
+        );
+        let mut notes = vec![(mark, message)];
+        for transition in model.transitions.values() {
+            let leaves = transition.sources.iter().all(|source| path.end().contains(source));
+            let reads = |given: &&&Given| transition.condition.reads.iter().any(|read| is_time_of(*read, &given.what));
+            if let Some(time) = times.iter().find(reads).filter(|_| leaves) {
+                let message = format!(
+                    "this condition reads `{}`: once it is too late, it needs another way beside it",
+                    text(model, &time.what)
+                );
+                notes.push((transition.condition.mark, message));
+            }
+        }
+        self.say(&rules::NOT_HOME, property, notes, sink);
+    }
+
     fn not_home(&self, property: &Property, (home, mark): (&[StepId], Mark), path: &Path, sink: &mut Sink) {
         let model = self.model;
         let (home, lost, table) = (situation(model, home), situation(model, path.end()), path.table(model));
         let Some(end) = path.cycles.last().filter(|end| !end.cleared.is_empty()) else {
+            let times = times(path);
+            if !times.is_empty() {
+                return self.too_late(property, (&home, mark), &times, path, sink);
+            }
             let message = format!(
                 "exactly `{home}` is never reached: from `{lost}` on there is no way to it; draw one, or correct the property\n{table}"
             );
@@ -129,4 +156,19 @@ fn grouped(number: u64) -> String {
         text.push(digit);
     }
     text
+}
+
+/// The times that have passed at the end of a way.
+fn times(path: &Path) -> Vec<&Given> {
+    let given = path.cycles.last().into_iter().flat_map(|cycle| &cycle.given);
+    given.filter(|given| matches!(given.what, Tree::Read(Read::Since(_) | Read::MacroSince(_)))).collect()
+}
+
+/// Whether something that is read is this time.
+fn is_time_of(read: Read, time: &Tree) -> bool {
+    match (read, time) {
+        (Read::Since(step) | Read::Elapsed(_, step), Tree::Read(Read::Since(of))) => step == *of,
+        (Read::MacroSince(id) | Read::MacroElapsed(_, id), Tree::Read(Read::MacroSince(of))) => id == *of,
+        _ => false,
+    }
 }

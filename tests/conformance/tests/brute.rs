@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use grafcet_conformance::brute::run::{Kind, Outcome, number};
+use grafcet_conformance::brute::make;
+use grafcet_conformance::brute::run::{self, Kind, Outcome, number};
 
 /// Each chart of a kind, and all differences at once. So many of them have to be compared exactly, so that the test is one.
 fn agree(kind: Kind, exactly: usize) {
@@ -42,6 +43,16 @@ fn sfc_with_times() {
 #[test]
 fn grafcet_with_times() {
     agree(Kind { grafcet: true, timed: true, cycles: FAST }, 0);
+}
+
+/// What is entered by a step that is left and entered at once is left in the next evolution, whatever clears there.
+#[test]
+fn an_enclosure_behind_two_transitions_at_once() {
+    let chart = "initial step S1; initial step S2; step S3; enclosing step S5 { partial G { linked step S6; step S7; S6 -[true]-> S7; } } \
+                 S1 -[c]-> S3 -[a]-> S5; S2 -[a]-> S1;";
+    let text = format!("grafcet C {{\n{}\ninput a, c: bool;\n{chart}\n}}\n", make::allowed());
+    let Outcome::Compared(comparison) = run::chart(&text, FAST).expect("understood") else { panic!("{text}") };
+    assert_eq!(comparison.differences, []);
 }
 
 /// The verdicts of brute force on charts that were thought through by hand.

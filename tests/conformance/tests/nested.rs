@@ -13,6 +13,8 @@ struct Drawing {
     rng: Rng,
     /// Each condition can be waited for, and is about another input than the one before.
     calm: bool,
+    /// Some steps have to be left in time, or not too soon.
+    timed: bool,
     number: usize,
     steps: usize,
     text: String,
@@ -26,6 +28,13 @@ impl Drawing {
     }
 
     fn arrow(&mut self, from: &str, condition: &str, to: &str) {
+        let chance = if self.timed && !from.starts_with('(') { self.rng.below(4) } else { 3 };
+        let condition = match chance {
+            0 => format!("({condition}) && 5s/{from}"),
+            1 => format!("({condition}) && {from}.T < 5s"),
+            2 => format!("({condition}) || !(5s/{from})"),
+            _ => condition.to_owned(),
+        };
         _ = writeln!(self.text, "{from} -[{condition}]-> {to};");
     }
 
@@ -100,8 +109,9 @@ impl Drawing {
     }
 }
 
-fn drawn(seed: u64, dialect: &str) -> String {
-    let mut drawing = Drawing { rng: Rng::new(seed), calm: seed % 2 == 0, number: 0, steps: 0, text: String::new() };
+fn drawn(seed: u64, dialect: &str, timed: bool) -> String {
+    let mut drawing =
+        Drawing { rng: Rng::new(seed), calm: seed % 2 == 0, timed, number: 0, steps: 0, text: String::new() };
     let depth = drawing.rng.between(1, 3);
     let (first, last) = drawing.block(depth, &INPUTS);
     let (start, end) = (drawing.condition(&INPUTS), drawing.condition(&INPUTS));
@@ -112,10 +122,10 @@ fn drawn(seed: u64, dialect: &str) -> String {
 }
 
 /// No difference; and so many ways back are proved, and of so many charts the structure tells all.
-fn agree(dialect: &str, ways: usize, told: usize) {
+fn agree(dialect: &str, timed: bool, ways: usize, told: usize) {
     let (mut differences, mut nested) = (String::new(), [0; 2]);
     for seed in 0..150 {
-        let text = drawn(seed, dialect);
+        let text = drawn(seed, dialect, timed);
         let Outcome::Compared(comparison) = chart(&text, 1500).expect("a chart that the interpreter understands")
         else {
             continue;
@@ -131,11 +141,21 @@ fn agree(dialect: &str, ways: usize, told: usize) {
 
 #[test]
 fn sfc() {
-    agree("sfc", 100, 20);
+    agree("sfc", false, 100, 20);
 }
 
 #[test]
 fn grafcet() {
     // Inputs that lead on at once leave little to be said.
-    agree("grafcet", 20, 4);
+    agree("grafcet", false, 20, 4);
+}
+
+#[test]
+fn timed_sfc() {
+    agree("sfc", true, 40, 1);
+}
+
+#[test]
+fn timed_grafcet() {
+    agree("grafcet", true, 20, 1);
 }

@@ -38,4 +38,21 @@ grafcet! {
     }
 }
 
+grafcet! {
+    sfc TwoHands {
+        input left, right: bool;
+        output press: bool;
+
+        initial step Released;
+        step One;
+        step Pressed { N press; }
+
+        Released -[left || right]-> One;
+        One -[left && right && One.T < 500ms]-> Pressed;
+        Pressed -[!left || !right]-> Released;
+
+        home Released;
+    }
+}
+
 fn main() {}

@@ -77,7 +77,8 @@ pub(super) fn end(scene: &Scene<'_>, when: When) -> State {
     for slot in &scene.net.shown_slots {
         slots[*slot] = scene.net.initial_slots[*slot];
     }
-    State { first: false, active: active.clone().into_boxed_slice(), slots: slots.into_boxed_slice(), before }
+    let (active, slots) = (active.clone().into_boxed_slice(), slots.into_boxed_slice());
+    State { first: false, active, slots, before, ages: Box::default() }
 }
 
 /// `(active − left) ∪ targets`, ascending.

@@ -1,12 +1,12 @@
 //! Whether there is always a way back to a situation.
 
-use super::graph::backwards;
+use super::future::backwards;
+use super::graph::{Edge, Graph, Seen};
 use super::knowledge::Known;
 use super::net::Net;
-use super::search::{Edge, Graph, Seen};
 use super::slots::Bit;
 use super::verdicts::Report;
-use super::{Answer, Budget, Doubt, Exploration, explore_whole};
+use super::{Answer, Budget, Detail, Doubt, Exploration, explore_whole};
 use crate::model::{Id, StepId, Tree};
 
 /// In how many cases it is looked whether one of several ways exists.
@@ -29,7 +29,7 @@ impl Exploration {
         let report = Report { net: &self.net, graph };
         let mut doubtful = None;
         for state in lost {
-            let path = report.path_to(state);
+            let path = report.path_to_age(state);
             if path.granted.is_empty() {
                 return Answer::Possible(path);
             }
@@ -45,13 +45,14 @@ impl Exploration {
     fn is_plain(&self) -> bool {
         let net = &self.net;
         net.edges.iter().all(Option::is_none)
+            && net.clocks.is_empty()
             && !net.unfollowed.contains(&true)
             && !net.initial_slots.contains(&Bit::Any)
     }
 
     fn explored_thoroughly(&self) -> Graph {
         let mut budget = Budget { limit: self.limit, work: 0 };
-        explore_whole(&self.net, false, &mut budget, &mut Seen::nothing(&self.net), true).0
+        explore_whole(&self.net, false, &mut budget, &mut Seen::nothing(&self.net), Detail::Thorough).0
     }
 }
 

@@ -7,17 +7,22 @@
 //! - `formula`, `compile`, `net`: the chart, its conditions over numbered atoms
 //! - `scene`, `tape`, `knowledge`: one cycle's valuation, as far as it has been asked for
 //! - `sfc`, `grafcet`, `hierarchy`, `writes`: what a cycle does
-//! - `search`, `graph`, `verdicts`: from situation to situation, and what follows
+//! - `clocks`: times that have to be followed from cycle to cycle
+//! - `search`, `leaf`, `graph`: from situation to situation
+//! - `future`, `verdicts`, `home`: what follows
 
 mod actions;
+mod clocks;
 mod compile;
 mod cycle;
 mod formula;
+mod future;
 mod grafcet;
 mod graph;
 mod hierarchy;
 mod home;
 mod knowledge;
+mod leaf;
 mod net;
 mod path;
 mod scene;
@@ -37,9 +42,10 @@ use std::collections::BTreeMap;
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation, text};
 pub use tokens::{Meeting, Parting};
 
-use self::graph::Future;
+use self::future::Future;
+use self::graph::{Graph, Seen};
 use self::net::Net;
-use self::search::{Graph, Search, Seen};
+use self::search::Search;
 use self::verdicts::Report;
 use self::ways::Ways;
 use super::{Concurrency, Nesting};
@@ -110,8 +116,8 @@ pub struct Exploration {
     max_active: Option<usize>,
     /// Something was taken as unknown.
     approximate: bool,
-    /// Per watched expression the shortest way to its holding.
-    watched: Vec<Option<Path>>,
+    /// Per watched expression whether it can hold.
+    watched: Vec<Answer>,
     limit: u64,
     work: u64,
 }
@@ -142,14 +148,16 @@ impl Exploration {
         let nesting = Nesting::of(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
         let is_told = nesting.is_some_and(|nesting| nesting.tells_all(assumed_never));
         let mut budget = Budget { limit: if limits.only_ways || is_told { 0 } else { limit }, work: 0 };
-        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, false);
+        let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut seen, Detail::Rough);
         // In a `grafcet` a search for stability that does not come to an end stops wherever its bound lies.
         let approximate = net.approximate || net.grafcet && sooner.is_some();
-        let watched = (0..net.watched.len()).map(|index| {
-            let graphs = sooner.iter().chain([&whole]);
-            graphs.into_iter().find_map(|graph| Report { net: &net, graph }.path_to_watched(index))
-        });
-        let watched = watched.collect();
+        let mut watched = answers(&net, sooner.as_ref(), &whole);
+        if !net.clocks.is_empty() && watched.iter().any(|answer| *answer != Answer::Never) {
+            // Times that fall back may be what makes it possible.
+            let mut budget = Budget { limit, work: 0 };
+            let (whole, sooner) = explore_whole(&net, several, &mut budget, &mut Seen::nothing(&net), Detail::Timed);
+            watched = answers(&net, sooner.as_ref(), &whole);
+        }
         let mut covered = vec![whole.complete; net.units];
         let structure = (!whole.complete).then(|| Concurrency::assuming(model, assumed_never).across_partials(model));
         net.structure = structure;
@@ -319,13 +327,22 @@ impl Exploration {
     /// Whether the watched expression can hold at the end of a cycle.
     #[must_use]
     pub fn watched(&self, index: usize) -> Answer {
-        match &self.watched[index] {
-            Some(path) if path.granted.is_empty() => Answer::Possible(path.clone()),
-            Some(path) => Answer::Unknown(Doubt::Unfollowed(path.granted.clone())),
-            None if self.whole.complete && !self.whole.cut_off => Answer::Never,
+        self.watched[index].clone()
+    }
+}
+
+/// Per watched expression whether it can hold.
+fn answers(net: &Net, sooner: Option<&Graph>, whole: &Graph) -> Vec<Answer> {
+    let answer = |index| {
+        let mut graphs = sooner.into_iter().chain([whole]);
+        match graphs.find_map(|graph| Report { net, graph }.path_to_watched(index)) {
+            Some(path) if path.granted.is_empty() => Answer::Possible(path),
+            Some(path) => Answer::Unknown(Doubt::Unfollowed(path.granted)),
+            None if whole.complete && !whole.cut_off => Answer::Never,
             None => Answer::Unknown(Doubt::Budget),
         }
-    }
+    };
+    (0..net.watched.len()).map(answer).collect()
 }
 
 /// The units of work that are left.
@@ -346,6 +363,17 @@ impl Budget {
     }
 }
 
+/// How closely the chart is looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Detail {
+    /// Times count as unknown.
+    Rough,
+    /// See [`Search::with_time`].
+    Timed,
+    /// See [`Search::thoroughly`].
+    Thorough,
+}
+
 /// The whole chart, as far as the budget suffices; and the graph of a first attempt that was given up.
 ///
 /// First everything is tried in all combinations, which gives the shortest ways, then not what has nothing to do with
@@ -355,15 +383,23 @@ fn explore_whole(
     several: bool,
     budget: &mut Budget,
     seen: &mut Seen,
-    thorough: bool,
+    detail: Detail,
 ) -> (Graph, Option<Graph>) {
     let share = if several { budget.limit / 3 } else { budget.limit };
-    // What waits may rely on values that nobody can choose.
-    let may_wait = !thorough || !net.unfollowed.contains(&true);
+    // What waits may rely on values that nobody can choose, or on a time that does not stand still.
+    let may_wait = match detail {
+        Detail::Rough => true,
+        Detail::Timed => net.clocks.is_empty(),
+        Detail::Thorough => net.clocks.is_empty() && !net.unfollowed.contains(&true),
+    };
     let lazy = may_wait && (!net.grafcet || net.is_calm(None));
     let mut run = |lazy: bool, limit: u64| {
         let search = Search::new(net, None, lazy, limit.saturating_sub(budget.work), seen);
-        budget.run(if thorough { search.thoroughly() } else { search })
+        budget.run(match detail {
+            Detail::Rough => search,
+            Detail::Timed => search.with_time(),
+            Detail::Thorough => search.thoroughly(),
+        })
     };
     let graph = run(false, if lazy { share / 3 } else { share });
     if graph.complete || !lazy {

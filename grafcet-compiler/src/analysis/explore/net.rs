@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::actions::{self, Actions};
+use super::clocks::{self, Clock};
 use super::compile::Compiler;
 use super::formula::{Atom, Formula, Kind};
 use super::slots::{Bit, Slots};
@@ -81,6 +82,8 @@ pub(super) struct Net {
     pub(super) is_common: Vec<bool>,
     /// See [`unfollowed::atoms`].
     pub(super) unfollowed: Vec<bool>,
+    /// Times that have to be followed, where that is asked for.
+    pub(super) clocks: Vec<Clock>,
     /// Steps and transitions with actions that write what is not followed.
     pub(super) writes_more: (Vec<bool>, Vec<bool>),
     /// See [`Net::is_calm`]: of the whole chart, and of each piece alone.
@@ -135,6 +138,7 @@ impl Net {
             is_edge_atom: vec![false; count],
             is_common: vec![false; count],
             unfollowed,
+            clocks: Vec::new(),
             writes_more: unfollowed::writers(model, &slots),
             calm: (true, vec![true; units]),
             watched,
@@ -150,6 +154,7 @@ impl Net {
         net.note_edges();
         net.note_common();
         net.note_calm();
+        net.clocks = clocks::of(&net);
         net
     }
 
@@ -281,6 +286,13 @@ impl Net {
             *atoms = with_assumed(std::mem::take(atoms), &assumed);
             atoms.sort_unstable();
         }
+    }
+
+    /// All that is evaluated.
+    pub(super) fn formulas(&self) -> impl Iterator<Item = &Formula> {
+        let conditions = self.arcs.iter().map(|arc| &arc.condition);
+        let parts = self.shared.iter().chain(self.edges.iter().flatten()).chain(&self.watched);
+        conditions.chain(parts).chain(self.actions.formulas())
     }
 
     fn atoms_of(&self, formula: &Formula) -> Vec<usize> {

@@ -3,153 +3,39 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use super::cycle::{self, Done};
-use super::knowledge::{Known, Learnt};
+use super::cycle;
+use super::graph::{Cycle, Doubled, Edge, Graph, Origin, Seen};
+use super::leaf::Leaf;
 use super::net::Net;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
 use super::waiting;
-use crate::analysis::Relation;
-
-/// What was seen on the way, in any part of the chart.
-#[derive(Debug)]
-pub(super) struct Seen {
-    /// Steps that were active, transient situations included.
-    pub(super) reachable: Vec<bool>,
-    pub(super) enabled: Vec<bool>,
-    pub(super) able: Vec<bool>,
-    /// Pairs of steps that were active together.
-    pub(super) together: Relation,
-}
-
-impl Seen {
-    pub(super) fn nothing(net: &Net) -> Self {
-        let arcs = net.arcs.len();
-        let steps = net.leaving.len();
-        Self {
-            reachable: vec![false; steps],
-            enabled: vec![false; arcs],
-            able: vec![false; arcs],
-            together: Relation::new(steps),
-        }
-    }
-
-    fn situation(&mut self, active: &[usize]) {
-        for (position, step) in active.iter().enumerate() {
-            self.reachable[*step] = true;
-            for other in &active[position + 1..] {
-                self.together.insert(*step, *other);
-            }
-        }
-    }
-}
-
-/// How a state was reached first.
-#[derive(Debug)]
-pub(super) struct Origin {
-    pub(super) from: usize,
-    pub(super) cycle: Cycle,
-}
-
-/// One cycle.
-#[derive(Clone, Debug)]
-pub(super) struct Cycle {
-    pub(super) given: Vec<(usize, Known)>,
-    /// What it demands of the cycle before, because of edges.
-    pub(super) past: Vec<(usize, Known)>,
-    /// What it takes for granted of atoms that are not followed.
-    pub(super) granted: Learnt,
-    pub(super) cleared: Vec<usize>,
-}
-
-/// A cycle from one state to another; those that differ in their inputs only are one.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) struct Edge {
-    pub(super) to: usize,
-    pub(super) cleared: Box<[usize]>,
-    /// AND-convergences enabled by a situation inside the cycle.
-    pub(super) joins: Box<[usize]>,
-    /// Steps that what stands above has left or entered in between.
-    pub(super) changed: Box<[usize]>,
-    /// In a thorough search what it takes for granted, as values that atoms have before the cycle; none where it is not that
-    /// simple.
-    pub(super) granted: Option<Box<[(usize, Known)]>>,
-}
-
-/// A cycle that activates a step while it is active.
-#[derive(Debug)]
-pub(super) struct Doubled {
-    pub(super) from: usize,
-    pub(super) cycle: Cycle,
-    pub(super) by: usize,
-    /// The situation at its end.
-    pub(super) end: Box<[usize]>,
-}
-
-/// The states of a chart, or of a piece of it.
-#[derive(Debug)]
-pub(super) struct Graph {
-    pub(super) unit: Option<usize>,
-    pub(super) states: Vec<Rc<State>>,
-    pub(super) origins: Vec<Option<Origin>>,
-    pub(super) edges: Vec<Vec<Edge>>,
-    /// States that stand for what another part of the chart does to this one.
-    pub(super) entries: Vec<usize>,
-    /// The steps that were activated while they were active.
-    pub(super) doubled: BTreeMap<usize, Doubled>,
-    /// Per watched expression: from which state on which cycle ends with it holding, and the state at its end.
-    pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
-    /// All of it was explored.
-    pub(super) complete: bool,
-    /// Not everything was tried in all combinations, and a search for stability did not come to its end: it stops elsewhere
-    /// when more clears at once.
-    pub(super) cut_off: bool,
-}
-
-/// The outcome of one run.
-pub(super) struct Leaf {
-    next: State,
-    pub(super) done: Done,
-    cycle: Cycle,
-    late: bool,
-    /// The watched expressions that hold, each with what it takes.
-    watched: Vec<(usize, Cycle)>,
-}
 
 /// Explores one piece of a chart, or all of it.
 pub(super) struct Search<'n, 's> {
     pub(super) scene: Scene<'n>,
     pub(super) graph: Graph,
-    index: BTreeMap<Rc<State>, usize>,
+    pub(super) index: BTreeMap<Rc<State>, usize>,
     pub(super) seen: &'s mut Seen,
     pub(super) limit: u64,
     /// Slots that other pieces write, too.
-    foreign: Vec<usize>,
+    pub(super) foreign: Vec<usize>,
     /// What has nothing to do with each other is not tried in all combinations.
     lazy: bool,
     /// Orders or an enclosing step can hold the piece as it is.
     commanded: bool,
     /// See [`Search::thoroughly`].
-    thorough: bool,
+    pub(super) thorough: bool,
+    /// See [`Search::with_time`].
+    pub(super) timed: bool,
 }
 
 impl<'n, 's> Search<'n, 's> {
     pub(super) fn new(net: &'n Net, unit: Option<usize>, lazy: bool, limit: u64, seen: &'s mut Seen) -> Self {
         let foreign = unit.map_or_else(Vec::new, |unit| net.foreign_slots(unit));
-        let graph = Graph {
-            unit,
-            states: Vec::new(),
-            origins: Vec::new(),
-            edges: Vec::new(),
-            entries: Vec::new(),
-            doubled: BTreeMap::new(),
-            watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
-            complete: false,
-            cut_off: false,
-        };
         Self {
             scene: Scene::new(net, unit),
-            graph,
+            graph: Graph::of(net, unit),
             index: BTreeMap::new(),
             seen,
             limit,
@@ -157,15 +43,23 @@ impl<'n, 's> Search<'n, 's> {
             lazy,
             commanded: false,
             thorough: false,
+            timed: false,
         }
     }
 
     /// Whatever can be done from a state can be done from each situation that it stands for: what the edges of the next
-    /// cycle compare with is decided, and states that agree in less are not taken for one. The watched expressions are left
-    /// out.
+    /// cycle compare with is decided, and states that agree in less are not taken for one; times are followed. The watched
+    /// expressions are left out.
     pub(super) fn thoroughly(mut self) -> Self {
         self.thorough = true;
+        self.timed = true;
         self.graph.watched.clear();
+        self
+    }
+
+    /// No time falls back: those that have to be followed are.
+    pub(super) fn with_time(mut self) -> Self {
+        self.timed = true;
         self
     }
 
@@ -226,8 +120,8 @@ impl<'n, 's> Search<'n, 's> {
         } else {
             slots.fill(Bit::Any);
         }
-        let state = State { first, active: active.into(), slots: slots.into(), before: Box::default() };
-        self.insert(state, None)
+        let (active, slots) = (active.into(), slots.into());
+        self.insert(State { first, active, slots, before: Box::default(), ages: Box::default() }, None)
     }
 
     /// The number of a state; where one is known that differs by knowing less of the past, it stands for both.
@@ -298,7 +192,7 @@ impl<'n, 's> Search<'n, 's> {
         self.scene.tape.restart();
         loop {
             let (when, done) = cycle::run(&mut self.scene, state, enabled);
-            let leaf = self.leaf(when, done);
+            let leaf = self.leaf(state, when, done);
             if self.scene.spoilt {
                 return None;
             }
@@ -311,83 +205,6 @@ impl<'n, 's> Search<'n, 's> {
             }
             if !self.scene.tape.advance() {
                 return Some(leaves);
-            }
-        }
-    }
-
-    /// What a run has led to; none where the assumptions exclude it, or it shows nothing that another does not.
-    pub(super) fn leaf(&mut self, when: When, done: Done) -> Option<Leaf> {
-        // What the assumptions say belongs to the snapshot with which the next cycle's edges compare.
-        if self.thorough {
-            self.scene.decide_edges(when);
-        }
-        let assumed = self.is_assumed();
-        let mut next = cycle::end(&self.scene, when);
-        for slot in &self.foreign {
-            next.slots[*slot] = Bit::Any;
-        }
-        // What the watched expressions ask for is no part of the way on.
-        let news = !done.doubled.is_empty() || !self.index.contains_key(&next);
-        let (given, past) = if news || self.watches() { self.scene.decided() } else { (Vec::new(), Vec::new()) };
-        let (granted, late) = (self.scene.granted.clone(), self.scene.late);
-        let cycle = Cycle { given, past, granted, cleared: done.cleared.clone() };
-        let holding = self.holding();
-        if !assumed || !self.is_assumed() || self.scene.redundant {
-            return None;
-        }
-        let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
-        Some(Leaf { next, done, cycle, late, watched })
-    }
-
-    /// Whether watched expressions are left that have not been seen to hold.
-    fn watches(&self) -> bool {
-        self.graph.watched.iter().any(Option::is_none)
-    }
-
-    /// Those of them that hold at the end of this run.
-    fn holding(&mut self) -> Vec<usize> {
-        if !self.watches() {
-            return Vec::new();
-        }
-        self.scene.forget_volatile();
-        let net = self.scene.net;
-        let open: Vec<usize> =
-            (0..self.graph.watched.len()).filter(|index| self.graph.watched[*index].is_none()).collect();
-        open.into_iter().filter(|index| self.scene.decide(&net.watched[*index], When::Now)).collect()
-    }
-
-    /// The cycle with what a watched expression asked for, without what others did.
-    fn beside(&self, cycle: &Cycle, index: usize) -> Cycle {
-        let (mut atoms, net) = (Vec::new(), self.scene.net);
-        net.collect(&net.watched[index], &mut atoms, &mut Vec::new());
-        let own = |before: &Learnt, after: Learnt| -> Learnt {
-            let known = |atom: &usize| before.iter().any(|(other, _)| other == atom);
-            after.into_iter().filter(|(atom, _)| atoms.contains(atom) || known(atom)).collect()
-        };
-        let (given, past) = self.scene.decided();
-        Cycle {
-            given: own(&cycle.given, given),
-            past: own(&cycle.past, past),
-            granted: own(&cycle.granted, self.scene.granted.clone()),
-            cleared: cycle.cleared.clone(),
-        }
-    }
-
-    /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before.
-    fn is_assumed(&mut self) -> bool {
-        self.allows(When::Now) && self.allows(When::Before)
-    }
-
-    fn allows(&mut self, when: When) -> bool {
-        let net = self.scene.net;
-        let mut open: Vec<usize> = (0..net.assumed_never.len()).collect();
-        loop {
-            // Only assumptions about something that matters in this run are decided.
-            let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index], when));
-            let Some(touched) = touched else { return true };
-            let index = open.remove(touched);
-            if self.scene.decide_inputs(&net.assumed_never[index], when) {
-                return false;
             }
         }
     }

@@ -46,15 +46,8 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
         let cleared = done.cleared.clone();
         note_doubled(net, &state.active, &left, &cleared, done);
     }
-    if net.actions.is_empty() {
-        // Nothing reads the situation before the evolution any more but edges, which look at the sample.
-        let after = evolve(&state.active, &left, &targets);
-        scene.start = Some(scene.now.clone());
-        scene.now.active = after;
-        return When::Sample;
-    }
     let stayed: Vec<usize> = state.active.iter().filter(|step| !left.contains(step)).copied().collect();
-    let entered = if state.first {
+    let entered: Vec<usize> = if state.first {
         state.active.to_vec()
     } else {
         targets.iter().filter(|step| !stayed.contains(step)).copied().collect()
@@ -62,8 +55,12 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
     let after = evolve(&state.active, &left, &targets);
     scene.start = Some(scene.now.clone());
     scene.now.active = after;
-    scene.forget_volatile();
     scene.fresh.extend(&entered);
+    if net.actions.is_empty() {
+        // Nothing reads the situation before the evolution any more but edges, which look at the sample.
+        return When::Sample;
+    }
+    scene.forget_volatile();
     let before = if state.first { Vec::new() } else { state.active.to_vec() };
     act(scene, &Change { left, entered, before });
     When::Sample

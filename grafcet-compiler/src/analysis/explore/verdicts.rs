@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::formula::Kind;
-use super::graph::Future;
+use super::future::Future;
+use super::graph::{Cycle, Doubled, Graph};
 use super::knowledge::Known;
 use super::net::Net;
 use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
-use super::search::{Cycle, Doubled, Graph};
 use crate::model::{Id, PartialId, StepId, TransitionId};
 
 /// Turns numbers back into names.
@@ -20,6 +20,18 @@ impl Report<'_> {
     /// The shortest way to a state.
     pub(super) fn path_to(&self, state: usize) -> Path {
         self.path_with(state, &[])
+    }
+
+    /// The same, with how late it is at its end, where that is followed.
+    pub(super) fn path_to_age(&self, state: usize) -> Path {
+        let mut path = self.path_to(state);
+        let ages = &self.graph.states[state].ages;
+        if let Some(last) = path.cycles.last_mut().filter(|_| !ages.is_empty()) {
+            let known = |given: &Given| ages.iter().any(|(atom, _)| self.net.atoms[*atom].what == given.what);
+            last.given.retain(|given| !known(given));
+            last.given.extend(ages.iter().filter_map(|age| self.given(age)));
+        }
+        path
     }
 
     /// The same, where at its end this is known of the atoms.
@@ -72,22 +84,24 @@ impl Report<'_> {
         let inputs = |(atom, _): &&(usize, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
         let later: Vec<_> = later.iter().filter(inputs).collect();
         let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
-        let given = sooner.chain(later.iter().copied()).filter_map(|(atom, known)| {
-            let demand = match known {
-                Known::Unknown => return None,
-                Known::Bool(value) => Demand::Is(*value),
-                Known::Range(low, high) => {
-                    let (first, last) = self.net.range(*atom);
-                    Demand::Within((*low > first).then_some(*low), (*high < last).then_some(*high))
-                }
-            };
-            Some(Given { what: self.net.atoms[*atom].what.clone(), demand })
-        });
+        let given = sooner.chain(later.iter().copied()).filter_map(|known| self.given(known));
         PathCycle {
             given: given.collect(),
             cleared: cycle.cleared.iter().map(|transition| TransitionId::new(*transition)).collect(),
             active: steps(active),
         }
+    }
+
+    fn given(&self, (atom, known): &(usize, Known)) -> Option<Given> {
+        let demand = match known {
+            Known::Unknown => return None,
+            Known::Bool(value) => Demand::Is(*value),
+            Known::Range(low, high) => {
+                let (first, last) = self.net.range(*atom);
+                Demand::Within((*low > first).then_some(*low), (*high < last).then_some(*high))
+            }
+        };
+        Some(Given { what: self.net.atoms[*atom].what.clone(), demand })
     }
 
     /// The steps that were activated while they were active.

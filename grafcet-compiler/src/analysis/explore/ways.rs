@@ -8,11 +8,13 @@
 use std::rc::Rc;
 
 use super::cycle;
-use super::graph::{Future, ends};
+use super::future::{Future, ends};
+use super::graph::{Cycle, Graph, Seen};
+use super::leaf::Leaf;
 use super::net::Net;
 use super::path::{Deadlock, StuckJoin};
 use super::scene::{State, When};
-use super::search::{Cycle, Graph, Leaf, Search, Seen};
+use super::search::Search;
 use super::verdicts::Report;
 use super::waiting;
 use crate::model::{Id, TransitionId};
@@ -286,7 +288,7 @@ impl Search<'_, '_> {
         if at.is_some_and(|transition| !done.cleared.contains(&transition)) {
             return None;
         }
-        self.leaf(when, done)
+        self.leaf(state, when, done)
     }
 
     fn is_spent(&self) -> bool {

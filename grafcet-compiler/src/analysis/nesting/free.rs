@@ -32,6 +32,16 @@ struct Group {
     leaving: Vec<TransitionId>,
     /// The transitions that lead to one of the steps.
     entering: Vec<TransitionId>,
+    /// The groups to whose steps those that leave lead.
+    next: Vec<usize>,
+    /// A condition does not only wait for times, so that one can come too late.
+    hurries: bool,
+}
+
+impl Group {
+    fn of(sources: &[StepId]) -> Self {
+        Self { sources: sources.to_vec(), leaving: Vec::new(), entering: Vec::new(), next: Vec::new(), hurries: false }
+    }
 }
 
 /// A condition as it stands, and what it is at some times.
@@ -54,7 +64,12 @@ struct Groups<'m> {
     /// By transition.
     of: Vec<usize>,
     readings: Vec<Reading>,
+    /// See [`Groups::resting`].
+    resting: Vec<bool>,
 }
+
+/// How many transitions that lead on at once are looked at.
+const CHAIN: usize = 3;
 
 /// What shall hold, and what shall not.
 type Goals<'g> = Vec<(&'g Condition, bool)>;
@@ -71,14 +86,15 @@ impl<'m> Groups<'m> {
             sources.sort_unstable();
             let number = *known.get(sources.first()?).unwrap_or(&all.len());
             if number == all.len() {
-                all.push(Group { sources: sources.clone(), leaving: Vec::new(), entering: Vec::new() });
+                all.push(Group::of(&sources));
             }
             let strange = |source: &StepId| *known.entry(*source).or_insert(number) != number;
             let tree = &transition.condition.tree;
-            if sources.iter().any(strange) || all[number].sources != sources || !is_plain(model, tree, &sources, true) {
+            if sources.iter().any(strange) || all[number].sources != sources || !is_plain(model, tree, &sources) {
                 return None;
             }
             all[number].leaving.push(id);
+            all[number].hurries |= hurries(tree, true);
             of.push(number);
             let at = |time| at(tree, time, true).map(|tree| logic.condition(&tree));
             let whole = logic.condition(tree);
@@ -89,9 +105,14 @@ impl<'m> Groups<'m> {
                 transition.targets.iter().filter_map(|target| known.get(target).copied()).collect();
             for group in groups {
                 all[group].entering.push(id);
+                all[of[id.index()]].next.push(group);
             }
         }
-        Some(Self { model, logic, all, of, readings })
+        let mut groups = Self { model, logic, all, of, readings, resting: Vec::new() };
+        if model.is_grafcet() {
+            groups.resting = groups.resting();
+        }
+        Some(groups)
     }
 
     fn is_free(&self, group: &Group) -> bool {
@@ -102,7 +123,14 @@ impl<'m> Groups<'m> {
         let can_clear = |id: &TransitionId| self.ways(*id).iter().any(|goals| self.can_be(goals));
         let alone = group.leaving.len() < 2 || !self.model.is_grafcet();
         let one_way = alone || group.leaving.iter().all(exclusive) && self.is_settled(group);
-        one_way && group.leaving.iter().all(can_clear)
+        one_way && group.leaving.iter().all(can_clear) && self.is_never_too_late(group)
+    }
+
+    /// Whether there is a way on for who has waited for as long as there are times.
+    fn is_never_too_late(&self, group: &Group) -> bool {
+        let late =
+            |id: &TransitionId| self.reading(*id).at(Time::Late).is_some_and(|late| self.can_be(&vec![(late, true)]));
+        group.leaving.is_empty() || !group.hurries || group.leaving.iter().any(late)
     }
 
     /// Whether inputs keep the chart in the steps of a group, however long they have been active.
@@ -116,19 +144,43 @@ impl<'m> Groups<'m> {
         !self.model.is_grafcet() || group.entering.iter().all(|entry| self.rests(group, *entry))
     }
 
-    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to, also where
-    /// it can clear only with the inputs with which the steps before were entered.
+    /// Whether a transition can clear with inputs that do not lead on at once from the steps that it leads to.
     fn rests(&self, group: &Group, entry: TransitionId) -> bool {
-        let before = &self.all[self.of[entry.index()]];
-        let through = |first: &TransitionId| {
-            self.is_calm(&self.all[self.of[first.index()]]) && self.stops(group, &[*first, entry])
-        };
-        self.stops(group, &[entry]) && (self.is_calm(before) || before.entering.iter().all(through))
+        self.comes_to_rest(group, &[entry], &self.resting)
     }
 
-    /// The same where the steps before can be left at any time.
-    fn is_calm(&self, group: &Group) -> bool {
-        group.entering.iter().all(|entry| self.stops(group, &[*entry]))
+    /// The groups in which the chart can come to rest whenever it enters them, on whichever way.
+    fn resting(&self) -> Vec<bool> {
+        let mut resting = vec![true; self.all.len()];
+        let mut open: Vec<usize> = (0..self.all.len()).collect();
+        let mut is_open = resting.clone();
+        while let Some(number) = open.pop() {
+            is_open[number] = false;
+            let group = &self.all[number];
+            let rests = |entry: &TransitionId| self.comes_to_rest(group, &[*entry], &resting);
+            if !resting[number] || group.entering.iter().all(rests) {
+                continue;
+            }
+            resting[number] = false;
+            // What is entered from there has to be looked at again.
+            let mut next: Vec<usize> = vec![number];
+            for _ in 1..CHAIN {
+                next = next.iter().flat_map(|number| &self.all[*number].next).copied().collect();
+                next.sort_unstable();
+                next.dedup();
+                open.extend(next.iter().filter(|number| !std::mem::replace(&mut is_open[**number], true)));
+            }
+        }
+        resting
+    }
+
+    /// Whether a chain of transitions can clear with inputs that do not lead on from the group that it ends in: from where
+    /// the chart can rest, or from wherever it comes.
+    fn comes_to_rest(&self, group: &Group, chain: &[TransitionId], resting: &[bool]) -> bool {
+        let before = self.of[chain[0].index()];
+        let longer = |first: &TransitionId| self.comes_to_rest(group, &[&[*first], chain].concat(), resting);
+        self.stops(group, chain)
+            && (resting[before] || chain.len() < CHAIN && self.all[before].entering.iter().all(longer))
     }
 
     /// Whether transitions can clear with the same inputs, one of the ways of each, and none that leaves the group.
@@ -169,25 +221,56 @@ impl<'m> Groups<'m> {
 }
 
 /// Whether a condition reads inputs, edges of boolean ones, and whether the sources of its transition have been active for some
-/// time; not whether they have been for less: who waits for too long would wait for ever. `positive` as in [`at`].
-fn is_plain(model: &Model, tree: &Tree, sources: &[StepId], positive: bool) -> bool {
-    let is_own = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(step)) if sources.contains(step));
-    let is_time = |tree: &Tree| matches!(tree, Tree::Read(Read::Ticks(_) | Read::Name(Name::Param(_))));
+/// time.
+fn is_plain(model: &Model, tree: &Tree, sources: &[StepId]) -> bool {
+    let is_own = |step: &StepId| sources.contains(step);
     match tree {
         Tree::Bool(_) | Tree::Int(_) | Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))) => true,
-        Tree::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) => positive && sources.contains(step),
-        Tree::Binary(Binary::Ge | Binary::Gt, a, b) if is_own(a) && is_time(b) => positive,
-        Tree::Binary(Binary::Le | Binary::Lt, a, b) if is_time(a) && is_own(b) => positive,
+        Tree::Elapsed(TimeRef::Ticks(_) | TimeRef::Param(_), step) => is_own(step),
         Tree::Read(Read::Rising(edge) | Read::Falling(edge)) => {
             matches!(model.edges[*edge].of.tree, Tree::Read(Read::Name(Name::Input(_))))
         }
-        Tree::Unary(Unary::Not, inner) => is_plain(model, inner, sources, !positive),
+        Tree::Unary(Unary::Not, inner) => is_plain(model, inner, sources),
         Tree::Binary(Binary::And | Binary::Or | Binary::BitAnd | Binary::BitOr, a, b) => {
-            is_plain(model, a, sources, positive) && is_plain(model, b, sources, positive)
+            is_plain(model, a, sources) && is_plain(model, b, sources)
         }
-        // Of what is compared nothing is known to hold the rather.
-        Tree::Unary(_, inner) => is_plain(model, inner, &[], positive),
-        Tree::Binary(_, a, b) => is_plain(model, a, &[], positive) && is_plain(model, b, &[], positive),
+        // Of what is compared it is not known when it holds the rather.
+        Tree::Unary(_, inner) => is_plain(model, inner, &[]),
+        Tree::Binary(operator, a, b) => match since(*operator, a, b) {
+            Some((step, time, _)) => {
+                is_own(&step) && matches!(time, Tree::Read(Read::Ticks(_) | Read::Name(Name::Param(_))))
+            }
+            None => is_plain(model, a, &[]) && is_plain(model, b, &[]),
+        },
+        _ => false,
+    }
+}
+
+/// A comparison of the time of a step with something else: which step, with what, and whether it holds once the time has
+/// passed.
+fn since<'t>(operator: Binary, a: &'t Tree, b: &'t Tree) -> Option<(StepId, &'t Tree, bool)> {
+    let is_late = match operator {
+        Binary::Ge | Binary::Gt => true,
+        Binary::Le | Binary::Lt => false,
+        _ => return None,
+    };
+    match (a, b) {
+        (Tree::Read(Read::Since(_)), Tree::Read(Read::Since(_))) => None,
+        (Tree::Read(Read::Since(step)), time) => Some((*step, time, is_late)),
+        (time, Tree::Read(Read::Since(step))) => Some((*step, time, !is_late)),
+        _ => None,
+    }
+}
+
+/// Whether a plain condition holds the rather as long as a time has not passed, or the less; `positive` as in [`at`].
+fn hurries(tree: &Tree, positive: bool) -> bool {
+    match tree {
+        Tree::Elapsed(..) => !positive,
+        Tree::Unary(_, inner) => hurries(inner, !positive),
+        Tree::Binary(operator, a, b) => match since(*operator, a, b) {
+            Some((.., is_late)) => is_late != positive,
+            None => hurries(a, positive) || hurries(b, positive),
+        },
         _ => false,
     }
 }
@@ -214,12 +297,13 @@ fn at(tree: &Tree, time: Time, positive: bool) -> Option<Tree> {
         Time::Late => true,
         Time::Ever => positive,
     };
-    let is_since = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(_)));
-    let is_time = |tree: &Tree| matches!(tree, Tree::Read(Read::Ticks(1..)));
+    if let Tree::Binary(operator, a, b) = tree {
+        if let Some((_, Tree::Read(Read::Ticks(1..)), is_late)) = since(*operator, a, b) {
+            return Some(Tree::Bool(if time == Time::Ever { positive } else { passed == is_late }));
+        }
+    }
     match tree {
         Tree::Elapsed(TimeRef::Ticks(1..), _) => Some(Tree::Bool(passed)),
-        Tree::Binary(Binary::Ge | Binary::Gt, a, b) if is_since(a) && is_time(b) => Some(Tree::Bool(passed)),
-        Tree::Binary(Binary::Le | Binary::Lt, a, b) if is_time(a) && is_since(b) => Some(Tree::Bool(passed)),
         Tree::Unary(Unary::Not, inner) => Some(Tree::Unary(Unary::Not, Box::new(at(inner, time, !positive)?))),
         Tree::Binary(operator @ (Binary::And | Binary::Or | Binary::BitAnd | Binary::BitOr), a, b) => {
             Some(Tree::Binary(*operator, Box::new(at(a, time, positive)?), Box::new(at(b, time, positive)?)))

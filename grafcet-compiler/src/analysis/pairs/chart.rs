@@ -119,13 +119,14 @@ impl Chart {
             others.filter(|(_, b)| together(arc, b)).map(|(other, _)| other).collect()
         };
         let mut partners: Vec<BTreeSet<usize>> = arcs.iter().enumerate().map(partners).collect();
+        let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).collect();
         let mut dragged: Vec<Vec<usize>> = Vec::new();
         for (index, drags) in drags.iter().enumerate() {
             let steps: Vec<usize> = drags.iter().flat_map(|drag| arcs[*drag].sources.iter().copied()).collect();
             // Whatever leaves or enters such a step in the same evolution is not seen one after the other.
             for step in &steps {
-                let touches = |arc: &Arc| arc.sources.contains(step) || arc.targets.contains(step);
-                for (other, _) in arcs.iter().enumerate().filter(|(other, arc)| *other != index && touches(arc)) {
+                let touches = |other: &usize| arcs[*other].sources.contains(step) || entered[*other].contains(step);
+                for other in (0..arcs.len()).filter(|other| *other != index && touches(other)) {
                     partners[index].insert(other);
                     partners[other].insert(index);
                 }

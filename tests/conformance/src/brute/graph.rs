@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::interp::{Evolution, Interpreter, Memory, Situation, Value};
-use grafcet_compiler::model::{Model, TransitionId, Tree, Ty};
+use grafcet_compiler::model::{Binary, Effect, Model, Name, Place, Read, TimeRef, TransitionId, Tree, Ty};
 
 /// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.
 const LEAP: u32 = 1 << 31;
@@ -138,6 +138,24 @@ impl Graph {
         self.states.iter().zip(back).map(|(state, back)| !back && state.situation != *home).collect()
     }
 
+    /// Whether leaps of time show every situation and every way: times are those of steps, all compared with the same
+    /// constant, or matter to outputs alone, which nothing reads.
+    #[must_use]
+    pub fn is_whole(model: &Model) -> bool {
+        let mut times = BTreeSet::new();
+        let conditions = model.transitions.values().map(|transition| &transition.condition);
+        let actions = model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event));
+        let values = model.associations.values().flat_map(|a| a.effect.expressions());
+        let edges = model.edges.values().map(|edge| &edge.of);
+        let mut all = conditions.chain(actions).chain(values).chain(edges);
+        let of_output =
+            |effect: &Effect| matches!(effect, Effect::Control(Place::Output(_)) | Effect::Assign(Place::Output(_), _));
+        let mut timed = model.associations.values().filter(|association| association.time.is_some());
+        all.all(|expr| is_plain(&expr.tree, &mut times))
+            && timed.all(|association| of_output(&association.effect))
+            && times.len() < 2
+    }
+
     /// For each state, whether a cycle of which `good` is true can still come.
     pub fn can_still(&self, good: impl Fn(&Edge) -> bool) -> Vec<bool> {
         let mut can: Vec<bool> = self.states.iter().map(|state| state.cycles.iter().any(&good)).collect();
@@ -159,6 +177,30 @@ impl State {
     fn new(machine: &Interpreter<'_>) -> Self {
         let (situation, memory) = (machine.situation().clone(), machine.memory().clone());
         Self { situation, memory, cycles: Vec::new() }
+    }
+}
+
+/// Whether an expression reads no outputs, and times only to see whether steps have been active for so long; collects for
+/// how long.
+fn is_plain(tree: &Tree, times: &mut BTreeSet<u32>) -> bool {
+    match tree {
+        Tree::Elapsed(TimeRef::Ticks(ticks), _) | Tree::MacroElapsed(TimeRef::Ticks(ticks), _) => {
+            times.insert(*ticks);
+            true
+        }
+        Tree::Binary(Binary::Lt | Binary::Ge, a, b)
+            if matches!(**a, Tree::Read(Read::Since(_) | Read::MacroSince(_))) =>
+        {
+            let Tree::Read(Read::Ticks(ticks)) = **b else { return false };
+            times.insert(ticks);
+            true
+        }
+        Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Delay(_) | Read::Name(Name::Output(_)))
+        | Tree::Elapsed(..)
+        | Tree::MacroElapsed(..) => false,
+        Tree::Unary(_, inner) => is_plain(inner, times),
+        Tree::Binary(_, a, b) => is_plain(a, times) && is_plain(b, times),
+        Tree::Bool(_) | Tree::Int(_) | Tree::Read(_) | Tree::Opaque { .. } => true,
     }
 }
 

@@ -23,6 +23,8 @@ pub(super) struct State {
     /// What edges compare with: the atoms' values in the last snapshot, as far as they were decided. All values that
     /// agree with this are possible.
     pub(super) before: Box<[(usize, Known)]>,
+    /// What times have reached, where they are followed.
+    pub(super) ages: Box<[(usize, Known)]>,
 }
 
 /// Situation and followed values at one moment.
@@ -128,6 +130,9 @@ impl<'n> Scene<'n> {
         self.reset();
         for (atom, known) in &state.before {
             self.recorded.learn(*atom, *known);
+        }
+        for (atom, known) in &state.ages {
+            self.given.learn(*atom, *known);
         }
         self.now.active.clear();
         self.now.active.extend(&state.active[..]);

@@ -32,7 +32,7 @@ impl Scene<'_> {
             Kind::Since(step) => {
                 let active = self.at(when).active.binary_search(&step).is_ok();
                 let timed = active || self.is_left(&[step], when);
-                let zero = self.is_own(step) && (!timed || self.fresh.contains(&step));
+                let zero = self.is_own(step) && (!timed || self.begins(step, when));
                 self.time(atom, zero)
             }
             Kind::MacroSince(id) => {
@@ -41,6 +41,13 @@ impl Scene<'_> {
                 self.time(atom, zero)
             }
         }
+    }
+
+    /// Whether the time of a step begins in this cycle. `sfc`: to the edges, which look at the start of the cycle, a step that
+    /// is left and entered has the time it had reached.
+    fn begins(&self, step: usize, when: When) -> bool {
+        let later = when == When::Sample && self.start.is_some() && !self.edgeless;
+        !later && self.fresh.contains(&step)
     }
 
     /// `sfc`: whether the actions run of a cycle in which one of the steps was left: it has the time it had reached (A34).
