@@ -1,52 +1,88 @@
-//! What charts look like: the pictures of the pages, and reference pictures as text, are drawn anew and compared.
+//! What charts look like: the pictures of all charts of the examples and of `tests/good` are drawn anew and compared.
 //!
-//! `cargo xtask bless` records them; look at those that change.
+//! `cargo xtask bless` records them; look at those that change: [tests/pictures/README.md](pictures/README.md) shows all.
 
 mod charts;
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
+use std::path::Path;
 
 use grafcet_compiler::describe::with_description;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::{model, parse};
+use proc_macro2::TokenStream;
 
-/// Charts, and what their pictures are called.
-const FILES: &[(&str, &[&str])] = &[
-    ("examples/charts/motor.rs", &["motor"]),
-    ("examples/charts/line24v.rs", &["line24v"]),
-    ("examples/charts/cell.rs", &["cell"]),
-    ("examples/charts/recipe.rs", &["recipe"]),
-    ("examples/charts/branch_on_result.rs", &["branch_on_result"]),
-    ("tests/good/jumps.rs", &["jumps"]),
-    ("tests/good/nested.rs", &["nested"]),
-    ("tests/good/hierarchy.rs", &["hierarchy"]),
-    ("tests/good/qualifiers_grafcet.rs", &["qualifiers_grafcet"]),
-];
+/// Where the charts are.
+const FOLDERS: [&str; 2] = ["examples/charts", "tests/good"];
+
+/// Where their pictures are recorded, and a page with all of them.
+const PICTURES: &str = "tests/pictures";
 
 /// Those that the pages show.
 const SHOWN: [&str; 3] = ["motor", "line24v", "cell"];
 
+/// Those that are recorded as text, too, with their Mermaid diagram.
+const TEXTS: [&str; 9] =
+    ["motor", "line24v", "cell", "recipe", "branch_on_result", "jumps", "nested", "hierarchy", "qualifiers_grafcet"];
+
 #[test]
 fn pictures_are_as_recorded() {
-    for (file, names) in FILES {
-        let rust = fs::read_to_string(file).unwrap_or_else(|error| panic!("{file}: {error}"));
-        let charts = charts::charts(&rust);
-        assert_eq!(charts.len(), names.len(), "the charts of {file}");
-        for (chart, name) in charts.into_iter().zip(*names) {
-            let mut sink = Sink::new();
-            let chart = parse::chart(chart, &mut sink).expect("a chart");
-            let model = model::resolve(&chart, &mut sink);
-            assert!(!sink.has_errors(), "{name}");
-            drop(sink.finish());
-            let drawn =
-                |svg| with_description(&model, |chart| if svg { grafcet_draw::svg(chart, &()) } else { text(chart) });
-            compare(&format!("tests/golden/{name}.txt"), &drawn(false));
-            if SHOWN.contains(name) {
-                compare(&format!("docs/pictures/{name}.svg"), &(drawn(true) + "\n"));
+    let mut page = "# The charts of the examples and tests, drawn\n\nRecorded by `cargo xtask bless`.\n".to_owned();
+    let mut recorded = BTreeSet::from(["README.md".to_owned()]);
+    let mut texts = Vec::new();
+    for (file, name, chart) in all() {
+        let drawn = with_chart(&name, chart, |chart| {
+            if TEXTS.contains(&&*name) {
+                compare(&format!("tests/golden/{name}.txt"), &text(chart));
+                texts.push(name.clone());
+            }
+            grafcet_draw::svg(chart, &()) + "\n"
+        });
+        compare(&format!("{PICTURES}/{name}.svg"), &drawn);
+        if SHOWN.contains(&&*name) {
+            compare(&format!("docs/pictures/{name}.svg"), &drawn);
+        }
+        let _ = write!(page, "\n## {name}\n\nOf [{file}](../../{file}):\n\n![{name}]({name}.svg)\n");
+        recorded.insert(format!("{name}.svg"));
+    }
+    compare(&format!("{PICTURES}/README.md"), &page);
+    assert_eq!(texts.len(), TEXTS.len(), "{texts:?}");
+    let entries = fs::read_dir(PICTURES).expect("the recorded pictures");
+    let there: BTreeSet<_> = entries.map(|entry| entry.expect("a file").file_name().to_string_lossy().into()).collect();
+    assert_eq!(there, recorded, "a picture of no chart");
+}
+
+/// The file, a name and the tokens of every chart: it is called by its file, the second one of a file with a number.
+fn all() -> Vec<(String, String, TokenStream)> {
+    let mut all = Vec::new();
+    for folder in FOLDERS {
+        let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{folder}: {error}"));
+        let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
+        files.retain(|file| file.extension().is_some_and(|extension| extension == "rs"));
+        files.sort();
+        for file in files {
+            let rust = fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            let stem = file.file_stem().expect("a name").to_string_lossy();
+            let path = file.to_string_lossy().replace('\\', "/");
+            for (number, chart) in charts::charts(&rust).into_iter().enumerate() {
+                let name = if number == 0 { stem.to_string() } else { format!("{stem}_{}", number + 1) };
+                all.push((path.clone(), name, chart));
             }
         }
     }
+    assert!(all.len() > 50, "{} charts", all.len());
+    all
+}
+
+fn with_chart<R>(name: &str, chart: TokenStream, draw: impl FnOnce(&grafcet::description::Description<'_>) -> R) -> R {
+    let mut sink = Sink::new();
+    let chart = parse::chart(chart, &mut sink).expect("a chart");
+    let model = model::resolve(&chart, &mut sink);
+    assert!(!sink.has_errors(), "{name}");
+    drop(sink.finish());
+    with_description(&model, draw)
 }
 
 /// Drawing and Mermaid text in one file.
@@ -106,7 +142,10 @@ fn large_charts_have_an_overview() {
 /// Compares with the file, or writes it where `BLESS=1` is set.
 fn compare(path: &str, now: &str) {
     if std::env::var_os("BLESS").is_some_and(|bless| bless == "1") {
-        return fs::write(path, now).unwrap_or_else(|error| panic!("{path}: {error}"));
+        let folder = Path::new(path).parent().expect("a folder");
+        return fs::create_dir_all(folder)
+            .and_then(|()| fs::write(path, now))
+            .unwrap_or_else(|error| panic!("{path}: {error}"));
     }
     let recorded = fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}; run `cargo xtask bless`"));
     assert_eq!(recorded, now, "{path} is another picture; if that is meant, run `cargo xtask bless`");

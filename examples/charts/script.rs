@@ -90,7 +90,7 @@ pub enum Refusal {
     Value,
 }
 
-/// A struct of inputs or outputs whose fields are known by name; [`signals!`] implements it.
+/// A struct of inputs or outputs whose fields are known by name; `signals!` implements it.
 pub trait Signals: Default {
     /// The names, in the order of declaration.
     const NAMES: &'static [&'static str];

@@ -17,10 +17,27 @@ grafcet Press {
     ^^^^         ^^^^  ^^    ^^^^            ^^^^
 }";
 
+/// The same of macro-steps, partial grafcets and variables; what is declared for them carries the tokens of the
+/// declarations, types included.
+const HIERARCHY: &str = "\
+grafcet Plant {
+    input a: bool; output b: bool;
+    var busy: bool; var count: u16 = 0;
+    #   ^^^^  ^^^^      ^^^^^  ^^^
+    initial step Wait { R busy; P1 count = count + 1; force Station {INIT}; }
+    #                     ^^^^     ^^^^^                    ^^^^^^^
+    macro step Clamp { entry step In { S busy; } exit step Out; In -[a]-> Out; }
+    #          ^^^^^                     ^^^^                   ^^        ^^^
+    Wait -[a]-> Clamp -[Station::Ready.X]-> Wait;
+    ^^^^        ^^^^^   ^^^^^^^  ^^^^^      ^^^^
+    partial Station { initial step Ready { b; } step Off; Ready -[a]-> Off -[!a && Clamp.X]-> Ready; }
+    #       ^^^^^^^                        ^              ^^^^^        ^^^         ^^^^^      ^^^^^
+}";
+
 /// The lines of the chart alone, and the marked words with their line and column.
-fn read() -> (String, Vec<(String, usize, usize)>) {
+fn read(text: &str) -> (String, Vec<(String, usize, usize)>) {
     let (mut chart, mut marked) = (Vec::new(), Vec::new());
-    for line in CHART.lines() {
+    for line in text.lines() {
         let is_mark = line.contains(['#', '^']);
         if !is_mark {
             chart.push(line);
@@ -61,13 +78,17 @@ fn mentioned(chart: &str) -> Vec<(String, usize, usize)> {
 
 #[test]
 fn names_are_mentioned_where_they_stand() {
-    let (chart, marked) = read();
-    assert_eq!(mentioned(&chart), marked);
+    for text in [CHART, HIERARCHY] {
+        let (chart, marked) = read(text);
+        assert_eq!(mentioned(&chart), marked);
+    }
 }
 
 /// A chart with a mistake has them, too.
 #[test]
 fn names_are_mentioned_in_a_chart_with_a_mistake() {
-    let (chart, marked) = read();
-    assert_eq!(mentioned(&chart.replace("[a]", "[x]")), marked);
+    for text in [CHART, HIERARCHY] {
+        let (chart, marked) = read(text);
+        assert_eq!(mentioned(&chart.replace("[a]", "[x]")), marked);
+    }
 }

@@ -84,3 +84,24 @@ fn a_branch_that_nothing_joins() {
 fn a_branch_that_ends_in_a_trap() {
     all_say("step Trap; S7_2 -[other]-> Trap;", "", &["stuck_join"]);
 }
+
+/// Serde derives for arrays of up to 32 bytes only: the chart's message comes before rustc's, which does not name the encoding.
+#[test]
+fn flags_of_more_than_32_bytes_do_not_go_with_serde() {
+    let marked = |steps: usize, derives: &str, encoding: &str| {
+        let (mut names, mut chain) = (String::new(), String::from("S0"));
+        for number in 1..steps {
+            _ = write!(names, "step S{number}; ");
+            _ = write!(chain, " -[a]-> S{number}");
+        }
+        let chart =
+            format!("{derives} sfc Long {{ input a: bool; {encoding} initial step S0; {names} {chain} -[a]-> S0; }}");
+        let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
+        code.matches("go together with serde").count()
+    };
+    let both = "#[derive(serde::Serialize)] #[cfg_attr(feature = \"store\", derive(Hash, Deserialize))]";
+    assert_eq!(marked(255, both, "encoding flags;"), 2);
+    assert_eq!(marked(254, both, "encoding flags;"), 0);
+    assert_eq!(marked(255, both, ""), 0);
+    assert_eq!(marked(255, "#[derive(Hash, rkyv::Serialize)]", "encoding flags;"), 0);
+}

@@ -108,7 +108,7 @@ fn finish(mut drawing: Drawing, graph: &Graph, x: &[i32], extents: &[Extent], he
     moved
 }
 
-/// Lines that go on in the same direction become one.
+/// Lines that go on in the same direction become one, but for those that end at a double line: what goes on there crosses it.
 fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
     let (mut lines, mut others) = (Vec::new(), Vec::new());
     for shape in shapes {
@@ -120,10 +120,16 @@ fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
         }
     }
     lines.sort_unstable();
+    let doubles: Vec<_> =
+        lines.iter().filter(|line| line.1).map(|(.., row, left, right)| (*row, *left, *right)).collect();
+    let ends = |x: i32, y: i32| doubles.iter().any(|(row, left, right)| y == *row && (*left..=*right).contains(&x));
     let mut long: Vec<(bool, bool, i32, i32, i32)> = Vec::new();
     for line in lines {
         match long.last_mut() {
-            Some(last) if (last.0, last.1, last.2) == (line.0, line.1, line.2) && line.3 <= last.4 => {
+            Some(last)
+                if (last.0, last.1, last.2) == (line.0, line.1, line.2)
+                    && (line.3 < last.4 || line.3 == last.4 && !(line.0 && ends(line.2, line.3))) =>
+            {
                 last.4 = last.4.max(line.4);
             }
             _ => long.push(line),

@@ -29,13 +29,49 @@ struct Net {
     kind: Purpose,
     /// Its row below the upper layer, once it has one.
     row: i32,
+    /// Where nets held each other, this one has two rows: the place of the line between them, and the upper row. The lines
+    /// from above end there, those down begin in `row`.
+    bend: Option<(i32, i32)>,
 }
 
 impl Net {
+    fn new(uppers: Vec<i32>, lowers: Vec<i32>, double: bool, kind: Purpose) -> Self {
+        Self { uppers, lowers, double, kind, row: 0, bend: None }
+    }
+
+    /// The row in which lines from above end.
+    fn top(&self) -> i32 {
+        self.bend.map_or(self.row, |(_, row)| row)
+    }
+
+    /// The places of the lines from above to the row that is not given yet.
+    fn arriving(&self) -> &[i32] {
+        match &self.bend {
+            Some((place, _)) => std::slice::from_ref(place),
+            None => &self.uppers,
+        }
+    }
+
+    /// From where to where a line reaches that connects these places.
+    fn reach(places: impl Iterator<Item = i32> + Clone, double: bool) -> (i32, i32) {
+        let over = i32::from(double);
+        (places.clone().min().unwrap_or(0) - over, places.max().unwrap_or(0) + over)
+    }
+
+    /// Of the row that is not given yet.
     fn span(&self) -> (i32, i32) {
-        let ends = || self.uppers.iter().chain(&self.lowers).copied();
-        let over = i32::from(self.double);
-        (ends().min().unwrap_or(0) - over, ends().max().unwrap_or(0) + over)
+        Self::reach(self.arriving().iter().chain(&self.lowers).copied(), self.double && self.doubles_below())
+    }
+
+    /// Of the upper of two rows.
+    fn upper_span(&self) -> Option<(i32, i32)> {
+        let (place, _) = self.bend?;
+        Some(Self::reach(self.uppers.iter().copied().chain([place]), self.double && !self.doubles_below()))
+    }
+
+    /// Of two rows, the double line is the one with the branches.
+    fn doubles_below(&self) -> bool {
+        self.bend.is_none() || self.kind == Purpose::Spread
     }
 }
 
@@ -72,7 +108,7 @@ pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize, hops: &[(usize, us
     }
     for turning in graph.loops.iter().filter(|l| l.from.iter().any(|id| graph.items[*id].layer + 1 == below)) {
         let uppers = turning.from.iter().chain(turning.rises.last()).map(|id| x[*id]).collect();
-        channel.nets.push(Net { uppers, lowers: Vec::new(), double: false, kind: Purpose::Turn, row: 0 });
+        channel.nets.push(Net::new(uppers, Vec::new(), false, Purpose::Turn));
     }
     channel.rows(spreads, below > 0, below < graph.layers.len());
     channel
@@ -106,7 +142,7 @@ impl Channel {
             if needed {
                 let double = mine.len() > 1 && matches!(graph.items[start].kind, Kind::Transition(_));
                 let lowers = ports.iter().map(|(port, _)| *port).collect();
-                self.nets.push(Net { uppers: vec![x[start]], lowers, double, kind: Purpose::Spread, row: 0 });
+                self.nets.push(Net::new(vec![x[start]], lowers, double, Purpose::Spread));
             }
             let ways = ports.iter().map(|(port, end)| Way {
                 from: x[start],
@@ -134,7 +170,7 @@ impl Channel {
         }
         let mut lowers = rises;
         lowers.push(x[end]);
-        self.nets.push(Net { uppers, lowers, double, kind: Purpose::Collect, row: 0 });
+        self.nets.push(Net::new(uppers, lowers, double, Purpose::Collect));
     }
 
     /// Gives every net a row: no two touch, and a line that comes down on a place ends above one that goes on from there.
@@ -146,6 +182,9 @@ impl Channel {
             waiting.sort_by_key(|id| self.nets[*id].span());
             while !waiting.is_empty() {
                 let chosen = self.choose(&waiting);
+                if chosen.is_empty() {
+                    self.bend(&waiting, row);
+                }
                 for id in &chosen {
                     self.nets[*id].row = row;
                 }
@@ -156,12 +195,9 @@ impl Channel {
         self.height = if self.nets.is_empty() { i32::from(above && beneath) } else { row - i32::from(!beneath) };
     }
 
-    /// What can share the next row.
+    /// What can share the next row; nothing where the nets hold each other in a circle.
     fn choose(&self, waiting: &[usize]) -> Vec<usize> {
-        let held = |id: &usize| {
-            let lowers = &self.nets[*id].lowers;
-            waiting.iter().any(|other| other != id && self.nets[*other].uppers.iter().any(|x| lowers.contains(x)))
-        };
+        let held = |id: &usize| waiting.iter().any(|other| other != id && self.holds(*other, *id));
         let mut chosen: Vec<usize> = Vec::new();
         for id in waiting.iter().filter(|id| !held(id)) {
             let (left, right) = self.nets[*id].span();
@@ -173,11 +209,37 @@ impl Channel {
                 chosen.push(*id);
             }
         }
-        if chosen.is_empty() {
-            // They hold each other: one line will touch another.
-            chosen.extend(waiting.first());
-        }
         chosen
+    }
+
+    /// Whether a line that comes down to a net is at a place where one goes down from the other.
+    fn holds(&self, net: usize, other: usize) -> bool {
+        self.nets[net].arriving().iter().any(|x| self.nets[other].lowers.contains(x))
+    }
+
+    /// Of nets that hold each other in a circle, gives one a first row, with a line down from there where there is no other:
+    /// now it holds no net any more.
+    fn bend(&mut self, waiting: &[usize], row: i32) {
+        let holding = |id: &&usize| waiting.iter().any(|other| other != *id && self.holds(**id, *other));
+        // As few branches as can be, so that a double line stays in one piece.
+        let Some(id) = waiting.iter().filter(holding).min_by_key(|id| self.nets[**id].uppers.len()).copied() else {
+            return;
+        };
+        let (left, right) = self.nets[id].span();
+        let place = self.unused(left, right);
+        self.nets[id].bend = Some((place, row));
+    }
+
+    /// A place where no line goes down, between these two if there is one; with room on both sides if there is.
+    fn unused(&self, left: i32, right: i32) -> i32 {
+        let bends = self.nets.iter().filter_map(|net| net.bend.map(|(place, _)| place));
+        let ends = self.nets.iter().flat_map(|net| net.uppers.iter().chain(&net.lowers).copied());
+        let ways = self.ways.iter().flat_map(|way| [way.from, way.port, way.to]);
+        let taken: Vec<i32> = bends.chain(ends).chain(ways).collect();
+        let (first, last) = (taken.iter().min().copied().unwrap_or(left), taken.iter().max().copied().unwrap_or(right));
+        let free = |x: &i32, room: i32| taken.iter().all(|other| (other - x).abs() > room);
+        let places = || (left + 1..right).chain((first..left).rev()).chain(right..=last);
+        places().find(|x| free(x, 1)).or_else(|| places().find(|x| free(x, 0))).unwrap_or(last + 1)
     }
 
     /// Draws all lines: `above` is the last row of the upper layer, `below` the first of the lower one.
@@ -186,9 +248,8 @@ impl Channel {
             let mut y = above;
             for (net, x) in [(way.spread, way.from), (way.collected, way.port)] {
                 if let Some(net) = net {
-                    let row = above + self.nets[net].row;
-                    to.line((x, y), (x, row), false);
-                    y = row;
+                    to.line((x, y), (x, above + self.nets[net].top()), false);
+                    y = above + self.nets[net].row;
                 }
             }
             let last = if way.collected.is_some() { way.to } else { way.port };
@@ -196,11 +257,15 @@ impl Channel {
         }
         for net in &self.nets {
             let (row, (left, right)) = (above + net.row, net.span());
-            to.line((left, row), (right, row), net.double);
+            to.line((left, row), (right, row), net.double && net.doubles_below());
+            if let (Some((place, top)), Some((left, right))) = (net.bend, net.upper_span()) {
+                to.line((left, above + top), (right, above + top), net.double && !net.doubles_below());
+                to.line((place, above + top), (place, row), false);
+            }
             match net.kind {
                 Purpose::Spread => {}
                 Purpose::Collect => net.lowers.iter().for_each(|x| to.line((*x, row), (*x, below), false)),
-                Purpose::Turn => net.uppers.iter().for_each(|x| to.line((*x, above), (*x, row), false)),
+                Purpose::Turn => net.uppers.iter().for_each(|x| to.line((*x, above), (*x, above + net.top()), false)),
             }
         }
     }
@@ -210,4 +275,80 @@ impl Channel {
 fn free(x: i32, taken: &[i32]) -> i32 {
     let beside = (0..).flat_map(|d| [x - 2 * d, x + 2 * d]);
     beside.take(64).find(|place| !taken.contains(place)).unwrap_or(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Channel, Net, Purpose};
+
+    fn rows(nets: Vec<(Vec<i32>, Vec<i32>)>) -> Channel {
+        let net = |(uppers, lowers)| Net::new(uppers, lowers, false, Purpose::Spread);
+        let nets: Vec<Net> = nets.into_iter().map(net).collect();
+        let count = nets.len();
+        let mut channel = Channel { nets, ways: Vec::new(), height: 0 };
+        channel.rows(count, true, true);
+        channel
+    }
+
+    /// The horizontal lines of a net: the row, from where to where.
+    fn lines(net: &Net) -> Vec<(i32, (i32, i32))> {
+        let upper = net.upper_span().map(|span| (net.top(), span));
+        [Some((net.row, net.span())), upper].into_iter().flatten().collect()
+    }
+
+    /// Where lines of two nets run on one stretch.
+    fn shared(channel: &Channel) -> Vec<String> {
+        let mut shared = Vec::new();
+        for (number, net) in channel.nets.iter().enumerate() {
+            for other in channel.nets.iter().enumerate().filter(|(other, _)| *other != number).map(|(_, other)| other) {
+                let down = net.lowers.iter().filter(|x| other.uppers.contains(x) && net.row <= other.top());
+                shared.extend(down.map(|x| format!("{number} goes down at {x}, where another comes down")));
+                let bend = net.bend.filter(|(x, _)| other.uppers.contains(x) || other.lowers.contains(x));
+                shared.extend(bend.map(|(x, _)| format!("{number} bends at {x}, where another is")));
+                for (row, (left, right)) in lines(net) {
+                    let touching =
+                        lines(other).into_iter().filter(|(r, (from, to))| *r == row && left <= *to && *from <= right);
+                    shared.extend(touching.map(|_| format!("{number} and another in row {row}")));
+                }
+            }
+        }
+        shared
+    }
+
+    #[test]
+    fn nets_that_hold_each_other_in_a_circle_do_not_touch() {
+        let two = rows(vec![(vec![0], vec![20]), (vec![20], vec![0])]);
+        assert_eq!(shared(&two), Vec::<String>::new());
+        assert_eq!(two.nets.iter().filter(|net| net.bend.is_some()).count(), 1);
+        let three = rows(vec![(vec![0], vec![4, 8]), (vec![4], vec![10]), (vec![10], vec![0, 2])]);
+        assert_eq!(shared(&three), Vec::<String>::new());
+        assert_eq!(rows(vec![(vec![0], vec![4]), (vec![4], vec![8])]).nets[0].bend, None, "one behind the other");
+    }
+
+    /// From every place at most one line comes down, and to every place at most one goes down, as between two layers.
+    #[test]
+    fn nets_of_any_kind_do_not_touch() {
+        let mut seed = 1_u32;
+        let mut random = |below: usize| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            usize::try_from(seed >> 8).unwrap_or(0) % below
+        };
+        let mut bends = 0;
+        for _ in 0..3000 {
+            let mut places = || {
+                let mut places: Vec<i32> = (0..12).map(|place| place * 2).collect();
+                (0..places.len()).for_each(|at| places.swap(at, random(12)));
+                places
+            };
+            let (mut above, mut below) = (places(), places());
+            let nets = (0..2 + random(4)).map(|_| {
+                let count = 1 + random(2);
+                (above.split_off(above.len() - 1), below.split_off(below.len() - count))
+            });
+            let channel = rows(nets.collect());
+            assert_eq!(shared(&channel), Vec::<String>::new());
+            bends += channel.nets.iter().filter(|net| net.bend.is_some()).count();
+        }
+        assert!(bends > 20, "only {bends} circles");
+    }
 }

@@ -7,6 +7,8 @@ use crate::wrap::width;
 
 /// A square in pixels.
 const SQUARE: (i32, i32) = (8, 16);
+/// From the middle of a double line to each of its lines, in pixels.
+const APART: i32 = 2;
 /// Around the drawing.
 const MARGIN: i32 = 4;
 
@@ -27,7 +29,7 @@ pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
         // Not smaller than can be read: what is wider yet is scrolled.
         Style::Page => format!("style=\"width:{wide}px;max-width:max(100%,{}px);height:auto\"", wide * 3 / 5),
     };
-    let mut layers = Layers::default();
+    let mut layers = Layers { doubles: doubles(drawing), ..Layers::default() };
     drawing.shapes.iter().for_each(|shape| layers.add(shape));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {0} {wide} {high}\" {size} role=\"img\" \
@@ -52,6 +54,16 @@ struct Layers {
     bars: String,
     marks: String,
     texts: String,
+    /// The row of each double line, and its ends.
+    doubles: Vec<(i32, i32, i32)>,
+}
+
+fn doubles(drawing: &Drawing) -> Vec<(i32, i32, i32)> {
+    let doubles = drawing.shapes.iter().filter_map(|shape| match shape {
+        Shape::Line { from, to, double: true } => Some((from.1, from.0, to.0)),
+        _ => None,
+    });
+    doubles.collect()
 }
 
 /// The middle of a square.
@@ -63,7 +75,13 @@ impl Layers {
     /// Writing to a string cannot fail.
     fn add(&mut self, shape: &Shape) {
         match shape {
-            Shape::Line { from, to, double } => self.line(middle(*from), middle(*to), *double),
+            Shape::Line { from, to, double } => {
+                let ((x1, y1), (x2, y2)) = (middle(*from), middle(*to));
+                // What ends at a double line does not reach between its two lines.
+                let [above, below] =
+                    [*from, *to].map(|at| if from.0 == to.0 && self.is_double(at) { APART } else { 0 });
+                self.line((x1, y1 + above), (x2, y2 - below), *double);
+            }
             Shape::Bar { at } => {
                 let (x, y) = middle(*at);
                 let _ = write!(self.bars, "M{} {y}h28", x - 14);
@@ -92,13 +110,17 @@ impl Layers {
         }
     }
 
+    fn is_double(&self, (x, y): (i32, i32)) -> bool {
+        self.doubles.iter().any(|(row, left, right)| y == *row && (*left..=*right).contains(&x))
+    }
+
     fn line(&mut self, (x1, y1): (i32, i32), (x2, y2): (i32, i32), double: bool) {
         if !double {
             let _ =
                 if y1 == y2 { write!(self.lines, "M{x1} {y1}H{x2}") } else { write!(self.lines, "M{x1} {y1}V{y2}") };
             return;
         }
-        for y in [y1 - 2, y1 + 2] {
+        for y in [y1 - APART, y1 + APART] {
             let _ = write!(self.lines, "M{x1} {y}H{x2}");
         }
     }

@@ -699,5 +699,27 @@ const _: () = {
             &outputs.clamp,
             &outputs.bell,
         );
+        {
+            enum MacroStep {
+                Clamp,
+            }
+            let _ = [MacroStep::Clamp, MacroStep::Clamp];
+        }
+        {
+            enum Partial {
+                Safety,
+                Production,
+                Counting,
+            }
+            let _ = [Partial::Production, Partial::Production];
+        }
+        {
+            struct Variables {
+                n: ::grafcet::__private::core::primitive::u16,
+            }
+            fn mentions(variables: &Variables) {
+                let _ = (&variables.n, &variables.n);
+            }
+        }
     }
 };

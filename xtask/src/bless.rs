@@ -3,7 +3,7 @@
 use crate::command::{Result, run as run_command};
 use crate::project::cargo;
 
-/// Records the expansions and pictures of `tests/golden` and `docs/pictures`, and the messages of `tests/ui`.
+/// Records the expansions of `tests/golden`, the pictures of `tests/pictures` and `docs/pictures`, and the messages of `tests/ui`.
 ///
 /// # Errors
 /// A chart does not do what it should: a neighbour does not compile, or a chart with a mistake does.

@@ -1,4 +1,4 @@
-//! The example charts on bare metal: built for every target, run on an emulated board, compared with the host.
+//! The example charts on bare metal: built or checked for every target, run on an emulated board, compared with the host.
 
 use std::fs;
 use std::path::Path;
@@ -13,13 +13,16 @@ use crate::toolchain::BareMetal;
 /// The target of the emulated board.
 const BOARD: &str = "thumbv7m-none-eabi";
 
-/// The manifest of the examples for the board, and the folder of its build results.
-const EXAMPLES_CRATE: (&str, &str) = ("examples/firmware/Cargo.toml", "firmware");
+/// The folder of the build results of all that is built for controllers. Their profiles are the same, so that `core` and the
+/// compiler of charts, which all of them need, are built once.
+pub(crate) const FOLDER: &str = "firmware";
 
-/// The same of the charts as tasks of RTIC and Embassy, in the folder of the examples: all of them need the compiler of
-/// charts, which then is built once.
-const RTIC_CRATE: (&str, &str) = ("examples/rtic/Cargo.toml", "firmware");
-const EMBASSY_CRATE: (&str, &str) = ("examples/embassy/Cargo.toml", "firmware");
+/// The manifest of the examples for the board.
+pub(crate) const EXAMPLES_CRATE: &str = "examples/firmware/Cargo.toml";
+
+/// The same of the charts as tasks of RTIC and Embassy.
+const RTIC_CRATE: &str = "examples/rtic/Cargo.toml";
+const EMBASSY_CRATE: &str = "examples/embassy/Cargo.toml";
 
 /// The programs that live from interrupts and have no counterpart on the host, with what they print.
 const PROGRAMS: [(&str, &str); 3] = [
@@ -28,18 +31,21 @@ const PROGRAMS: [(&str, &str); 3] = [
     ("staircase-embassy", include_str!("../../tests/examples/staircase.expected")),
 ];
 
-/// The same of the conformance corpus.
-const CORPUS_CRATE: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
+/// The manifest of the conformance corpus for the board, and its image.
+const CORPUS: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
 
-/// The targets that are built and not run, with what of the crate is built for them: the image is for Cortex-M.
-const BUILT: [(&str, &str); 3] =
-    [("thumbv6m-none-eabi", "--bins"), ("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
+/// The target with the fewest instructions: linked, it shows that nothing is missing there.
+const LINKED: &str = "thumbv6m-none-eabi";
 
-/// The name of the image that plays the scripts, and of that of the corpus.
+/// The targets for which the code is checked, with what of the crate: the image is for Cortex-M. They have what the others have.
+const CHECKED: [(&str, &str); 2] = [("thumbv7em-none-eabihf", "--bins"), ("riscv32imc-unknown-none-elf", "--lib")];
+
+/// The name of the image that plays the scripts.
 const IMAGE: &str = "lm3s6965evb";
 
 /// The examples in the order in which the firmware plays their scripts.
-const EXAMPLES: [&str; 7] = ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "controller"];
+pub(crate) const EXAMPLES: [&str; 7] =
+    ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "controller"];
 
 /// An emulated board ends within a fraction of a second; one that has not by then hangs.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -47,27 +53,28 @@ const LIMIT: Duration = Duration::from_secs(60);
 /// More differences than these show nothing new.
 const SHOWN: usize = 20;
 
-/// Builds for all targets, runs the image in QEMU and compares.
+/// Builds or checks for all targets, runs the image in QEMU and compares.
 ///
 /// # Errors
 /// A toolchain or QEMU is missing, a build fails, the image fails or hangs, or it answers other than the host.
 pub(crate) fn run() -> Result {
-    build(EXAMPLES_CRATE, BOARD, "--bins")?;
+    cargo("build", EXAMPLES_CRATE, BOARD, "--bins")?;
     let host = host_lines()?;
-    compare(&host, &board_lines("firmware", IMAGE)?)?;
+    compare(&host, &board_lines(IMAGE)?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
     programs()?;
-    BUILT.iter().try_for_each(|(target, what)| build(EXAMPLES_CRATE, target, what))?;
+    cargo("build", EXAMPLES_CRATE, LINKED, "--bins")?;
+    CHECKED.iter().try_for_each(|(target, what)| cargo("check", EXAMPLES_CRATE, target, what))?;
     no_panics()?;
     corpus()
 }
 
 /// The examples with interrupts, and as tasks.
 fn programs() -> Result {
-    build(RTIC_CRATE, BOARD, "--bins")?;
-    build(EMBASSY_CRATE, BOARD, "--bins")?;
+    cargo("build", RTIC_CRATE, BOARD, "--bins")?;
+    cargo("build", EMBASSY_CRATE, BOARD, "--bins")?;
     PROGRAMS.iter().try_for_each(|(name, expected)| {
-        compare(expected, &board_lines("firmware", name)?).map_err(|error| format!("{name}: {error}"))?;
+        compare(expected, &board_lines(name)?).map_err(|error| format!("{name}: {error}"))?;
         println!("firmware: {name} prints what it should");
         Ok(())
     })
@@ -75,11 +82,10 @@ fn programs() -> Result {
 
 /// No cycle function of the examples leads to a panic: linked alone, none of its machinery is there.
 fn no_panics() -> Result {
-    let (manifest, folder) = EXAMPLES_CRATE;
     let mut command = BareMetal::find(BOARD)?.cargo("rustc", BOARD);
-    command.args(["--quiet", "--release", "--manifest-path", manifest, "--lib", "--features", "roots"]);
-    run_command(command.args(["--crate-type", "staticlib", "--target-dir"]).arg(project::target(folder)))?;
-    let library = project::target(folder).join(BOARD).join("release/libgrafcet_firmware.a");
+    command.args(["--quiet", "--release", "--manifest-path", EXAMPLES_CRATE, "--lib", "--features", "roots"]);
+    run_command(command.args(["--crate-type", "staticlib", "--target-dir"]).arg(project::target(FOLDER)))?;
+    let library = project::target(FOLDER).join(BOARD).join("release/libgrafcet_firmware.a");
     let linker = Linker::new(library)?;
     if linker.link("root_of_a_panic")?.panics()?.is_none() {
         return Err("no panic is found where there is one: the names to look for have changed".to_owned());
@@ -95,8 +101,9 @@ fn no_panics() -> Result {
 
 /// The conformance corpus on the board: the image fails where a chart shows something else than its file expects.
 fn corpus() -> Result {
-    build(CORPUS_CRATE, BOARD, "--bins")?;
-    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines("corpus", IMAGE)?)?;
+    let (manifest, image) = CORPUS;
+    cargo("build", manifest, BOARD, "--bins")?;
+    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines(image)?)?;
     println!("firmware: the conformance corpus shows the same on the board");
     Ok(())
 }
@@ -108,13 +115,12 @@ fn charts() -> Result<usize> {
     Ok(entries.flatten().filter(|entry| entry.path().extension().is_some_and(|extension| extension == "chart")).count())
 }
 
-fn build(of: (&str, &str), target: &str, what: &str) -> Result {
-    let (manifest, folder) = of;
+fn cargo(subcommand: &str, manifest: &str, target: &str, what: &str) -> Result {
     let toolchain = BareMetal::find(target)?;
-    println!("firmware: {manifest}, {target}, {}", toolchain.describe());
-    let mut command = toolchain.cargo("build", target);
+    println!("firmware: {subcommand} {manifest}, {target}, {}", toolchain.describe());
+    let mut command = toolchain.cargo(subcommand, target);
     command.args(["--quiet", "--release", "--manifest-path", manifest, what, "--target-dir"]);
-    run_command(command.arg(project::target(folder)))
+    run_command(command.arg(project::target(FOLDER)))
 }
 
 /// What the examples print on the host, below the headings that the firmware prints.
@@ -133,9 +139,9 @@ fn host_lines() -> Result<String> {
         .collect()
 }
 
-fn board_lines(folder: &str, image: &str) -> Result<String> {
+fn board_lines(image: &str) -> Result<String> {
     let qemu = tool("qemu-system-arm", "qemu-system-arm")?;
-    let image = project::target(folder).join(BOARD).join("release").join(image);
+    let image = project::target(FOLDER).join(BOARD).join("release").join(image);
     capture_within(&mut emulator(&qemu, &image), LIMIT)
 }
 

@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::command::Result;
-use crate::project;
 use crate::toolchain::BareMetal;
+use crate::{firmware, project};
 
 const PAGE: &str = include_str!("../../docs/first-chart.md");
 
@@ -120,7 +120,7 @@ impl Reader {
                 let toolchain = BareMetal::find(target)?;
                 let mut command = toolchain.cargo(arguments[0], target);
                 command.args(arguments[1..].iter().filter(|word| !TARGET.contains(**word) && **word != target));
-                command.env("CARGO_TARGET_DIR", project::target("firmware"));
+                command.env("CARGO_TARGET_DIR", project::target(firmware::FOLDER));
                 command
             }
             None => {

@@ -14,6 +14,7 @@ mod msrv;
 mod packages;
 mod project;
 mod release;
+mod screenshots;
 mod toolchain;
 
 use std::process::ExitCode;
@@ -35,7 +36,7 @@ Usage: cargo xtask <task>
   ci        every check that CI runs, with a summary
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
             random charts, compiled through the macro, beside the interpreter
-  firmware  build the example charts for all bare-metal targets, run them in QEMU, compare with the host
+  firmware  build or check the example charts for all bare-metal targets, run them in QEMU, compare with the host
   first-chart
             follow docs/first-chart.md in a clean folder, command by command
   interface [record]
@@ -43,6 +44,8 @@ Usage: cargo xtask <task>
   packages  pack and build what is published, check sets of features and the oldest dependencies allowed
   release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
             beside the last release (cargo-semver-checks)
+  screenshots
+            what rustdoc shows of the example charts, light and dark, for tests/screenshots (Chromium)
   msrv      check the crates that ship with the oldest supported Rust
 ";
 
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
         ["msrv"] => msrv::run(),
         ["packages"] => packages::run(),
         ["release"] => release::run(),
+        ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{USAGE}");
             Ok(())

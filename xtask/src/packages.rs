@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use serde_json::Value;
 
 use crate::command::{Result, capture, run as run_command};
-use crate::project::{self, cargo, root};
+use crate::project::{self, cargo, remove, root};
 
 /// All that is checked here.
 ///
@@ -25,8 +25,14 @@ pub(crate) fn run() -> Result {
 /// A package lacks something, or does not build from what is in it.
 pub(crate) fn pack() -> Result {
     let packages = published()?;
+    // One folder for all, so that what several use is built once. Cargo takes packages of the same version for the same: what
+    // an earlier run left there would hide a change.
+    let folder = project::target("packages");
+    remove(&folder)?;
     // What is tried is the working tree; cargo asks for a clean one where it publishes indeed.
-    let mut command = cargo(&["package", "--locked", "--quiet", "--allow-dirty"]);
+    let mut command = cargo(&["package", "--locked", "--quiet", "--allow-dirty", "--target-dir"]);
+    // Nobody runs it: without debug information a library and the macro that uses it are the same build.
+    command.arg(&folder).env("CARGO_PROFILE_DEV_DEBUG", "0");
     run_command(command.args(packages.iter().flat_map(|package| ["--package", &package.name])))?;
     // Cargo packs without them, too.
     let wanted = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
@@ -90,9 +96,7 @@ pub(crate) fn oldest() -> Result {
 /// The files of the project, those that are not committed yet included.
 fn copy_into(folder: &Path) -> Result {
     let failed = |what: &Path, error| format!("{}: {error}", what.display());
-    if folder.exists() {
-        fs::remove_dir_all(folder).map_err(|error| failed(folder, error))?;
-    }
+    remove(folder)?;
     let list = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"];
     let files = capture(Command::new("git").args(list).current_dir(root()))?;
     // A file that is deleted and not committed is listed, too.

@@ -1,7 +1,11 @@
 //! Where things are in the project.
 
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+use crate::command::Result;
 
 /// The folder of the workspace.
 pub(crate) fn root() -> PathBuf {
@@ -16,6 +20,17 @@ pub(crate) fn target(purpose: &str) -> PathBuf {
     // A relative path counts from where the user stands, the tasks run at the root.
     let target = target.and_then(|path| std::path::absolute(path).ok());
     target.unwrap_or_else(|| root().join("target")).join(purpose)
+}
+
+/// Removes a folder, where it is there.
+///
+/// # Errors
+/// It cannot be removed.
+pub(crate) fn remove(folder: &Path) -> Result {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(format!("{}: {error}", folder.display())),
+        _ => Ok(()),
+    }
 }
 
 /// The cargo that runs this task, at the root of the workspace.

@@ -5,6 +5,7 @@ mod branches;
 mod conditions;
 mod contention;
 mod continuous;
+mod derives;
 mod drawing;
 mod events;
 mod initial;
@@ -33,6 +34,7 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
     drawing::check(model, sink);
     targets::check(model, sink);
     modes::check(model, sink);
+    derives::check(model, sink);
     if !model.incomplete {
         assumptions::check(model, sink);
     }

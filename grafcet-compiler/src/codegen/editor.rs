@@ -1,21 +1,26 @@
 //! What editors find at names that the code does not repeat where they stand: steps in chains, outputs and code actions
-//! behind qualifiers.
+//! behind qualifiers, macro-steps, partial grafcets, variables that actions write.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::names::Names;
+use super::types::rust_type;
 use crate::model::{Mention, Model};
 
 /// A function that mentions each of them at the user's tokens, for rust-analyzer alone, which sets this `cfg`.
 pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
-    let (mut steps, mut outputs, mut calls) = (Vec::new(), Vec::new(), Vec::new());
+    let [mut steps, mut outputs, mut calls, mut vars, mut macros, mut partials] = [const { Vec::new() }; 6];
     for (mention, span) in &model.mentions {
-        match mention {
-            Mention::Step(id) => steps.push(at(&model.steps[*id].name, *span)),
-            Mention::Output(id) => outputs.push(at(&model.outputs[*id].name, *span)),
-            Mention::Action(id) => calls.push(at(&model.actions[*id].name, *span)),
-        }
+        let (mentioned, name) = match mention {
+            Mention::Step(id) => (&mut steps, Some(&model.steps[*id].name)),
+            Mention::Output(id) => (&mut outputs, Some(&model.outputs[*id].name)),
+            Mention::Action(id) => (&mut calls, Some(&model.actions[*id].name)),
+            Mention::Var(id) => (&mut vars, Some(&model.vars[*id].name)),
+            Mention::Macro(id) => (&mut macros, Some(&model.macros[*id].name)),
+            Mention::Partial(id) => (&mut partials, model.partials[*id].name.as_ref()),
+        };
+        mentioned.extend(name.map(|name| at(name, *span)));
     }
     // The types are called by the chart's name, but not what is mentioned.
     let [step, record, actions] = [&names.step, &names.outputs, &names.actions].map(|name| at(name, Span::call_site()));
@@ -23,6 +28,9 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
     let steps = (!steps.is_empty()).then(|| quote!(let _ = [#(#step::#steps),*];));
     let outputs = (!outputs.is_empty()).then(|| quote!(let _ = (#(&outputs.#outputs,)*);));
     let calls = (!calls.is_empty()).then(|| quote!(let _ = (#(A::#calls,)*);));
+    let macros = named("MacroStep", model.macros.values().map(|macro_step| &macro_step.name), &macros);
+    let partials = named("Partial", model.partials.values().filter_map(|partial| partial.name.as_ref()), &partials);
+    let vars = variables(model, &vars, p);
     quote! {
         #[allow(unexpected_cfgs)]
         const _: () = {
@@ -31,9 +39,29 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
                 #steps
                 #outputs
                 #calls
+                #macros
+                #partials
+                #vars
             }
         };
     }
+}
+
+/// What the rest of the code has no item for gets one, in a block of its own: its name means something else there.
+fn named<'m>(kind: &str, declared: impl Iterator<Item = &'m Ident>, mentioned: &[Ident]) -> Option<TokenStream> {
+    let kind = format_ident!("{kind}");
+    (!mentioned.is_empty()).then(|| quote!({ enum #kind { #(#declared,)* } let _ = [#(#kind::#mentioned),*]; }))
+}
+
+/// The same of variables, which have a type.
+fn variables(model: &Model, mentioned: &[Ident], p: &TokenStream) -> Option<TokenStream> {
+    let (names, types): (Vec<_>, Vec<_>) = model.vars.values().map(|var| (&var.name, rust_type(&var.ty, p))).unzip();
+    (!mentioned.is_empty()).then(|| {
+        quote!({
+            struct Variables { #(#names: #types,)* }
+            fn mentions(variables: &Variables) { let _ = (#(&variables.#mentioned,)*); }
+        })
+    })
 }
 
 fn at(name: &Ident, span: Span) -> Ident {

@@ -62,7 +62,7 @@ pub struct Model {
     pub assumptions: Vec<Assumption>,
     /// What the checker shall prove, in source order.
     pub properties: Vec<Property>,
-    /// Where steps, outputs and code actions are mentioned.
+    /// Where names stand that generated code does not repeat there.
     pub mentions: Vec<(Mention, Span)>,
 }
 
@@ -71,8 +71,14 @@ pub struct Model {
 pub enum Mention {
     /// In chains, forced situations and step variables.
     Step(StepId),
+    /// There, too.
+    Macro(MacroId),
+    /// In forcing orders and in front of the steps of another one.
+    Partial(PartialId),
     /// Where an action drives it.
     Output(OutputId),
+    /// There, too.
+    Var(VarId),
     /// Where it is called.
     Action(ActionId),
 }

@@ -7,8 +7,8 @@ use std::time::Duration;
 use super::{AUTHORS, Cost, Row};
 use crate::command::{Result, capture_within, run, tool};
 use crate::image::Linker;
-use crate::project;
 use crate::toolchain::BareMetal;
+use crate::{firmware, project};
 
 /// The root that keeps nothing.
 const NOTHING: &str = "nothing_root";
@@ -62,7 +62,7 @@ pub(super) fn all(target: &str, authors: &[&'static str]) -> Result<Vec<Row>> {
 
 /// Every chart of one author.
 fn costs(toolchain: &BareMetal, target: &str, author: &str) -> Result<Vec<(String, Cost)>> {
-    let folder = project::target("size").join(target).join("release");
+    let folder = project::target(firmware::FOLDER).join(target).join("release");
     build(toolchain, target, author, &["--bin", "count"])?;
     let counts = count(&folder.join("count"))?;
     build(toolchain, target, author, &["--lib", "--crate-type", "staticlib"])?;
@@ -99,7 +99,7 @@ fn check_finders(linker: &Linker, author: &str) -> Result {
 fn build(toolchain: &BareMetal, target: &str, author: &str, what: &[&str]) -> Result {
     let mut command = toolchain.cargo("rustc", target);
     command.args(["--quiet", "--locked", "--release", "--manifest-path", "benches/Cargo.toml", "--features", author]);
-    run(command.args(what).arg("--target-dir").arg(project::target("size")))
+    run(command.args(what).arg("--target-dir").arg(project::target(firmware::FOLDER)))
 }
 
 /// Runs the image that counts.

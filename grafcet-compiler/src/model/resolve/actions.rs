@@ -59,9 +59,11 @@ impl Resolver<'_> {
             _ => None,
         });
         if let Some(place) = { places }.next() {
-            if let Place::Output(id) = place {
-                self.model.mentions.push((Mention::Output(id), name.span()));
-            }
+            let mention = match place {
+                Place::Output(id) => Mention::Output(id),
+                Place::Var(id) => Mention::Var(id),
+            };
+            self.model.mentions.push((mention, name.span()));
             return Some(place);
         }
         let message = match self.scope.get(name) {

@@ -199,7 +199,7 @@ impl<'r, 's> Lower<'r, 's> {
         let name = path.last()?;
         self.resolver.mention(name);
         if let [partial, _] = path {
-            let partial = self.resolver.scope.partial(partial, self.resolver.sink)?;
+            let partial = self.resolver.find_partial(partial)?;
             let found = self.resolver.scope.step(name, self.resolver.sink)?;
             if let Meaning::Step(step) = found {
                 self.resolver.step_of_partial(name, step, partial);

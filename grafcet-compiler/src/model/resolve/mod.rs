@@ -152,7 +152,7 @@ impl Resolver<'_> {
 
     fn force(&mut self, step: StepId, force: &ast::Force) {
         self.only_in_grafcet(force.mark, "forcing orders");
-        let Some(target) = self.scope.partial(&force.partial, self.sink) else { return self.lose() };
+        let Some(target) = self.find_partial(&force.partial) else { return self.lose() };
         let order = match &force.order {
             ast::ForceOrder::Steps(names) => ForceOrder::Steps(self.forced_steps(names, target)),
             ast::ForceOrder::Hold => ForceOrder::Hold,
@@ -187,11 +187,21 @@ impl Resolver<'_> {
         steps
     }
 
-    /// Takes note that a step is named here.
+    /// Takes note that a step or macro-step is named here.
     fn mention(&mut self, name: &Ident) {
-        if let Some(scope::Meaning::Step(step)) = self.scope.get(name) {
-            self.model.mentions.push((Mention::Step(step), name.span()));
-        }
+        let mention = match self.scope.get(name) {
+            Some(scope::Meaning::Step(step)) => Mention::Step(step),
+            Some(scope::Meaning::Macro(id)) => Mention::Macro(id),
+            _ => return,
+        };
+        self.model.mentions.push((mention, name.span()));
+    }
+
+    /// The partial grafcet of that name, which is taken note of; none is reported.
+    fn find_partial(&mut self, name: &Ident) -> Option<PartialId> {
+        let id = self.scope.partial(name, self.sink)?;
+        self.model.mentions.push((Mention::Partial(id), name.span()));
+        Some(id)
     }
 
     /// Reports a step of a forced situation that belongs to another partial grafcet.
