@@ -140,12 +140,13 @@ fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
 /// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
 fn may_be_unstable(model: &Model) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
-    // A search that is certain to end clears each transition at most once, but the chart may not give it that long.
-    let is_short = |bound: u32| (bound as usize) < model.transitions.len();
-    model.is_grafcet()
-        && (model.max_evolutions.is_some_and(is_short)
-            || !Stability::of(model).is_certain()
-            || Stored::of(model).collected.iter().any(compared))
+    let is_endless = || {
+        let stability = Stability::of(model);
+        // Where each transition clears at most once, the chart gives the search long enough.
+        let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
+        !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound))
+    };
+    model.is_grafcet() && (is_endless() || Stored::of(model).collected.iter().any(compared))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.
