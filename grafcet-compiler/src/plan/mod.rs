@@ -22,7 +22,7 @@ pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored, writes};
 
 use crate::analysis::{Concurrency, Stability, hierarchy};
-use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Ty};
+use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Tree, Ty};
 
 /// The plan for one chart.
 pub struct Plan {
@@ -34,6 +34,8 @@ pub struct Plan {
     pub evolution: Evolution,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
+    /// Where partial grafcets evolve in place, whether they do so from the bottom upwards.
+    pub upwards: bool,
     /// How each output gets its value, by output.
     pub drives: Vec<Drive>,
     pub control: Control,
@@ -75,11 +77,13 @@ impl Plan {
             regions = Regions::flags(model, &initial);
         }
         let sees_reentry = sees_reentry(model, &regions, &evolution);
+        let memory = Memory::of(model, &regions, &drives, &control);
         Self {
-            memory: Memory::of(model, &regions, &drives, &control),
-            has_start: has_start(model, &initial),
+            has_start: has_start(model, &initial, &memory),
+            memory,
             stored: Stored::of(model),
             nests: Nest::all(model, &regions, &evolution, &concurrency),
+            upwards: nest::evolves_upwards(model),
             one_step,
             most_active,
             sees_reentry,
@@ -124,15 +128,28 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
 ///
 /// In an `sfc` it does not evolve (A27). In a `grafcet` it differs where something happens on the activation of the
 /// initial situation, or where something looks at the time or at the evolution before.
-fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
+fn has_start(model: &Model, initial: &BTreeSet<StepId>, memory: &Memory) -> bool {
+    // A place that has the value already.
+    let has = |place: &Place, value: bool| {
+        let init = match place {
+            Place::Output(id) => &model.outputs[*id].init,
+            Place::Var(id) => &model.vars[*id].init,
+        };
+        init.as_ref().map_or(!value, |init| init.tree == Tree::Bool(value))
+    };
     let acts = |step: StepId| {
         model.steps[step].associations.iter().map(|id| &model.associations[*id]).any(|association| {
-            let continuous = matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
-            !continuous || matches!(association.effect, Effect::Call(..))
+            match (association.qualifier, &association.effect) {
+                (_, Effect::Call(..)) => true,
+                (Qualifier::N | Qualifier::L | Qualifier::D, _) => false,
+                (Qualifier::S, Effect::Control(place)) => !has(place, true),
+                (Qualifier::R, Effect::Control(place)) => !has(place, false),
+                _ => true,
+            }
         })
     };
     model.dialect == Dialect::Sfc
-        || !model.edges.is_empty()
+        || memory.asks_for_start()
         || model.uses_time()
         || initial.iter().any(|step| acts(*step))
 }

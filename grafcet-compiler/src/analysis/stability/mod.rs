@@ -79,7 +79,8 @@ fn is_refilled(model: &Model) -> bool {
 }
 
 /// Whether a read has one value throughout a cycle.
-fn is_constant_read(read: &Read) -> bool {
+#[must_use]
+pub fn is_constant_read(read: &Read) -> bool {
     matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Ticks(_))
 }
 
