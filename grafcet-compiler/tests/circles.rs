@@ -1,7 +1,7 @@
 //! Circles that turn in one cycle (A30): those that always do once they are entered, and those that may.
 
 use grafcet_compiler::analysis::circles::{Circle, Circles};
-use grafcet_compiler::analysis::{Concurrency, Logic, Stability};
+use grafcet_compiler::analysis::{Concurrency, Logic};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Id, Model};
 use grafcet_compiler::parse;
@@ -365,15 +365,4 @@ fn verdicts_equal_those_of_all_searches() {
         circles += found.len();
     }
     assert!(circles > 200, "{circles} circles");
-}
-
-/// What a source transition fills again and again can turn other steps on and off: such a search needs its bound.
-#[test]
-fn a_source_transition_may_keep_a_search_going() {
-    let chart = |condition: &str| {
-        let steps = "initial step S1; initial step S6; step S4; step S5;";
-        model(&format!("{steps} S5 -[a]-> S6; S6 -[b]-> S1; S4 -[{condition}]-> S5; () -[a]-> S4;"))
-    };
-    assert!(!Stability::of(&chart("S6.X")).is_certain());
-    assert!(Stability::of(&chart("c")).is_certain());
 }

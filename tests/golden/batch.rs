@@ -751,68 +751,96 @@ impl Batch {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        const CHART: d::Description<'static> = d::Description {
+        static STEPS: [d::table::Text; 5] = ["Idle", "Fill", "Heat", "Stir", "Drain"];
+        static STEP_NUMBERS: [d::table::Number; 25] = [
+            0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 0u32, 0u32,
+            4u32, 0u32, 0u32, 0u32, 0u32, 3u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32,
+        ];
+        static FORCES: [d::table::Text; 0] = [];
+        static ACTIONS: [d::table::Text; 48] = [
+            "N",
+            "",
+            "",
+            "lamp",
+            "N",
+            "",
+            "",
+            "valve",
+            "P1",
+            "",
+            "",
+            "count = count + 1",
+            "N",
+            "",
+            "",
+            "heat(hot)",
+            "L",
+            "3s",
+            "",
+            "lamp",
+            "D",
+            "1s",
+            "",
+            "pump",
+            "N",
+            "",
+            "",
+            "speed = 10",
+            "N",
+            "",
+            "",
+            "heat(40)",
+            "SD",
+            "2s",
+            "",
+            "pump",
+            "P0",
+            "",
+            "",
+            "{ if count > 3 { count = 0; } }",
+            "R",
+            "",
+            "",
+            "pump",
+            "N",
+            "",
+            "level > 3",
+            "pump",
+        ];
+        struct Actions;
+        impl Actions {
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<
+                12,
+            >(&ACTIONS);
+        }
+        static TRANSITIONS: [d::table::Text; 8] = [
+            "",
+            "rising(start)",
+            "",
+            "full && soak/Heat",
+            "",
+            "Stir.T >= 2s && 1s/empty/500ms",
+            "",
+            "level == 0",
+        ];
+        static TRANSITION_NUMBERS: [d::table::Number; 12] = [
+            1u32, 2u32, 0u32, 2u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
+        ];
+        static ENDS: [d::table::End; 10] = [
+            0usize, 1usize, 2usize, 1usize, 2usize, 3usize, 3usize, 4usize, 4usize,
+            0usize,
+        ];
+        static CLEARING: [d::table::Text; 0] = [];
+        d::Description {
             name: "Batch",
             dialect: d::Dialect::Sfc,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &[
-                d::Step::new("Idle", 0, &[d::Action::new("N", "", "", "lamp")], &[])
-                    .initial(),
-                d::Step::new(
-                    "Fill",
-                    0,
-                    &[
-                        d::Action::new("N", "", "", "valve"),
-                        d::Action::new("P1", "", "", "count = count + 1"),
-                    ],
-                    &[],
-                ),
-                d::Step::new(
-                    "Heat",
-                    0,
-                    &[
-                        d::Action::new("N", "", "", "heat(hot)"),
-                        d::Action::new("L", "3s", "", "lamp"),
-                        d::Action::new("D", "1s", "", "pump"),
-                        d::Action::new("N", "", "", "speed = 10"),
-                    ],
-                    &[],
-                ),
-                d::Step::new(
-                    "Stir",
-                    0,
-                    &[
-                        d::Action::new("N", "", "", "heat(40)"),
-                        d::Action::new("SD", "2s", "", "pump"),
-                        d::Action::new("P0", "", "", "{ if count > 3 { count = 0; } }"),
-                    ],
-                    &[],
-                ),
-                d::Step::new(
-                    "Drain",
-                    0,
-                    &[
-                        d::Action::new("R", "", "", "pump"),
-                        d::Action::new("N", "", "level > 3", "pump"),
-                    ],
-                    &[],
-                ),
-            ],
-            transitions: &[
-                d::Transition::new("", &[0], &[1, 2], "rising(start)", &[]),
-                d::Transition::new("", &[1, 2], &[3], "full && soak/Heat", &[]),
-                d::Transition::new(
-                    "",
-                    &[3],
-                    &[4],
-                    "Stir.T >= 2s && 1s/empty/500ms",
-                    &[],
-                ),
-                d::Transition::new("", &[4], &[0], "level == 0", &[]),
-            ],
-        };
-        CHART
+            steps: &d::table::steps::<5>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            transitions: &d::table::transitions::<
+                4,
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+        }
     };
 }
 impl ::grafcet::__private::ActiveSteps for BatchSituation {

@@ -568,7 +568,85 @@ impl Cell {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        const CHART: d::Description<'static> = d::Description {
+        static STEPS: [d::table::Text; 9] = [
+            "Ready",
+            "Stopped",
+            "Restart",
+            "Idle",
+            "Feed",
+            "Close",
+            "Open",
+            "Auto",
+            "Count",
+        ];
+        static STEP_NUMBERS: [d::table::Number; 45] = [
+            1u32, 1u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 1u32, 1u32, 1u32, 0u32, 0u32,
+            0u32, 1u32, 2u32, 1u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 1u32, 0u32, 2u32,
+            0u32, 1u32, 1u32, 0u32, 2u32, 0u32, 1u32, 1u32, 0u32, 2u32, 0u32, 0u32, 1u32,
+            0u32, 3u32, 2u32, 0u32, 1u32, 0u32,
+        ];
+        static FORCES: [d::table::Text; 2] = ["Production {}", "Production {INIT}"];
+        static ACTIONS: [d::table::Text; 24] = [
+            "N",
+            "",
+            "",
+            "lamp",
+            "N",
+            "",
+            "",
+            "belt",
+            "S",
+            "",
+            "",
+            "clamp",
+            "R",
+            "",
+            "",
+            "clamp",
+            "N",
+            "",
+            "Clamp.X",
+            "bell",
+            "on",
+            "",
+            "rising(part)",
+            "n = n + 1",
+        ];
+        struct Actions;
+        impl Actions {
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<6>(&ACTIONS);
+        }
+        static TRANSITIONS: [d::table::Text; 18] = [
+            "",
+            "estop",
+            "",
+            "!estop",
+            "",
+            "true",
+            "",
+            "clamped",
+            "",
+            "start",
+            "",
+            "full",
+            "",
+            "!clamped",
+            "",
+            "auto && !start",
+            "",
+            "n >= 2 && !part",
+        ];
+        static TRANSITION_NUMBERS: [d::table::Number; 27] = [
+            1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32,
+            1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32,
+            1u32,
+        ];
+        static ENDS: [d::table::End; 18] = [
+            0usize, 1usize, 1usize, 2usize, 2usize, 0usize, 5usize, 6usize, 3usize,
+            4usize, 4usize, 5usize, 6usize, 3usize, 3usize, 7usize, 7usize, 3usize,
+        ];
+        static CLEARING: [d::table::Text; 1] = ["n = 0"];
+        d::Description {
             name: "Cell",
             dialect: d::Dialect::Grafcet,
             partials: &[
@@ -578,48 +656,11 @@ impl Cell {
                 d::Partial::new("Counting").enclosed_by(7),
             ],
             macros: &[d::MacroStep::new("Clamp", 5, 6)],
-            steps: &[
-                d::Step::new("Ready", 1, &[], &[]).initial(),
-                d::Step::new(
-                    "Stopped",
-                    1,
-                    &[d::Action::new("N", "", "", "lamp")],
-                    &["Production {}"],
-                ),
-                d::Step::new("Restart", 1, &[], &["Production {INIT}"]),
-                d::Step::new("Idle", 2, &[], &[]).initial(),
-                d::Step::new("Feed", 2, &[d::Action::new("N", "", "", "belt")], &[]),
-                d::Step::new("Close", 2, &[d::Action::new("S", "", "", "clamp")], &[])
-                    .inside(0),
-                d::Step::new("Open", 2, &[d::Action::new("R", "", "", "clamp")], &[])
-                    .inside(0),
-                d::Step::new(
-                    "Auto",
-                    2,
-                    &[d::Action::new("N", "", "Clamp.X", "bell")],
-                    &[],
-                ),
-                d::Step::new(
-                        "Count",
-                        3,
-                        &[d::Action::new("on", "", "rising(part)", "n = n + 1")],
-                        &[],
-                    )
-                    .linked(),
-            ],
-            transitions: &[
-                d::Transition::new("", &[0], &[1], "estop", &[]),
-                d::Transition::new("", &[1], &[2], "!estop", &[]),
-                d::Transition::new("", &[2], &[0], "true", &[]),
-                d::Transition::new("", &[5], &[6], "clamped", &[]),
-                d::Transition::new("", &[3], &[4], "start", &[]),
-                d::Transition::new("", &[4], &[5], "full", &[]),
-                d::Transition::new("", &[6], &[3], "!clamped", &[]),
-                d::Transition::new("", &[3], &[7], "auto && !start", &[]),
-                d::Transition::new("", &[7], &[3], "n >= 2 && !part", &["n = 0"]),
-            ],
-        };
-        CHART
+            steps: &d::table::steps::<9>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            transitions: &d::table::transitions::<
+                9,
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+        }
     };
 }
 impl ::grafcet::__private::ActiveSteps for CellSituation {

@@ -302,26 +302,61 @@ impl Line24V {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        const CHART: d::Description<'static> = d::Description {
+        static STEPS: [d::table::Text; 4] = ["S1", "S2", "S3", "S4"];
+        static STEP_NUMBERS: [d::table::Number; 20] = [
+            0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32,
+            1u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32,
+        ];
+        static FORCES: [d::table::Text; 0] = [];
+        static ACTIONS: [d::table::Text; 16] = [
+            "N",
+            "",
+            "",
+            "q1",
+            "S",
+            "",
+            "",
+            "q2",
+            "N",
+            "",
+            "b5",
+            "q3",
+            "R",
+            "",
+            "",
+            "q2",
+        ];
+        struct Actions;
+        impl Actions {
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<4>(&ACTIONS);
+        }
+        static TRANSITIONS: [d::table::Text; 8] = [
+            "",
+            "b1",
+            "",
+            "b2",
+            "",
+            "b3",
+            "",
+            "b4",
+        ];
+        static TRANSITION_NUMBERS: [d::table::Number; 12] = [
+            1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
+        ];
+        static ENDS: [d::table::End; 8] = [
+            0usize, 1usize, 1usize, 2usize, 2usize, 3usize, 3usize, 0usize,
+        ];
+        static CLEARING: [d::table::Text; 0] = [];
+        d::Description {
             name: "Line24V",
             dialect: d::Dialect::Grafcet,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &[
-                d::Step::new("S1", 0, &[d::Action::new("N", "", "", "q1")], &[])
-                    .initial(),
-                d::Step::new("S2", 0, &[d::Action::new("S", "", "", "q2")], &[]),
-                d::Step::new("S3", 0, &[d::Action::new("N", "", "b5", "q3")], &[]),
-                d::Step::new("S4", 0, &[d::Action::new("R", "", "", "q2")], &[]),
-            ],
-            transitions: &[
-                d::Transition::new("", &[0], &[1], "b1", &[]),
-                d::Transition::new("", &[1], &[2], "b2", &[]),
-                d::Transition::new("", &[2], &[3], "b3", &[]),
-                d::Transition::new("", &[3], &[0], "b4", &[]),
-            ],
-        };
-        CHART
+            steps: &d::table::steps::<4>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            transitions: &d::table::transitions::<
+                4,
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+        }
     };
 }
 impl ::grafcet::__private::ActiveSteps for Line24VStep {

@@ -213,30 +213,50 @@ impl Motor {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        const CHART: d::Description<'static> = d::Description {
+        static STEPS: [d::table::Text; 2] = ["Off", "On"];
+        static STEP_NUMBERS: [d::table::Number; 10] = [
+            0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32,
+        ];
+        static FORCES: [d::table::Text; 0] = [];
+        static ACTIONS: [d::table::Text; 12] = [
+            "N",
+            "",
+            "",
+            "red",
+            "N",
+            "",
+            "",
+            "relay",
+            "N",
+            "",
+            "",
+            "green",
+        ];
+        struct Actions;
+        impl Actions {
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<3>(&ACTIONS);
+        }
+        static TRANSITIONS: [d::table::Text; 4] = [
+            "",
+            "on && !over_temp",
+            "",
+            "off || over_temp",
+        ];
+        static TRANSITION_NUMBERS: [d::table::Number; 6] = [
+            1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
+        ];
+        static ENDS: [d::table::End; 4] = [0usize, 1usize, 1usize, 0usize];
+        static CLEARING: [d::table::Text; 0] = [];
+        d::Description {
             name: "Motor",
             dialect: d::Dialect::Sfc,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &[
-                d::Step::new("Off", 0, &[d::Action::new("N", "", "", "red")], &[])
-                    .initial(),
-                d::Step::new(
-                    "On",
-                    0,
-                    &[
-                        d::Action::new("N", "", "", "relay"),
-                        d::Action::new("N", "", "", "green"),
-                    ],
-                    &[],
-                ),
-            ],
-            transitions: &[
-                d::Transition::new("", &[0], &[1], "on && !over_temp", &[]),
-                d::Transition::new("", &[1], &[0], "off || over_temp", &[]),
-            ],
-        };
-        CHART
+            steps: &d::table::steps::<2>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            transitions: &d::table::transitions::<
+                2,
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+        }
     };
 }
 impl ::grafcet::__private::ActiveSteps for MotorStep {

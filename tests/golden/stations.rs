@@ -418,36 +418,73 @@ impl Stations {
     /// What the chart looks like: its steps, transitions and actions as they stand in the source.
     pub const CHART: ::grafcet::__private::description::Description<'static> = {
         use ::grafcet::__private::description as d;
-        const CHART: d::Description<'static> = d::Description {
+        static STEPS: [d::table::Text; 6] = [
+            "Wait",
+            "Drill",
+            "Drilled",
+            "Test",
+            "Tested",
+            "Out",
+        ];
+        static STEP_NUMBERS: [d::table::Number; 30] = [
+            0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 0u32, 0u32,
+            0u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32,
+            0u32, 0u32, 1u32, 0u32,
+        ];
+        static FORCES: [d::table::Text; 0] = [];
+        static ACTIONS: [d::table::Text; 16] = [
+            "S",
+            "",
+            "",
+            "motor",
+            "N",
+            "",
+            "",
+            "drill",
+            "N",
+            "",
+            "",
+            "test",
+            "R",
+            "",
+            "",
+            "motor",
+        ];
+        struct Actions;
+        impl Actions {
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<4>(&ACTIONS);
+        }
+        static TRANSITIONS: [d::table::Text; 10] = [
+            "",
+            "part",
+            "",
+            "drilled",
+            "",
+            "tested",
+            "",
+            "!part",
+            "",
+            "2s/Out",
+        ];
+        static TRANSITION_NUMBERS: [d::table::Number; 15] = [
+            1u32, 2u32, 0u32, 1u32, 1u32, 0u32, 1u32, 1u32, 0u32, 2u32, 1u32, 0u32, 1u32,
+            1u32, 0u32,
+        ];
+        static ENDS: [d::table::End; 12] = [
+            0usize, 1usize, 3usize, 1usize, 2usize, 3usize, 4usize, 2usize, 4usize,
+            5usize, 5usize, 0usize,
+        ];
+        static CLEARING: [d::table::Text; 0] = [];
+        d::Description {
             name: "Stations",
             dialect: d::Dialect::Grafcet,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &[
-                d::Step::new("Wait", 0, &[], &[]).initial(),
-                d::Step::new(
-                    "Drill",
-                    0,
-                    &[
-                        d::Action::new("S", "", "", "motor"),
-                        d::Action::new("N", "", "", "drill"),
-                    ],
-                    &[],
-                ),
-                d::Step::new("Drilled", 0, &[], &[]),
-                d::Step::new("Test", 0, &[d::Action::new("N", "", "", "test")], &[]),
-                d::Step::new("Tested", 0, &[], &[]),
-                d::Step::new("Out", 0, &[d::Action::new("R", "", "", "motor")], &[]),
-            ],
-            transitions: &[
-                d::Transition::new("", &[0], &[1, 3], "part", &[]),
-                d::Transition::new("", &[1], &[2], "drilled", &[]),
-                d::Transition::new("", &[3], &[4], "tested", &[]),
-                d::Transition::new("", &[2, 4], &[5], "!part", &[]),
-                d::Transition::new("", &[5], &[0], "2s/Out", &[]),
-            ],
-        };
-        CHART
+            steps: &d::table::steps::<6>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            transitions: &d::table::transitions::<
+                5,
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+        }
     };
 }
 impl ::grafcet::__private::ActiveSteps for StationsSituation {

@@ -1,8 +1,8 @@
 //! `Motor::CHART`, and the drawing in the documentation of `Motor`.
 
-use grafcet_core::description::{Action, Description, Dialect, MacroStep, Partial, Step, Transition};
+use grafcet_core::description::{Action, Description, Dialect, MacroStep, Partial, Step, Transition, table};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::Cx;
 use crate::describe::with_description;
@@ -17,8 +17,10 @@ pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
     quote!(#[cfg_attr(doc, doc = #doc)])
 }
 
-/// The constant `CHART` of the chart, and the numbers of the active steps. Clippy takes long arrays for such on the stack
-/// (`large_stack_arrays`) in the constant of an `impl`, but not in one by itself.
+/// The constant `CHART` of the chart, and the numbers of the active steps.
+///
+/// The constants of an `impl` are computed where they are used, and statics that are flat tables are quickly checked: otherwise the
+/// description of a long chart would take half the time of a check.
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
@@ -30,8 +32,7 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
             /// What the chart looks like: its steps, transitions and actions as they stand in the source.
             #vis const CHART: #p::description::Description<'static> = {
                 use #p::description as d;
-                const CHART: d::Description<'static> = #described;
-                CHART
+                #described
             };
         }
 
@@ -53,15 +54,18 @@ fn description(chart: &Description<'_>) -> TokenStream {
         Dialect::Grafcet => quote!(d::Dialect::Grafcet),
     };
     let (partials, macros) = (partials.iter().map(partial), macros.iter().map(macro_step));
-    let (steps, transitions) = (steps.iter().map(step), transitions.iter().map(transition));
+    let (step_count, steps) = (number(steps.len()), step_tables(steps));
+    let (transition_count, transitions) = (number(transitions.len()), transition_tables(transitions));
     quote! {
+        #steps
+        #transitions
         d::Description {
             name: #name,
             dialect: #dialect,
             partials: &[#(#partials),*],
             macros: &[#(#macros),*],
-            steps: &[#(#steps),*],
-            transitions: &[#(#transitions),*],
+            steps: &d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            transitions: &d::table::transitions::<#transition_count>(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
         }
     }
 }
@@ -76,21 +80,62 @@ fn macro_step(MacroStep { name, outer, entry, exit }: &MacroStep<'_>) -> TokenSt
     quote!(d::MacroStep::new(#name, #entry, #exit) #inside)
 }
 
-fn step(Step { name, initial, linked, partial, expansion, actions, forces }: &Step<'_>) -> TokenStream {
-    let (partial, inside) = (number(*partial), inside(*expansion));
-    let initial = initial.then(|| quote!(.initial()));
-    let linked = linked.then(|| quote!(.linked()));
-    let actions = actions.iter().map(action);
-    quote!(d::Step::new(#name, #partial, &[#(#actions),*], &[#(#forces),*]) #initial #linked #inside)
+fn step_tables(steps: &[Step<'_>]) -> TokenStream {
+    let row = |step: &Step<'_>| {
+        let flags = if step.initial { table::INITIAL } else { 0 } | if step.linked { table::LINKED } else { 0 };
+        let expansion = short(step.expansion.map_or(0, |id| id + 1));
+        [
+            short(step.partial),
+            Literal::u32_suffixed(flags),
+            expansion,
+            short(step.actions.len()),
+            short(step.forces.len()),
+        ]
+    };
+    let names = texts("STEPS", steps.iter().map(|step| step.name));
+    let numbers = numbers("STEP_NUMBERS", &quote!(Number), steps.iter().flat_map(row));
+    let forces = texts("FORCES", steps.iter().flat_map(|step| step.forces).copied());
+    let actions: Vec<&Action<'_>> = steps.iter().flat_map(|step| step.actions).collect();
+    let count = number(actions.len());
+    let parts = actions.iter().flat_map(|a| [a.qualifier, a.time, a.condition, a.text]);
+    let actions = texts("ACTIONS", parts);
+    quote! {
+        #names
+        #numbers
+        #forces
+        #actions
+        struct Actions;
+        impl Actions {
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<#count>(&ACTIONS);
+        }
+    }
 }
 
-fn action(Action { qualifier, time, condition, text }: &Action<'_>) -> TokenStream {
-    quote!(d::Action::new(#qualifier, #time, #condition, #text))
+fn transition_tables(transitions: &[Transition<'_>]) -> TokenStream {
+    let row = |t: &Transition<'_>| [t.sources.len(), t.targets.len(), t.clearing.len()].map(short);
+    let ends = transitions.iter().flat_map(|t| t.sources.iter().chain(t.targets));
+    let named = texts("TRANSITIONS", transitions.iter().flat_map(|t| [t.name, t.condition]));
+    let rows = numbers("TRANSITION_NUMBERS", &quote!(Number), transitions.iter().flat_map(row));
+    let ends = numbers("ENDS", &quote!(End), ends.map(|id| Literal::usize_suffixed(*id)));
+    let clearing = texts("CLEARING", transitions.iter().flat_map(|t| t.clearing).copied());
+    quote!(#named #rows #ends #clearing)
 }
 
-fn transition(Transition { name, sources, targets, condition, clearing }: &Transition<'_>) -> TokenStream {
-    let (sources, targets) = (sources.iter().map(|id| number(*id)), targets.iter().map(|id| number(*id)));
-    quote!(d::Transition::new(#name, &[#(#sources),*], &[#(#targets),*], #condition, &[#(#clearing),*]))
+fn texts<'t>(name: &str, texts: impl Iterator<Item = &'t str>) -> TokenStream {
+    let texts: Vec<&str> = texts.collect();
+    let (name, count) = (format_ident!("{name}"), number(texts.len()));
+    quote!(static #name: [d::table::Text; #count] = [#(#texts),*];)
+}
+
+fn numbers(name: &str, ty: &TokenStream, numbers: impl Iterator<Item = Literal>) -> TokenStream {
+    let numbers: Vec<Literal> = numbers.collect();
+    let (name, count) = (format_ident!("{name}"), number(numbers.len()));
+    quote!(static #name: [d::table::#ty; #count] = [#(#numbers),*];)
+}
+
+/// A number of a table.
+fn short(value: usize) -> Literal {
+    Literal::u32_suffixed(u32::try_from(value).unwrap_or(u32::MAX))
 }
 
 fn number(id: usize) -> Literal {

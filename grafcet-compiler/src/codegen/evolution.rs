@@ -17,7 +17,11 @@ impl Cx<'_> {
             let enter = names::enter_local(*step);
             quote!(let mut #enter = false;)
         });
-        let partials = self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial));
+        let mut partials: Vec<_> =
+            self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial)).collect();
+        if self.evolves_upwards() {
+            partials.reverse();
+        }
         quote!(#(#declare)* #(#partials)*)
     }
 
@@ -26,8 +30,8 @@ impl Cx<'_> {
         if self.is_one_match() {
             return self.one_match();
         }
-        if let Some(evolve) = self.evolve_in_place() {
-            return evolve;
+        if let Some(evolve) = self.evolve_in_place(partial) {
+            return self.under_masters(partial, &evolve);
         }
         let contests = self.plan.evolution.contests.iter().map(|contest| self.contest(contest));
         let regions: Vec<_> = self.plan.regions.of_partial(partial).collect();
@@ -265,6 +269,9 @@ impl Cx<'_> {
             }
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
+        if self.evolves_upwards() {
+            writes.extend(self.overwritten_by(transition));
+        }
         let (actions, writes) = (self.clearing_actions(id), self.few_at_a_time(&writes));
         quote!(#actions #writes #moved)
     }

@@ -33,7 +33,8 @@ impl Cx<'_> {
         }
         let (first, enter) = (self.first(), self.enter_initial());
         let stored = self.initial_stored();
-        let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(let mut fresh = #first;));
+        let mutable = self.samples_in_search().then(|| quote!(mut));
+        let fresh = self.plan.memory.asks_for_start().then(|| quote!(let #mutable fresh = #first;));
         if delays.is_empty() || stored.is_empty() {
             return quote!(#fresh if #first { #enter #stored } #delays);
         }
@@ -64,9 +65,11 @@ impl Cx<'_> {
         }
         let combinational = self.all_combinational(Moment::Condition);
         let (declare_bound, bound) = self.bound();
-        let (declare_edges, edges) = (self.declare_edges(), self.sample_edges(&quote!(fresh)));
+        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(fresh)));
+        let (edges, forget) = (self.sample_edges(false, &quote!(fresh)), self.forget_edges());
         let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
-        let fresh = (!self.plan.memory.edges.is_empty()).then(|| quote!(fresh = false;));
+        let fresh = self.plan.memory.asks_for_start() && self.samples_in_search();
+        let fresh = fresh.then(|| quote!(fresh = false;));
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
         let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
@@ -82,12 +85,13 @@ impl Cx<'_> {
             #combinational #keep_edges #edges #fresh
             #evolve
             #bound
-            #stored #commit_collected #commit #restart #unsettle
+            #stored #commit_collected #commit #restart #unsettle #forget
         };
         let snapshot = self.snapshot(&code);
         quote! {
             #declare_bound
             #declare_edges
+            #still
             #time
             loop {
                 #opaque
@@ -259,7 +263,23 @@ impl Cx<'_> {
                 (None, _) => Item::After(association.step, act),
             }
         });
-        self.in_order(items)
+        if self.assigns_across_regions() {
+            return self.in_order(items);
+        }
+        self.in_any_order(items)
+    }
+
+    /// Whether steps of several regions give an output its value, of which the last one in the source counts.
+    fn assigns_across_regions(&self) -> bool {
+        let continuous = || self.model.associations.values().filter(|association| !crate::plan::is_stored(association));
+        let mut assigned = continuous().filter_map(|association| match &association.effect {
+            Effect::Assign(place, _) => Some((*place, self.plan.regions.of_step(association.step))),
+            _ => None,
+        });
+        let writes = |association: &Association, place| crate::plan::writes(&association.effect).any(|p| p == place);
+        assigned.any(|(place, region)| {
+            continuous().any(|other| writes(other, place) && self.plan.regions.of_step(other.step) != region)
+        })
     }
 
     /// `N heat(80)`: called once per cycle, behind all others, and told its phase (A33).

@@ -9,7 +9,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::{TransitionId, Tree};
+use crate::model::{PartialId, TransitionId, Tree};
 use crate::plan::{Nest, RegionId};
 
 impl Cx<'_> {
@@ -70,15 +70,16 @@ impl Cx<'_> {
         quote!(#first #(#rest)*)
     }
 
-    /// The evolution in place, if the chart is one for it.
-    pub(super) fn evolve_in_place(&self) -> Option<TokenStream> {
-        let nests = self.nests()?;
+    /// The evolution of a partial grafcet in place, if the chart is one for it.
+    pub(super) fn evolve_in_place(&self, partial: PartialId) -> Option<TokenStream> {
+        let here = |nest: &&Nest| self.plan.regions.all()[nest.head].partial == partial;
+        let nests: Vec<_> = self.nests()?.iter().filter(here).collect();
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let start = (!self.model.is_grafcet()).then(|| {
             let (enter, moved) = (self.enter_initial(), self.note_moved());
             (self.start(), quote!({ #enter #moved }))
         });
-        Some(match (nests, start) {
+        Some(match (&nests[..], start) {
             ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
             (nests, Some((_, enter))) => {
                 let (starting, evolve) = (self.is_starting(At::Now), nests.iter().map(|nest| self.nest(nest, None)));
@@ -172,7 +173,7 @@ impl Cx<'_> {
 
     /// The function that does one evolution and says whether it has changed the situation.
     pub(super) fn evolve_function(&self) -> Option<TokenStream> {
-        let evolve = self.evolves_apart().then(|| self.evolve_in_place()).flatten()?;
+        let evolve = self.evolves_apart().then(|| self.evolve())?;
         let (p, inputs, name) = (&self.p, &self.names.inputs, names::evolve());
         let befores = self.befores_for(&evolve);
         Some(quote! {

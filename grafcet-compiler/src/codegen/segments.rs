@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::bind::is_opaque;
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::StepId;
+use crate::model::{Effect, Expr, StepId};
 use crate::plan::RegionId;
 
 /// Something that happens in a cycle.
@@ -18,6 +19,13 @@ pub(super) enum Item {
     After(StepId, TokenStream),
     /// In every cycle.
     Always(TokenStream),
+}
+
+impl Item {
+    fn is_empty(&self) -> bool {
+        let (Self::Before(_, body) | Self::After(_, body) | Self::Always(body)) = self;
+        body.is_empty()
+    }
 }
 
 /// A `match` under construction.
@@ -67,6 +75,40 @@ impl Cx<'_> {
         }
         tokens.extend(open.map(|segment| self.segment(segment)));
         tokens
+    }
+
+    /// One `match` for each region, for items of which none sees what another one does. Where conditions or values call
+    /// functions of the user, those keep their order.
+    pub(super) fn in_any_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
+        let mut items: Vec<_> = items.into_iter().filter(|item| !item.is_empty()).collect();
+        let opaque = |expr: &Expr| is_opaque(&expr.tree);
+        let mut associations = self.model.associations.values();
+        let calls = associations.any(|association| {
+            let value = match &association.effect {
+                Effect::Assign(_, value) => Some(value),
+                _ => None,
+            };
+            association.condition.iter().chain(value).any(opaque)
+        });
+        if !calls && !self.has_flags() {
+            let mut regions = Vec::new();
+            for region in items.iter().map(|item| self.region_of(item)) {
+                if !regions.contains(&region) {
+                    regions.push(region);
+                }
+            }
+            items.sort_by_key(|item| regions.iter().position(|region| *region == self.region_of(item)));
+        }
+        self.in_order(items)
+    }
+
+    /// Whose state the item looks at, and when.
+    fn region_of(&self, item: &Item) -> Option<(bool, RegionId)> {
+        match item {
+            Item::Before(step, _) => Some((true, self.plan.regions.of_step(*step))),
+            Item::After(step, _) => Some((false, self.plan.regions.of_step(*step))),
+            Item::Always(_) => None,
+        }
     }
 
     /// Whether an item of this region belongs into the segment. With a bit for each step that is one of a step behind all

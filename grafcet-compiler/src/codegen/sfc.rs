@@ -14,7 +14,7 @@ impl Cx<'_> {
     /// The body of `cycle`.
     pub(super) fn sfc_cycle(&self) -> TokenStream {
         let time = self.pass_time();
-        let first = (!self.plan.memory.edges.is_empty()).then(|| {
+        let first = self.plan.memory.asks_for_start().then(|| {
             let first = self.first();
             quote!(let first = #first;)
         });
@@ -57,7 +57,7 @@ impl Cx<'_> {
             let all = self.in_order(items.chain(entered).chain(rest));
             return quote!(#last #resets #all #apply_resets);
         }
-        let local = self.in_order(source_order(self.model).map(|id| self.gather_local(id)));
+        let local = self.in_any_order(source_order(self.model).map(|id| self.gather_local(id)));
         let (flags, q, left) = (self.gather_flags(), self.compute_q(), self.note_leaving());
         let leaving = self.in_order(self.part(Part::Deactivation));
         let entering = self.in_order(self.part(Part::Activation));

@@ -99,10 +99,16 @@ impl Cx<'_> {
             return self.set_flags(&self.model.partials[partial].steps, steps);
         }
         let regions = self.plan.regions.of_partial(partial).map(|region| {
-            let after = names::after(region, self.plan);
             let step = steps.iter().find(|step| self.plan.regions.of_step(**step) == region);
             let state = step.map_or_else(|| self.empty(region), |step| self.variant(*step));
-            quote!(#after = #state;)
+            let enter = self.enter_state(region, &state);
+            match self.note_moved() {
+                Some(moved) => {
+                    let was = self.plain_state(region);
+                    quote!(if #was != #state { #enter #moved })
+                }
+                None => enter,
+            }
         });
         regions.collect()
     }

@@ -202,8 +202,10 @@ impl Cx<'_> {
                 initial: types::initial_value(var.init.as_ref(), &var.ty, &self.p),
             }
         }));
+        // Behind a value that was true no edge rises: there is none in the first cycle (A26).
+        let edges = self.plan.memory.edges.iter();
         fields.extend(
-            self.plan.memory.edges.iter().map(|(id, ..)| self.flag(&names::edge_field(*id).to_string(), false)),
+            edges.map(|(id, rising, falling)| self.flag(&names::edge_field(*id).to_string(), *rising && !falling)),
         );
         fields
     }

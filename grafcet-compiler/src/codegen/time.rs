@@ -99,9 +99,27 @@ impl Cx<'_> {
         samples.collect()
     }
 
-    /// The edges of this evolution: `none` says that there are none (A26).
-    pub(super) fn sample_edges(&self, none: &TokenStream) -> TokenStream {
-        self.plan.memory.edges.iter().map(|(id, ..)| self.sample_edge(*id, none)).collect()
+    /// The edges of this evolution, or those that are the same in each: `none` says that there are none (A26).
+    pub(super) fn sample_edges(&self, still: bool, none: &TokenStream) -> TokenStream {
+        let edges = self.plan.memory.edges.iter().filter(|(id, ..)| self.is_still(*id) == still);
+        edges.map(|(id, ..)| self.sample_edge(*id, none)).collect()
+    }
+
+    /// Whether an edge is sampled in front of the search. Where the bound may stop its first evolution, the edges of that
+    /// have to be seen again.
+    fn is_still(&self, id: EdgeId) -> bool {
+        !self.plan.may_be_unstable && self.plan.memory.still_edges.contains(&id)
+    }
+
+    /// Edges that only the first evolution sees are gone (A2).
+    pub(super) fn forget_edges(&self) -> TokenStream {
+        let edges: Vec<_> = self.plan.memory.still_edges.iter().copied().filter(|id| self.is_still(*id)).collect();
+        self.names_of_edges(&edges).into_iter().map(|local| quote!(#local = false;)).collect()
+    }
+
+    /// Whether the evolutions of a search each have edges of their own.
+    pub(super) fn samples_in_search(&self) -> bool {
+        self.plan.memory.edges.iter().any(|(id, ..)| !self.is_still(*id))
     }
 
     /// All edges, delays and combinational variables in an order in which each comes behind those it reads.
@@ -161,11 +179,12 @@ impl Cx<'_> {
         let p = &self.p;
         let (field, value) = (names::edge_field(id), self.value(&self.model.edges[id].of, Moment::Sample));
         let used = self.plan.memory.edges.iter().find(|(other, ..)| *other == id);
+        let none = used.is_some_and(|(_, rising, falling)| *rising && *falling).then(|| quote!(&& !#none));
         let sides = used.into_iter().flat_map(|(_, rising, falling)| [(*rising, true), (*falling, false)]);
         let sides = sides.filter(|(used, _)| *used).map(|(_, is_rising)| {
             let local = names::edge_local(id, is_rising);
             let edge = if is_rising { quote!(value && !self.#field) } else { quote!(!value && self.#field) };
-            quote!(#local = #edge && !#none;)
+            quote!(#local = #edge #none;)
         });
         quote!(let value: #p::bool = #value; #(#sides)*)
     }

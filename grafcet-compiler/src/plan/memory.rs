@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{Control, Drive, Regions};
-use crate::analysis::combinational;
+use crate::analysis::{combinational, is_constant_read};
 use crate::model::{Association, AssociationId, EdgeId, Id, MacroId, Model, OutputId, Read, StepId, VarId};
 
 /// The remembered values.
@@ -24,6 +24,8 @@ pub struct Memory {
     pub macro_times: Vec<MacroId>,
     /// Edges, each with whether its rising and its falling side are used.
     pub edges: Vec<(EdgeId, bool, bool)>,
+    /// `grafcet`: edges of what stands still in a search, sampled once in front of it: its first evolution sees them (A2).
+    pub still_edges: Vec<EdgeId>,
 }
 
 impl Memory {
@@ -42,6 +44,7 @@ impl Memory {
             time: model.uses_time(),
             step_times: regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect(),
             macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
+            still_edges: still_edges(model),
             edges: model
                 .edges
                 .ids()
@@ -49,6 +52,20 @@ impl Memory {
                 .collect(),
         }
     }
+}
+
+impl Memory {
+    /// Whether an edge is used on both sides: what is remembered of it then does not tell by itself that there is none in the
+    /// first cycle (A26).
+    #[must_use]
+    pub fn asks_for_start(&self) -> bool {
+        self.edges.iter().any(|(_, rising, falling)| *rising && *falling)
+    }
+}
+
+fn still_edges(model: &Model) -> Vec<EdgeId> {
+    let edges = model.edges.iter().filter(|(_, edge)| model.is_grafcet() && edge.of.reads.iter().all(is_constant_read));
+    edges.map(|(id, _)| id).collect()
 }
 
 /// Steps whose time is read.

@@ -22,7 +22,7 @@ pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored, writes};
 
 use crate::analysis::{Concurrency, Stability, hierarchy};
-use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Ty};
+use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Tree, Ty};
 
 /// The plan for one chart.
 pub struct Plan {
@@ -34,6 +34,8 @@ pub struct Plan {
     pub evolution: Evolution,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
+    /// Where partial grafcets evolve in place, whether they do so from the bottom upwards.
+    pub upwards: bool,
     /// How each output gets its value, by output.
     pub drives: Vec<Drive>,
     pub control: Control,
@@ -75,11 +77,13 @@ impl Plan {
             regions = Regions::flags(model, &initial);
         }
         let sees_reentry = sees_reentry(model, &regions, &evolution);
+        let memory = Memory::of(model, &regions, &drives, &control);
         Self {
-            memory: Memory::of(model, &regions, &drives, &control),
-            has_start: has_start(model, &initial),
+            has_start: has_start(model, &initial, &memory),
+            memory,
             stored: Stored::of(model),
             nests: Nest::all(model, &regions, &evolution, &concurrency),
+            upwards: nest::evolves_upwards(model),
             one_step,
             most_active,
             sees_reentry,
@@ -124,15 +128,28 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
 ///
 /// In an `sfc` it does not evolve (A27). In a `grafcet` it differs where something happens on the activation of the
 /// initial situation, or where something looks at the time or at the evolution before.
-fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
+fn has_start(model: &Model, initial: &BTreeSet<StepId>, memory: &Memory) -> bool {
+    // A place that has the value already.
+    let has = |place: &Place, value: bool| {
+        let init = match place {
+            Place::Output(id) => &model.outputs[*id].init,
+            Place::Var(id) => &model.vars[*id].init,
+        };
+        init.as_ref().map_or(!value, |init| init.tree == Tree::Bool(value))
+    };
     let acts = |step: StepId| {
         model.steps[step].associations.iter().map(|id| &model.associations[*id]).any(|association| {
-            let continuous = matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
-            !continuous || matches!(association.effect, Effect::Call(..))
+            match (association.qualifier, &association.effect) {
+                (_, Effect::Call(..)) => true,
+                (Qualifier::N | Qualifier::L | Qualifier::D, _) => false,
+                (Qualifier::S, Effect::Control(place)) => !has(place, true),
+                (Qualifier::R, Effect::Control(place)) => !has(place, false),
+                _ => true,
+            }
         })
     };
     model.dialect == Dialect::Sfc
-        || !model.edges.is_empty()
+        || memory.asks_for_start()
         || model.uses_time()
         || initial.iter().any(|step| acts(*step))
 }
@@ -140,12 +157,13 @@ fn has_start(model: &Model, initial: &BTreeSet<StepId>) -> bool {
 /// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
 fn may_be_unstable(model: &Model) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
-    // A search that is certain to end clears each transition at most once, but the chart may not give it that long.
-    let is_short = |bound: u32| (bound as usize) < model.transitions.len();
-    model.is_grafcet()
-        && (model.max_evolutions.is_some_and(is_short)
-            || !Stability::of(model).is_certain()
-            || Stored::of(model).collected.iter().any(compared))
+    let is_endless = || {
+        let stability = Stability::of(model);
+        // Where each transition clears at most once, the chart gives the search long enough.
+        let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
+        !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound))
+    };
+    model.is_grafcet() && (is_endless() || Stored::of(model).collected.iter().any(compared))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

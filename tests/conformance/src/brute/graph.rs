@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::interp::{Evolution, Interpreter, Memory, Situation, Value};
-use grafcet_compiler::model::{Binary, Effect, Model, Name, Place, Read, TimeRef, TransitionId, Tree, Ty};
+use grafcet_compiler::model::{Binary, Effect, Expr, Model, Name, Place, Read, TimeRef, TransitionId, Tree, Ty};
 
 /// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.
 const LEAP: u32 = 1 << 31;
@@ -139,7 +139,7 @@ impl Graph {
     }
 
     /// Whether leaps of time show every situation and every way: times are those of steps, all compared with the same
-    /// constant, or matter to outputs alone, which nothing reads.
+    /// constant and each alone, or matter to outputs alone, which nothing reads.
     #[must_use]
     pub fn is_whole(model: &Model) -> bool {
         let mut times = BTreeSet::new();
@@ -151,7 +151,12 @@ impl Graph {
         let of_output =
             |effect: &Effect| matches!(effect, Effect::Control(Place::Output(_)) | Effect::Assign(Place::Output(_), _));
         let mut timed = model.associations.values().filter(|association| association.time.is_some());
-        all.all(|expr| is_plain(&expr.tree, &mut times))
+        // That one time is always longer than another is not followed by the checker.
+        let is_time = |read: &&Read| {
+            matches!(read, Read::Since(_) | Read::MacroSince(_) | Read::Elapsed(..) | Read::MacroElapsed(..))
+        };
+        let one_step = |expr: &Expr| expr.reads.iter().filter(is_time).count() < 2;
+        all.all(|expr| is_plain(&expr.tree, &mut times) && one_step(expr))
             && timed.all(|association| of_output(&association.effect))
             && times.len() < 2
     }

@@ -1,5 +1,8 @@
 //! A chart as data: what is drawn of it, for whoever wants to show it.
 
+#[doc(hidden)]
+pub mod table;
+
 /// What a chart looks like: its steps, transitions and actions as they stand in the source.
 ///
 /// Steps, transitions, partial grafcets and macro-steps are numbered in the order of their declaration; where one names

@@ -1,0 +1,144 @@
+//! Which transitions a transition may enable in the same cycle, and which exclude each other in it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Candidates, is_constant_read};
+use crate::analysis::{Condition, Logic};
+use crate::model::{Binary, ForceOrder, Id, Model, StepId, TransitionId, Tree, Unary};
+
+/// In larger circles no choice is looked for: it would take a comparison of all pairs.
+const LARGE: usize = 80;
+
+pub(super) struct Follows<'m> {
+    model: &'m Model,
+    logic: Logic<'m>,
+    /// By step, the transitions that leave it.
+    leaving: Vec<Vec<TransitionId>>,
+    /// By transition, the steps it activates, also by what a step forces or encloses.
+    activates: Vec<BTreeSet<StepId>>,
+    /// By step, the transitions that activate it.
+    entering: Vec<Vec<TransitionId>>,
+    /// By transition, the number of its condition among the different ones.
+    condition_of: Vec<usize>,
+    conditions: Vec<Condition>,
+    /// Whether two conditions can hold together, as far as that was asked.
+    together: BTreeMap<(usize, usize), bool>,
+}
+
+impl<'m> Follows<'m> {
+    pub(super) fn new(model: &'m Model) -> Self {
+        let logic = Logic::new(model);
+        let mut leaving = vec![Vec::new(); model.steps.len()];
+        let mut entering = vec![Vec::new(); model.steps.len()];
+        let mut activates = Vec::new();
+        for (id, transition) in model.transitions.iter() {
+            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
+            let activated = activated(model, &transition.targets);
+            activated.iter().for_each(|step| entering[step.index()].push(id));
+            activates.push(activated);
+        }
+        let mut different: BTreeMap<Tree, usize> = BTreeMap::new();
+        let mut conditions = Vec::new();
+        let mut condition_of = Vec::new();
+        for transition in model.transitions.values() {
+            let tree = constant_part(&transition.condition.tree, true);
+            let number = *different.entry(tree).or_insert_with_key(|tree| {
+                conditions.push(logic.condition(tree));
+                conditions.len() - 1
+            });
+            condition_of.push(number);
+        }
+        Self { model, logic, leaving, activates, entering, condition_of, conditions, together: BTreeMap::new() }
+    }
+
+    pub(super) fn transitions(&self) -> usize {
+        self.model.transitions.len()
+    }
+
+    /// The transitions that one may enable.
+    pub(super) fn after(&mut self, id: TransitionId) -> Vec<TransitionId> {
+        let next: Vec<_> =
+            self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).collect();
+        next.into_iter().filter(|other| self.can_clear_together(id, *other)).collect()
+    }
+
+    /// Whether transitions among `candidates` enter each of its source steps.
+    pub(super) fn is_entered(&mut self, id: TransitionId, candidates: &Candidates) -> bool {
+        let sources = &self.model.transitions[id].sources;
+        sources.iter().all(|step| {
+            let entering = self.entering[step.index()].clone();
+            entering.into_iter().any(|other| candidates.contains(&other) && self.can_clear_together(other, id))
+        })
+    }
+
+    /// The transition that most others exclude, and these.
+    pub(super) fn choice(&mut self, circle: &Candidates) -> Option<(TransitionId, Candidates)> {
+        if circle.len() > LARGE {
+            return None;
+        }
+        let mut best: Option<(TransitionId, Candidates)> = None;
+        for one in circle {
+            let others: Candidates =
+                circle.iter().copied().filter(|other| !self.can_clear_together(*one, *other)).collect();
+            if others.len() > best.as_ref().map_or(0, |(_, others)| others.len()) {
+                best = Some((*one, others));
+            }
+        }
+        best
+    }
+
+    fn can_clear_together(&mut self, a: TransitionId, b: TransitionId) -> bool {
+        let (a, b) = (self.condition_of[a.index()], self.condition_of[b.index()]);
+        let (logic, conditions) = (&self.logic, &self.conditions);
+        *self.together.entry((a.min(b), a.max(b))).or_insert_with(|| !logic.exclusive(&conditions[a], &conditions[b]))
+    }
+}
+
+/// These steps, the linked ones of those that enclose others, and the ones they force.
+fn activated(model: &Model, steps: &[StepId]) -> BTreeSet<StepId> {
+    let mut all = BTreeSet::new();
+    let mut waiting = steps.to_vec();
+    while let Some(step) = waiting.pop() {
+        if !all.insert(step) {
+            continue;
+        }
+        for partial in model.partials.values().filter(|partial| partial.enclosed_by == Some(step)) {
+            waiting.extend(partial.steps.iter().filter(|inner| model.steps[**inner].linked));
+        }
+        for force in model.forces.values().filter(|force| force.step == step) {
+            match &force.order {
+                ForceOrder::Steps(situation) => waiting.extend(situation),
+                ForceOrder::Init => {
+                    let steps = &model.partials[force.target].steps;
+                    waiting.extend(steps.iter().filter(|step| model.steps[**step].initial));
+                }
+                ForceOrder::Hold => {}
+            }
+        }
+    }
+    all
+}
+
+/// What a condition demands of the values that stay constant during a cycle: everything else is taken as favourable.
+fn constant_part(tree: &Tree, favourable: bool) -> Tree {
+    match tree {
+        Tree::Bool(_) | Tree::Int(_) => tree.clone(),
+        Tree::Unary(Unary::Not, inner) => Tree::Unary(Unary::Not, Box::new(constant_part(inner, !favourable))),
+        Tree::Binary(operator @ (Binary::And | Binary::Or), a, b) => {
+            Tree::Binary(*operator, Box::new(constant_part(a, favourable)), Box::new(constant_part(b, favourable)))
+        }
+        other if is_constant(other) => other.clone(),
+        _ => Tree::Bool(favourable),
+    }
+}
+
+fn is_constant(tree: &Tree) -> bool {
+    match tree {
+        Tree::Bool(_) | Tree::Int(_) => true,
+        Tree::Read(read) => is_constant_read(read),
+        Tree::Unary(_, inner) => is_constant(inner),
+        Tree::Binary(_, a, b) => is_constant(a) && is_constant(b),
+        Tree::Opaque { reads, .. } => reads.iter().all(is_constant_read),
+        Tree::Elapsed(..) | Tree::MacroElapsed(..) => false,
+    }
+}

@@ -1,0 +1,188 @@
+//! Whether every search for stability of a `grafcet` comes to an end (A30).
+//!
+//! A search without end clears some transitions again and again. Each of them is enabled anew by one that clears
+//! before it in the same cycle, so somewhere there is a circle of transitions that all clear on one set of inputs. Two
+//! transitions whose conditions exclude each other by what stays constant during a cycle never do, and some clear once a
+//! cycle at most. Where no circle is left without these, the search ends.
+
+mod follows;
+mod once;
+
+use std::collections::BTreeSet;
+
+use self::follows::Follows;
+use super::Concurrency;
+use crate::model::{Id, Model, Name, Qualifier, Read, TransitionId};
+
+/// So many choices between transitions that exclude each other are gone through before nothing is claimed.
+const CHOICES: usize = 64;
+
+/// Transitions that all may clear again and again in one search.
+type Candidates = BTreeSet<TransitionId>;
+
+/// What is known about the end of the search.
+pub struct Stability {
+    certain: bool,
+    at_once: bool,
+}
+
+impl Stability {
+    /// Looks at the circles of a chart.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let events = model.associations.values().any(|a| a.qualifier == Qualifier::On);
+        if events || is_refilled(model) {
+            return Self { certain: false, at_once: false };
+        }
+        let mut follows = Follows::new(model);
+        let all: Candidates = model.transitions.ids().collect();
+        let at_once = model.partials.len() == 1 && model.forces.is_empty() && circles(&mut follows, &all).is_empty();
+        let certain = at_once || {
+            let concurrency = Concurrency::of(model);
+            let again = all.iter().copied().filter(|id| !once::clears_once(model, &concurrency, *id)).collect();
+            ends(&mut follows, again, &all, &mut 0)
+        };
+        Self { certain, at_once }
+    }
+
+    /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
+    /// search that comes back to a situation then goes on for ever.
+    #[must_use]
+    pub fn is_memoryless(model: &Model) -> bool {
+        let follows = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
+        model.transitions.values().flat_map(|transition| &transition.condition.reads).all(follows)
+    }
+
+    /// Every search ends.
+    #[must_use]
+    pub fn is_certain(&self) -> bool {
+        self.certain
+    }
+
+    /// Every search ends after each transition has cleared at most once.
+    #[must_use]
+    pub fn is_at_once(&self) -> bool {
+        self.at_once
+    }
+}
+
+/// Whether a source transition, which nothing has to enable, may go on filling a chart in which what clears depends on what
+/// is active or stored: the steps behind it can then turn each other on and off.
+fn is_refilled(model: &Model) -> bool {
+    let varies = |read: &Read| match read {
+        Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().any(|read| !is_constant_read(read)),
+        other => !is_constant_read(other),
+    };
+    let mut transitions = model.transitions.values();
+    let mut reads = model.transitions.values().flat_map(|transition| &transition.condition.reads);
+    transitions.any(|transition| transition.sources.is_empty()) && (model.partials.len() > 1 || reads.any(varies))
+}
+
+/// Whether a read has one value throughout a cycle.
+#[must_use]
+pub fn is_constant_read(read: &Read) -> bool {
+    matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Ticks(_))
+}
+
+/// Whether no set of transitions can clear again and again, all on one set of inputs, if it is one of `allowed` and has its
+/// circle in `focus`.
+fn ends(follows: &mut Follows<'_>, allowed: Candidates, focus: &Candidates, choices: &mut usize) -> bool {
+    let allowed = entered_again(follows, allowed);
+    let focus = focus.intersection(&allowed).copied().collect();
+    circles(follows, &focus).iter().all(|circle| {
+        // Of a transition and those that exclude it, only the one or the others clear.
+        let Some((one, others)) = follows.choice(circle) else { return false };
+        *choices += 1;
+        if *choices > CHOICES {
+            return false;
+        }
+        let mut without = |gone: &Candidates| {
+            let rest = |all: &Candidates| all.difference(gone).copied().collect::<Candidates>();
+            ends(follows, rest(&allowed), &rest(circle), choices)
+        };
+        without(&Candidates::from([one])) && without(&others)
+    })
+}
+
+/// What is left of these transitions if each source step of each has to be entered by another one.
+fn entered_again(follows: &mut Follows<'_>, mut candidates: Candidates) -> Candidates {
+    loop {
+        let before = candidates.len();
+        let next = candidates.iter().copied().filter(|id| follows.is_entered(*id, &candidates)).collect();
+        candidates = next;
+        if candidates.len() == before {
+            return candidates;
+        }
+    }
+}
+
+/// The sets of transitions that enable each other in circles: the strongly connected ones, by Tarjan's search with an explicit
+/// stack, since charts may be long.
+fn circles(follows: &mut Follows<'_>, among: &Candidates) -> Vec<Candidates> {
+    let mut search =
+        Tarjan { order: vec![None; follows.transitions()], low: vec![0; follows.transitions()], ..Tarjan::default() };
+    for root in among {
+        if search.order[root.index()].is_none() {
+            search.from(*root, follows, among);
+        }
+    }
+    search.found
+}
+
+#[derive(Default)]
+struct Tarjan {
+    /// By transition, when it was met.
+    order: Vec<Option<usize>>,
+    low: Vec<usize>,
+    met: usize,
+    open: Vec<TransitionId>,
+    found: Vec<Candidates>,
+}
+
+impl Tarjan {
+    fn from(&mut self, root: TransitionId, follows: &mut Follows<'_>, among: &Candidates) {
+        let mut path = vec![(root, self.meet(root, follows, among).into_iter())];
+        while let Some((at, next)) = path.last_mut() {
+            let at = *at;
+            match next.next() {
+                Some(child) => match self.order[child.index()] {
+                    None => {
+                        let behind = self.meet(child, follows, among);
+                        path.push((child, behind.into_iter()));
+                    }
+                    Some(order) if self.open.contains(&child) => {
+                        self.low[at.index()] = self.low[at.index()].min(order);
+                    }
+                    Some(_) => {}
+                },
+                None => {
+                    path.pop();
+                    if let Some((from, _)) = path.last() {
+                        self.low[from.index()] = self.low[from.index()].min(self.low[at.index()]);
+                    }
+                    self.close(at, follows);
+                }
+            }
+        }
+    }
+
+    fn meet(&mut self, id: TransitionId, follows: &mut Follows<'_>, among: &Candidates) -> Vec<TransitionId> {
+        self.order[id.index()] = Some(self.met);
+        self.low[id.index()] = self.met;
+        self.met += 1;
+        self.open.push(id);
+        follows.after(id).into_iter().filter(|next| among.contains(next)).collect()
+    }
+
+    /// What was met behind the first one of a set and is still open belongs to it.
+    fn close(&mut self, first: TransitionId, follows: &mut Follows<'_>) {
+        if self.order[first.index()] != Some(self.low[first.index()]) {
+            return;
+        }
+        let place = self.open.iter().rposition(|id| *id == first).unwrap_or_default();
+        let set: Candidates = self.open.split_off(place).into_iter().collect();
+        if set.len() > 1 || follows.after(first).contains(&first) {
+            self.found.push(set);
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Descriptions out of flat tables: a compiler takes far longer for values within values. For the code that the macro
+//! generates; what is not in the tables ends the evaluation of the constant.
+
+use super::{Action, Step, Transition};
+
+/// What texts are.
+pub type Text = &'static str;
+/// What the numbers of steps and transitions are.
+pub type Number = u32;
+/// What the numbers by which a transition names steps are.
+pub type End = usize;
+
+/// One of the numbers of a step: it is initial.
+pub const INITIAL: Number = 1;
+/// The same: it carries the activation link.
+pub const LINKED: Number = 2;
+
+/// How many numbers describe a step: its partial grafcet; [`INITIAL`] and [`LINKED`]; one more than the macro-step around it, or
+/// zero; how many actions and how many forcing orders it has.
+const STEP: usize = 5;
+
+/// How many numbers describe a transition: how many steps stand before it and behind it, how many actions it has.
+const TRANSITION: usize = 3;
+
+/// So many associations, of four texts each.
+#[must_use]
+pub const fn actions<'a, const N: usize>(texts: &'a [&'a str]) -> [Action<'a>; N] {
+    let mut all = [Action::new("", "", "", ""); N];
+    let mut number = 0;
+    while number < N {
+        let at = 4 * number;
+        all[number] = Action::new(texts[at], texts[at + 1], texts[at + 2], texts[at + 3]);
+        number += 1;
+    }
+    all
+}
+
+/// So many steps: their names, [`STEP`] numbers of each, and what belongs to them, one after the other.
+#[must_use]
+pub const fn steps<'a, const N: usize>(
+    names: &'a [&'a str],
+    numbers: &[Number],
+    mut actions: &'a [Action<'a>],
+    mut forces: &'a [&'a str],
+) -> [Step<'a>; N] {
+    let mut all = [Step::new("", 0, &[], &[]); N];
+    let mut number = 0;
+    while number < N {
+        let at = STEP * number;
+        let (own_actions, later_actions) = actions.split_at(numbers[at + 3] as usize);
+        let (own_forces, later_forces) = forces.split_at(numbers[at + 4] as usize);
+        let mut step = Step::new(names[number], numbers[at] as usize, own_actions, own_forces);
+        step.initial = numbers[at + 1] & INITIAL != 0;
+        step.linked = numbers[at + 1] & LINKED != 0;
+        step.expansion = (numbers[at + 2] as usize).checked_sub(1);
+        all[number] = step;
+        (actions, forces) = (later_actions, later_forces);
+        number += 1;
+    }
+    all
+}
+
+/// So many transitions: name and condition, and [`TRANSITION`] numbers of each, and what belongs to them, one after the other:
+/// the steps before and behind, and the actions.
+#[must_use]
+pub const fn transitions<'a, const N: usize>(
+    texts: &'a [&'a str],
+    numbers: &[Number],
+    mut ends: &'a [End],
+    mut clearing: &'a [&'a str],
+) -> [Transition<'a>; N] {
+    let mut all = [Transition::new("", &[], &[], "", &[]); N];
+    let mut number = 0;
+    while number < N {
+        let at = TRANSITION * number;
+        let (sources, behind) = ends.split_at(numbers[at] as usize);
+        let (targets, later_ends) = behind.split_at(numbers[at + 1] as usize);
+        let (own, later) = clearing.split_at(numbers[at + 2] as usize);
+        all[number] = Transition::new(texts[2 * number], sources, targets, texts[2 * number + 1], own);
+        (ends, clearing) = (later_ends, later);
+        number += 1;
+    }
+    all
+}
