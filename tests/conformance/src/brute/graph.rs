@@ -150,14 +150,14 @@ impl Graph {
         let mut all = conditions.chain(actions).chain(values).chain(edges);
         let of_output =
             |effect: &Effect| matches!(effect, Effect::Control(Place::Output(_)) | Effect::Assign(Place::Output(_), _));
-        let mut timed = model.associations.values().filter(|association| association.time.is_some());
+        let mut with_time = model.associations.values().filter(|association| association.time.is_some());
         // That one time is always longer than another is not followed by the checker.
         let is_time = |read: &&Read| {
             matches!(read, Read::Since(_) | Read::MacroSince(_) | Read::Elapsed(..) | Read::MacroElapsed(..))
         };
         let one_step = |expr: &Expr| expr.reads.iter().filter(is_time).count() < 2;
         all.all(|expr| is_plain(&expr.tree, &mut times) && one_step(expr))
-            && timed.all(|association| of_output(&association.effect))
+            && with_time.all(|association| of_output(&association.effect))
             && times.len() < 2
     }
 
