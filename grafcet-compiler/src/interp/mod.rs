@@ -124,9 +124,10 @@ impl<'m> Interpreter<'m> {
         check::combinational_circles(model)?;
         let memory = Memory::initial(model)?;
         // A30: twice the number of steps plus two, or as long as it takes where the end is proved.
-        let default = match Stability::of(model).is_certain() {
-            true => u32::MAX,
-            false => u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2),
+        let default = if Stability::of(model).is_certain() {
+            u32::MAX
+        } else {
+            u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2)
         };
         Ok(Self {
             model,
