@@ -2,6 +2,31 @@
 
 use crate::Ticks;
 
+/// A time that is only compared with times of at most 65,535 clock units: there it saturates.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ShortTime(u16);
+
+impl ShortTime {
+    /// No time.
+    pub const ZERO: Self = Self(0);
+
+    /// The time that has been counted, for the comparison.
+    #[must_use]
+    pub fn ticks(self) -> Ticks {
+        Ticks::new(u32::from(self.0))
+    }
+}
+
+impl core::ops::Add<Ticks> for ShortTime {
+    type Output = Self;
+    fn add(self, elapsed: Ticks) -> Self {
+        let sum = u32::from(self.0) + elapsed.get().min(u32::from(u16::MAX));
+        Self(u16::try_from(sum).unwrap_or(u16::MAX))
+    }
+}
+
 /// TON of IEC 61131-3: true once its input has been true for a time.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -103,11 +128,20 @@ pub fn sooner(a: Option<Ticks>, b: Option<Ticks>) -> Option<Ticks> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Delay, OnDelay, sooner};
+    use super::{Delay, OnDelay, ShortTime, sooner};
     use crate::Ticks;
 
     const fn ticks(n: u32) -> Ticks {
         Ticks::new(n)
+    }
+
+    #[test]
+    fn a_short_time_stays_at_its_highest_count() {
+        let counted = ShortTime::ZERO + ticks(65_534);
+        assert_eq!(counted.ticks(), ticks(65_534));
+        assert_eq!((counted + ticks(1)).ticks(), ticks(65_535));
+        assert_eq!((counted + ticks(2)).ticks(), ticks(65_535));
+        assert_eq!((counted + Ticks::MAX).ticks(), ticks(65_535));
     }
 
     #[test]

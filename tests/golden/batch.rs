@@ -208,7 +208,7 @@ impl Batch {
             region_0: __BatchRegion0::INIT,
             region_1: __BatchRegion1::NONE,
             var_count: 0,
-            edge_0: false,
+            edge_0: true,
             now: ::grafcet::__private::Ticks::ZERO,
             settled: false,
             since_0: ::grafcet::__private::Ticks::ZERO,
@@ -301,12 +301,11 @@ impl Batch {
         self.now = now;
         self.since_0 = self.since_0 + elapsed;
         self.since_1 = self.since_1 + elapsed;
-        let first = self.region_0 == __BatchRegion0::INIT;
         let before_0 = self.region_0;
         let before_1 = self.region_1;
         let mut rising_now_0 = false;
         let value: ::grafcet::__private::bool = inputs.start;
-        rising_now_0 = value && !self.edge_0 && !first;
+        rising_now_0 = value && !self.edge_0;
         self.edge_0 = value;
         let input = inputs.empty;
         self.delay_0
@@ -316,7 +315,9 @@ impl Batch {
                 ::grafcet::__private::Ticks::new(500u32),
                 elapsed,
             );
-        let mut moved = false;
+        self.settled = true;
+        let since_before_0 = self.since_0;
+        let since_before_1 = self.since_1;
         match self.region_0 {
             __BatchRegion0::Idle => {
                 if {
@@ -325,7 +326,8 @@ impl Batch {
                 } {
                     self.region_0 = __BatchRegion0::Fill;
                     self.region_1 = __BatchRegion1::Heat;
-                    moved = true;
+                    self.since_1 = ::grafcet::__private::Ticks::ZERO;
+                    self.settled = false;
                 }
             }
             __BatchRegion0::Stir => {
@@ -340,7 +342,7 @@ impl Batch {
                     since_3 >= ticks_2000 && delay_0
                 } {
                     self.region_0 = __BatchRegion0::Drain;
-                    moved = true;
+                    self.settled = false;
                 }
             }
             __BatchRegion0::Drain => {
@@ -349,12 +351,12 @@ impl Batch {
                     level == 0
                 } {
                     self.region_0 = __BatchRegion0::Idle;
-                    moved = true;
+                    self.settled = false;
                 }
             }
             __BatchRegion0::INIT => {
                 self.region_0 = __BatchRegion0::Idle;
-                moved = true;
+                self.settled = false;
             }
             _ => {
                 if self.region_0 == __BatchRegion0::Fill
@@ -372,24 +374,19 @@ impl Batch {
                 {
                     self.region_1 = __BatchRegion1::NONE;
                     self.region_0 = __BatchRegion0::Stir;
-                    moved = true;
+                    self.since_0 = ::grafcet::__private::Ticks::ZERO;
+                    self.settled = false;
                 }
             }
         }
-        let since_before_0 = self.since_0;
-        let since_before_1 = self.since_1;
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
         let after_0 = self.region_0;
         let after_1 = self.region_1;
-        if after_0 != before_0 {
-            self.since_0 = ::grafcet::__private::Ticks::ZERO;
+        if rising_now_0 {
+            self.settled = false;
         }
-        if after_1 != before_1 {
-            self.since_1 = ::grafcet::__private::Ticks::ZERO;
-        }
-        self.settled = !moved && !rising_now_0;
         match self.region_0 {
             __BatchRegion0::Idle => {
                 outputs.lamp = true;

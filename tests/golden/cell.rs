@@ -116,7 +116,6 @@ enum __CellRegion0 {
     Ready,
     Stopped,
     Restart,
-    INIT,
 }
 /// A state, and above it the mark of a search that did not become stable.
 #[derive(
@@ -134,13 +133,12 @@ impl __CellRegion0Mark {
     }
     const fn state(self) -> __CellRegion0 {
         let number = self.0 & 3u8;
-        if number >= 3u8 {
-            __CellRegion0::INIT
+        if number >= 2u8 {
+            __CellRegion0::Restart
         } else {
             match number {
                 0u8 => __CellRegion0::Ready,
-                1u8 => __CellRegion0::Stopped,
-                _ => __CellRegion0::Restart,
+                _ => __CellRegion0::Stopped,
             }
         }
     }
@@ -214,12 +212,12 @@ impl Cell {
     #[must_use]
     pub const fn new() -> Self {
         Self {
-            region_0: __CellRegion0Mark::of(__CellRegion0::INIT),
+            region_0: __CellRegion0Mark::of(__CellRegion0::Ready),
             region_1: __CellRegion1::Idle,
             region_2: __CellRegion2::NONE,
             out_clamp: false,
             var_n: 0,
-            edge_0: false,
+            edge_0: true,
         }
     }
 }
@@ -282,10 +280,6 @@ impl Cell {
             bell: false,
         };
         self.region_0 = self.region_0.unmarked();
-        let mut fresh = self.region_0.state() == __CellRegion0::INIT;
-        if self.region_0.state() == __CellRegion0::INIT {
-            self.region_0 = __CellRegion0Mark::of(__CellRegion0::Ready);
-        }
         let mut evolutions_left: ::grafcet::__private::u32 = 20;
         let mut rising_now_0 = false;
         loop {
@@ -298,9 +292,8 @@ impl Cell {
             let mut after_2 = before_2;
             let edge_before_0 = self.edge_0;
             let value: ::grafcet::__private::bool = inputs.part;
-            rising_now_0 = value && !self.edge_0 && !fresh;
+            rising_now_0 = value && !self.edge_0;
             self.edge_0 = value;
-            fresh = false;
             let mut next_n = self.var_n;
             match before_0 {
                 __CellRegion0::Ready => {
@@ -316,7 +309,6 @@ impl Cell {
                 __CellRegion0::Restart => {
                     after_0 = __CellRegion0::Ready;
                 }
-                _ => {}
             }
             if after_0 == __CellRegion0::Stopped {
                 after_1 = __CellRegion1::NONE;
@@ -448,10 +440,7 @@ impl Cell {
     #[must_use]
     pub fn is_active(&self, step: CellStep) -> ::grafcet::__private::bool {
         match step {
-            CellStep::Ready => {
-                self.region_0.state() == __CellRegion0::Ready
-                    || self.region_0.state() == __CellRegion0::INIT
-            }
+            CellStep::Ready => self.region_0.state() == __CellRegion0::Ready,
             CellStep::Stopped => self.region_0.state() == __CellRegion0::Stopped,
             CellStep::Restart => self.region_0.state() == __CellRegion0::Restart,
             CellStep::Idle => self.region_1 == __CellRegion1::Idle,
@@ -466,9 +455,7 @@ impl Cell {
     #[must_use]
     pub fn active_steps(&self) -> ::grafcet::__private::heapless::Vec<CellStep, 3> {
         let mut steps = ::grafcet::__private::heapless::Vec::new();
-        if self.region_0.state() == __CellRegion0::Ready
-            || self.region_0.state() == __CellRegion0::INIT
-        {
+        if self.region_0.state() == __CellRegion0::Ready {
             let _ = steps.push(CellStep::Ready);
         }
         if self.region_0.state() == __CellRegion0::Stopped {
@@ -501,10 +488,7 @@ impl Cell {
     #[must_use]
     pub const fn situation(&self) -> CellSituation {
         CellSituation {
-            region_0: match self.region_0.state() {
-                __CellRegion0::INIT => __CellRegion0::Ready,
-                entered => entered,
-            },
+            region_0: self.region_0.state(),
             region_1: self.region_1,
             region_2: self.region_2,
         }

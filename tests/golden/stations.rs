@@ -85,7 +85,7 @@ pub enum StationsTransition {
 /// Two stations beside each other, and a bit for each step.
 /**
 
-The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps, one for the first cycle, as long as it is still to come and one for a search that did not become stable.*/
+The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps and one for the first cycle, as long as it is still to come.*/
 #[cfg_attr(
     doc,
     doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 440 536\" style=\"width:440px;max-width:max(100%,264px);height:auto\" role=\"img\" aria-label=\"Chart Stations\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H76M108 184H124M348 184H364M100 440H116M12 520H76M68 134H324M68 138H324M68 358H324M68 362H324M12 8V520M76 8V40M76 72V134M76 138V168M76 200V296M76 328V358M76 362V424M76 456V520M148 424V456M156 168V200M316 138V168M316 200V296M316 328V358M76 96v16M76 256v16M316 256v16M76 384v16M76 480v16\"/><rect x=\"44\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"47\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"44\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"124\" y=\"168\" width=\"136\" height=\"32\"/><rect x=\"124\" y=\"200\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"364\" y=\"168\" width=\"56\" height=\"32\"/><rect x=\"36\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"276\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"52\" y=\"424\" width=\"48\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"136\" height=\"32\"/><path d=\"M62 104h28M62 264h28M302 264h28M62 392h28M62 488h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 259l4 9h-8z\"/><text x=\"60\" y=\"56\" textLength=\"32\">Wait</text><text x=\"104\" y=\"104\" textLength=\"32\">part</text><text x=\"56\" y=\"184\" textLength=\"40\">Drill</text><text x=\"136\" y=\"184\" textLength=\"8\">↑</text><text x=\"168\" y=\"184\" textLength=\"80\">motor := 1</text><text x=\"136\" y=\"216\" textLength=\"40\">drill</text><text x=\"300\" y=\"184\" textLength=\"32\">Test</text><text x=\"376\" y=\"184\" textLength=\"32\">test</text><text x=\"104\" y=\"264\" textLength=\"56\">drilled</text><text x=\"344\" y=\"264\" textLength=\"48\">tested</text><text x=\"48\" y=\"312\" textLength=\"56\">Drilled</text><text x=\"292\" y=\"312\" textLength=\"48\">Tested</text><text x=\"104\" y=\"392\" textLength=\"40\">!part</text><text x=\"64\" y=\"440\" textLength=\"24\">Out</text><text x=\"128\" y=\"440\" textLength=\"8\">↑</text><text x=\"160\" y=\"440\" textLength=\"80\">motor := 0</text><text x=\"104\" y=\"488\" textLength=\"48\">2s/Out</text></g></svg></div>\n"
@@ -102,7 +102,7 @@ pub struct Stations {
     out_motor: ::grafcet::__private::core::primitive::bool,
     now: ::grafcet::__private::Ticks,
     settled: ::grafcet::__private::bool,
-    since_5: ::grafcet::__private::Ticks,
+    since_5: ::grafcet::__private::ShortTime,
 }
 impl Stations {
     ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
@@ -113,7 +113,7 @@ impl Stations {
             out_motor: false,
             now: ::grafcet::__private::Ticks::ZERO,
             settled: false,
-            since_5: ::grafcet::__private::Ticks::ZERO,
+            since_5: ::grafcet::__private::ShortTime::ZERO,
         }
     }
 }
@@ -176,7 +176,6 @@ impl Stations {
             test: false,
             motor: false,
         };
-        self.situation[0usize] &= !128u8;
         let elapsed = if self.situation[0usize] & 64u8 != 0 {
             ::grafcet::__private::Ticks::ZERO
         } else {
@@ -187,7 +186,6 @@ impl Stations {
         if self.situation[0usize] & 64u8 != 0 {
             self.situation = [1u8];
         }
-        let mut evolutions_left: ::grafcet::__private::u32 = 14;
         self.settled = true;
         loop {
             let inputs = ::grafcet::__private::core::hint::black_box(inputs);
@@ -229,7 +227,7 @@ impl Stations {
                     if {
                         let elapsed_2000_5 = (before[0usize] & 32u8 != 0)
                             && (if before[0usize] & 32u8 != 0 {
-                                self.since_5
+                                self.since_5.ticks()
                             } else {
                                 ::grafcet::__private::Ticks::ZERO
                             }) >= ::grafcet::__private::Ticks::new(2000u32);
@@ -244,12 +242,6 @@ impl Stations {
             if !moved {
                 break;
             }
-            if evolutions_left == 0 {
-                self.situation[0usize] |= 128u8;
-                self.settled = false;
-                break;
-            }
-            evolutions_left -= 1;
             if after[0usize] & 34u8 != 0 {
                 if after[0usize] & 2u8 != 0 {
                     if before[0usize] & 2u8 == 0 {
@@ -264,7 +256,7 @@ impl Stations {
             }
             self.situation = after;
             if (after[0usize] ^ before[0usize]) & 32u8 != 0 {
-                self.since_5 = ::grafcet::__private::Ticks::ZERO;
+                self.since_5 = ::grafcet::__private::ShortTime::ZERO;
             }
         }
         let after = self.situation;
@@ -329,14 +321,13 @@ impl Stations {
         if self.situation[0usize] & 64u8 != 0 {
             steps = [1u8];
         }
-        steps[0usize] &= !128u8;
         StationsSituation { steps }
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).
     #[must_use]
     pub const fn is_stable(&self) -> ::grafcet::__private::bool {
-        self.situation[0usize] & 128u8 == 0
+        true
     }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
     /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
@@ -353,7 +344,7 @@ impl Stations {
             soonest = ::grafcet::__private::sooner(
                 soonest,
                 ::grafcet::__private::until(
-                    self.since_5,
+                    self.since_5.ticks(),
                     ::grafcet::__private::Ticks::new(2000u32),
                 ),
             );

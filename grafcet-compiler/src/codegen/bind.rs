@@ -253,18 +253,18 @@ impl Cx<'_> {
     fn since(&self, step: StepId, moment: Moment) -> TokenStream {
         let p = &self.p;
         let region = self.plan.regions.of_step(step);
-        let since = names::step_time(region, self.plan);
+        let since = self.counted(region);
         let (before, after) = (self.in_step(At::Before, step), self.in_step(At::After, step));
         let reached = names::step_time_before(region, self.plan);
         match moment {
             Moment::Start => quote!(#p::Ticks::ZERO),
             Moment::Sample | Moment::Condition | Moment::Stored => {
-                quote!((if #before { self.#since } else { #p::Ticks::ZERO }))
+                quote!((if #before { #since } else { #p::Ticks::ZERO }))
             }
-            Moment::Stable => quote!((if #after { self.#since } else { #p::Ticks::ZERO })),
+            Moment::Stable => quote!((if #after { #since } else { #p::Ticks::ZERO })),
             Moment::Leaving => quote!((if #before { #reached } else { #p::Ticks::ZERO })),
             Moment::Action => quote! {
-                (if #after { self.#since } else if #before { #reached } else { #p::Ticks::ZERO })
+                (if #after { #since } else if #before { #reached } else { #p::Ticks::ZERO })
             },
         }
     }

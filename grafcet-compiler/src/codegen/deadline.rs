@@ -66,10 +66,7 @@ impl Cx<'_> {
     fn until(&self, clock: Clock, threshold: Threshold) -> TokenStream {
         let p = &self.p;
         let (active, since) = match clock {
-            Clock::Step(step) => {
-                let since = names::step_time(self.plan.regions.of_step(step), self.plan);
-                (self.in_step(At::Now, step), quote!(self.#since))
-            }
+            Clock::Step(step) => (self.in_step(At::Now, step), self.counted(self.plan.regions.of_step(step))),
             Clock::Macro(id) => {
                 let active = self.model.macros[id].steps.iter().map(|step| self.in_step(At::Now, *step));
                 let (active, since) = (active.collect::<Vec<_>>(), names::macro_time(id));

@@ -267,6 +267,7 @@ impl Cx<'_> {
             } else {
                 writes.push(self.enter(*target));
             }
+            writes.extend(self.begin_time(*target, transition));
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
         if self.evolves_upwards() {

@@ -17,9 +17,8 @@ impl Cx<'_> {
         if self.evolves_upwards() {
             return self.under_idle_masters(partial, evolve);
         }
-        let is_active = |step| match self.in_place() {
-            true => self.in_step(At::Now, step),
-            false => bare(self.is_active(step, Moment::Stable)),
+        let is_active = |step| {
+            if self.in_place() { self.in_step(At::Now, step) } else { bare(self.is_active(step, Moment::Stable)) }
         };
         let forces: Vec<_> = self.model.forces.values().filter(|force| force.target == partial).collect();
         if !forces.is_empty() {
@@ -105,6 +104,8 @@ impl Cx<'_> {
 
     fn all_entered(&self, steps: &[StepId], states: &mut BTreeMap<RegionId, Option<StepId>>) {
         states.extend(steps.iter().map(|step| (self.plan.regions.of_step(*step), Some(*step))));
-        steps.iter().for_each(|step| self.entering(*step, states));
+        for step in steps {
+            self.entering(*step, states);
+        }
     }
 }

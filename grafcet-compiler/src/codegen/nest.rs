@@ -44,12 +44,15 @@ impl Cx<'_> {
         self.model.partials.len() == 1 && self.plan.evolution.entered_last.is_empty()
     }
 
+    /// An `sfc` only wants to know for `next_deadline`.
     pub(super) fn declare_moved(&self) -> Option<TokenStream> {
-        self.notes_moves().then(|| quote!(let mut moved = false;))
+        let search = self.model.is_grafcet();
+        self.notes_moves().then(|| if search { quote!(let mut moved = false;) } else { quote!(self.settled = true;) })
     }
 
     pub(super) fn note_moved(&self) -> Option<TokenStream> {
-        self.notes_moves().then(|| quote!(moved = true;))
+        let search = self.model.is_grafcet();
+        self.notes_moves().then(|| if search { quote!(moved = true;) } else { quote!(self.settled = false;) })
     }
 
     /// `state` is that of the region after the evolution.

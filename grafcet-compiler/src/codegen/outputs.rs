@@ -51,9 +51,9 @@ impl Cx<'_> {
         let limit = association.time.map(|time| match (moment, association.qualifier) {
             // In the arm of its step, behind the evolution.
             (Moment::Action, qualifier) => {
-                let since = names::step_time(self.plan.regions.of_step(association.step), self.plan);
+                let since = self.counted(self.plan.regions.of_step(association.step));
                 let time = self.time(time);
-                if qualifier == Qualifier::L { quote!(self.#since < #time) } else { quote!(self.#since >= #time) }
+                if qualifier == Qualifier::L { quote!(#since < #time) } else { quote!(#since >= #time) }
             }
             (_, Qualifier::L) => {
                 let elapsed = self.elapsed(time, association.step, moment);

@@ -38,7 +38,7 @@ impl Cx<'_> {
             self.is_small_sequence().then(|| quote!(let #after = #state;))
         });
         let moved = self.declare_moved();
-        let code = quote!(#declare_edges #samples #moved #evolve #keep #commit #afters #rest);
+        let code = quote!(#declare_edges #samples #moved #keep #evolve #commit #afters #rest);
         let snapshot = self.snapshot(&code);
         quote!(#outputs #time #first #snapshot #code)
     }
@@ -200,7 +200,11 @@ impl Cx<'_> {
         }
         let edges = self.edge_names();
         if self.notes_moves() {
-            return quote!(self.settled = !moved #(&& !#edges)*;);
+            return if edges.is_empty() {
+                TokenStream::new()
+            } else {
+                quote!(if #(#edges)||* { self.settled = false; })
+            };
         }
         let regions = 0..self.plan.regions.all().len();
         let compared = if self.has_flags() { 0..1 } else { regions.clone() };

@@ -217,7 +217,10 @@ impl Cx<'_> {
         let p = &self.p;
         let ticks = |name| Field { name, ty: quote!(#p::Ticks), initial: quote!(#p::Ticks::ZERO) };
         let mut fields = vec![ticks(names::local("now")), self.flag("settled", false)];
-        fields.extend(self.timed_regions().map(|region| ticks(names::step_time(region, self.plan))));
+        fields.extend(self.timed_regions().map(|region| {
+            let (name, time) = (names::step_time(region, self.plan), self.time_type(region));
+            Field { name, initial: quote!(#time::ZERO), ty: time }
+        }));
         fields.extend(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
         fields.extend(self.model.delays.ids().map(|id| Field {
             name: names::delay_field(id),

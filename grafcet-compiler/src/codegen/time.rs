@@ -7,7 +7,8 @@ use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
-use crate::model::{DelayId, EdgeId, Expr, Name, Read, VarId};
+use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
+use crate::plan::RegionId;
 
 /// Something that is sampled at the begin of a cycle or an evolution.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -48,10 +49,11 @@ impl Cx<'_> {
     /// A step that has been entered begins its time; one that stays (A4g) goes on.
     pub(super) fn restart_times(&self) -> TokenStream {
         let p = &self.p;
-        let regions = self.timed_regions().map(|region| {
+        let regions = self.timed_regions().filter(|_| !self.begins_on_entry()).map(|region| {
             let (since, again) = (names::step_time(region, self.plan), self.or_again(region));
             let changed = self.is_changed(region);
-            quote!(if #changed #again { self.#since = #p::Ticks::ZERO; })
+            let time = self.time_type(region);
+            quote!(if #changed #again { self.#since = #time::ZERO; })
         });
         let macros = self.plan.memory.macro_times.iter().map(|id| {
             let since = names::macro_time(*id);
@@ -61,11 +63,41 @@ impl Cx<'_> {
         quote!(#(#regions)* #(#macros)*)
     }
 
+    /// The type in which the time of a region's active step is counted.
+    pub(super) fn time_type(&self, region: RegionId) -> TokenStream {
+        let p = &self.p;
+        if self.plan.memory.short_times[region] { quote!(#p::ShortTime) } else { quote!(#p::Ticks) }
+    }
+
+    /// The time of a region's active step.
+    pub(super) fn counted(&self, region: RegionId) -> TokenStream {
+        let since = names::step_time(region, self.plan);
+        let ticks = self.plan.memory.short_times[region].then(|| quote!(.ticks()));
+        quote!(self.#since #ticks)
+    }
+
+    /// Whether a transition that clears begins the times of the steps it enters.
+    pub(super) fn begins_on_entry(&self) -> bool {
+        self.in_place() && self.plan.memory.begins_on_entry
+    }
+
+    /// A step that is entered begins its time. One that is left at once goes on with it in a `grafcet` (A4g), but not in an `sfc`
+    /// (A4s).
+    pub(super) fn begin_time(&self, step: StepId, transition: &Transition) -> Option<TokenStream> {
+        let stays = self.model.is_grafcet() && transition.sources.contains(&step);
+        let begins = self.begins_on_entry() && self.plan.memory.timed.contains(&step) && !stays;
+        begins.then(|| {
+            let region = self.plan.regions.of_step(step);
+            let (since, time) = (names::step_time(region, self.plan), self.time_type(region));
+            quote!(self.#since = #time::ZERO;)
+        })
+    }
+
     /// The time the active steps had reached, for the actions on leaving them (A34).
     pub(super) fn keep_times(&self) -> TokenStream {
         let regions = self.timed_regions().map(|region| {
-            let (reached, since) = (names::step_time_before(region, self.plan), names::step_time(region, self.plan));
-            quote!(let #reached = self.#since;)
+            let (reached, since) = (names::step_time_before(region, self.plan), self.counted(region));
+            quote!(let #reached = #since;)
         });
         quote!(#(#regions)*)
     }

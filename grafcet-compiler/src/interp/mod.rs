@@ -30,7 +30,6 @@ use self::state::State;
 pub use self::value::{Error, Value};
 pub use self::view::Situation;
 use self::view::View;
-use crate::analysis::Stability;
 use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Tree, Ty};
 
 /// Which call of a code action this is.
@@ -123,11 +122,8 @@ impl<'m> Interpreter<'m> {
         check::targets(model)?;
         check::combinational_circles(model)?;
         let memory = Memory::initial(model)?;
-        // A30: twice the number of steps plus two, or as long as it takes where the end is proved.
-        let default = match Stability::of(model).is_certain() {
-            true => u32::MAX,
-            false => u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2),
-        };
+        // A30: twice the number of steps plus two.
+        let default = u32::try_from(model.steps.len()).unwrap_or(u32::MAX).saturating_mul(2).saturating_add(2);
         Ok(Self {
             model,
             params: state::constants(model.params.values().map(|p| (&p.ty, &p.init)), model)?,

@@ -2,9 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use super::{Control, Drive, Regions};
+use super::{Control, Drive, Regions, is_stored};
 use crate::analysis::{combinational, is_constant_read};
-use crate::model::{Association, AssociationId, EdgeId, Id, MacroId, Model, OutputId, Read, StepId, VarId};
+use crate::model::{
+    Association, AssociationId, EdgeId, Effect, Id, MacroId, Model, OutputId, Read, StepId, TimeRef, Transition, VarId,
+};
 
 /// The remembered values.
 pub struct Memory {
@@ -18,8 +20,15 @@ pub struct Memory {
     pub last: Vec<OutputId>,
     /// The chart looks at the time, so `cycle` takes it.
     pub time: bool,
+    /// Steps whose time is read.
+    pub timed: BTreeSet<StepId>,
     /// Per region, whether the time of its active step is counted.
     pub step_times: Vec<bool>,
+    /// Per region, whether that takes no more than 16 bits: the times of its steps are only compared with short ones.
+    pub short_times: Vec<bool>,
+    /// Whether a transition that enters a step can begin its time: what the evolution still reads of the step that was active
+    /// before, the transitions that leave it read.
+    pub begins_on_entry: bool,
     /// Macro-steps whose time is counted.
     pub macro_times: Vec<MacroId>,
     /// Edges, each with whether its rising and its falling side are used.
@@ -42,7 +51,13 @@ impl Memory {
             stored: pick(&|drive| drive.stored),
             last: pick(&|drive| drive.last),
             time: model.uses_time(),
+            begins_on_entry: begins_on_entry(model),
+            short_times: {
+                let long = long_steps(model, control, &reads);
+                regions.all().iter().map(|r| r.steps.iter().all(|step| !long.contains(step))).collect()
+            },
             step_times: regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect(),
+            timed,
             macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
             still_edges: still_edges(model),
             edges: model
@@ -68,6 +83,26 @@ fn still_edges(model: &Model) -> Vec<EdgeId> {
     edges.map(|(id, _)| id).collect()
 }
 
+/// Whether each evolution reads times of steps only in front of the transitions that leave them. A step that is forced may have
+/// been active before, and its time goes on (A4g).
+fn begins_on_entry(model: &Model) -> bool {
+    let time_of = |read: &Read| match read {
+        Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
+        _ => None,
+    };
+    let own = |transition: &Transition| {
+        let mut times = transition.condition.reads.iter().filter_map(time_of);
+        let mut clearing = transition.clearing.iter().flat_map(Effect::reads).flatten();
+        times.all(|step| transition.sources.contains(&step)) && !clearing.any(|read| time_of(read).is_some())
+    };
+    let stored = |association: &Association| {
+        let conditions = association.condition.iter().chain(&association.event).map(|expr| &expr.reads[..]);
+        let mut reads = conditions.chain(association.effect.reads()).flatten();
+        model.is_grafcet() && is_stored(association) && reads.any(|read| time_of(read).is_some())
+    };
+    model.partials.len() == 1 && model.transitions.values().all(own) && !model.associations.values().any(stored)
+}
+
 /// Steps whose time is read.
 fn timed_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
     let read = reads.iter().filter_map(|read| match read {
@@ -77,6 +112,18 @@ fn timed_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTre
     let is_limited = |(id, _): &(AssociationId, &Association)| control.step_limit(model, *id).is_some();
     let limited = model.associations.iter().filter(is_limited).map(|(_, association)| association.step);
     read.chain(limited).collect()
+}
+
+/// Steps whose time is used in another way than in a comparison with a literal that fits into 16 bits.
+fn long_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
+    let is_long = |time: TimeRef| !matches!(time, TimeRef::Ticks(ticks) if u16::try_from(ticks).is_ok());
+    let read = reads.iter().filter_map(|read| match read {
+        Read::Since(step) => Some(*step),
+        Read::Elapsed(time, step) => is_long(*time).then_some(*step),
+        _ => None,
+    });
+    let limited = model.associations.iter().filter(|(id, _)| control.step_limit(model, *id).is_some_and(is_long));
+    read.chain(limited.map(|(_, association)| association.step)).collect()
 }
 
 fn is_time_of(read: Read, id: MacroId) -> bool {

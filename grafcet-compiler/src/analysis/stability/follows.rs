@@ -33,9 +33,11 @@ impl<'m> Follows<'m> {
         let mut activates = Vec::new();
         for (id, transition) in model.transitions.iter() {
             transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-            let activated = activated(model, &transition.targets);
-            activated.iter().for_each(|step| entering[step.index()].push(id));
-            activates.push(activated);
+            let steps = activated(model, &transition.targets);
+            for step in &steps {
+                entering[step.index()].push(id);
+            }
+            activates.push(steps);
         }
         let mut different: BTreeMap<Tree, usize> = BTreeMap::new();
         let mut conditions = Vec::new();
