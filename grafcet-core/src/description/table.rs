@@ -35,7 +35,7 @@ pub const fn actions<'a, const N: usize>(texts: &'a [&'a str]) -> [Action<'a>; N
     all
 }
 
-/// So many steps: their names, [`STEP`] numbers of each, and what belongs to them, one after the other.
+/// So many steps: their names, five numbers of each, see `STEP`, and what belongs to them, one after the other.
 #[must_use]
 pub const fn steps<'a, const N: usize>(
     names: &'a [&'a str],
@@ -60,7 +60,7 @@ pub const fn steps<'a, const N: usize>(
     all
 }
 
-/// So many transitions: name and condition, and [`TRANSITION`] numbers of each, and what belongs to them, one after the other:
+/// So many transitions: name and condition, and three numbers of each, see `TRANSITION`, and what belongs to them, one after the other:
 /// the steps before and behind, and the actions.
 #[must_use]
 pub const fn transitions<'a, const N: usize>(
