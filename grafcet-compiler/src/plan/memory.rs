@@ -67,9 +67,7 @@ impl Memory {
                 .collect(),
         }
     }
-}
 
-impl Memory {
     /// Whether an edge is used on both sides: what is remembered of it then does not tell by itself that there is none in the
     /// first cycle (A26).
     #[must_use]

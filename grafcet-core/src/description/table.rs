@@ -60,8 +60,8 @@ pub const fn steps<'a, const N: usize>(
     all
 }
 
-/// So many transitions: name and condition, and three numbers of each, see `TRANSITION`, and what belongs to them, one after the other:
-/// the steps before and behind, and the actions.
+/// So many transitions: name and condition, three numbers of each, see `TRANSITION`, and what belongs to them, one after the
+/// other: the steps before and behind, and the actions.
 #[must_use]
 pub const fn transitions<'a, const N: usize>(
     texts: &'a [&'a str],
@@ -81,4 +81,39 @@ pub const fn transitions<'a, const N: usize>(
         number += 1;
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{INITIAL, LINKED, actions, steps, transitions};
+    use crate::description::{Action, Step, Transition};
+
+    #[test]
+    fn each_step_gets_its_own() {
+        static ACTIONS: [Action<'static>; 3] = actions(&["N", "", "", "a", "L", "5s", "", "b", "S", "", "c", "d"]);
+        let (first, others) = ACTIONS.split_at(1);
+        let b = others[0];
+        assert_eq!((b.qualifier, b.time, b.condition, b.text), ("L", "5s", "", "b"));
+        let numbers = [0, INITIAL, 0, 1, 0, 1, LINKED, 0, 0, 2, 0, INITIAL | LINKED, 3, 2, 0];
+        let all: [Step<'_>; 3] = steps(&["A", "B", "C"], &numbers, &ACTIONS, &["F {A}", "G {*}"]);
+        let expected = [
+            Step::new("A", 0, first, &[]).initial(),
+            Step::new("B", 1, &[], &["F {A}", "G {*}"]).linked(),
+            Step::new("C", 0, others, &[]).initial().linked().inside(2),
+        ];
+        assert_eq!(all, expected);
+    }
+
+    #[test]
+    fn each_transition_gets_its_own() {
+        let numbers = [1, 2, 0, 0, 1, 1, 2, 0, 2];
+        let all: [Transition<'_>; 3] =
+            transitions(&["", "a", "t", "b", "", "c"], &numbers, &[0, 1, 2, 3, 4, 5], &["x = 1", "y = 2", "z = 3"]);
+        let expected = [
+            Transition::new("", &[0], &[1, 2], "a", &[]),
+            Transition::new("t", &[], &[3], "b", &["x = 1"]),
+            Transition::new("", &[4, 5], &[], "c", &["y = 2", "z = 3"]),
+        ];
+        assert_eq!(all, expected);
+    }
 }

@@ -16,7 +16,7 @@ impl Exploration {
     /// Whether a situation can be reached at the end of a cycle from which there is no way to exactly `home` (at the end
     /// of a cycle).
     ///
-    /// Inputs and times may be chosen on the way back, values that are not followed may not.
+    /// Inputs and times may be chosen on the way back, but for a time that is over; values that are not followed may not.
     #[must_use]
     pub fn away_from(&self, home: &[StepId]) -> Answer {
         let explored = if self.is_plain() { None } else { Some(self.explored_thoroughly()) };
