@@ -174,9 +174,9 @@ impl Line24V {
             q2: false,
             q3: false,
         };
-        self.situation = self.situation.unmarked();
+        let mut state = self.situation.state();
+        self.situation = __Line24VStateMark::of(state);
         'search: {
-            let mut state = self.situation.state();
             for _ in 0..10u32 {
                 let inputs = ::grafcet::__private::core::hint::black_box(inputs);
                 let before = state;

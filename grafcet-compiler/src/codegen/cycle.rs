@@ -66,7 +66,7 @@ impl Cx<'_> {
 
     /// The situation after the evolution becomes the chart's, where it is not already.
     pub(super) fn commit(&self) -> TokenStream {
-        if self.in_place() {
+        if self.in_place() || !self.model.is_grafcet() && self.is_long {
             return TokenStream::new();
         }
         if self.has_flags() {

@@ -82,8 +82,8 @@ impl Cx<'_> {
     /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
     pub(super) fn one_match(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
-        if self.is_sequence() {
-            return self.sequence();
+        if self.is_long {
+            return self.long();
         }
         if self.model.is_grafcet() {
             let stop = self.stop();
@@ -127,7 +127,8 @@ impl Cx<'_> {
 
     /// A path on which nothing clears: in a search it is the end of it.
     fn stay(&self, step: StepId) -> TokenStream {
-        if self.breaks_out() { self.stop() } else { self.variant(step) }
+        let breaks_out = self.breaks_out() || self.model.is_grafcet() && self.is_long;
+        if breaks_out { self.stop() } else { self.variant(step) }
     }
 
     /// Whether the paths of a search that clear nothing leave it with `break`. That is the faster code; in a longer chart

@@ -1,7 +1,7 @@
 //! `cycle` of a `grafcet` (IEC 60848): evolutions until the situation is stable, then the continuous actions.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::bind::Moment;
 use super::segments::Item;
@@ -87,13 +87,13 @@ impl Cx<'_> {
             #bound
             #stored #commit_collected #commit #restart #unsettle #forget
         };
-        let snapshot = self.snapshot(&code);
+        let (snapshot, label) = (self.snapshot(&code), self.search_label().into_iter());
         quote! {
             #declare_bound
             #declare_edges
             #still
             #time
-            loop {
+            #(#label:)* loop {
                 #opaque
                 #snapshot
                 #code
@@ -194,7 +194,7 @@ impl Cx<'_> {
 
     /// The mark of an unstable search is taken away at the begin of the next cycle.
     fn forget_instability(&self) -> Option<TokenStream> {
-        self.is_marked(0).then(|| self.mark(false))
+        (self.is_marked(0) && !self.walks()).then(|| self.mark(false))
     }
 
     /// The situation the search has reached, for the continuous actions.
@@ -205,7 +205,8 @@ impl Cx<'_> {
         }
         let states = (0..self.plan.regions.all().len()).map(|region| {
             let after = names::after(region, self.plan);
-            let state = if self.is_small_sequence() { self.opaque_state() } else { self.plain_state(region) };
+            let state =
+                if self.walks() && self.is_long { names::walked().to_token_stream() } else { self.plain_state(region) };
             quote!(let #after = #state;)
         });
         let combinational = self.all_combinational(Moment::Stable);

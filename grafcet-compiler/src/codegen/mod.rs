@@ -13,12 +13,12 @@ mod encoding;
 mod evolution;
 mod grafcet;
 mod hierarchy;
+mod long;
 mod names;
 mod nest;
 mod outputs;
 mod recipe;
 mod segments;
-mod sequence;
 mod sfc;
 mod situation;
 mod state;
@@ -46,12 +46,16 @@ struct Cx<'m> {
     p: TokenStream,
     /// An evolution changes the situation or nothing.
     only_situation: bool,
+    /// The evolution is that of a long chart, see [`long`].
+    is_long: bool,
 }
 
 /// The items of a chart.
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
-    let mut cx = Cx { model, plan, names: Names::of(model), p: quote!(#root::__private), only_situation: false };
+    let (names, p) = (Names::of(model), quote!(#root::__private));
+    let mut cx = Cx { model, plan, names, p, only_situation: false, is_long: false };
     cx.only_situation = cx.collected_unchanged().is_empty();
+    cx.is_long = cx.finds_long();
     let types = types::all(&cx);
     let recipe = recipe::all(&cx);
     let state = state::all(&cx);

@@ -92,6 +92,11 @@ pub(super) fn after(region: RegionId, plan: &Plan) -> Ident {
     state("after", region, plan)
 }
 
+/// The state that a search has reached.
+pub(super) fn walked() -> Ident {
+    local("state")
+}
+
 fn state(name: &str, region: RegionId, plan: &Plan) -> Ident {
     if plan.regions.are_flags() { local(name) } else { numbered(name, name, region, plan) }
 }

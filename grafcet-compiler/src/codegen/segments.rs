@@ -142,6 +142,9 @@ impl Cx<'_> {
             false if self.in_place() => self.plain_state(region),
             false => names::after(region, self.plan).to_token_stream(),
         };
+        if let Some(shared) = self.shared_actions(&state, &arms) {
+            return shared;
+        }
         let rest = (arms.len() < self.states(region)).then(|| self.other_states(region, &arms));
         let arms = arms.iter().map(|(step, body)| {
             let variant = self.variant(*step);

@@ -32,11 +32,6 @@ impl Cx<'_> {
             let (fence, afters) = (self.fence(), self.afters_for(&rest));
             quote!(#fence #afters)
         });
-        // LLVM would take the table's arithmetic and the actions apart again, step by step.
-        let afters = afters.or_else(|| {
-            let (after, state) = (names::after(0, self.plan), self.opaque_state());
-            self.is_small_sequence().then(|| quote!(let #after = #state;))
-        });
         let moved = self.declare_moved();
         let code = quote!(#declare_edges #samples #moved #keep #evolve #commit #afters #rest);
         let snapshot = self.snapshot(&code);

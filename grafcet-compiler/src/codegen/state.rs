@@ -118,7 +118,7 @@ impl Cx<'_> {
     }
 
     /// `state` as a value of the region's field.
-    fn held(&self, region: RegionId, state: &TokenStream) -> TokenStream {
+    pub(super) fn held(&self, region: RegionId, state: &TokenStream) -> TokenStream {
         if !self.is_marked(region) {
             return state.clone();
         }

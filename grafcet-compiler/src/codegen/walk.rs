@@ -9,54 +9,54 @@ use syn::Lifetime;
 use super::bind::Moment;
 use super::{Cx, names};
 
-/// From how many steps on the code is smaller where the inputs are found anew in each evolution.
+/// From how many steps on the code is smaller where the inputs are found anew in each evolution, unless a table leads from
+/// step to step.
 const LONG: usize = 3;
 
 impl Cx<'_> {
-    /// Whether the search is such a walk. What edges compare with would change in an evolution too; a sequence whose next
-    /// step is computed is smaller in the search with a trial.
+    /// Whether the search is such a walk. What edges compare with would change in an evolution too.
     pub(super) fn walks(&self) -> bool {
         self.model.is_grafcet()
             && self.plan.may_be_unstable
             && self.plan.comes_back
             && self.plan.memory.edges.is_empty()
             && self.is_one_match()
-            && !self.is_small_sequence()
     }
 
     /// Whether the region's enum is as wide as a register, which saves widening the state in every evolution. The field holds
-    /// a byte all the same.
+    /// a byte all the same, and so does a table.
     pub(super) fn is_wide(&self) -> bool {
-        self.walks() && !self.is_sequence()
+        self.walks() && (self.model.small || !self.is_long)
     }
 
-    /// The search.
+    /// The search. The chart's own situation is without the mark as soon as the walk begins.
     pub(super) fn walk(&self) -> TokenStream {
-        let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
-        let (state, mark) = (self.plain_state(0), self.mark(true));
+        let (before, after, state) = (names::before(0, self.plan), names::after(0, self.plan), names::walked());
+        let (first, mark) = (self.plain_state(0), self.mark(true));
         let limit = Literal::u32_suffixed(self.plan.max_evolutions);
         let label = label();
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
         let combinational = self.all_combinational(Moment::Condition);
         let (evolve, stored, restart) = (self.one_match(), self.do_stored(), self.restart_times());
-        let commit = self.set_state(0, &quote!(#after));
+        let (unmark, commit) = (self.set_state(0, &quote!(#state)), self.set_state(0, &quote!(#after)));
         let (unsettle, delayed) = (self.unsettle(), self.unsettle_delays());
         let opaque = self.opaque_inputs();
-        let few = self.model.steps.len() < LONG;
+        let few = self.model.steps.len() < LONG || self.is_long && !self.model.small;
         let (once, each) = if few { (opaque, None) } else { (None, opaque) };
         let fence = self.breaks_out().then(|| self.fence());
         quote! {
             #time
+            let mut #state = #first;
+            #unmark
             #label: {
-                let mut state = #state;
                 #once
                 for _ in 0..#limit {
                     #each
-                    let #before = state;
+                    let #before = #state;
                     #combinational
                     #evolve
                     #stored
-                    state = #after;
+                    #state = #after;
                     #commit
                     #restart
                     #delayed
@@ -68,9 +68,14 @@ impl Cx<'_> {
         }
     }
 
+    /// The label of the search, where `break` alone would leave something within it.
+    pub(super) fn search_label(&self) -> Option<Lifetime> {
+        (self.walks() || self.is_long).then(label)
+    }
+
     /// `break`, out of the search.
     pub(super) fn stop(&self) -> TokenStream {
-        let label = self.walks().then(label);
+        let label = self.search_label();
         quote!(break #label)
     }
 }

@@ -128,23 +128,41 @@ impl Gen {
         }
     }
 
-    /// Many steps, each of which ends on one input, not declared in their order.
+    /// Many steps, most of which end on one condition, not declared in their order.
     fn sequence(&mut self) -> Part {
         self.note("long sequence");
         let mut part = Part::default();
         let count = self.rng.between(20, 40);
         let steps: Vec<String> = (0..count).map(|_| self.plain(&mut part, "")).collect();
         part.steps[0].words.push_str("initial ");
+        let conditions: &[&str] =
+            if self.rng.chance(50) { &["a", "b", "!a", "!b"] } else { &["a", "b", "!a", "!b", "a && b", "a || !b"] };
         for (index, step) in steps.iter().enumerate() {
-            let input = *self.rng.pick(&["a", "b", "!a", "!b"]);
-            part.arrow(&[step], &[&steps[(index + 1) % count]], Some(input.to_owned()));
+            let condition = *self.rng.pick(conditions);
+            part.arrow(&[step], &[&steps[(index + 1) % count]], Some(condition.to_owned()));
         }
         part.arrows.iter_mut().for_each(|arrow| arrow.whole = true);
+        if self.rng.chance(50) {
+            self.branch(&mut part, &steps);
+        }
         for _ in 0..self.rng.between(0, 4) {
             let (one, other) = (self.rng.below(count), self.rng.below(count));
             part.steps.swap(one, other);
         }
         part
+    }
+
+    /// A few steps of a sequence get a second way out.
+    fn branch(&mut self, part: &mut Part, steps: &[String]) {
+        self.note("long sequence with branches");
+        for _ in 0..self.rng.between(1, 6) {
+            let from = self.rng.below(steps.len());
+            if part.arrows[from].guard.as_deref() != Some("a") {
+                continue;
+            }
+            let to = self.rng.pick(steps).clone();
+            part.arrow(&[&steps[from]], &[&to], Some("!a".to_owned()));
+        }
     }
 
     /// One token that goes round.

@@ -1,0 +1,226 @@
+//! Long charts of which one step is active: steps that end on the same condition share its test, and a table says which
+//! step is behind each. A cycle costs the same whatever the step, and a step as little as two bytes. Under `optimize size`
+//! it is one byte for the condition and one for the actions: the step behind is computed.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::Lifetime;
+
+use super::bind::Moment;
+use super::{Cx, names};
+use crate::model::{Id, StepId, Transition, Tree};
+
+/// From how many steps on a table is smaller than code.
+const LONG: usize = 20;
+
+/// How many actions have to set an output before a `true` for all of them is smaller.
+const SET: usize = 6;
+
+/// States in which the same is to be done.
+struct Shared {
+    states: Vec<TokenStream>,
+    then: TokenStream,
+}
+
+impl Cx<'_> {
+    /// Whether the evolution is one `match`, and enough steps, two of three, have but one transition.
+    pub(super) fn finds_long(&self) -> bool {
+        let Some(region) = self.plan.regions.all().first() else { return false };
+        let exits = || region.steps.iter().filter(|step| self.only_exit(**step).is_some()).count();
+        region.steps.len() >= LONG
+            && !region.may_be_empty
+            && self.is_one_match()
+            && exits() >= LONG.max(region.steps.len() * 2 / 3)
+    }
+
+    /// The transition of a step that has but one, which does nothing but lead to another step.
+    fn only_exit(&self, step: StepId) -> Option<&Transition> {
+        let [id] = self.plan.evolution.owned[step.index()][..] else { return None };
+        let transition = &self.model.transitions[id];
+        (transition.clearing.is_empty() && transition.sources != transition.targets).then_some(transition)
+    }
+
+    /// `let after = …;`, and in an `sfc` the chart's own situation, which is left alone where nothing clears. In a search
+    /// that ends it.
+    pub(super) fn long(&self) -> TokenStream {
+        let (before, after, next) = (names::before(0, self.plan), names::after(0, self.plan), names::local("next"));
+        let label = evolved();
+        let stay = if self.model.is_grafcet() { self.stop() } else { quote!(break #label #before) };
+        let wait = self.wait(&stay);
+        let found = self.behind(&next, &stay);
+        let branches = self.model.steps.ids().any(|step| self.only_exit(step).is_none());
+        match self.model.is_grafcet() {
+            true if branches => quote!(let #after = #label: { #wait #found #next };),
+            true => quote!(#wait #found let #after = #next;),
+            false => {
+                let commit = self.set_state(0, &quote!(#next));
+                quote!(let #after = #label: { #wait #found #commit #next };)
+            }
+        }
+    }
+
+    /// `let next = …;`, the step behind the active one, where that has but one transition.
+    fn behind(&self, next: &Ident, stay: &TokenStream) -> TokenStream {
+        let (before, steps) = (names::before(0, self.plan), &self.plan.regions.all()[0].steps);
+        let target = |step: StepId| self.only_exit(step)?.targets.first().copied();
+        if self.model.small {
+            let computed = self.in_order_but(steps, target);
+            return quote!(let #next = #computed;);
+        }
+        let p = &self.p;
+        let targets = steps.iter().map(|step| self.variant(target(*step).unwrap_or(*step)));
+        let first = self.has_start_variant(0).then(|| self.initial(0));
+        let (region, states) = (self.names.region(0, self.plan), Literal::usize_suffixed(self.states(0)));
+        quote! {
+            const NEXT: [#region; #states] = [#(#targets,)* #first];
+            let #p::core::option::Option::Some(&#next) = NEXT.get(#before as #p::usize) else { #stay };
+        }
+    }
+
+    /// The step behind the active one. LLVM computes it as `state + 1` where all of a `match` do that, so the few jumps that
+    /// a sequence has are told apart in front of it.
+    fn in_order_but(&self, steps: &[StepId], target: impl Fn(StepId) -> Option<StepId>) -> TokenStream {
+        let before = names::before(0, self.plan);
+        let (mut in_order, mut jumps) = (TokenStream::new(), TokenStream::new());
+        for (i, step) in steps.iter().enumerate() {
+            let (state, target) = (self.variant(*step), target(*step));
+            let behind = steps.get(i + 1).copied();
+            if let Some(target) = target.filter(|target| Some(*target) != behind) {
+                let target = self.variant(target);
+                jumps.extend(quote!(#state => #target,));
+            }
+            let behind = self.variant(behind.unwrap_or(*step));
+            in_order.extend(quote!(#state => #behind,));
+        }
+        let start = self.has_start_variant(0).then(|| {
+            let (start, first) = (self.start(), self.initial(0));
+            jumps.extend(quote!(#start => #first,));
+            quote!(#start => #first,)
+        });
+        quote!(match #before { #jumps _ => match #before { #in_order #start } })
+    }
+
+    /// What a step does that has not one transition alone.
+    fn leave_long(&self, step: StepId) -> TokenStream {
+        let (label, next, state) = (evolved(), names::local("next"), self.next_step(step));
+        if self.model.is_grafcet() {
+            return quote!(break #label #state);
+        }
+        let commit = self.set_state(0, &quote!(#next));
+        quote!(let #next = #state; #commit break #label #next)
+    }
+
+    /// A `match` that tests the condition of the active step. Where one step alone waits for a condition, LLVM would copy
+    /// its actions behind the test: which condition it is then comes out of a table.
+    fn wait(&self, stay: &TokenStream) -> TokenStream {
+        let before = names::before(0, self.plan).to_token_stream();
+        let mut waits = self.waits(stay);
+        if self.has_start_variant(0) {
+            // No search begins in front of the initial situation.
+            let then = if self.model.is_grafcet() { stay.clone() } else { TokenStream::new() };
+            waits.push(Shared { states: vec![self.start()], then });
+        }
+        let alone = |wait: &Shared| wait.states.len() == 1;
+        if self.model.small || waits.iter().filter(|wait| !wait.then.is_empty()).any(alone) {
+            return self.by_table(&before, &waits);
+        }
+        let arms = waits.iter().map(|Shared { states, then }| quote!(#(#states)|* => { #then }));
+        quote!(match #before { #(#arms)* })
+    }
+
+    /// Under `optimize size` what the steps do, that of several steps once; `None` where few do the same.
+    pub(super) fn shared_actions(&self, state: &TokenStream, arms: &[(StepId, TokenStream)]) -> Option<TokenStream> {
+        if !self.model.small || !self.is_long {
+            return None;
+        }
+        // In the other direction than the conditions: LLVM would see where two tables are alike, and copy the actions.
+        let mut shared = share(arms.iter().rev().map(|(step, body)| (self.variant(*step), body.clone())));
+        if shared.len() * 2 > arms.len() {
+            return None;
+        }
+        let (p, on) = (&self.p, names::local("on"));
+        // One `true` for all outputs, which LLVM would load anew for each.
+        let set: Vec<Option<TokenStream>> = shared.iter().map(|shared| set_to(&on, &shared.then)).collect();
+        if set.iter().flatten().count() < SET {
+            return Some(self.by_table(state, &shared));
+        }
+        shared.iter_mut().zip(set).for_each(|(shared, set)| shared.then = set.unwrap_or_else(|| shared.then.clone()));
+        let act = self.by_table(state, &shared);
+        Some(quote!(let #on = #p::core::hint::black_box(true); #act))
+    }
+
+    /// `match` on what a table says about `state`. A state that is not told of does nothing.
+    fn by_table(&self, state: &TokenStream, shared: &[Shared]) -> TokenStream {
+        let p = &self.p;
+        let (kind, nothing) = (names::local("Kind"), names::local("Nothing"));
+        let variant = |number: usize| names::local(&format!("K{number}"));
+        let mut of_state: BTreeMap<String, Ident> = BTreeMap::new();
+        for (number, Shared { states, .. }) in shared.iter().enumerate() {
+            of_state.extend(states.iter().map(|state| (state.to_string(), variant(number))));
+        }
+        let steps = self.plan.regions.all()[0].steps.iter().map(|step| self.variant(*step));
+        let start = self.has_start_variant(0).then(|| self.start());
+        let table: Vec<&Ident> =
+            steps.chain(start).map(|state| of_state.get(&state.to_string()).unwrap_or(&nothing)).collect();
+        let length = Literal::usize_suffixed(table.len());
+        let rest = table.contains(&&nothing).then_some(&nothing);
+        let variants = (0..shared.len()).map(variant).chain(rest.cloned());
+        let arms = shared.iter().enumerate().map(|(number, Shared { then, .. })| {
+            let variant = variant(number);
+            quote!(#p::core::option::Option::Some(#kind::#variant) => { #then })
+        });
+        quote! {{
+            enum #kind { #(#variants,)* }
+            const KINDS: [#kind; #length] = [#(#kind::#table,)*];
+            match KINDS.get(#state as #p::usize) { #(#arms)* _ => {} }
+        }}
+    }
+
+    fn waits(&self, stay: &TokenStream) -> Vec<Shared> {
+        share(self.plan.regions.all()[0].steps.iter().map(|step| {
+            let test = match self.only_exit(*step).map(|exit| &exit.condition) {
+                None => self.leave_long(*step),
+                Some(condition) if condition.tree == Tree::Bool(true) => TokenStream::new(),
+                Some(condition) => {
+                    let condition = self.value(condition, Moment::Condition);
+                    quote!(if #condition {} else { #stay })
+                }
+            };
+            (self.variant(*step), test)
+        }))
+    }
+}
+
+/// The states that do the same, in the order of their first ones.
+fn share(states: impl Iterator<Item = (TokenStream, TokenStream)>) -> Vec<Shared> {
+    let mut shared: Vec<Shared> = Vec::new();
+    let mut places: BTreeMap<String, usize> = BTreeMap::new();
+    for (state, then) in states {
+        let place = *places.entry(then.to_string()).or_insert_with(|| {
+            shared.push(Shared { states: Vec::new(), then });
+            shared.len() - 1
+        });
+        shared[place].states.push(state);
+    }
+    shared
+}
+
+/// `output = true;` is `output = on;`; `None` where there is none.
+fn set_to(on: &Ident, actions: &TokenStream) -> Option<TokenStream> {
+    let (mut assigned, mut any) = (false, false);
+    let tokens = actions.clone().into_iter().map(|token| {
+        let is_true = assigned && matches!(&token, TokenTree::Ident(ident) if ident == "true");
+        assigned = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '=');
+        any |= is_true;
+        if is_true { TokenTree::Ident(on.clone()) } else { token }
+    });
+    let tokens = tokens.collect();
+    any.then_some(tokens)
+}
+
+/// What the next step is found in.
+fn evolved() -> Lifetime {
+    Lifetime::new("'evolved", Span::mixed_site())
+}
