@@ -82,6 +82,7 @@ macro_rules! winding {
                 S8 -[a && b && c]-> S9 -[true]-> S10 -[b]-> S11 -[!b]-> S12 -[a]-> S13 -[!a]-> S14 -[b]-> S15 -[!b]-> S16;
                 S16 -[a && !b]-> S17 -[!a]-> S18 -[b]-> S19 -[!b]-> S20 -[a]-> S21 -[!a]-> S22 -[b]-> S23 -[!b]-> S24;
                 S16 -[b]-> S20;
+                S12 -[b && !a]-> S12;
                 S24 -[c]-> S25;
                 S24 -[a && !c]-> S0;
                 step S2; step S4; step S5; step S6; step S7; step S8; step S9; step S10; step S11; step S12; step S13;

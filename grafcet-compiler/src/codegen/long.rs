@@ -42,6 +42,12 @@ impl Cx<'_> {
         (transition.clearing.is_empty() && transition.sources != transition.targets).then_some(transition)
     }
 
+    /// Whether a transition leads from a step to another one.
+    fn leads_on(&self, step: StepId) -> bool {
+        let mut transitions = self.plan.evolution.owned[step.index()].iter().map(|id| &self.model.transitions[*id]);
+        transitions.any(|transition| transition.sources != transition.targets)
+    }
+
     /// `let after = …;`, and in an `sfc` the chart's own situation, which is left alone where nothing clears. In a search
     /// that ends it.
     pub(super) fn long(&self) -> TokenStream {
@@ -50,7 +56,7 @@ impl Cx<'_> {
         let stay = if self.model.is_grafcet() { self.stop() } else { quote!(break #label #before) };
         let wait = self.wait(&stay);
         let found = self.behind(&next, &stay);
-        let branches = self.model.steps.ids().any(|step| self.only_exit(step).is_none());
+        let branches = self.model.steps.ids().any(|step| self.only_exit(step).is_none() && self.leads_on(step));
         match self.model.is_grafcet() {
             true if branches => quote!(let #after = #label: { #wait #found #next };),
             true => quote!(#wait #found let #after = #next;),
@@ -106,7 +112,8 @@ impl Cx<'_> {
     fn leave_long(&self, step: StepId) -> TokenStream {
         let (label, next, state) = (evolved(), names::local("next"), self.next_step(step));
         if self.model.is_grafcet() {
-            return quote!(break #label #state);
+            // Every path of a step that nothing leads on from ends the search already.
+            return if self.leads_on(step) { quote!(break #label #state) } else { state };
         }
         let commit = self.set_state(0, &quote!(#next));
         quote!(let #next = #state; #commit break #label #next)

@@ -3,12 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::bind::Moment;
+use super::bind::{Moment, is_opaque};
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::plan::{Target, source_order};
+
+/// Up to how many steps an output is an expression.
+const SHORT: usize = 8;
 
 impl Cx<'_> {
     /// The body of `cycle`.
@@ -45,8 +48,10 @@ impl Cx<'_> {
         let resets = quote!(#resets #(let mut #holds = false;)*);
         let apply_resets = self.apply_resets();
         if self.runs_in_one_pass() {
-            // Nothing but the active step's own actions: its arm does it all.
-            let items = source_order(self.model).map(|id| self.gather_local(id));
+            // Nothing but the active step's own actions: its arm does it all. What is an expression comes first, so that it
+            // does not stand between the arms.
+            let (alone, arms): (Vec<_>, Vec<_>) = source_order(self.model).partition(|id| self.is_expression(*id));
+            let items = alone.into_iter().chain(arms).map(|id| self.gather_local(id));
             let entered = source_order(self.model).map(|id| self.local_run(id, Part::Activation));
             let rest = self.part(Part::Rest);
             let all = self.in_order(items.chain(entered).chain(rest));
@@ -119,6 +124,12 @@ impl Cx<'_> {
             {
                 return self.while_active(step, &names::output_local(self.model, *output));
             }
+            Effect::Control(Place::Output(output)) if self.is_expression(id) => {
+                let (after, variant) = (names::after(0, self.plan), self.variant(step));
+                let local = names::output_local(self.model, *output);
+                let condition = association.condition.as_ref().map(|condition| self.value(condition, Moment::Action));
+                return Item::Always(quote!(#local |= #after == #variant && #condition;));
+            }
             Effect::Control(Place::Output(output)) => self.drive(*output, association.qualifier),
             Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => {
                 // Its value belongs to the rest, its condition is read before the first action runs.
@@ -130,6 +141,19 @@ impl Cx<'_> {
         };
         let act = self.under_condition(association, act);
         if association.qualifier == Qualifier::P { self.if_entered(step, &act) } else { Item::After(step, act) }
+    }
+
+    /// Whether an output is true under one condition in one step and nowhere else: in a short chart, where each path of the
+    /// evolution ends in a constant state, LLVM decides about the step beforehand.
+    fn is_expression(&self, id: AssociationId) -> bool {
+        let association = &self.model.associations[id];
+        let Effect::Control(place @ Place::Output(_)) = association.effect else { return false };
+        let writes = |other: &Association| crate::plan::writes(&other.effect).any(|written| written == place);
+        association.qualifier == Qualifier::N
+            && association.condition.as_ref().is_some_and(|condition| !is_opaque(&condition.tree))
+            && self.is_one_match()
+            && self.model.steps.len() <= SHORT
+            && self.model.associations.values().filter(|other| writes(other)).count() == 1
     }
 
     fn under_condition(&self, association: &Association, act: TokenStream) -> TokenStream {
