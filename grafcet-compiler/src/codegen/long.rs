@@ -1,5 +1,5 @@
 //! Long charts of which one step is active: steps that end on the same condition share its test, and a table says which
-//! step is behind each. A cycle costs the same whatever the step, and a step as little as two bytes. Under `optimize size`
+//! step is behind each. A cycle costs the same whatever the step, and a step as little as two bytes beside its actions. Under `optimize size`
 //! it is one byte for the condition and one for the actions: the step behind is computed.
 
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use super::bind::Moment;
 use super::{Cx, names};
 use crate::model::{Id, StepId, Transition, Tree};
 
-/// From how many steps on a table is smaller than code.
+/// From how many steps with one transition on a table is smaller than code.
 const LONG: usize = 20;
 
 /// How many actions have to set an output before a `true` for all of them is smaller.
@@ -185,6 +185,7 @@ impl Cx<'_> {
         }}
     }
 
+    /// What the steps wait for.
     fn waits(&self, stay: &TokenStream) -> Vec<Shared> {
         share(self.plan.regions.all()[0].steps.iter().map(|step| {
             let test = match self.only_exit(*step).map(|exit| &exit.condition) {

@@ -9,9 +9,8 @@ use syn::Lifetime;
 use super::bind::Moment;
 use super::{Cx, names};
 
-/// From how many steps on the code is smaller where the inputs are found anew in each evolution, unless a table leads from
-/// step to step.
-const LONG: usize = 3;
+/// With fewer steps the code is smaller where the inputs are found once for all evolutions.
+const FEW: usize = 3;
 
 impl Cx<'_> {
     /// Whether the search is such a walk. What edges compare with would change in an evolution too.
@@ -41,8 +40,9 @@ impl Cx<'_> {
         let (unmark, commit) = (self.set_state(0, &quote!(#state)), self.set_state(0, &quote!(#after)));
         let (unsettle, delayed) = (self.unsettle(), self.unsettle_delays());
         let opaque = self.opaque_inputs();
-        let few = self.model.steps.len() < LONG || self.is_long && !self.model.small;
-        let (once, each) = if few { (opaque, None) } else { (None, opaque) };
+        // Where a table leads from step to step, that costs some bytes and is faster.
+        let for_all = self.model.steps.len() < FEW || self.is_long && !self.model.small;
+        let (once, each) = if for_all { (opaque, None) } else { (None, opaque) };
         let fence = self.breaks_out().then(|| self.fence());
         quote! {
             #time
