@@ -124,13 +124,13 @@ impl Cx<'_> {
     fn wait(&self, stay: &TokenStream) -> TokenStream {
         let before = names::before(0, self.plan).to_token_stream();
         let mut waits = self.waits(stay);
+        let alone = waits.iter().any(|wait| wait.states.len() == 1 && !wait.then.is_empty());
         if self.has_start_variant(0) {
             // No search begins in front of the initial situation.
             let then = if self.model.is_grafcet() { stay.clone() } else { TokenStream::new() };
             waits.push(Shared { states: vec![self.start()], then });
         }
-        let alone = |wait: &Shared| wait.states.len() == 1;
-        if self.model.small || waits.iter().filter(|wait| !wait.then.is_empty()).any(alone) {
+        if self.model.small || alone {
             return self.by_table(&before, &waits);
         }
         let arms = waits.iter().map(|Shared { states, then }| quote!(#(#states)|* => { #then }));
