@@ -75,6 +75,9 @@ impl Cx<'_> {
         let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
         let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
         let opaque = self.opaque_inputs();
+        // In place, an evolution reads each state where it uses it: held in registers, the states would be moved from one to
+        // another on every way.
+        let (once, each) = if self.in_place() { (opaque, Some(self.fence())) } else { (None, opaque) };
         let fence = self.breaks_out().then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
@@ -93,8 +96,9 @@ impl Cx<'_> {
             #declare_edges
             #still
             #time
+            #once
             #(#label:)* loop {
-                #opaque
+                #each
                 #snapshot
                 #code
             }

@@ -8,8 +8,8 @@ use quote::{ToTokens, quote};
 use super::bind::is_opaque;
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::{Effect, Expr, StepId};
-use crate::plan::RegionId;
+use crate::model::{Association, Effect, Expr, StepId};
+use crate::plan::{RegionId, is_stored};
 
 /// Something that happens in a cycle.
 pub(super) enum Item {
@@ -82,7 +82,8 @@ impl Cx<'_> {
     pub(super) fn in_any_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
         let mut items: Vec<_> = items.into_iter().filter(|item| !item.is_empty()).collect();
         let opaque = |expr: &Expr| is_opaque(&expr.tree);
-        let mut associations = self.model.associations.values();
+        let continuous = |association: &&Association| !self.model.is_grafcet() || !is_stored(association);
+        let mut associations = self.model.associations.values().filter(continuous);
         let calls = associations.any(|association| {
             let value = match &association.effect {
                 Effect::Assign(_, value) => Some(value),
