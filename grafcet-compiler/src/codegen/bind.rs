@@ -52,7 +52,7 @@ impl Cx<'_> {
             let read = self.with_inputs(tokens.to_token_stream());
             return if is_term(&tokens) { read } else { quote!({ let value = #read; value }) };
         }
-        let bindings = self.bindings(&expr.reads, &[], is_opaque(&expr.tree), moment);
+        let bindings = self.bindings(&expr.reads, &[], expr.tree.is_opaque(), moment);
         if bindings.is_empty() && is_term(tokens) {
             return tokens.to_token_stream();
         }
@@ -334,16 +334,6 @@ pub(super) fn bare(term: TokenStream) -> TokenStream {
     match (trees.next(), trees.next()) {
         (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => group.stream(),
         _ => term,
-    }
-}
-
-/// Whether a tree holds Rust that is not looked into.
-pub(super) fn is_opaque(tree: &Tree) -> bool {
-    match tree {
-        Tree::Opaque { .. } => true,
-        Tree::Unary(_, operand) => is_opaque(operand),
-        Tree::Binary(_, left, right) => is_opaque(left) || is_opaque(right),
-        _ => false,
     }
 }
 

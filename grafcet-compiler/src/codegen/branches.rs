@@ -4,7 +4,7 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 use super::Cx;
-use super::bind::{Moment, is_opaque};
+use super::bind::Moment;
 use crate::model::{Binary, Expr, Read, Tree, placeholder};
 
 /// One branch: under which condition it is taken, `None` for "always", and what it does.
@@ -45,7 +45,7 @@ impl Cx<'_> {
         let mut rests = Vec::with_capacity(branches.len());
         for Branch { condition, then } in branches {
             let (first, rest) = self.split(condition.as_ref()?)?;
-            if is_opaque(&first.tree) || common.as_ref().is_some_and(|common| common.tree != first.tree) {
+            if first.tree.is_opaque() || common.as_ref().is_some_and(|common| common.tree != first.tree) {
                 return None;
             }
             common = Some(first);

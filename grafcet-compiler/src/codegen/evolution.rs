@@ -17,11 +17,10 @@ impl Cx<'_> {
             let enter = names::enter_local(*step);
             quote!(let mut #enter = false;)
         });
-        let mut partials: Vec<_> =
-            self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial)).collect();
-        if self.evolves_upwards() {
-            partials.reverse();
+        if self.descends() {
+            return self.descend();
         }
+        let partials = self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial));
         quote!(#(#declare)* #(#partials)*)
     }
 
@@ -271,11 +270,10 @@ impl Cx<'_> {
             writes.extend(self.begin_time(*target, transition));
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
-        if self.evolves_upwards() {
-            writes.extend(self.overwritten_by(transition));
-        }
-        let (actions, writes) = (self.clearing_actions(id), self.few_at_a_time(&writes));
-        quote!(#actions #writes #moved)
+        writes.extend(self.overwrite_below(transition));
+        let (actions, at_once) = (self.clearing_actions(id), self.stored_at_once(transition));
+        let (writes, end) = (self.few_at_a_time(&writes), self.end_below(transition));
+        quote!(#actions #at_once #writes #moved #end)
     }
 
     /// Takes a source step away, unless a target takes its place in the region anyway.

@@ -1,22 +1,21 @@
 //! `grafcet`: what a partial grafcet does when a forcing order or an enclosing step decides about it.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use syn::Lifetime;
 
-use super::Cx;
 use super::bind::{Moment, bare};
 use super::situation::At;
-use crate::model::{ForceOrder, PartialId, StepId, Transition};
-use crate::plan::RegionId;
+use super::{Cx, names};
+use crate::analysis::hierarchy;
+use crate::model::{ForceOrder, Id, PartialId, StepId, Transition};
+use crate::plan::{Below, Descent, directly};
 
 impl Cx<'_> {
     /// `evolve`, unless something above decides: first forcing, then what follows for enclosures (A15).
     pub(super) fn under_masters(&self, partial: PartialId, evolve: &TokenStream) -> TokenStream {
-        if self.evolves_upwards() {
-            return self.under_idle_masters(partial, evolve);
-        }
         let is_active = |step| {
             if self.in_place() { self.in_step(At::Now, step) } else { bare(self.is_active(step, Moment::Stable)) }
         };
@@ -49,63 +48,110 @@ impl Cx<'_> {
         steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).collect()
     }
 
-    /// Whether partial grafcets evolve in place from the bottom upwards.
-    pub(super) fn evolves_upwards(&self) -> bool {
-        self.model.partials.len() > 1 && self.in_place() && self.plan.upwards
+    /// Whether partial grafcets evolve in place from the top downwards, each only where nothing above it has decided about it.
+    pub(super) fn descends(&self) -> bool {
+        self.model.partials.len() > 1 && self.in_place() && self.plan.descent != Descent::Compares
     }
 
-    /// `evolve`, unless the situation before the evolution freezes the partial grafcet. Those above have not evolved yet.
-    fn under_idle_masters(&self, partial: PartialId, evolve: &TokenStream) -> TokenStream {
-        let forces = self.model.forces.values().filter(|force| force.target == partial);
-        let frozen: Vec<_> = forces.map(|force| self.in_step(At::Now, force.step)).collect();
-        if !frozen.is_empty() {
-            return quote!(if !(#(#frozen)||*) { #evolve });
+    /// An evolution of all partial grafcets, from the top downwards.
+    pub(super) fn descend(&self) -> TokenStream {
+        let partials = self.plan.evolution.partials.iter();
+        if self.plan.descent == Descent::Jumps {
+            let top = partials.filter(|id| hierarchy::masters(self.model, **id).is_empty());
+            return top.map(|partial| self.jump_or_descend(*partial)).collect();
         }
-        let Some(outer) = self.model.partials[partial].enclosed_by else { return evolve.clone() };
-        let active = self.in_step(At::Now, outer);
-        quote!(if #active { #evolve })
+        let below = partials.clone().filter(|id| self.is_decided_about(**id));
+        let declare = below.map(|id| {
+            let free = free(*id);
+            match self.frozen([*id]) {
+                Some(frozen) => quote!(let mut #free = !(#frozen);),
+                None => quote!(let mut #free = true;),
+            }
+        });
+        let evolve = partials.map(|id| {
+            let evolve = self.within_outer(*id, self.evolve_in_place(*id).unwrap_or_default());
+            if !self.is_decided_about(*id) {
+                return evolve;
+            }
+            let free = free(*id);
+            quote!(if #free { #evolve })
+        });
+        quote!(#(#declare)* #(#evolve)*)
     }
 
-    /// The regions below that a transition overwrites by what it enters and leaves: first by forcing, then by enclosing (A15).
-    pub(super) fn overwritten_by(&self, transition: &Transition) -> Vec<TokenStream> {
-        let mut states = BTreeMap::new();
-        let left = transition.sources.iter().filter(|step| !transition.targets.contains(step));
-        left.for_each(|step| self.leaving(*step, &mut states));
-        let entered = transition.targets.iter().filter(|step| !transition.sources.contains(step));
-        entered.for_each(|step| self.entering(*step, &mut states));
+    /// A partial grafcet, and what is below it where it has decided about nothing there.
+    fn jump_or_descend(&self, partial: PartialId) -> TokenStream {
+        let evolve = self.evolve_in_place(partial);
+        let label = label(partial);
+        let frozen = self.frozen(directly(self.model, partial));
+        let frozen = frozen.map(|frozen| quote!(if #frozen { break #label; }));
+        let below = directly(self.model, partial).map(|id| self.within_outer(id, self.jump_or_descend(id)));
+        let code = quote!(#evolve #frozen #(#below)*);
+        let mut transitions = self.model.partials[partial].transitions.iter().map(|id| &self.model.transitions[*id]);
+        if frozen.is_none() && !transitions.any(|transition| self.end_below(transition).is_some()) {
+            return code;
+        }
+        quote!(#label: { #code })
+    }
+
+    /// Whether one of the partial grafcets was forced before the evolution. A13: in the one in which the order ends it is still
+    /// frozen.
+    fn frozen(&self, partials: impl IntoIterator<Item = PartialId>) -> Option<TokenStream> {
+        let partials: Vec<_> = partials.into_iter().collect();
+        let forces = self.model.forces.values().filter(|force| partials.contains(&force.target));
+        let forcing: BTreeSet<_> = forces.map(|force| force.step).collect();
+        let frozen = forcing.iter().map(|step| self.in_step(At::Before, *step));
+        (!forcing.is_empty()).then(|| quote!(#(#frozen)||*))
+    }
+
+    /// Only while the enclosing step is active. Where that has been entered in this evolution, something has been decided.
+    fn within_outer(&self, partial: PartialId, evolve: TokenStream) -> TokenStream {
+        match self.model.partials[partial].enclosed_by {
+            Some(outer) if !evolve.is_empty() => {
+                let active = self.in_step(At::Now, outer);
+                quote!(if #active { #evolve })
+            }
+            _ => evolve,
+        }
+    }
+
+    /// Whether something above a partial grafcet decides about it.
+    fn is_decided_about(&self, partial: PartialId) -> bool {
+        !hierarchy::masters(self.model, partial).is_empty()
+    }
+
+    /// Nothing below a transition clears any more, where it decides about something there.
+    pub(super) fn end_below(&self, transition: &Transition) -> Option<TokenStream> {
+        let decided = self.below(transition)?.partials;
+        let jumps = self.plan.descent == Descent::Jumps;
+        (!decided.is_empty()).then(|| {
+            if jumps {
+                let label = label(transition.partial);
+                return quote!(break #label;);
+            }
+            let free = decided.into_iter().map(free);
+            quote!(#(#free = false;)*)
+        })
+    }
+
+    /// What a transition does to the partial grafcets below its own.
+    pub(super) fn below(&self, transition: &Transition) -> Option<Below<'_>> {
+        self.descends().then(|| Below::of(self.model, &self.plan.regions, transition))
+    }
+
+    /// The states that a transition gives the regions below it.
+    pub(super) fn overwrite_below(&self, transition: &Transition) -> Vec<TokenStream> {
         let state = |step: Option<StepId>, region| step.map_or_else(|| self.empty(region), |step| self.variant(step));
-        states.into_iter().map(|(region, step)| self.enter_state(region, &state(step, region))).collect()
+        let states = self.below(transition).into_iter().flat_map(|below| below.states);
+        states.map(|(region, step)| self.enter_state(region, &state(step, region))).collect()
     }
+}
 
-    /// Its enclosures are emptied with a step that is left.
-    fn leaving(&self, step: StepId, states: &mut BTreeMap<RegionId, Option<StepId>>) {
-        for (id, partial) in self.model.partials.iter().filter(|(_, partial)| partial.enclosed_by == Some(step)) {
-            states.extend(self.plan.regions.of_partial(id).map(|region| (region, None)));
-            partial.steps.iter().for_each(|inner| self.leaving(*inner, states));
-        }
-    }
+fn label(partial: PartialId) -> Lifetime {
+    Lifetime::new(&format!("'below_{}", partial.index()), Span::mixed_site())
+}
 
-    /// A step that is entered forces what it forces, and activates the linked steps of its enclosures, which were empty.
-    fn entering(&self, step: StepId, states: &mut BTreeMap<RegionId, Option<StepId>>) {
-        for force in self.model.forces.values().filter(|force| force.step == step) {
-            let situation = match &force.order {
-                ForceOrder::Steps(steps) => steps.clone(),
-                ForceOrder::Init => self.marked(force.target, |step| step.initial),
-                ForceOrder::Hold => continue,
-            };
-            states.extend(self.plan.regions.of_partial(force.target).map(|region| (region, None)));
-            self.model.partials[force.target].steps.iter().for_each(|step| self.leaving(*step, states));
-            self.all_entered(&situation, states);
-        }
-        for id in self.model.partials.ids().filter(|id| self.model.partials[*id].enclosed_by == Some(step)) {
-            self.all_entered(&self.marked(id, |step| step.linked), states);
-        }
-    }
-
-    fn all_entered(&self, steps: &[StepId], states: &mut BTreeMap<RegionId, Option<StepId>>) {
-        states.extend(steps.iter().map(|step| (self.plan.regions.of_step(*step), Some(*step))));
-        for step in steps {
-            self.entering(*step, states);
-        }
-    }
+/// The local that says that nothing above has decided about a partial grafcet in this evolution.
+fn free(partial: PartialId) -> Ident {
+    names::local(&format!("free_{}", partial.index()))
 }

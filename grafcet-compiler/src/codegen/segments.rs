@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use super::bind::is_opaque;
 use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Association, Effect, Expr, StepId};
@@ -81,7 +80,7 @@ impl Cx<'_> {
     /// functions of the user, those keep their order.
     pub(super) fn in_any_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
         let mut items: Vec<_> = items.into_iter().filter(|item| !item.is_empty()).collect();
-        let opaque = |expr: &Expr| is_opaque(&expr.tree);
+        let opaque = |expr: &Expr| expr.tree.is_opaque();
         let continuous = |association: &&Association| !self.model.is_grafcet() || !is_stored(association);
         let mut associations = self.model.associations.values().filter(continuous);
         let calls = associations.any(|association| {

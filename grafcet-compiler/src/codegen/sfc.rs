@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::bind::{Moment, is_opaque};
+use super::bind::Moment;
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names};
@@ -150,7 +150,7 @@ impl Cx<'_> {
         let Effect::Control(place @ Place::Output(_)) = association.effect else { return false };
         let writes = |other: &Association| crate::plan::writes(&other.effect).any(|written| written == place);
         association.qualifier == Qualifier::N
-            && association.condition.as_ref().is_some_and(|condition| !is_opaque(&condition.tree))
+            && association.condition.as_ref().is_some_and(|condition| !condition.tree.is_opaque())
             && self.is_one_match()
             && self.model.steps.len() <= SHORT
             && self.model.associations.values().filter(|other| writes(other)).count() == 1

@@ -8,8 +8,9 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::segments::Item;
+use super::situation::At;
 use super::{Cx, names, types};
-use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, Transition, TransitionId};
+use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId};
 use crate::plan::{is_stored, source_order};
 
 /// When an association of a `grafcet` acts.
@@ -120,6 +121,41 @@ impl Cx<'_> {
         quote!(#(#writes)* #call)
     }
 
+    /// The stored actions on what a transition leaves and enters, here and below it, which act where it clears.
+    pub(super) fn stored_at_once(&self, transition: &Transition) -> TokenStream {
+        let left = transition.sources.iter().filter(|step| !transition.targets.contains(step));
+        let entered = transition.targets.iter().filter(|step| !transition.sources.contains(step));
+        let left = left.map(|step| self.at_once(*step, Instant::Deactivation));
+        let entered = entered.map(|step| self.at_once(*step, Instant::Activation));
+        let below = self.below(transition).into_iter().flat_map(|below| below.states).map(|(region, step)| {
+            let left = self.plan.regions.all()[region].steps.iter().filter(|other| Some(**other) != step);
+            let left = left.map(|other| (other, self.at_once(*other, Instant::Deactivation)));
+            let left = left.filter(|(_, actions)| !actions.is_empty()).map(|(other, actions)| {
+                let active = self.in_step(At::Now, *other);
+                quote!(if #active { #actions })
+            });
+            let entered = step.and_then(|step| {
+                let (actions, inactive) = (self.at_once(step, Instant::Activation), self.not_in_step(At::Now, step));
+                (!actions.is_empty()).then(|| quote!(if #inactive { #actions }))
+            });
+            quote!(#(#left)* #entered)
+        });
+        quote!(#(#left)* #(#entered)* #(#below)*)
+    }
+
+    /// The actions of a step that act where a transition clears.
+    fn at_once(&self, step: StepId, when: Instant) -> TokenStream {
+        let actions = self.model.steps[step].associations.iter().map(|id| (*id, &self.model.associations[*id]));
+        let actions = actions.filter(|(id, action)| self.acts_at_once(*id) && instant(action) == Some(when));
+        actions.map(|(_, action)| self.conditional(action, Moment::Stored)).collect()
+    }
+
+    /// Whether a stored action acts where a transition clears, and not behind the evolution.
+    fn acts_at_once(&self, id: AssociationId) -> bool {
+        let descends = self.model.partials.len() == 1 || self.descends();
+        self.in_place() && descends && self.plan.stored.at_any_time.contains(&id)
+    }
+
     fn clearing_calls(&self) -> impl Iterator<Item = TransitionId> + '_ {
         self.model.transitions.iter().filter(|(_, transition)| calls_on_clearing(transition)).map(|(id, _)| id)
     }
@@ -166,6 +202,9 @@ impl Cx<'_> {
                     quote!(if #due { #call })
                 }
             };
+        }
+        if self.acts_at_once(id) {
+            return TokenStream::new();
         }
         if self.plan.stored.is_collected(&association.effect) == (which == Which::Collected) {
             self.conditional(association, Moment::Stored)

@@ -1,5 +1,7 @@
 //! Questions that several passes ask of a model.
 
+use crate::diagnostic::rules::Rule;
+
 use super::{Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty, Unary};
 
 impl Model {
@@ -34,6 +36,18 @@ impl Model {
     #[must_use]
     pub fn levels_of_transition<'m>(&'m self, transition: &'m Transition) -> Vec<&'m [LevelAttr]> {
         vec![&transition.levels, &self.partials[transition.partial].levels, &self.levels]
+    }
+
+    /// Whether a lint attribute anywhere in the chart sets the level of a rule.
+    #[must_use]
+    pub fn has_level_of(&self, rule: &Rule) -> bool {
+        let partials = self.partials.values().map(|partial| &partial.levels);
+        let steps = self.steps.values().map(|step| &step.levels);
+        let transitions = self.transitions.values().map(|transition| &transition.levels);
+        let outputs = self.outputs.values().map(|output| &output.levels);
+        let vars = self.vars.values().map(|var| &var.levels);
+        let inside = partials.chain(steps).chain(transitions).chain(outputs).chain(vars);
+        inside.chain([&self.levels]).flatten().any(|level| level.rule == rule.name)
     }
 
     /// A transition in a sentence: `` `A → B` ``, or its name.
@@ -82,16 +96,21 @@ impl Model {
         }
     }
 
-    /// Whether a value is a time.
+    /// The type of a value.
     #[must_use]
-    pub fn is_time(&self, name: Name) -> bool {
-        let ty = match name {
+    pub fn ty(&self, name: Name) -> &Ty {
+        match name {
             Name::Input(id) => &self.inputs[id].ty,
             Name::Output(id) => &self.outputs[id].ty,
             Name::Var(id) => &self.vars[id].ty,
             Name::Param(id) => &self.params[id].ty,
-        };
-        matches!(ty, Ty::Time(_))
+        }
+    }
+
+    /// Whether a value is a time.
+    #[must_use]
+    pub fn is_time(&self, name: Name) -> bool {
+        matches!(self.ty(name), Ty::Time(_))
     }
 
     /// A number of ticks as one writes a time: `5s`.
@@ -122,6 +141,17 @@ impl Model {
 }
 
 impl Tree {
+    /// Whether the tree holds Rust that is not looked into.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        match self {
+            Tree::Opaque { .. } => true,
+            Tree::Unary(_, inner) => inner.is_opaque(),
+            Tree::Binary(_, a, b) => a.is_opaque() || b.is_opaque(),
+            _ => false,
+        }
+    }
+
     /// Calls `f` with everything the tree mentions, in order.
     pub fn each_read(&self, f: &mut impl FnMut(Read)) {
         match self {

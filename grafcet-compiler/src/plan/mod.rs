@@ -3,6 +3,7 @@
 
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
+mod below;
 mod control;
 mod drive;
 mod evolution;
@@ -13,6 +14,8 @@ mod stored;
 
 use std::collections::BTreeSet;
 
+pub use below::Descent;
+pub(crate) use below::{Below, directly};
 pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
 pub use evolution::Evolution;
@@ -34,8 +37,8 @@ pub struct Plan {
     pub evolution: Evolution,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
-    /// Where partial grafcets evolve in place, whether they do so from the bottom upwards.
-    pub upwards: bool,
+    /// How partial grafcets that evolve in place know what those above them have decided.
+    pub descent: Descent,
     /// How each output gets its value, by output.
     pub drives: Vec<Drive>,
     pub control: Control,
@@ -83,7 +86,7 @@ impl Plan {
             memory,
             stored: Stored::of(model),
             nests: Nest::all(model, &regions, &evolution, &concurrency),
-            upwards: nest::evolves_upwards(model),
+            descent: Descent::of(model, &regions, &concurrency),
             one_step,
             most_active,
             sees_reentry,

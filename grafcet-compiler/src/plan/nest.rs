@@ -6,8 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Evolution, RegionId, Regions};
-use crate::analysis::{Concurrency, Union, hierarchy};
-use crate::model::{Force, ForceOrder, Id, Model, StepId, TransitionId};
+use crate::analysis::{Concurrency, Union};
+use crate::model::{Id, Model, StepId, TransitionId};
 
 /// Regions that transitions connect.
 pub struct Nest {
@@ -48,26 +48,6 @@ impl Nest {
             .map(|part| search.nest(part))
             .collect()
     }
-}
-
-/// Whether partial grafcets can evolve in place from the bottom upwards, so that each finds what is above it as it was before
-/// the evolution, and the transitions that enter or leave an enclosing or forcing step overwrite what is below it.
-///
-/// Nothing below may be left as it was (`{*}`, an enclosing step that is forced and was active before), and clearing a
-/// transition that is overwritten then must have done nothing else.
-pub(super) fn evolves_upwards(model: &Model) -> bool {
-    let encloses = |step: &StepId| model.partials.values().any(|partial| partial.enclosed_by == Some(*step));
-    let overwrites = |force: &Force| match &force.order {
-        ForceOrder::Steps(steps) => !steps.iter().any(encloses),
-        ForceOrder::Init => {
-            let mut steps = model.partials[force.target].steps.iter();
-            !steps.any(|step| model.steps[*step].initial && encloses(step))
-        }
-        ForceOrder::Hold => false,
-    };
-    let below = model.partials.ids().filter(|id| !hierarchy::masters(model, *id).is_empty());
-    let mut cleared = below.flat_map(|id| &model.partials[id].transitions);
-    model.forces.values().all(overwrites) && cleared.all(|id| model.transitions[*id].clearing.is_empty())
 }
 
 /// Regions, and the transitions that touch nothing else.

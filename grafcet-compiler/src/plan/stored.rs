@@ -6,17 +6,22 @@
 
 use std::collections::BTreeSet;
 
-use crate::model::{Association, Effect, Model, Name, Place, Qualifier, Read};
+use crate::analysis::combinational;
+use crate::diagnostic::rules;
+use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Ty};
 
 /// The places that stored actions write.
 pub struct Stored {
     /// Places that are collected in locals and committed at the end of the evolution.
     pub collected: BTreeSet<Place>,
+    /// Actions on activation and deactivation that look at nothing an evolution changes, and write what nothing in it looks at:
+    /// it makes no difference when they act.
+    pub at_any_time: BTreeSet<AssociationId>,
 }
 
 impl Stored {
     pub(super) fn of(model: &Model) -> Self {
-        let mut stored = Self { collected: BTreeSet::new() };
+        let mut stored = Self { collected: BTreeSet::new(), at_any_time: BTreeSet::new() };
         if !model.is_grafcet() {
             return stored;
         }
@@ -46,6 +51,7 @@ impl Stored {
                 let cleared: BTreeSet<Place> =
                     model.transitions.values().flat_map(|t| &t.clearing).flat_map(writes).collect();
                 stored.collected.retain(|place| written.contains(place) || cleared.contains(place));
+                stored.at_any_time = at_any_time(model, &stored.collected);
                 return stored;
             }
         }
@@ -56,6 +62,53 @@ impl Stored {
     pub fn is_collected(&self, effect: &Effect) -> bool {
         writes(effect).any(|place| self.collected.contains(&place))
     }
+}
+
+/// Which actions can act at any time of an evolution. Where the chart allows races, the order of the source counts.
+fn at_any_time(model: &Model, collected: &BTreeSet<Place>) -> BTreeSet<AssociationId> {
+    if model.has_level_of(&rules::WRITE_RACE) {
+        return BTreeSet::new();
+    }
+    let tested: BTreeSet<Place> =
+        model.transitions.values().flat_map(|t| &t.condition.reads).filter_map(place).collect();
+    let fits = |association: &Association| {
+        let value = match &association.effect {
+            Effect::Control(_) => None,
+            Effect::Assign(_, value) => Some(value),
+            Effect::Call(..) | Effect::Block(_) => return false,
+        };
+        is_stored(association)
+            && association.event.is_none()
+            && writes(&association.effect).all(|place| !collected.contains(&place) && !tested.contains(&place))
+            && association.condition.iter().chain(value).all(|expr| stands_still(model, expr))
+    };
+    model.associations.iter().filter(|(_, association)| fits(association)).map(|(id, _)| id).collect()
+}
+
+/// Whether an expression reads but inputs, parameters and what is stored, and calls no function of the user.
+fn stands_still(model: &Model, expr: &Expr) -> bool {
+    let stored = |read: &Read| match read {
+        Read::Name(Name::Var(var)) => combinational::asserted(model, *var).next().is_none(),
+        read => matches!(read, Read::Name(_) | Read::Ticks(_)),
+    };
+    expr.reads.iter().all(stored) && (!expr.tree.is_opaque() || counts(model, expr))
+}
+
+/// `parts.wrapping_add(1)`: a method that Rust's integers have, of a declared one.
+fn counts(model: &Model, expr: &Expr) -> bool {
+    let syn::Expr::MethodCall(call) = &expr.tokens else { return false };
+    let name = call.method.to_string();
+    let integer = |read: &Read| match read {
+        Read::Name(name) if matches!(model.ty(*name), Ty::Int { .. }) => Some(model.value_name(*name)),
+        _ => None,
+    };
+    let receiver = match &*call.receiver {
+        syn::Expr::Path(path) => path.path.get_ident(),
+        _ => None,
+    };
+    (name.starts_with("wrapping_") || name.starts_with("saturating_"))
+        && receiver.is_some_and(|receiver| expr.reads.iter().filter_map(integer).any(|name| name == receiver))
+        && call.args.iter().all(|arg| matches!(arg, syn::Expr::Lit(_) | syn::Expr::Path(_)))
 }
 
 /// Whether the action acts at an instant.

@@ -79,7 +79,7 @@ impl Atoms {
             return *known;
         }
         let total = range(model, a).is_some() || range(model, b).is_some();
-        let is_loose = is_opaque(a) || is_opaque(b);
+        let is_loose = a.is_opaque() || b.is_opaque();
         let domain = Ranges::from_to(-1, if total { 1 } else { 2 });
         let atom = self.push(Key::Order(a.clone(), b.clone()), domain, is_loose, false);
         self.orders.entry(a.clone()).or_default().insert(b.clone(), atom);
@@ -104,27 +104,8 @@ impl Atoms {
     }
 }
 
-fn is_opaque(tree: &Tree) -> bool {
-    match tree {
-        Tree::Opaque { .. } => true,
-        Tree::Unary(_, inner) => is_opaque(inner),
-        Tree::Binary(_, a, b) => is_opaque(a) || is_opaque(b),
-        _ => false,
-    }
-}
-
-/// The declared type of a name.
-fn ty(model: &Model, name: Name) -> &Ty {
-    match name {
-        Name::Input(id) => &model.inputs[id].ty,
-        Name::Output(id) => &model.outputs[id].ty,
-        Name::Var(id) => &model.vars[id].ty,
-        Name::Param(id) => &model.params[id].ty,
-    }
-}
-
 pub(super) fn is_bool_name(model: &Model, name: Name) -> bool {
-    matches!(ty(model, name), Ty::Bool(_))
+    matches!(model.ty(name), Ty::Bool(_))
 }
 
 /// A floating-point type.
@@ -137,7 +118,7 @@ pub(in crate::analysis) enum Float {
 /// The type of a name that is a float, or of arithmetic with one.
 pub(in crate::analysis) fn float(model: &Model, tree: &Tree) -> Option<Float> {
     match tree {
-        Tree::Read(Read::Name(name)) => match ty(model, *name) {
+        Tree::Read(Read::Name(name)) => match model.ty(*name) {
             Ty::Other(syn::Type::Path(path)) if path.path.is_ident("f32") => Some(Float::F32),
             Ty::Other(syn::Type::Path(path)) if path.path.is_ident("f64") => Some(Float::F64),
             _ => None,
@@ -153,7 +134,7 @@ pub(super) fn range(model: &Model, tree: &Tree) -> Option<(i128, i128)> {
     let ticks = (0, i128::from(u32::MAX));
     match tree {
         Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)) => Some(ticks),
-        Tree::Read(Read::Name(name)) => match ty(model, *name) {
+        Tree::Read(Read::Name(name)) => match model.ty(*name) {
             Ty::Time(_) => Some(ticks),
             Ty::Int { signed, bits, rust } => {
                 // On the host they have 64 bits, on the controller 32.

@@ -5,6 +5,7 @@
 mod actions;
 pub mod agree;
 mod expr;
+mod hierarchy;
 mod names;
 mod rng;
 mod structure;
@@ -31,6 +32,9 @@ pub struct Random {
 pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     if seed % 16 == 15 {
         return agree::chart(seed, grafcet, cycles);
+    }
+    if grafcet && seed % 8 == 3 {
+        return hierarchy::chart(seed, cycles);
     }
     let mut generator = Gen {
         rng: Rng::new(seed),
