@@ -1,5 +1,5 @@
-//! The linker script of the image for the board; the source of the charts that follow a rule, as each author writes them; under the
-//! feature `c`, the charts in C, compiled as for a controller (`-Os`).
+//! The linker script of the image for the board; the source of the charts that follow a rule, as each author writes them;
+//! under the feature `c`, the charts in C, compiled as for a controller (`-Os`).
 
 mod machines;
 mod par8;

@@ -32,6 +32,6 @@ impl Visitor for Counter {
 #[inline(never)]
 fn bench_counted(work: &mut dyn FnMut()) {
     work();
-    // What would stand at the end, as a jump, would be outside of this function.
+    // With nothing behind it the call would become a jump out of this function.
     black_box(());
 }

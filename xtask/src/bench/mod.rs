@@ -48,7 +48,7 @@ struct Cost {
     busy: u32,
     /// Instructions of [`CYCLES`] cycles with all inputs false.
     idle: u32,
-    /// None on the host, which has room for any chart.
+    /// On the host it is not measured.
     size: Option<Size>,
 }
 

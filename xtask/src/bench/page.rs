@@ -23,10 +23,10 @@ Written by `cargo xtask bench`, which measures everything in one run. The charts
   inputs, idle with all inputs false
 - **RAM**: bytes of the chart's state
 
-All are exact and the same in every run, apart from smlang's: its code differs from build to build. Compiled at `opt-level = \"s\"` with LTO, C at
-`-Os`, for Cortex-M3 (`thumbv7m-none-eabi`), Cortex-M0 (`thumbv6m-none-eabi`) and the host, whose instructions depend on its processor and
-compiler: they have no goals, and CI does not compare them. All authors of a chart give the same outputs on the
-same inputs wherever they run, cycle by cycle: the run compares a hash of them. All evolve first and act then; smlang and statig take one transition per event, which is
+All are exact and the same in every run, apart from statig's: its code differs from build to build. Compiled at `opt-level = \"s\"` with LTO, C at
+`-Os`, for Cortex-M3 (`thumbv7m-none-eabi`), Cortex-M0 (`thumbv6m-none-eabi`) and the host, of which only instructions are counted: its compilers are
+those at hand, so it has no goals, and CI does not look at it. All authors of a chart give the same outputs on the same inputs wherever they run,
+cycle by cycle: the run compares a hash of them. All evolve first and act then; smlang and statig take one transition per event, which is
 what an `sfc` does, and have no parallel branches: Par8 is nine machines with code around them.
 
 *ratio* is that to the best of the others; bold is more than that.
