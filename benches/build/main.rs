@@ -1,5 +1,5 @@
-//! The linker script of the image; the source of the charts that follow a rule, as each author writes them; under the
-//! feature `c`, the charts in C, compiled as for a controller (`-Os`).
+//! The linker script of the image for the board; the source of the charts that follow a rule, as each author writes them;
+//! under the feature `c`, the charts in C, compiled as for a controller (`-Os`).
 
 mod machines;
 mod par8;
@@ -10,15 +10,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+/// Who writes charts: the name, what is written of a ring of so many steps, and of Par8.
+type Author = (&'static str, fn(usize) -> String, fn() -> String);
+
 fn main() {
     let folder = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
-    let firmware = folder.join("../examples/firmware");
-    println!("cargo:rerun-if-changed={}", firmware.join("memory.x").display());
-    println!("cargo:rustc-link-search={}", firmware.display());
-    println!("cargo:rustc-link-arg-bins=-Tlink.x");
     println!("cargo:rerun-if-changed=c");
+    if variable("CARGO_CFG_TARGET_OS") == "none" {
+        let firmware = folder.join("../examples/firmware");
+        println!("cargo:rerun-if-changed={}", firmware.join("memory.x").display());
+        println!("cargo:rustc-link-search={}", firmware.display());
+        println!("cargo:rustc-link-arg-bins=-Tlink.x");
+    }
     let out = PathBuf::from(variable("OUT_DIR"));
-    let authors: [(&str, fn(usize) -> String, fn() -> String); 4] = [
+    let authors: [Author; 4] = [
         ("generated", rings::generated, par8::generated),
         ("hand", rings::hand, par8::hand),
         ("smlang", rings::smlang, par8::smlang),
@@ -50,31 +55,49 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 }
 
 fn compile(sources: &[PathBuf], headers: &Path, out: &Path) {
-    let cpu = match variable("TARGET").as_str() {
-        "thumbv6m-none-eabi" => "-mcpu=cortex-m0",
-        "thumbv7m-none-eabi" => "-mcpu=cortex-m3",
-        other => panic!("no compiler flags for {other}"),
-    };
+    let compiler = Compiler::of(&variable("TARGET"));
     let mut objects = Vec::new();
     for source in sources {
         if source.extension().is_some_and(|extension| extension == "c") {
             let object = out.join(source.with_extension("o").file_name().expect("a file"));
-            let flags = ["-Os", "-std=c11", "-Wall", "-Wextra", "-Werror", "-mthumb", cpu];
-            let sections = ["-ffunction-sections", "-fdata-sections", "-c"];
-            let mut gcc = Command::new("arm-none-eabi-gcc");
-            run(gcc.args(flags).args(sections).arg("-I").arg(headers).arg(source).arg("-o").arg(&object));
+            let flags = ["-Os", "-std=c11", "-Wall", "-Wextra", "-Werror", "-ffunction-sections", "-fdata-sections"];
+            let mut cc = Command::new(compiler.cc);
+            cc.args(compiler.flags).args(flags).arg("-I").arg(headers);
+            run(cc.arg("-c").arg(source).arg("-o").arg(&object));
             objects.push(object);
         }
     }
     let library = out.join("libcharts.a");
     _ = std::fs::remove_file(&library);
-    run(Command::new("arm-none-eabi-ar").arg("crs").arg(library).args(objects));
+    run(Command::new(compiler.ar).arg("crs").arg(library).args(objects));
     println!("cargo:rustc-link-search=native={}", out.display());
     println!("cargo:rustc-link-lib=static=charts");
-    // gcc's helpers for a `switch` on Cortex-M0.
-    let libgcc = Command::new("arm-none-eabi-gcc").args(["-mthumb", cpu, "-print-libgcc-file-name"]).output();
-    let libgcc = String::from_utf8(libgcc.expect("gcc has just run").stdout).expect("a path");
-    println!("cargo:rustc-link-arg-bins={}", libgcc.trim_end());
+    if variable("CARGO_CFG_TARGET_OS") == "none" {
+        // gcc's helpers for a `switch` on Cortex-M0.
+        let libgcc = Command::new(compiler.cc).args(compiler.flags).arg("-print-libgcc-file-name").output();
+        let libgcc = String::from_utf8(libgcc.expect("gcc has just run").stdout).expect("a path");
+        println!("cargo:rustc-link-arg-bins={}", libgcc.trim_end());
+    }
+}
+
+/// What compiles C for a target.
+struct Compiler {
+    cc: &'static str,
+    ar: &'static str,
+    flags: &'static [&'static str],
+}
+
+impl Compiler {
+    fn of(target: &str) -> Self {
+        let arm = |flags| Self { cc: "arm-none-eabi-gcc", ar: "arm-none-eabi-ar", flags };
+        match target {
+            "thumbv6m-none-eabi" => arm(&["-mthumb", "-mcpu=cortex-m0"]),
+            "thumbv7m-none-eabi" => arm(&["-mthumb", "-mcpu=cortex-m3"]),
+            // As Rust's programs are there, wherever they are loaded to.
+            host if host == variable("HOST") => Self { cc: "cc", ar: "ar", flags: &["-fPIE"] },
+            other => panic!("no compiler flags for {other}"),
+        }
+    }
 }
 
 fn run(command: &mut Command) {

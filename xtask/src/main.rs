@@ -22,10 +22,12 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 Usage: cargo xtask <task>
 
-  bench     what generated charts cost on a controller and while building, beside hand-written ones and other crates:
-            writes docs/cost.md, the README's table and the figures that CI compares with
+  bench     what generated charts cost on a controller, on the host and while building, beside hand-written ones and other
+            crates: writes docs/cost.md, the README's table and the figures that CI compares with
   bench cost
-            the costs on a controller alone, shown and not written
+            the costs on a controller and on the host, shown and not written
+  bench host
+            the instructions on the host alone, counted by callgrind, shown and not written
   bench pinned
             whether the generated charts cost more than is recorded
   bench check [NAME]
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
     let result = match arguments[..] {
         ["bench"] => bench::run(),
         ["bench", "cost"] => bench::cost(),
+        ["bench", "host"] => bench::on_host(),
         ["bench", "pinned"] => bench::pinned(),
         ["bench", "check"] => bench::check(None),
         ["bench", "check", name] => bench::check(Some(name)),

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 
 use super::table::FIGURES;
-use super::{AUTHORS, Cost, Measured, Row};
+use super::{AUTHORS, Boards, Cost, Row, Size};
 use crate::command::Result;
 use crate::project::root;
 
@@ -76,7 +76,7 @@ impl Recorded {
 
 fn excess<'a>(name: &'a str, cost: &'a Cost, recorded: &'a Cost, same: bool) -> impl Iterator<Item = String> + 'a {
     FIGURES.into_iter().filter_map(move |figure| {
-        let (now, before) = ((figure.of)(cost), (figure.of)(recorded));
+        let (now, before) = ((figure.of)(cost)?, (figure.of)(recorded)?);
         let tolerance = if same { figure.resolution.max(before / OTHER_FOLDER) } else { before / OTHER_COMPILER };
         (now > before + tolerance).then(|| format!("{name}, {}: {now}, recorded {before}", figure.name))
     })
@@ -88,28 +88,27 @@ fn parse(figures: &str) -> Result<Cost> {
         let [flash, busy, idle, ram, hash] = figures.split(' ').collect::<Vec<_>>()[..] else { return None };
         Some(Cost {
             hash: u32::from_str_radix(hash, 16).ok()?,
-            flash: flash.parse().ok()?,
             busy: busy.parse().ok()?,
             idle: idle.parse().ok()?,
-            ram: ram.parse().ok()?,
+            size: Some(Size { flash: flash.parse().ok()?, ram: ram.parse().ok()? }),
         })
     };
     cost().ok_or_else(|| format!("{FILE}: not a cost: {figures}"))
 }
 
-/// Writes all figures.
-pub(super) fn record(measured: &Measured, compilers: &[String]) -> Result {
+/// Writes all figures of the boards. The host's are not compared: its compiler is any that the user has.
+pub(super) fn record(boards: &Boards, compilers: &[String]) -> Result {
     let file = root().join(FILE);
-    fs::write(&file, text(measured, compilers)).map_err(|error| format!("{}: {error}", file.display()))
+    fs::write(&file, text(boards, compilers)).map_err(|error| format!("{}: {error}", file.display()))
 }
 
-fn text(measured: &Measured, compilers: &[String]) -> String {
+fn text(boards: &Boards, compilers: &[String]) -> String {
     let mut text = HEADER.to_owned();
-    for ((target, rows), compiler) in measured.iter().zip(compilers) {
+    for ((target, rows), compiler) in boards.iter().zip(compilers) {
         _ = writeln!(text, "{target} compiler {compiler}");
         for row in rows {
             for (author, cost) in AUTHORS.iter().zip(&row.costs) {
-                if let Some(Cost { hash, flash, busy, idle, ram }) = cost {
+                if let Some(Cost { hash, busy, idle, size: Some(Size { flash, ram }) }) = cost {
                     _ = writeln!(text, "{target} {} {author} {flash} {busy} {idle} {ram} {hash:08x}", row.name);
                 }
             }
@@ -120,12 +119,12 @@ fn text(measured: &Measured, compilers: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AUTHORS, Cost, Row};
+    use super::super::{AUTHORS, Cost, Row, Size};
     use super::{Recorded, text};
 
     fn row(flash: u32, busy: u32) -> Row {
         let mut costs = [None; AUTHORS.len()];
-        costs[0] = Some(Cost { hash: 7, flash, busy, idle: 4096, ram: 1 });
+        costs[0] = Some(Cost { hash: 7, busy, idle: 4096, size: Some(Size { flash, ram: 1 }) });
         Row { name: "motor sfc".to_owned(), costs }
     }
 

@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter, Write};
 
 use super::builds::Times;
 use super::table::{BUSY, FLASH, Figure, RAM, author};
-use super::{Measured, Row};
+use super::{Boards, Row};
 
 /// What a figure is compared with.
 #[derive(Clone, Copy, Debug)]
@@ -70,17 +70,17 @@ impl Display for Goal {
 }
 
 /// The goals of the costs on a controller.
-pub(super) fn of_costs(measured: &Measured) -> Vec<Goal> {
+pub(super) fn of_costs(boards: &Boards) -> Vec<Goal> {
     let mut goals = Vec::new();
     for (chart, figure, than, hundredths) in RULES {
-        for (target, rows) in measured {
+        for (target, rows) in boards {
             for row in rows.iter().filter(|row| is_of(row, chart)) {
                 goals.extend(goal(target, rows, row, (figure, than, hundredths)));
             }
         }
     }
     // As flip-flop programs do it.
-    for (target, rows) in measured {
+    for (target, rows) in boards {
         for row in rows.iter().filter(|row| is_of(row, "chain100")) {
             goals.extend(goal(target, rows, row, (&BUSY, Than::Author(5), 10)));
         }
@@ -147,17 +147,17 @@ pub(super) fn table(goals: &[Goal]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AUTHORS, Cost, Row};
+    use super::super::{AUTHORS, Cost, Row, Size};
     use super::of_costs;
 
     #[test]
     fn what_exceeds_a_goal_is_missed() {
-        let cost = |flash, busy, ram| Some(Cost { hash: 0, flash, busy, idle: 0, ram });
+        let cost = |flash, busy, ram| Some(Cost { hash: 0, busy, idle: 0, size: Some(Size { flash, ram }) });
         let mut costs = [None; AUTHORS.len()];
         costs[0] = cost(81, 4106, 2);
         costs[1] = cost(80, 4096, 1);
-        let measured = vec![("thumb", vec![Row { name: "line24v sfc".to_owned(), costs }])];
-        let goals = of_costs(&measured);
+        let boards = vec![("thumb", vec![Row { name: "line24v sfc".to_owned(), costs }])];
+        let goals = of_costs(&boards);
         let met: Vec<bool> = goals.iter().map(super::Goal::is_met).collect();
         // A byte of flash more is more, two ticks are not, and two bytes of RAM are allowed.
         assert_eq!(met, [false, true, true]);

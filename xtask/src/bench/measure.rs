@@ -1,10 +1,10 @@
-//! Builds the charts of every author and measures them.
+//! Builds the charts of every author for a board and measures them.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use super::{AUTHORS, Cost, Row};
+use super::{AUTHORS, Cost, Row, Size};
 use crate::command::{Result, capture_within, run, tool};
 use crate::image::Linker;
 use crate::toolchain::BareMetal;
@@ -37,10 +37,15 @@ struct Count {
 pub(super) fn all(target: &str, authors: &[&'static str]) -> Result<Vec<Row>> {
     let toolchain = BareMetal::find(target)?;
     println!("bench: {target}, {}", toolchain.describe());
+    rows(authors, |author| costs(&toolchain, target, author))
+}
+
+/// The charts of these authors side by side; the first has all of them.
+pub(super) fn rows(authors: &[&'static str], costs: impl Fn(&str) -> Result<Vec<(String, Cost)>>) -> Result<Vec<Row>> {
     let mut rows: Vec<Row> = Vec::new();
     for author in authors {
         let place = AUTHORS.iter().position(|name| name == author).ok_or_else(|| format!("who is {author}?"))?;
-        for (name, cost) in costs(&toolchain, target, author)? {
+        for (name, cost) in costs(author)? {
             if place == 0 {
                 let mut costs = [None; AUTHORS.len()];
                 costs[0] = Some(cost);
@@ -79,8 +84,8 @@ fn costs(toolchain: &BareMetal, target: &str, author: &str) -> Result<Vec<(Strin
         if image.holds(DESCRIPTION.1)? {
             return Err(format!("{author}: {chart} {dialect} links the description though it does not use it"));
         }
-        let flash = image.flash()?.saturating_sub(nothing);
-        Ok((format!("{chart} {dialect}"), Cost { hash, flash, busy, idle, ram }))
+        let size = Some(Size { flash: image.flash()?.saturating_sub(nothing), ram });
+        Ok((format!("{chart} {dialect}"), Cost { hash, busy, idle, size }))
     };
     counts.into_iter().map(cost).collect()
 }

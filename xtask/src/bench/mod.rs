@@ -1,13 +1,14 @@
-//! What generated charts cost on a controller, beside the same charts written by hand in Rust and in C and with other
-//! crates, and how long they take to build.
+//! What generated charts cost on a controller and on the host, beside the same charts written by hand in Rust and in C and
+//! with other crates, and how long they take to build.
 //!
 //! Three figures, exact and the same in every run: flash, the bytes of code and constants that the linker keeps for the
-//! cycle function and all it needs, over an image with nothing in it; instructions per cycle, counted by the emulator,
-//! `busy` on random inputs and `idle` with all inputs false; RAM, the size of the chart.
+//! cycle function and all it needs, over an image with nothing in it; instructions per cycle, counted by the emulator and
+//! on the host by callgrind, `busy` on random inputs and `idle` with all inputs false; RAM, the size of the chart.
 
 mod builds;
 mod figures;
 mod goals;
+mod host;
 #[path = "../../../benches/build/machines.rs"]
 mod machines;
 mod measure;
@@ -18,7 +19,7 @@ mod table;
 
 use self::figures::Recorded;
 pub(crate) use self::speed::check;
-use self::table::FIGURES;
+use self::table::{BUSY, FIGURES, IDLE};
 use crate::command::Result;
 use crate::toolchain::BareMetal;
 
@@ -32,7 +33,7 @@ const AUTHORS: [&str; 6] = ["generated", "hand", "c", "smlang", "statig", "flags
 /// Of [`AUTHORS`], the last that competes: what comes behind is only there to be compared with.
 const RIVALS: usize = 4;
 
-/// Cycles per count, as the image in `benches` runs them.
+/// Cycles per count, as the program in `benches` runs them.
 const CYCLES: u32 = 4096;
 
 /// A tick of the emulated timer is five instructions, and a count may be off by a tick at its start and its end.
@@ -43,13 +44,18 @@ const RESOLUTION: u32 = 10;
 struct Cost {
     /// Of the outputs on random inputs.
     hash: u32,
-    /// Bytes.
-    flash: u32,
     /// Instructions of [`CYCLES`] cycles on random inputs.
     busy: u32,
     /// Instructions of [`CYCLES`] cycles with all inputs false.
     idle: u32,
-    /// Bytes.
+    /// On the host it is not measured.
+    size: Option<Size>,
+}
+
+/// How much of a controller's memory a chart takes, in bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Size {
+    flash: u32,
     ram: u32,
 }
 
@@ -75,11 +81,11 @@ impl Row {
 pub(crate) fn run() -> Result {
     let measured = measure_all()?;
     let compilers = TARGETS.into_iter().map(|target| BareMetal::find(target)?.version()).collect::<Result<Vec<_>>>()?;
-    figures::record(&measured, &compilers)?;
+    figures::record(&measured.boards, &compilers)?;
     let times = builds::measure()?;
-    let goals: Vec<_> = goals::of_costs(&measured).into_iter().chain(goals::of_builds(&times)).collect();
+    let goals: Vec<_> = goals::of_costs(&measured.boards).into_iter().chain(goals::of_builds(&times)).collect();
     page::write(&measured, &times, &goals, &compilers)?;
-    readme::write(&measured)?;
+    readme::write(&measured.boards)?;
     print!("{}", goals::table(&goals));
     let missed: Vec<String> = goals.iter().filter(|goal| !goal.is_met()).map(ToString::to_string).collect();
     match missed.len() {
@@ -97,20 +103,47 @@ pub(crate) fn cost() -> Result {
     for figure in FIGURES {
         println!("{}\n\n{}", figure.name, table::of(figure, &measured));
     }
-    println!("{}", goals::table(&goals::of_costs(&measured)));
+    println!("{}", goals::table(&goals::of_costs(&measured.boards)));
     Ok(())
 }
 
-/// All charts by all authors on all targets.
-type Measured = Vec<(&'static str, Vec<Row>)>;
+/// Counts the instructions of all charts on the host and shows them.
+///
+/// # Errors
+/// Callgrind is missing, a build fails, or the authors' charts behave differently.
+pub(crate) fn on_host() -> Result {
+    let measured = Measured { boards: Vec::new(), host: measure_host()? };
+    for figure in [BUSY, IDLE] {
+        println!("{}\n\n{}", figure.name, table::of(&figure, &measured));
+    }
+    Ok(())
+}
+
+/// All charts by all authors on each of these targets.
+type Boards = Vec<(&'static str, Vec<Row>)>;
+
+/// All charts by all authors, wherever they run.
+struct Measured {
+    boards: Boards,
+    host: Vec<Row>,
+}
 
 fn measure_all() -> Result<Measured> {
+    // It comes first: it is quick, and has its tool missing before the boards have taken their minutes.
+    let host = measure_host()?;
     let measure = |target| {
         let rows = measure::all(target, &AUTHORS)?;
-        check_equal(target, &rows)?;
+        check_equal(target, &rows, &host)?;
         Ok((target, rows))
     };
-    TARGETS.into_iter().map(measure).collect()
+    let boards = TARGETS.into_iter().map(measure).collect::<Result<_>>()?;
+    Ok(Measured { boards, host })
+}
+
+fn measure_host() -> Result<Vec<Row>> {
+    let rows = host::all(&AUTHORS)?;
+    check_equal("host", &rows, &rows)?;
+    Ok(rows)
 }
 
 /// Compares the generated charts with the recorded figures.
@@ -138,16 +171,38 @@ fn compare(targets: &[&str]) -> Result {
     Ok(())
 }
 
-/// The same work, or the comparison means nothing.
-fn check_equal(target: &str, rows: &[Row]) -> Result {
+/// The same work, by all authors and as `first` has done it elsewhere, or the comparison means nothing.
+fn check_equal(place: &str, rows: &[Row], first: &[Row]) -> Result {
     let differs = |row: &&Row| {
-        let mut hashes = row.costs.iter().flatten().map(|cost| cost.hash);
-        let first = hashes.next();
-        hashes.any(|hash| Some(hash) != first)
+        let first = first.iter().find(|first| first.name == row.name);
+        let expected = first.and_then(|first| first.costs[0]).map(|cost| cost.hash);
+        row.costs.iter().flatten().any(|cost| Some(cost.hash) != expected)
     };
     let different: Vec<&str> = rows.iter().filter(differs).map(|row| row.name.as_str()).collect();
     match different[..] {
         [] => Ok(()),
-        _ => Err(format!("{target}: the outputs of the authors' charts differ: {}", different.join(", "))),
+        _ => Err(format!("{place}: the outputs of the authors' charts differ: {}", different.join(", "))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AUTHORS, Cost, Row, check_equal};
+
+    #[test]
+    fn outputs_differ_between_authors_or_places() {
+        let row = |hashes: [u32; 2]| {
+            let mut costs = [None; AUTHORS.len()];
+            for (place, hash) in hashes.into_iter().enumerate() {
+                costs[place] = Some(Cost { hash, busy: 0, idle: 0, size: None });
+            }
+            [Row { name: "motor sfc".to_owned(), costs }]
+        };
+        assert_eq!(check_equal("host", &row([7, 7]), &row([7, 8])), Ok(()));
+        for (rows, first) in [(row([7, 8]), row([7, 8])), (row([7, 7]), row([8, 8]))] {
+            let error = "host: the outputs of the authors' charts differ: motor sfc";
+            assert_eq!(check_equal("host", &rows, &first), Err(error.to_owned()));
+        }
+        assert!(check_equal("host", &row([7, 7]), &[]).is_err(), "a chart is missing elsewhere");
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 
 use super::table::{BUSY, FLASH, RAM, author};
-use super::{Measured, RIVALS, Row};
+use super::{Boards, RIVALS, Row};
 use crate::command::Result;
 use crate::project::root;
 
@@ -18,8 +18,8 @@ const CHARTS: [&str; 7] =
     ["line24v sfc", "washer sfc", "chain100 sfc", "par8 sfc", "par8 grafcet", "mixed sfc", "cell grafcet"];
 
 /// Writes it anew, as measured on the first target.
-pub(super) fn write(measured: &Measured) -> Result {
-    let rows = measured.first().map_or(&[][..], |(_, rows)| rows);
+pub(super) fn write(boards: &Boards) -> Result {
+    let rows = boards.first().map_or(&[][..], |(_, rows)| rows);
     let file = root().join(FILE);
     let readme = fs::read_to_string(&file).map_err(|error| format!("{FILE}: {error}"))?;
     fs::write(&file, replaced(&readme, &table(rows)?)?).map_err(|error| format!("{FILE}: {error}"))
@@ -62,12 +62,12 @@ fn cell(row: &Row, author: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AUTHORS, Cost, Recorded, Row, TARGETS};
+    use super::super::{AUTHORS, Cost, Recorded, Row, Size, TARGETS};
     use super::{CHARTS, MARKS, replaced, table};
 
     fn rows() -> Vec<Row> {
         let mut costs = [None; AUTHORS.len()];
-        costs[0] = Some(Cost { hash: 0, flash: 64, busy: 67_041, idle: 0, ram: 1 });
+        costs[0] = Some(Cost { hash: 0, busy: 67_041, idle: 0, size: Some(Size { flash: 64, ram: 1 }) });
         CHARTS.iter().map(|name| Row { name: (*name).to_owned(), costs }).collect()
     }
 

@@ -8,19 +8,20 @@ use super::{AUTHORS, CYCLES, Cost, Measured, RESOLUTION, RIVALS, Row};
 #[derive(Debug)]
 pub(super) struct Figure {
     pub(super) name: &'static str,
-    pub(super) of: fn(&Cost) -> u32,
+    /// None where it is not measured.
+    pub(super) of: fn(&Cost) -> Option<u32>,
     /// What is shown is this share of the figure.
     per: u32,
     /// More than this is more.
     pub(super) resolution: u32,
 }
 
-pub(super) const FLASH: Figure = Figure { name: "flash", of: |cost| cost.flash, per: 1, resolution: 0 };
+pub(super) const FLASH: Figure = Figure { name: "flash", of: |cost| Some(cost.size?.flash), per: 1, resolution: 0 };
 pub(super) const BUSY: Figure =
-    Figure { name: "instructions, busy", of: |cost| cost.busy, per: CYCLES, resolution: RESOLUTION };
+    Figure { name: "instructions, busy", of: |cost| Some(cost.busy), per: CYCLES, resolution: RESOLUTION };
 pub(super) const IDLE: Figure =
-    Figure { name: "instructions, idle", of: |cost| cost.idle, per: CYCLES, resolution: RESOLUTION };
-pub(super) const RAM: Figure = Figure { name: "RAM", of: |cost| cost.ram, per: 1, resolution: 0 };
+    Figure { name: "instructions, idle", of: |cost| Some(cost.idle), per: CYCLES, resolution: RESOLUTION };
+pub(super) const RAM: Figure = Figure { name: "RAM", of: |cost| Some(cost.size?.ram), per: 1, resolution: 0 };
 
 /// In the order in which they are shown.
 pub(super) const FIGURES: [&Figure; 4] = [&FLASH, &BUSY, &IDLE, &RAM];
@@ -28,7 +29,7 @@ pub(super) const FIGURES: [&Figure; 4] = [&FLASH, &BUSY, &IDLE, &RAM];
 impl Figure {
     /// What a chart costs as this author wrote it.
     pub(super) fn get(&self, row: &Row, author: usize) -> Option<u32> {
-        row.costs[author].as_ref().map(self.of)
+        row.costs[author].as_ref().and_then(self.of)
     }
 
     /// The least that a rival needs.
@@ -63,23 +64,23 @@ impl Figure {
     }
 }
 
-/// One figure of all charts on all targets, in Markdown.
+/// One figure of all charts wherever it is measured, in Markdown.
 pub(super) fn of(figure: &Figure, measured: &Measured) -> String {
     let names = ["grafcet", "by hand", "C", "smlang", "statig", "ratio"];
+    let places = places(figure, measured);
     let mut table = String::from("| |");
     let mut rule = String::from("| --- |");
-    for (target, _) in measured {
-        let cpu = if target.starts_with("thumbv6m") { "M0" } else { "M3" };
+    for (place, _) in &places {
         for name in names {
-            _ = write!(table, " {cpu} {name} |");
+            _ = write!(table, " {place} {name} |");
             rule.push_str(" --: |");
         }
     }
     _ = writeln!(table, "\n{rule}");
-    let Some((_, first)) = measured.first() else { return table };
-    for row in first {
+    let Some((_, first)) = places.first() else { return table };
+    for row in *first {
         _ = write!(table, "| {} |", row.name);
-        for (_, rows) in measured {
+        for (_, rows) in &places {
             match rows.iter().find(|other| other.name == row.name) {
                 Some(row) => table.push_str(&figure.cells(row)),
                 None => table.push_str(&" – |".repeat(names.len())),
@@ -88,6 +89,14 @@ pub(super) fn of(figure: &Figure, measured: &Measured) -> String {
         table.push('\n');
     }
     table
+}
+
+/// The processors on which a figure is measured, with the charts there.
+fn places<'a>(figure: &Figure, measured: &'a Measured) -> Vec<(&'static str, &'a [Row])> {
+    let cpu = |target: &str| if target.starts_with("thumbv6m") { "M0" } else { "M3" };
+    let boards = measured.boards.iter().map(|(target, rows)| (cpu(target), &rows[..]));
+    let places = boards.chain([("host", &measured.host[..])]);
+    places.filter(|(_, rows)| rows.iter().any(|row| figure.get(row, 0).is_some())).collect()
 }
 
 /// The author's name in the tables.
@@ -100,11 +109,11 @@ pub(super) fn author(place: usize) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{AUTHORS, Cost, Row};
-    use super::{BUSY, FLASH, RAM, of};
+    use super::super::{AUTHORS, Cost, Measured, Row, Size};
+    use super::{BUSY, FLASH, IDLE, RAM, of};
 
     fn row() -> Row {
-        let cost = |flash, busy, ram| Some(Cost { hash: 0, flash, busy, idle: 4096, ram });
+        let cost = |flash, busy, ram| Some(Cost { hash: 0, busy, idle: 4096, size: Some(Size { flash, ram }) });
         let mut costs = [None; AUTHORS.len()];
         // One tick more is within the resolution of the timer, one byte is not.
         costs[0] = cost(64, 4101, 1);
@@ -122,9 +131,16 @@ mod tests {
     }
 
     #[test]
-    fn targets_stand_side_by_side() {
-        let table = of(&RAM, &vec![("thumbv7m", vec![row()]), ("thumbv6m", vec![row()])]);
+    fn places_stand_side_by_side() {
+        let mut host = row();
+        host.costs.iter_mut().flatten().for_each(|cost| cost.size = None);
+        let boards = vec![("thumbv7m", vec![row()]), ("thumbv6m", vec![row()])];
+        let measured = Measured { boards, host: vec![host] };
+        let last = |figure| of(figure, &measured).lines().last().map(str::to_owned);
         let cells = " 1 | 1 | 2 | – | – | 1.00 |";
-        assert_eq!(table.lines().last(), Some(&format!("| motor sfc |{cells}{cells}")[..]));
+        assert_eq!(last(&RAM), Some(format!("| motor sfc |{cells}{cells}")), "the host has none");
+        let cells = " 1.0 | 1.0 | 1.0 | – | – | 1.00 |";
+        assert_eq!(last(&IDLE), Some(format!("| motor sfc |{cells}{cells}{cells}")));
+        assert!(of(&IDLE, &measured).contains(" M0 ratio | host grafcet |"));
     }
 }
