@@ -1,7 +1,9 @@
 //! One evolution: which transitions clear in the situation `before`, and the situation `after`.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use super::bind::Moment;
 use super::branches::Branch;
@@ -9,6 +11,9 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
+
+/// From so many steps on, one arm for all that end alike is less code than an arm for each.
+const ALIKE: usize = 4;
 
 impl Cx<'_> {
     /// Statements that change the `after` of every region by the transitions that clear.
@@ -96,9 +101,14 @@ impl Cx<'_> {
             let unless = (!self.breaks_out()).then(|| quote!(if #after == #before { #stop; }));
             return quote!(let #after = match #before { #(#arms)* #rest }; #unless);
         }
-        let arms = self.plan.regions.all()[0].steps.iter().map(|step| {
-            let (variant, next) = (self.variant(*step), self.next_step(*step));
-            quote!(#variant => #next,)
+        let arms = self.alike().into_iter().map(|steps| {
+            let variants = steps.iter().map(|step| self.variant(*step));
+            let next = match steps[..] {
+                [step] => self.next_step(step),
+                [step, ..] => self.next_step_or(step, &before.to_token_stream()),
+                [] => TokenStream::new(),
+            };
+            quote!(#(#variants)|* => #next,)
         });
         let start = self.has_start_variant(0).then(|| {
             let (start, initial) = (self.start(), self.initial(0));
@@ -107,15 +117,38 @@ impl Cx<'_> {
         quote!(let #after = match #before { #(#arms)* #start };)
     }
 
+    /// The steps of the region; those that end alike, as all branches of a selection may do, together.
+    fn alike(&self) -> Vec<Vec<StepId>> {
+        let steps = &self.plan.regions.all()[0].steps;
+        let end = |step: &StepId| match self.plan.evolution.owned[step.index()][..] {
+            [id] => Some(&self.model.transitions[id])
+                .filter(|t| t.clearing.is_empty() && t.sources != t.targets)
+                .map(|t| (&t.targets, &t.condition.tree)),
+            _ => None,
+        };
+        let mut ends: BTreeMap<_, Vec<StepId>> = BTreeMap::new();
+        for step in steps {
+            ends.entry(end(step)).or_default().push(*step);
+        }
+        let is_alike = |step: &StepId| end(step).is_some_and(|end| ends[&Some(end)].len() >= ALIKE);
+        let alone = steps.iter().filter(|step| !is_alike(step)).map(|step| vec![*step]);
+        let alike = ends.iter().filter(|(end, steps)| end.is_some() && steps.len() >= ALIKE);
+        alone.chain(alike.map(|(_, steps)| steps.clone())).collect()
+    }
+
     /// `{ if … { On } else { Off } }`
     pub(super) fn next_step(&self, step: StepId) -> TokenStream {
+        self.next_step_or(step, &self.stay(step))
+    }
+
+    /// The step behind, or `stay`.
+    fn next_step_or(&self, step: StepId, stay: &TokenStream) -> TokenStream {
         let leaving = &self.plan.evolution.owned[step.index()];
-        let stay = self.stay(step);
         if leaving.is_empty() {
-            return stay;
+            return stay.clone();
         }
         let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });
-        self.branches(branches.collect(), &stay)
+        self.branches(branches.collect(), stay)
     }
 
     /// The condition of a transition, `None` for `true`.
