@@ -9,7 +9,6 @@ pub mod check;
 mod codegen;
 pub mod describe;
 pub mod diagnostic;
-pub mod interp;
 pub mod model;
 pub mod parse;
 pub mod plan;
