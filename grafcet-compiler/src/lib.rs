@@ -12,6 +12,7 @@ pub mod diagnostic;
 pub mod model;
 pub mod parse;
 pub mod plan;
+pub mod sorted;
 
 use proc_macro2::TokenStream;
 

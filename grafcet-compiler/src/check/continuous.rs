@@ -1,7 +1,5 @@
 //! `grafcet`: what continuous actions assert has no value during the search for stability (A22).
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -9,6 +7,7 @@ use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Effect, Model, Name, OutputId, Place, Read, VarId};
 use crate::plan::{is_stored, writes};
+use crate::sorted::Set;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     reads_continuous(model, sink);
@@ -17,7 +16,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 
 /// A continuous output is read.
 fn reads_continuous(model: &Model, sink: &mut Sink) {
-    let stored: BTreeSet<OutputId> = model
+    let stored: Set<OutputId> = model
         .associations
         .values()
         .filter(|association| is_stored(association))
@@ -74,7 +73,7 @@ fn place_of(name: &syn::Ident, tokens: TokenStream) -> Option<Mark> {
 /// Combinational variables that follow from each other in a circle.
 fn combinational_circles(model: &Model, sink: &mut Sink) {
     let order = combinational::in_order(model);
-    let mut known: BTreeSet<VarId> = BTreeSet::new();
+    let mut known: Set<VarId> = Set::new();
     for var in &order {
         let waits: Vec<VarId> = combinational::reads(model, *var).into_iter().filter(|v| order.contains(v)).collect();
         if waits.iter().all(|other| known.contains(other)) {

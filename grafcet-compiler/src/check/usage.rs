@@ -1,13 +1,12 @@
 //! `unused_input`, `undriven_output`, `unused_variable`, `unused_action`, `unused_param`: what is declared and takes no
 //! part in the chart. As in rustc, a name that begins with `_` says that this is meant.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::Ident;
 
 use crate::diagnostic::{Rule, Sink, rules};
 use crate::model::{Code, Effect, Expr, LevelAttr, Model, Name, Place, Read, Statement, TimeRef, Tree};
 use crate::plan::writes;
+use crate::sorted::Set;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     let usage = Usage::of(model);
@@ -66,13 +65,13 @@ fn effects(model: &Model) -> impl Iterator<Item = &Effect> {
 
 /// What the chart reads and writes.
 struct Usage {
-    read: BTreeSet<Name>,
-    written: BTreeSet<Place>,
+    read: Set<Name>,
+    written: Set<Place>,
 }
 
 impl Usage {
     fn of(model: &Model) -> Self {
-        let mut usage = Self { read: BTreeSet::new(), written: effects(model).flat_map(writes).collect() };
+        let mut usage = Self { read: Set::new(), written: effects(model).flat_map(writes).collect() };
         for transition in model.transitions.values() {
             usage.expr(&transition.condition);
         }

@@ -1,7 +1,5 @@
 //! `grafcet`: what a partial grafcet does when a forcing order or an enclosing step decides about it.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -10,6 +8,7 @@ use super::bind::{Moment, bare};
 use super::situation::At;
 use crate::model::{ForceOrder, PartialId, StepId, Transition};
 use crate::plan::RegionId;
+use crate::sorted::Map;
 
 impl Cx<'_> {
     /// `evolve`, unless something above decides: first forcing, then what follows for enclosures (A15).
@@ -68,7 +67,7 @@ impl Cx<'_> {
 
     /// The regions below that a transition overwrites by what it enters and leaves: first by forcing, then by enclosing (A15).
     pub(super) fn overwritten_by(&self, transition: &Transition) -> Vec<TokenStream> {
-        let mut states = BTreeMap::new();
+        let mut states = Map::new();
         let left = transition.sources.iter().filter(|step| !transition.targets.contains(step));
         left.for_each(|step| self.leaving(*step, &mut states));
         let entered = transition.targets.iter().filter(|step| !transition.sources.contains(step));
@@ -78,7 +77,7 @@ impl Cx<'_> {
     }
 
     /// Its enclosures are emptied with a step that is left.
-    fn leaving(&self, step: StepId, states: &mut BTreeMap<RegionId, Option<StepId>>) {
+    fn leaving(&self, step: StepId, states: &mut Map<RegionId, Option<StepId>>) {
         for (id, partial) in self.model.partials.iter().filter(|(_, partial)| partial.enclosed_by == Some(step)) {
             states.extend(self.plan.regions.of_partial(id).map(|region| (region, None)));
             partial.steps.iter().for_each(|inner| self.leaving(*inner, states));
@@ -86,7 +85,7 @@ impl Cx<'_> {
     }
 
     /// A step that is entered forces what it forces, and activates the linked steps of its enclosures, which were empty.
-    fn entering(&self, step: StepId, states: &mut BTreeMap<RegionId, Option<StepId>>) {
+    fn entering(&self, step: StepId, states: &mut Map<RegionId, Option<StepId>>) {
         for force in self.model.forces.values().filter(|force| force.step == step) {
             let situation = match &force.order {
                 ForceOrder::Steps(steps) => steps.clone(),
@@ -102,7 +101,7 @@ impl Cx<'_> {
         }
     }
 
-    fn all_entered(&self, steps: &[StepId], states: &mut BTreeMap<RegionId, Option<StepId>>) {
+    fn all_entered(&self, steps: &[StepId], states: &mut Map<RegionId, Option<StepId>>) {
         states.extend(steps.iter().map(|step| (self.plan.regions.of_step(*step), Some(*step))));
         for step in steps {
             self.entering(*step, states);

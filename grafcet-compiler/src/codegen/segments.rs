@@ -1,7 +1,5 @@
 //! Actions in their order, as few `match`es as that allows.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
@@ -10,6 +8,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Effect, Expr, StepId};
 use crate::plan::RegionId;
+use crate::sorted::Map;
 
 /// Something that happens in a cycle.
 pub(super) enum Item {
@@ -34,7 +33,7 @@ struct Segment {
     region: RegionId,
     arms: Vec<(StepId, TokenStream)>,
     /// Where each step's arm stands.
-    places: BTreeMap<StepId, usize>,
+    places: Map<StepId, usize>,
 }
 
 impl Cx<'_> {
@@ -60,7 +59,7 @@ impl Cx<'_> {
             match &mut open {
                 Some(segment) if segment.before == before && self.joins(segment, region) => {
                     let arms = &mut segment.arms;
-                    let place = *segment.places.entry(step).or_insert_with(|| {
+                    let place = *segment.places.or_insert_with(step, || {
                         arms.push((step, TokenStream::new()));
                         arms.len() - 1
                     });
@@ -68,8 +67,7 @@ impl Cx<'_> {
                 }
                 _ => {
                     tokens.extend(open.take().map(|segment| self.segment(segment)));
-                    open =
-                        Some(Segment { before, region, arms: vec![(step, body)], places: BTreeMap::from([(step, 0)]) });
+                    open = Some(Segment { before, region, arms: vec![(step, body)], places: Map::from([(step, 0)]) });
                 }
             }
         }

@@ -1,10 +1,9 @@
 //! How each output gets its value.
 
-use std::collections::BTreeSet;
-
 use super::{Control, What};
 use crate::analysis::Concurrency;
 use crate::model::{Association, Dialect, Effect, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId};
+use crate::sorted::Set;
 
 /// How one output gets its value.
 pub struct Drive {
@@ -73,19 +72,19 @@ struct Uses<'m> {
     /// By output, the associations that write it.
     associations: Vec<Vec<&'m Association>>,
     /// Outputs that actions on clearing write.
-    cleared: BTreeSet<OutputId>,
+    cleared: Set<OutputId>,
     /// Outputs whose Q the action control computes.
-    controlled: BTreeSet<OutputId>,
+    controlled: Set<OutputId>,
     /// In a `grafcet` only stored outputs can be read (A22), and their fields hold what is read: none is in here.
-    read: BTreeSet<OutputId>,
-    read_by_actions: BTreeSet<OutputId>,
+    read: Set<OutputId>,
+    read_by_actions: Set<OutputId>,
 }
 
 impl<'m> Uses<'m> {
     fn of(model: &'m Model, control: &Control) -> Self {
         let mut associations = vec![Vec::new(); model.outputs.len()];
         for association in model.associations.values() {
-            let written: BTreeSet<OutputId> = written(&association.effect).collect();
+            let written: Set<OutputId> = written(&association.effect).collect();
             for output in written {
                 associations[output.index()].push(association);
             }

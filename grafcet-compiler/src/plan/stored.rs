@@ -4,19 +4,18 @@
 //! place at once if no other action reads it and no action may write it without a change of the situation; any other
 //! place is first written to a local, which tells whether the evolution changes anything (A25).
 
-use std::collections::BTreeSet;
-
 use crate::model::{Association, Effect, Model, Name, Place, Qualifier, Read};
+use crate::sorted::Set;
 
 /// The places that stored actions write.
 pub struct Stored {
     /// Places that are collected in locals and committed at the end of the evolution.
-    pub collected: BTreeSet<Place>,
+    pub collected: Set<Place>,
 }
 
 impl Stored {
     pub(super) fn of(model: &Model) -> Self {
-        let mut stored = Self { collected: BTreeSet::new() };
+        let mut stored = Self { collected: Set::new() };
         if !model.is_grafcet() {
             return stored;
         }
@@ -42,8 +41,8 @@ impl Stored {
             }
             if stored.collected.len() == before {
                 // What is only read needs no local.
-                let written: BTreeSet<Place> = actions.iter().flat_map(|action| writes(&action.effect)).collect();
-                let cleared: BTreeSet<Place> =
+                let written: Set<Place> = actions.iter().flat_map(|action| writes(&action.effect)).collect();
+                let cleared: Set<Place> =
                     model.transitions.values().flat_map(|t| &t.clearing).flat_map(writes).collect();
                 stored.collected.retain(|place| written.contains(place) || cleared.contains(place));
                 return stored;

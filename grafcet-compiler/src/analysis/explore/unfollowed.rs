@@ -1,18 +1,17 @@
 //! What is not followed from cycle to cycle, so that a way that relies on it may not exist.
 
-use std::collections::BTreeMap;
-
 use super::formula::{Atom, Kind};
 use super::slots::{Slots, written};
 use crate::model::{Association, Effect, Model, Name, Qualifier, Read, Step, Tree};
+use crate::sorted::Map;
 
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
 /// not looked into, or on each other. Inputs can be anything in each cycle, and times count as unknown.
 pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
-    let mut readers: BTreeMap<Name, usize> = BTreeMap::new();
+    let mut readers: Map<Name, usize> = Map::new();
     for atom in atoms {
         for name in names(&atom.what) {
-            *readers.entry(name).or_default() += 1;
+            *readers.or_default(name) += 1;
         }
     }
     let own = |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1);

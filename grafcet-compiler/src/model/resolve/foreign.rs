@@ -1,7 +1,5 @@
 //! Rust inside an expression that is not looked into: only its names are resolved.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::quote_spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -9,6 +7,7 @@ use syn::visit_mut::{self, VisitMut};
 use super::expr::Lower;
 use super::scope::Meaning;
 use crate::model::{Read, Tree};
+use crate::sorted::Set;
 
 impl Lower<'_, '_> {
     /// The meaning is the text alone, and what is read.
@@ -90,16 +89,16 @@ impl VisitMut for Lower<'_, '_> {
 }
 
 /// The names bound by patterns inside the expression.
-pub(super) fn locals_of_expr(expr: &mut syn::Expr, locals: &mut BTreeSet<String>) {
+pub(super) fn locals_of_expr(expr: &mut syn::Expr, locals: &mut Set<String>) {
     Locals(locals).visit_expr_mut(expr);
 }
 
 /// The names bound by patterns inside the block.
-pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut BTreeSet<String>) {
+pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut Set<String>) {
     Locals(locals).visit_block_mut(block);
 }
 
-struct Locals<'a>(&'a mut BTreeSet<String>);
+struct Locals<'a>(&'a mut Set<String>);
 
 impl VisitMut for Locals<'_> {
     fn visit_pat_ident_mut(&mut self, pattern: &mut syn::PatIdent) {

@@ -1,12 +1,11 @@
 //! The names of a chart: what is declared, what is meant, what was nearly meant.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::Ident;
 
 use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{ActionId, MacroId, Name, PartialId, StepId};
+use crate::sorted::Map;
 
 /// What a name in an expression or behind a qualifier means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,9 +35,9 @@ impl Meaning {
 #[derive(Default)]
 pub(super) struct Scope {
     /// Of several with one name, which is an error, the first counts; as a step the first step.
-    names: BTreeMap<String, Vec<(Meaning, Ident)>>,
-    partials: BTreeMap<String, (PartialId, Ident)>,
-    transitions: BTreeMap<String, Ident>,
+    names: Map<String, Vec<(Meaning, Ident)>>,
+    partials: Map<String, (PartialId, Ident)>,
+    transitions: Map<String, Ident>,
     /// Names that a broken item would have declared: no error about them, its own error says enough.
     broken: Vec<Ident>,
 }
@@ -66,7 +65,7 @@ impl Scope {
     /// Declares `name`; `false` if it is taken. A reserved one is reported and declared all the same, so that its uses
     /// are no further errors.
     pub(super) fn declare(&mut self, name: &Ident, meaning: Meaning, sink: &mut Sink) -> bool {
-        let same = self.names.entry(key(name)).or_default();
+        let same = self.names.or_default(key(name));
         match same.first() {
             Some((_, first)) => report_duplicate(name, first, sink),
             None => refuse_reserved(name, sink),
