@@ -9,7 +9,7 @@ use crate::model::{
     Association, Effect, Expr, ForceOrder, Id, LevelAttr, Model, PartialId, Place, Qualifier, Read, StepId,
     TransitionId, Tree,
 };
-use crate::plan::{is_stored, writes};
+use crate::plan::is_stored;
 use crate::sorted::{Map, Set};
 
 /// One stored action that writes a place.
@@ -147,18 +147,18 @@ impl<'m> Race<'m> {
                 _ => When::Active(association.step),
             };
             let conditions: Vec<_> = association.condition.iter().chain(&association.event).collect();
-            for place in writes(&association.effect) {
+            for place in association.effect.writes() {
                 let (value, conditions) = (value.clone(), conditions.clone());
                 let owner = Owner::Step(association.step);
-                all.or_default(place).push(Write { value, when, conditions, mark: association.mark, owner });
+                all.or_default(*place).push(Write { value, when, conditions, mark: association.mark, owner });
             }
         }
         for (id, transition) in model.transitions.iter() {
             for effect in &transition.clearing {
-                for place in writes(effect) {
+                for place in effect.writes() {
                     let (value, when, owner) = (constant(effect), When::Cleared(id), Owner::Transition(id));
                     let write = Write { value, when, conditions: Vec::new(), mark: transition.mark, owner };
-                    all.or_default(place).push(write);
+                    all.or_default(*place).push(write);
                 }
             }
         }

@@ -3,7 +3,6 @@
 use crate::analysis::Concurrency;
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, Place, Qualifier, Statement, StepId, Tree, Ty};
-use crate::plan::writes;
 use crate::sorted::Map;
 
 /// What keeps a value: a boolean output or variable, or in an `sfc` an action.
@@ -116,8 +115,8 @@ fn collect(model: &Model) -> Map<Stored, Uses> {
 
 /// What is written in a way that is not looked into may get any value.
 fn written(all: &mut Map<Stored, Uses>, effect: &Effect) {
-    for place in writes(effect) {
-        all.or_default(Stored::Place(place)).unknown = true;
+    for place in effect.writes() {
+        all.or_default(Stored::Place(*place)).unknown = true;
     }
 }
 

@@ -5,6 +5,8 @@
 //! a timer would. What is left over gets a [`Target`]: its flags are collected first, then its Q is computed, then it
 //! runs in its place.
 
+use std::vec;
+
 use crate::analysis::Concurrency;
 use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef};
 use crate::sorted::{Map, Set};
@@ -123,8 +125,15 @@ impl Control {
 }
 
 /// All associations, by step and then as they stand in it.
-pub fn source_order(model: &Model) -> impl Iterator<Item = AssociationId> + '_ {
-    model.steps.values().flat_map(|step| step.associations.iter().copied())
+///
+/// A list: what is done with it need not be compiled for the steps and for their associations each time.
+#[must_use]
+pub fn source_order(model: &Model) -> vec::IntoIter<AssociationId> {
+    let mut all = Vec::new();
+    for step in model.steps.values() {
+        all.extend_from_slice(&step.associations);
+    }
+    all.into_iter()
 }
 
 /// What makes two associations one target.

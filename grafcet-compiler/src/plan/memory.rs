@@ -38,7 +38,7 @@ pub struct Memory {
 
 impl Memory {
     pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive], control: &Control) -> Self {
-        let reads: Set<Read> = model.expressions().flatten().copied().collect();
+        let reads: Set<Read> = model.expressions().into_iter().flatten().copied().collect();
         let combinational = combinational::in_order(model);
         let pick = |wanted: &dyn Fn(&Drive) -> bool| {
             model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
@@ -93,9 +93,8 @@ fn begins_on_entry(model: &Model) -> bool {
         times.all(|step| transition.sources.contains(&step)) && !clearing.any(|read| time_of(read).is_some())
     };
     let stored = |association: &Association| {
-        let conditions = association.condition.iter().chain(&association.event).map(|expr| &expr.reads[..]);
-        let mut reads = conditions.chain(association.effect.reads()).flatten();
-        model.is_grafcet() && is_stored(association) && reads.any(|read| time_of(read).is_some())
+        let reads = association.reads();
+        model.is_grafcet() && is_stored(association) && reads.into_iter().flatten().any(|read| time_of(read).is_some())
     };
     model.partials.len() == 1 && model.transitions.values().all(own) && !model.associations.values().any(stored)
 }

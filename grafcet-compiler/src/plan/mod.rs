@@ -17,10 +17,10 @@ pub use evolution::Evolution;
 pub use memory::Memory;
 pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
-pub use stored::{Stored, is_stored, writes};
+pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Concurrency, Stability, hierarchy};
-use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Tree, Ty};
+use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
 /// The plan for one chart.
@@ -109,15 +109,16 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
         Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
         _ => None,
     };
-    let timed: Set<StepId> = model.expressions().flatten().filter_map(timed).collect();
+    let timed: Set<StepId> = model.expressions().into_iter().flatten().filter_map(timed).collect();
     let looks = |step: &StepId| {
         let mut associations = model.steps[*step].associations.iter().map(|id| &model.associations[*id]);
         associations.any(|a| !matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R)) || timed.contains(step)
     };
-    let self_loops =
-        |t: &Transition| t.sources.iter().filter(|step| t.targets.contains(step)).copied().collect::<Vec<_>>();
-    let reentered = evolution.entered_last.iter().copied().chain(model.transitions.values().flat_map(self_loops));
-    for step in reentered.filter(looks) {
+    let mut reentered = evolution.entered_last.clone();
+    for transition in model.transitions.values() {
+        reentered.extend(transition.sources.iter().filter(|step| transition.targets.contains(step)));
+    }
+    for step in reentered.into_iter().filter(looks) {
         sees[regions.of_step(step)] = true;
     }
     sees

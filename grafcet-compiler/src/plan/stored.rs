@@ -20,31 +20,32 @@ impl Stored {
             return stored;
         }
         for transition in model.transitions.values() {
-            stored.collected.extend(transition.clearing.iter().flat_map(writes));
+            stored.collected.extend(transition.clearing.iter().flat_map(Effect::writes));
             stored.collected.extend(transition.clearing.iter().flat_map(Effect::reads).flatten().filter_map(place));
         }
         let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).collect();
         for action in &actions {
             if action.qualifier == Qualifier::On {
-                stored.collected.extend(writes(&action.effect));
+                stored.collected.extend(action.effect.writes());
             }
-            let own: Vec<Place> = writes(&action.effect).collect();
-            stored.collected.extend(reads(action).filter(|place| !own.contains(place)));
+            let own = action.effect.writes();
+            let read = action.reads().into_iter().flatten().filter_map(place);
+            stored.collected.extend(read.filter(|place| !own.contains(place)));
         }
         // A block writes all its places in the same way.
         loop {
             let before = stored.collected.len();
             for action in &actions {
-                if writes(&action.effect).any(|place| stored.collected.contains(&place)) {
-                    stored.collected.extend(writes(&action.effect));
+                if stored.is_collected(&action.effect) {
+                    stored.collected.extend(action.effect.writes());
                 }
             }
             if stored.collected.len() == before {
                 // What is only read needs no local.
-                let written: Set<Place> = actions.iter().flat_map(|action| writes(&action.effect)).collect();
-                let cleared: Set<Place> =
-                    model.transitions.values().flat_map(|t| &t.clearing).flat_map(writes).collect();
-                stored.collected.retain(|place| written.contains(place) || cleared.contains(place));
+                let clearings = model.transitions.values().flat_map(|t| &t.clearing);
+                let effects = actions.iter().map(|action| &action.effect).chain(clearings);
+                let written: Set<Place> = effects.flat_map(Effect::writes).copied().collect();
+                stored.collected.retain(|place| written.contains(place));
                 return stored;
             }
         }
@@ -53,7 +54,7 @@ impl Stored {
     /// Whether the effect writes to locals first.
     #[must_use]
     pub fn is_collected(&self, effect: &Effect) -> bool {
-        writes(effect).any(|place| self.collected.contains(&place))
+        effect.writes().iter().any(|place| self.collected.contains(place))
     }
 }
 
@@ -61,21 +62,6 @@ impl Stored {
 #[must_use]
 pub fn is_stored(association: &Association) -> bool {
     matches!(association.qualifier, Qualifier::S | Qualifier::R | Qualifier::P1 | Qualifier::P0 | Qualifier::On)
-}
-
-/// The places an effect may write.
-pub fn writes(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
-    let (one, many): (Option<Place>, &[Place]) = match effect {
-        Effect::Control(place) | Effect::Assign(place, _) => (Some(*place), &[]),
-        Effect::Call(..) => (None, &[]),
-        Effect::Block(code) => (None, &code.writes),
-    };
-    one.into_iter().chain(many.iter().copied())
-}
-
-fn reads(association: &Association) -> impl Iterator<Item = Place> + '_ {
-    let conditions = association.condition.iter().chain(&association.event).map(|e| &e.reads[..]);
-    conditions.chain(association.effect.reads()).flatten().filter_map(place)
 }
 
 fn place(read: &Read) -> Option<Place> {

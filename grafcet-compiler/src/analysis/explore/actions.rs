@@ -2,7 +2,7 @@
 
 use super::compile::Compiler;
 use super::formula::Formula;
-use super::slots::{Bit, Slots, written};
+use super::slots::{Bit, Slots};
 use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
 use crate::sorted::Map;
 
@@ -232,11 +232,12 @@ impl Compile<'_, '_> {
     }
 
     fn is_followed(&self, effect: &Effect) -> bool {
-        written(effect).any(|place| self.slots.numbers.contains_key(&place))
+        effect.writes().iter().any(|place| self.slots.numbers.contains_key(place))
     }
 
     fn does_more(&self, effect: &Effect) -> bool {
-        matches!(effect, Effect::Call(..)) || written(effect).any(|place| !self.slots.numbers.contains_key(&place))
+        matches!(effect, Effect::Call(..))
+            || effect.writes().iter().any(|place| !self.slots.numbers.contains_key(place))
     }
 
     fn action(&mut self, position: usize, association: &Association) -> Action {

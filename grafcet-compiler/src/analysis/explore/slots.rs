@@ -89,7 +89,7 @@ fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> Set<Place>
         };
         if needed.insert(place) {
             for effect in writers.effects(place) {
-                reads.extend(effect.reads().flatten());
+                reads.extend(effect.reads().into_iter().flatten());
             }
             for association in writers.associations(model, place) {
                 let conditions = association.condition.iter().chain(&association.event);
@@ -124,14 +124,14 @@ impl<'m> Writers<'m> {
     fn of(model: &'m Model) -> Self {
         let mut writers = Self { associations: Map::new(), effects: Map::new() };
         for (id, association) in model.associations.iter() {
-            for place in written(&association.effect) {
-                writers.associations.or_default(place).push(id);
-                writers.effects.or_default(place).push(&association.effect);
+            for place in association.effect.writes() {
+                writers.associations.or_default(*place).push(id);
+                writers.effects.or_default(*place).push(&association.effect);
             }
         }
         for effect in model.transitions.values().flat_map(|t| &t.clearing) {
-            for place in written(effect) {
-                writers.effects.or_default(place).push(effect);
+            for place in effect.writes() {
+                writers.effects.or_default(*place).push(effect);
             }
         }
         writers
@@ -177,23 +177,13 @@ impl<'m> Writers<'m> {
     /// Whether an output has no memory, and nothing in the chart reads it.
     fn is_only_shown(&self, model: &Model, place: Place) -> bool {
         let Place::Output(id) = place else { return false };
-        let read = model.expressions().any(|reads| reads.contains(&Read::Name(Name::Output(id))));
+        let read = model.expressions().iter().any(|reads| reads.contains(&Read::Name(Name::Output(id))));
         let control = |a: &Association| matches!(a.effect, Effect::Control(_));
         let stored = |a: &Association| matches!(a.qualifier, Qualifier::S | Qualifier::R);
         let all = || self.associations(model, place);
         let computed = all().all(control) && !all().all(stored) || all().all(|a| a.qualifier == Qualifier::N);
         !read && computed && all().next().is_some()
     }
-}
-
-/// The places an effect may write.
-pub(super) fn written(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
-    let (one, many): (Option<Place>, &[Place]) = match effect {
-        Effect::Control(place) | Effect::Assign(place, _) => (Some(*place), &[]),
-        Effect::Call(..) => (None, &[]),
-        Effect::Block(code) => (None, &code.writes),
-    };
-    one.into_iter().chain(many.iter().copied())
 }
 
 fn fits_grafcet(association: &Association) -> bool {

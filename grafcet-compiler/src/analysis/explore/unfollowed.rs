@@ -1,7 +1,7 @@
 //! What is not followed from cycle to cycle, so that a way that relies on it may not exist.
 
 use super::formula::{Atom, Kind};
-use super::slots::{Slots, written};
+use super::slots::Slots;
 use crate::model::{Association, Effect, Model, Name, Qualifier, Read, Step, Tree};
 use crate::sorted::Map;
 
@@ -55,7 +55,7 @@ fn names(tree: &Tree) -> Vec<Name> {
 
 /// The steps and the transitions with stored actions that write what is not followed.
 pub(super) fn writers(model: &Model, slots: &Slots) -> (Vec<bool>, Vec<bool>) {
-    let more = |effect: &Effect| written(effect).any(|place| !slots.numbers.contains_key(&place));
+    let more = |effect: &Effect| effect.writes().iter().any(|place| !slots.numbers.contains_key(place));
     let stored = |association: &Association| {
         !matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D) && more(&association.effect)
     };

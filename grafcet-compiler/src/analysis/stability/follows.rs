@@ -1,5 +1,7 @@
 //! Which transitions a transition may enable in the same cycle, and which exclude each other in it.
 
+use std::collections::BTreeMap;
+
 use super::{Candidates, is_constant_read};
 use crate::analysis::{Condition, Logic};
 use crate::model::{Binary, ForceOrder, Id, Model, StepId, TransitionId, Tree, Unary};
@@ -21,7 +23,7 @@ pub(super) struct Follows<'m> {
     condition_of: Vec<usize>,
     conditions: Vec<Condition>,
     /// Whether two conditions can hold together, as far as that was asked.
-    together: Map<(usize, usize), bool>,
+    together: BTreeMap<(usize, usize), bool>,
 }
 
 impl<'m> Follows<'m> {
@@ -50,7 +52,7 @@ impl<'m> Follows<'m> {
             }
             condition_of.push(number);
         }
-        Self { model, logic, leaving, activates, entering, condition_of, conditions, together: Map::new() }
+        Self { model, logic, leaving, activates, entering, condition_of, conditions, together: BTreeMap::new() }
     }
 
     pub(super) fn transitions(&self) -> usize {
@@ -92,7 +94,7 @@ impl<'m> Follows<'m> {
     fn can_clear_together(&mut self, a: TransitionId, b: TransitionId) -> bool {
         let (a, b) = (self.condition_of[a.index()], self.condition_of[b.index()]);
         let (logic, conditions) = (&self.logic, &self.conditions);
-        *self.together.or_insert_with((a.min(b), a.max(b)), || !logic.exclusive(&conditions[a], &conditions[b]))
+        *self.together.entry((a.min(b), a.max(b))).or_insert_with(|| !logic.exclusive(&conditions[a], &conditions[b]))
     }
 }
 
