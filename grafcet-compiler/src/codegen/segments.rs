@@ -40,6 +40,10 @@ impl Cx<'_> {
     /// One `match` for each run of items that look at the same region: their order is kept, since of a region's steps
     /// only one is active, and a step that is not active costs nothing.
     pub(super) fn in_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
+        self.all_in_order(items.into_iter().collect())
+    }
+
+    fn all_in_order(&self, items: Vec<Item>) -> TokenStream {
         let mut tokens = TokenStream::new();
         let mut open: Option<Segment> = None;
         for item in items {
@@ -78,7 +82,10 @@ impl Cx<'_> {
     /// One `match` for each region, for items of which none sees what another one does. Where conditions or values call
     /// functions of the user, those keep their order.
     pub(super) fn in_any_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
-        let mut items: Vec<_> = items.into_iter().filter(|item| !item.is_empty()).collect();
+        self.all_in_any_order(items.into_iter().filter(|item| !item.is_empty()).collect())
+    }
+
+    fn all_in_any_order(&self, mut items: Vec<Item>) -> TokenStream {
         let opaque = |expr: &Expr| is_opaque(&expr.tree);
         let mut associations = self.model.associations.values();
         let calls = associations.any(|association| {
@@ -97,7 +104,7 @@ impl Cx<'_> {
             }
             items.sort_by_key(|item| regions.iter().position(|region| *region == self.region_of(item)));
         }
-        self.in_order(items)
+        self.all_in_order(items)
     }
 
     /// Whose state the item looks at, and when.

@@ -4,7 +4,7 @@ use super::compile::Compiler;
 use super::formula::Formula;
 use super::slots::{Bit, Slots};
 use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// An action with the conditions under which it runs.
 pub(super) struct Action {
@@ -223,10 +223,8 @@ impl Compile<'_, '_> {
         let own = |((of, qualifier), slot): &((Place, Qualifier), usize)| (*of == place).then_some((*qualifier, *slot));
         let flip_flops = self.slots.flip_flops.iter().filter_map(own).collect();
         let controls = |a: &&Association| matches!(a.effect, Effect::Control(of) if of == place);
-        let mut qualifiers: Vec<Qualifier> =
+        let qualifiers: Set<Qualifier> =
             model.associations.values().filter(controls).filter(|a| a.time.is_some()).map(|a| a.qualifier).collect();
-        qualifiers.sort_unstable();
-        qualifiers.dedup();
         let times = qualifiers.into_iter().map(|qualifier| (qualifier, self.compiler.time_of(qualifier, place)));
         Timed { flip_flops, times: times.collect() }
     }

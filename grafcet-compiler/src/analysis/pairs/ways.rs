@@ -45,12 +45,11 @@ pub(super) fn holds(model: &Model, tree: &Tree, value: bool) -> Vec<Demand> {
 }
 
 /// Either of two.
-fn any(mut a: Vec<Demand>, b: Vec<Demand>) -> Vec<Demand> {
-    a.extend(b);
-    a.sort();
-    a.dedup();
+fn any(a: Vec<Demand>, b: Vec<Demand>) -> Vec<Demand> {
+    let all: Set<Demand> = a.into_iter().chain(b).collect();
     // Where one of them demands nothing, that is enough.
-    if a.len() > ALTERNATIVES || a.first() == Some(&Demand::default()) { vec![Demand::default()] } else { a }
+    let enough = all.len() > ALTERNATIVES || all.first() == Some(&Demand::default());
+    if enough { vec![Demand::default()] } else { all.into_iter().collect() }
 }
 
 /// Both of two.
@@ -62,9 +61,9 @@ fn all(a: &[Demand], b: &[Demand]) -> Vec<Demand> {
         active: one.active.iter().chain(&other.active).copied().collect(),
         inactive: one.inactive.iter().chain(&other.inactive).copied().collect(),
     };
-    let mut both: Vec<Demand> = a.iter().flat_map(|one| b.iter().map(move |other| both(one, other))).collect();
-    both.retain(|way| way.active.is_disjoint(&way.inactive));
-    both.sort();
-    both.dedup();
-    both
+    let mut found = Set::new();
+    for one in a {
+        found.extend(b.iter().map(|other| both(one, other)).filter(|way| way.active.is_disjoint(&way.inactive)));
+    }
+    found.into_iter().collect()
 }
