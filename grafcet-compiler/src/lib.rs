@@ -13,6 +13,7 @@ pub mod model;
 pub mod parse;
 pub mod plan;
 pub mod sorted;
+mod visit;
 
 use proc_macro2::TokenStream;
 
