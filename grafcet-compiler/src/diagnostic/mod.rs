@@ -3,13 +3,11 @@
 mod emit;
 mod mark;
 pub mod rules;
-mod spelling;
 
 use proc_macro2::TokenStream;
 
 pub use mark::Mark;
 pub use rules::{Rule, Severity};
-pub(crate) use spelling::slips;
 
 use crate::ast::{Dialect, LevelAttr};
 use crate::sorted::Set;

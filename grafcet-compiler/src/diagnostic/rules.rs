@@ -1,6 +1,5 @@
 //! The table of rules: one row a rule, in the order of the page of rules.
 
-use super::slips;
 use crate::ast::{Dialect, LevelAttr};
 
 /// How loud a broken rule is.
@@ -150,7 +149,7 @@ pub fn refuse_level(rule: &str, level: Severity) -> Option<String> {
         return lowered
             .then(|| format!("the rule `{rule}` cannot be switched off or lowered; mend the chart, and remove this"));
     }
-    let nearest = ALL.iter().map(|rule| rule.name).map(|name| (slips(rule, name), name)).min();
+    let nearest = ALL.iter().map(|rule| rule.name).map(|name| (strsim::osa_distance(rule, name), name)).min();
     Some(match nearest {
         Some((distance, name)) if distance <= name.len() / 3 => {
             format!("no rule is called `{rule}`; did you mean `grafcet::{name}`?")

@@ -1,7 +1,7 @@
 //! The words of the notation, and those that people write in their place.
 
 use super::Input;
-use crate::diagnostic::{Sink, slips};
+use crate::diagnostic::Sink;
 
 /// Every word that can begin an item of a body.
 pub(super) const ITEMS: &[&str] = &[
@@ -64,7 +64,7 @@ pub(super) fn meant(written: &str) -> Option<&'static str> {
     let exactly = ITEMS.iter().find(|word| **word == lower);
     let elsewhere = || ELSEWHERE.iter().find(|(word, _)| *word == lower).map(|(_, ours)| ours);
     let nearly = || {
-        let near = |word: &&&str| word.len() > 3 && slips(word, &lower) <= word.len() / 4;
+        let near = |word: &&&str| word.len() > 3 && strsim::osa_distance(word, &lower) <= word.len() / 4;
         ITEMS.iter().find(near)
     };
     exactly.or_else(elsewhere).or_else(nearly).copied()

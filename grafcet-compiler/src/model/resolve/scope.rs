@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use crate::ast::Body;
-use crate::diagnostic::{Mark, Sink, rules, slips};
+use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{ActionId, MacroId, Name, PartialId, StepId};
 use crate::sorted::Map;
 
@@ -174,7 +174,7 @@ impl Scope {
         text.starts_with(is_upper) && text.contains(char::is_lowercase) && {
             let declared = self.names.values().flatten().filter(|(meaning, _)| own(*meaning)).map(|(_, name)| name);
             let alike = declared.filter(|name| key(name).starts_with(is_upper));
-            alike.into_iter().any(|declared| slips(&text, &key(declared)) <= text.chars().count() / 6)
+            alike.into_iter().any(|declared| strsim::osa_distance(&text, &key(declared)) <= text.chars().count() / 6)
         }
     }
 
@@ -206,7 +206,7 @@ fn nearest(name: &Ident, candidates: &[&Ident]) -> Option<String> {
         .iter()
         .map(|candidate| (key(candidate).to_lowercase(), candidate))
         .filter(|(other, _)| *other == lower || letters(other) != letters(&lower))
-        .map(|(other, candidate)| (slips(&lower, &other), other.chars().count(), candidate))
+        .map(|(other, candidate)| (strsim::osa_distance(&lower, &other), other.chars().count(), candidate))
         .filter(|(distance, length, _)| *distance <= length / 3)
         .min_by_key(|(distance, ..)| *distance)
         .map(|(.., candidate)| candidate)
