@@ -9,10 +9,11 @@ pub mod check;
 mod codegen;
 pub mod describe;
 pub mod diagnostic;
-pub mod interp;
 pub mod model;
 pub mod parse;
 pub mod plan;
+pub mod sorted;
+mod visit;
 
 use proc_macro2::TokenStream;
 

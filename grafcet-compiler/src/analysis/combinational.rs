@@ -1,8 +1,7 @@
 //! Boolean variables of a `grafcet` that continuous actions assert: they hold no value of their own (A22).
 
-use std::collections::BTreeSet;
-
 use crate::model::{Association, Effect, Model, Name, Place, Qualifier, Read, VarId};
+use crate::sorted::Set;
 
 /// The combinational variables, each behind those it reads; those on a circle, which is refused, come last.
 #[must_use]
@@ -31,8 +30,8 @@ pub fn asserted(model: &Model, var: VarId) -> impl Iterator<Item = &Association>
 
 /// The variables that the conditions of a combinational variable read, through edges and delays too.
 #[must_use]
-pub fn reads(model: &Model, var: VarId) -> BTreeSet<VarId> {
-    let mut found = BTreeSet::new();
+pub fn reads(model: &Model, var: VarId) -> Set<VarId> {
+    let mut found = Set::new();
     for condition in asserted(model, var).filter_map(|association| association.condition.as_ref()) {
         for read in &condition.reads {
             if let Read::Name(Name::Var(other)) = read {

@@ -5,10 +5,11 @@
 //! other is. That is a superset of what can really happen, found without exploring situations: what is not related
 //! never is active together, so two such steps can share one byte.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::VecDeque;
 
 use super::{Logic, Relation, pairs};
 use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// Charts with more steps than this are taken for independent partial grafcets.
 const ACROSS: usize = 1_000;
@@ -62,12 +63,12 @@ impl Concurrency {
     /// not rely on that.
     #[must_use]
     pub fn across_partials(&self, model: &Model) -> Self {
-        self.across_partials_but_for(model, &BTreeSet::new())
+        self.across_partials_but_for(model, &Set::new())
     }
 
     /// The same if these transitions asked for no steps.
     #[must_use]
-    pub fn across_partials_but_for(&self, model: &Model, granted: &BTreeSet<TransitionId>) -> Self {
+    pub fn across_partials_but_for(&self, model: &Model, granted: &Set<TransitionId>) -> Self {
         if model.partials.len() < 2 || model.steps.len() > ACROSS {
             return self.clone();
         }

@@ -1,8 +1,7 @@
 //! Which partial grafcets act on which, and the initial situation that follows from it.
 
-use std::collections::BTreeSet;
-
 use crate::model::{ForceOrder, Model, PartialId, StepId};
+use crate::sorted::Set;
 
 /// The partial grafcets from top to bottom: what forces or encloses comes before what is forced or enclosed. Those on a
 /// circle, which is refused, come last.
@@ -30,9 +29,9 @@ pub fn masters(model: &Model, partial: PartialId) -> Vec<PartialId> {
 /// The initial situation: the initial steps, what an initial step forces (A11), and inside an enclosing step that is
 /// active at the start its initial steps (A18), or its linked ones where a forcing order has activated it (A15, A21).
 #[must_use]
-pub fn initial_situation(model: &Model) -> BTreeSet<StepId> {
-    let mut active = BTreeSet::new();
-    let mut forced = BTreeSet::new();
+pub fn initial_situation(model: &Model) -> Set<StepId> {
+    let mut active = Set::new();
+    let mut forced = Set::new();
     for id in top_down(model) {
         let partial = &model.partials[id];
         let steps = |wanted: fn(&crate::model::Step) -> bool| {

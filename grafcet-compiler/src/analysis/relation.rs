@@ -1,5 +1,7 @@
 //! A symmetric relation between things counted from 0.
 
+use std::vec;
+
 /// Pairs of indices, one bit each.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Relation {
@@ -33,8 +35,9 @@ impl Relation {
     }
 
     /// Everything related to `a`, ascending.
-    pub fn of(&self, a: usize) -> impl Iterator<Item = usize> + '_ {
-        set(self.row(a))
+    #[must_use]
+    pub fn of(&self, a: usize) -> vec::IntoIter<usize> {
+        set(self.row(a)).into_iter()
     }
 
     /// Everything related to all of `items` (everything there is, if there are none) and not yet to `to`, ascending.
@@ -49,7 +52,7 @@ impl Relation {
         for (word, known) in words.iter_mut().zip(self.row(to)) {
             *word &= !known;
         }
-        set(&words).take_while(|item| *item < self.size).collect()
+        set(&words).into_iter().take_while(|item| *item < self.size).collect()
     }
 
     fn row(&self, a: usize) -> &[u64] {
@@ -58,16 +61,14 @@ impl Relation {
 }
 
 /// The positions of the set bits of a row, ascending.
-fn set(row: &[u64]) -> impl Iterator<Item = usize> + '_ {
-    let some = row.iter().enumerate().filter(|(_, word)| **word != 0);
-    some.flat_map(|(i, word)| bits(*word).map(move |bit| i * 64 + bit))
-}
-
-/// The same of one word.
-fn bits(mut word: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let bit = word.trailing_zeros();
-        word &= word.wrapping_sub(1);
-        (bit < 64).then_some(bit as usize)
-    })
+fn set(row: &[u64]) -> Vec<usize> {
+    let mut found = Vec::new();
+    for (place, word) in row.iter().enumerate() {
+        let mut rest = *word;
+        while rest != 0 {
+            found.push(place * 64 + rest.trailing_zeros() as usize);
+            rest &= rest - 1;
+        }
+    }
+    found
 }

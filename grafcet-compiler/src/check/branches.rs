@@ -1,11 +1,10 @@
 //! `shadowed_branch`, `overlapping_branches`: transitions that compete for a step.
 
-use std::collections::BTreeSet;
-
 use super::drawing;
 use crate::analysis::{Answer, Concurrency, Condition, Logic};
 use crate::diagnostic::{Sink, rules};
 use crate::model::{Binary, Id, LevelAttr, Model, Name, Read, StepId, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// More pairs of branches than this are not told to the exploration.
 const PRESUMED: usize = 1000;
@@ -20,19 +19,19 @@ pub(super) struct Branches<'m> {
     /// By transition.
     pub(super) conditions: &'m [Condition],
     /// Transitions of which it was said that their condition always holds: that they shadow others need not be said.
-    pub(super) always: &'m BTreeSet<TransitionId>,
+    pub(super) always: &'m Set<TransitionId>,
 }
 
 impl Branches<'_> {
     /// Leaves out the transitions that never clear, and returns the shadowed ones.
-    pub(super) fn check(&self, dead: &BTreeSet<TransitionId>, sink: &mut Sink) -> BTreeSet<TransitionId> {
+    pub(super) fn check(&self, dead: &Set<TransitionId>, sink: &mut Sink) -> Set<TransitionId> {
         let model = self.model;
-        let mut shadowed = BTreeSet::new();
+        let mut shadowed = Set::new();
         let leaving = self.leaving();
         for id in model.transitions.ids().filter(|id| !dead.contains(id)) {
             // What competes with it and stands before it.
             let others = model.transitions[id].sources.iter().flat_map(|step| leaving[step.index()].iter().copied());
-            let before: BTreeSet<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
+            let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
             if before.is_empty() {
                 continue;
             }
@@ -170,7 +169,7 @@ impl Branches<'_> {
                 continue;
             }
             let (first, second) = (&self.model.transitions[*other], &self.model.transitions[id]);
-            let steps: BTreeSet<StepId> = first.sources.iter().chain(&second.sources).copied().collect();
+            let steps: Set<StepId> = first.sources.iter().chain(&second.sources).copied().collect();
             let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
             let active: Vec<Condition> = steps.iter().map(active).collect();
             let goals = [(self.condition(*other), true), (own, true)];
@@ -203,7 +202,7 @@ impl Branches<'_> {
     /// Whether it makes no difference that both clear.
     fn lead_to_the_same(&self, a: TransitionId, b: TransitionId) -> bool {
         let (a, b) = (&self.model.transitions[a], &self.model.transitions[b]);
-        let set = |steps: &[StepId]| steps.iter().copied().collect::<BTreeSet<_>>();
+        let set = |steps: &[StepId]| steps.iter().copied().collect::<Set<_>>();
         let same = set(&a.sources) == set(&b.sources) && set(&a.targets) == set(&b.targets);
         same && a.clearing.is_empty() && b.clearing.is_empty()
     }

@@ -1,19 +1,18 @@
 //! `never_true`, `always_true`, `level_source_transition`, `event_without_edge`: what is wrong with a condition by itself.
 
-use std::collections::BTreeSet;
-
 use crate::analysis::explore::situation;
 use crate::analysis::{Answer, Condition, Logic};
 use crate::diagnostic::{Rule, Severity, Sink, rules};
 use crate::model::{Binary, Expr, LevelAttr, Model, Read, StepId, Transition, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// The transitions of which something was said.
 #[derive(Default)]
 pub(super) struct Said {
     /// Their condition never holds.
-    pub(super) never: BTreeSet<TransitionId>,
+    pub(super) never: Set<TransitionId>,
     /// It always holds.
-    pub(super) always: BTreeSet<TransitionId>,
+    pub(super) always: Set<TransitionId>,
 }
 
 pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], sink: &mut Sink) -> Said {

@@ -1,11 +1,10 @@
 //! `conflicting_values`, `timed_contention`: steps that are active together and want different things.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::meeting;
 use crate::analysis::{Concurrency, Condition, Logic};
 use crate::diagnostic::{Rule, Sink, rules};
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, TimeRef, Tree};
+use crate::sorted::{Map, Set};
 
 pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
     let contention = Contention { model, concurrency, logic: Logic::within(model, concurrency, never) };
@@ -31,12 +30,12 @@ enum Target {
 impl Contention<'_> {
     /// A35: an assigned output has the value of the step that assigns it; two steps cannot both be right.
     fn values(&self, sink: &mut Sink) {
-        let mut of_output: BTreeMap<OutputId, Vec<(&Association, &Tree)>> = BTreeMap::new();
+        let mut of_output: Map<OutputId, Vec<(&Association, &Tree)>> = Map::new();
         for association in self.model.associations.values() {
             if let (Effect::Assign(Place::Output(output), value), Qualifier::N) =
                 (&association.effect, association.qualifier)
             {
-                of_output.entry(*output).or_default().push((association, &value.tree));
+                of_output.or_default(*output).push((association, &value.tree));
             }
         }
         for (output, all) in of_output {
@@ -68,14 +67,14 @@ impl Contention<'_> {
 
     /// IEC 61131-3: an action has one time input, so at most one timed association of it is active at a time.
     fn times(&self, sink: &mut Sink) {
-        let mut of_target: BTreeMap<Target, Vec<&Association>> = BTreeMap::new();
+        let mut of_target: Map<Target, Vec<&Association>> = Map::new();
         for association in self.model.associations.values().filter(|association| association.time.is_some()) {
             let target = match association.effect {
                 Effect::Control(place) => Target::Place(place),
                 Effect::Call(action, _) => Target::Action(action),
                 Effect::Assign(..) | Effect::Block(_) => continue,
             };
-            of_target.entry(target).or_default().push(association);
+            of_target.or_default(target).push(association);
         }
         for (target, all) in of_target {
             let (name, levels) = match target {
@@ -103,7 +102,7 @@ impl Contention<'_> {
     /// The pairs of associations that can act at the same time; each is paired with the first one before it.
     fn meetings(&self, all: &[&Association], differ: impl Fn(usize, usize) -> bool) -> Vec<(usize, usize)> {
         let things: Vec<_> = all.iter().enumerate().map(|(i, association)| (i, Some(association.step))).collect();
-        let mut reported = BTreeSet::new();
+        let mut reported = Set::new();
         let pairs = meeting::pairs(self.concurrency, &things).into_iter();
         pairs.filter(|(i, j)| differ(*i, *j) && !self.exclude(all[*i], all[*j]) && reported.insert(*j)).collect()
     }

@@ -1,14 +1,13 @@
 //! `grafcet`: what continuous actions assert has no value during the search for stability (A22).
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
 use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Effect, Model, Name, OutputId, Place, Read, VarId};
-use crate::plan::{is_stored, writes};
+use crate::model::{Effect, Expr, Model, Name, Place, Read, VarId};
+use crate::plan::is_stored;
+use crate::sorted::Set;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     reads_continuous(model, sink);
@@ -17,22 +16,14 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 
 /// A continuous output is read.
 fn reads_continuous(model: &Model, sink: &mut Sink) {
-    let stored: BTreeSet<OutputId> = model
-        .associations
-        .values()
-        .filter(|association| is_stored(association))
-        .map(|association| &association.effect)
-        .chain(model.transitions.values().flat_map(|t| &t.clearing))
-        .flat_map(writes)
-        .filter_map(|place| match place {
-            Place::Output(id) => Some(id),
-            Place::Var(_) => None,
-        })
-        .collect();
+    let at_an_instant = model.associations.values().filter(|a| is_stored(a)).map(|a| &a.effect);
+    let effects = at_an_instant.chain(model.transitions.values().flat_map(|t| &t.clearing));
+    let mut stored: Set<Place> = Set::new();
+    effects.for_each(|effect| stored.extend(effect.writes()));
     for (reads, tokens) in expressions(model) {
         for read in reads {
             let Read::Name(Name::Output(id)) = read else { continue };
-            if stored.contains(id) {
+            if stored.contains(&Place::Output(*id)) {
                 continue;
             }
             let name = &model.outputs[*id].name;
@@ -47,19 +38,27 @@ fn reads_continuous(model: &Model, sink: &mut Sink) {
 }
 
 /// What the user's expressions and blocks read, with their tokens.
-fn expressions(model: &Model) -> impl Iterator<Item = (&[Read], TokenStream)> {
-    let conditions = model.transitions.values().map(|t| &t.condition);
-    let of_associations = model.associations.values().flat_map(|a| a.condition.iter().chain(&a.event));
-    let memories = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
-    let effects = model.associations.values().map(|a| &a.effect);
-    let effects = effects.chain(model.transitions.values().flat_map(|t| &t.clearing));
-    let (values, blocks) = (effects.clone().flat_map(Effect::expressions), effects);
-    let exprs = conditions.chain(of_associations).chain(memories).chain(values);
-    let blocks = blocks.filter_map(|effect| match effect {
-        Effect::Block(code) => Some((&code.reads[..], code.tokens.to_token_stream())),
-        _ => None,
-    });
-    exprs.map(|expr| (&expr.reads[..], expr.tokens.to_token_stream())).chain(blocks)
+fn expressions(model: &Model) -> Vec<(&[Read], TokenStream)> {
+    let effects = model.effects();
+    let mut exprs: Vec<&Expr> = model.transitions.values().map(|t| &t.condition).collect();
+    for association in model.associations.values() {
+        exprs.extend(association.condition.iter().chain(&association.event));
+    }
+    exprs.extend(model.edges.values().map(|edge| &edge.of));
+    exprs.extend(model.delays.values().map(|delay| &delay.of));
+    for effect in &effects {
+        exprs.extend(effect.expressions());
+    }
+    let mut all: Vec<(&[Read], TokenStream)> = Vec::new();
+    for expr in exprs {
+        all.push((&expr.reads, expr.tokens.to_token_stream()));
+    }
+    for effect in effects {
+        if let Effect::Block(code) = effect {
+            all.push((&code.reads, code.tokens.to_token_stream()));
+        }
+    }
+    all
 }
 
 /// The token of the name in the expression.
@@ -74,7 +73,7 @@ fn place_of(name: &syn::Ident, tokens: TokenStream) -> Option<Mark> {
 /// Combinational variables that follow from each other in a circle.
 fn combinational_circles(model: &Model, sink: &mut Sink) {
     let order = combinational::in_order(model);
-    let mut known: BTreeSet<VarId> = BTreeSet::new();
+    let mut known: Set<VarId> = Set::new();
     for var in &order {
         let waits: Vec<VarId> = combinational::reads(model, *var).into_iter().filter(|v| order.contains(v)).collect();
         if waits.iter().all(|other| known.contains(other)) {

@@ -66,7 +66,7 @@ fn is_started_elsewhere(model: &Model, id: PartialId) -> bool {
 
 /// The same arc with the same condition, drawn twice.
 fn duplicate_transitions(model: &Model, sink: &mut Sink) {
-    let mut seen = std::collections::BTreeMap::new();
+    let mut seen = crate::sorted::Map::new();
     for (id, transition) in model.transitions.iter() {
         let (mut sources, mut targets) = (transition.sources.clone(), transition.targets.clone());
         sources.sort_unstable();

@@ -1,23 +1,22 @@
 //! Which things meet, of those that belong to steps.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::analysis::Concurrency;
 use crate::model::StepId;
+use crate::sorted::{Map, Set};
 
 /// More pairs than this are not looked at: a chart has to be far out of order to have them.
 const PAIRS: usize = 100_000;
 
 /// The pairs of things, smaller number first, whose steps are the same or can be active together; a thing without a step
 /// meets all.
-pub(super) fn pairs(concurrency: &Concurrency, things: &[(usize, Option<StepId>)]) -> BTreeSet<(usize, usize)> {
-    let mut at: BTreeMap<StepId, Vec<usize>> = BTreeMap::new();
+pub(super) fn pairs(concurrency: &Concurrency, things: &[(usize, Option<StepId>)]) -> Set<(usize, usize)> {
+    let mut at: Map<StepId, Vec<usize>> = Map::new();
     for (thing, step) in things {
         if let Some(step) = step {
-            at.entry(*step).or_default().push(*thing);
+            at.or_default(*step).push(*thing);
         }
     }
-    let mut found = BTreeSet::new();
+    let mut found = Set::new();
     for (thing, step) in things {
         let others: Vec<usize> = match step {
             Some(step) => concurrency

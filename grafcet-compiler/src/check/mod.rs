@@ -60,7 +60,8 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     // in the same cycle, so that steps can race which are never active together.
     let seen = concurrency.without(|a, b| !exploration.together(a, b));
     let racing = if model.is_grafcet() { &seen } else { &concurrency };
-    let dead = reach::idle(model, &exploration).union(&said).copied().collect();
+    let mut dead = reach::idle(model, &exploration);
+    dead.extend(&said);
     let branches =
         branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
     said.extend(branches.check(&dead, sink));

@@ -3,7 +3,7 @@
 use super::targets;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier};
-use crate::plan::{is_stored, writes};
+use crate::plan::is_stored;
 
 /// What actions do with a place.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -51,21 +51,23 @@ struct Use {
 fn uses(model: &Model, place: Place) -> Vec<Use> {
     // What is refused as it stands takes no part.
     let fits = |association: &&Association| targets::mistake(model, association).is_none();
-    let of_steps = model.associations.values().filter(|a| writes(&a.effect).any(|other| other == place)).filter(fits);
+    let of_steps = model.associations.values().filter(|a| a.effect.writes().contains(&place)).filter(fits);
     let of_steps = of_steps.map(|association| Use {
         mode: mode(model, association),
         mark: association.mark,
         place: format!("step `{}`", model.steps[association.step].name),
     });
-    let clearing = model.transitions.values().filter(|_| model.is_grafcet());
-    let clearings = clearing.flat_map(|t| t.clearing.iter().map(move |effect| (effect, t)));
-    let clearings = clearings.filter(|(effect, _)| writes(effect).any(|other| other == place));
-    let clearings = clearings.map(|(_, transition)| Use {
-        mode: Mode::Written,
-        mark: transition.mark,
-        place: format!("the transition {}", model.transition_text(transition)),
-    });
-    of_steps.chain(clearings).collect()
+    let mut uses: Vec<Use> = of_steps.collect();
+    for transition in model.transitions.values().filter(|_| model.is_grafcet()) {
+        for _ in transition.clearing.iter().filter(|effect| effect.writes().contains(&place)) {
+            uses.push(Use {
+                mode: Mode::Written,
+                mark: transition.mark,
+                place: format!("the transition {}", model.transition_text(transition)),
+            });
+        }
+    }
+    uses
 }
 
 fn mode(model: &Model, association: &Association) -> Mode {

@@ -2,8 +2,6 @@
 //!
 //! In an `sfc` the order of the source decides (A29), but between parallel branches nobody reads it off the chart.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::meeting;
 use crate::analysis::{Concurrency, Condition, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
@@ -11,7 +9,8 @@ use crate::model::{
     Association, Effect, Expr, ForceOrder, Id, LevelAttr, Model, PartialId, Place, Qualifier, Read, StepId,
     TransitionId, Tree,
 };
-use crate::plan::{is_stored, writes};
+use crate::plan::is_stored;
+use crate::sorted::{Map, Set};
 
 /// One stored action that writes a place.
 struct Write<'m> {
@@ -53,14 +52,14 @@ enum Cause {
 pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
     let race = Race::new(model, concurrency, Logic::within(model, concurrency, never));
     for (place, writes) in race.collect() {
-        let causes: Vec<BTreeSet<Cause>> = writes.iter().map(|write| race.causes(write.when, 0)).collect();
+        let causes: Vec<Set<Cause>> = writes.iter().map(|write| race.causes(write.when, 0)).collect();
         let things: Vec<_> = writes
             .iter()
             .zip(&causes)
             .enumerate()
             .flat_map(|(i, (write, causes))| race.steps_of(write, causes).into_iter().map(move |step| (i, step)))
             .collect();
-        let mut reported = BTreeSet::new();
+        let mut reported = Set::new();
         for (i, j) in meeting::pairs(concurrency, &things) {
             let (first, second) = (&writes[i], &writes[j]);
             if !reported.contains(&j) && race.can_meet((first, &causes[i]), (second, &causes[j])) {
@@ -133,9 +132,9 @@ impl<'m> Race<'m> {
     }
 
     /// The writes of each place.
-    fn collect(&self) -> BTreeMap<Place, Vec<Write<'m>>> {
+    fn collect(&self) -> Map<Place, Vec<Write<'m>>> {
         let model = self.model;
-        let mut all: BTreeMap<Place, Vec<Write<'m>>> = BTreeMap::new();
+        let mut all: Map<Place, Vec<Write<'m>>> = Map::new();
         for association in model.associations.values().filter(|association| self.is_write(association)) {
             let value = match (&association.effect, association.qualifier) {
                 (Effect::Control(_), qualifier) => Some(Tree::Bool(qualifier == Qualifier::S)),
@@ -148,18 +147,18 @@ impl<'m> Race<'m> {
                 _ => When::Active(association.step),
             };
             let conditions: Vec<_> = association.condition.iter().chain(&association.event).collect();
-            for place in writes(&association.effect) {
+            for place in association.effect.writes() {
                 let (value, conditions) = (value.clone(), conditions.clone());
                 let owner = Owner::Step(association.step);
-                all.entry(place).or_default().push(Write { value, when, conditions, mark: association.mark, owner });
+                all.or_default(*place).push(Write { value, when, conditions, mark: association.mark, owner });
             }
         }
         for (id, transition) in model.transitions.iter() {
             for effect in &transition.clearing {
-                for place in writes(effect) {
+                for place in effect.writes() {
                     let (value, when, owner) = (constant(effect), When::Cleared(id), Owner::Transition(id));
                     let write = Write { value, when, conditions: Vec::new(), mark: transition.mark, owner };
-                    all.entry(place).or_default().push(write);
+                    all.or_default(*place).push(write);
                 }
             }
         }
@@ -179,7 +178,7 @@ impl<'m> Race<'m> {
     }
 
     /// Whether both can write in one evolution, and not just the same value.
-    fn can_meet(&self, (a, of_a): (&Write<'_>, &BTreeSet<Cause>), (b, of_b): (&Write<'_>, &BTreeSet<Cause>)) -> bool {
+    fn can_meet(&self, (a, of_a): (&Write<'_>, &Set<Cause>), (b, of_b): (&Write<'_>, &Set<Cause>)) -> bool {
         if a.value.is_some() && a.value == b.value {
             return false;
         }
@@ -232,11 +231,11 @@ impl<'m> Race<'m> {
 
     /// What activates or deactivates a step: transitions, those that enter or leave the enclosing step, and those that bring a
     /// forcing order.
-    fn causes(&self, when: When, depth: usize) -> BTreeSet<Cause> {
-        let transitions = |ids: &[TransitionId]| ids.iter().copied().map(Cause::Transition).collect::<BTreeSet<_>>();
+    fn causes(&self, when: When, depth: usize) -> Set<Cause> {
+        let transitions = |ids: &[TransitionId]| ids.iter().copied().map(Cause::Transition).collect::<Set<_>>();
         let (step, mut causes) = match when {
-            When::Cleared(id) => return BTreeSet::from([Cause::Transition(id)]),
-            When::Active(step) => return BTreeSet::from([Cause::While(step)]),
+            When::Cleared(id) => return Set::from([Cause::Transition(id)]),
+            When::Active(step) => return Set::from([Cause::While(step)]),
             When::Entered(step) => (step, transitions(&self.entering[step.index()])),
             When::Left(step) => (step, transitions(&self.leaving[step.index()])),
         };
@@ -276,7 +275,7 @@ impl<'m> Race<'m> {
     }
 
     /// The steps by which writes meet: in a `grafcet` for each cause one that is active before, where there is one.
-    fn steps_of(&self, write: &Write<'_>, causes: &BTreeSet<Cause>) -> Vec<Option<StepId>> {
+    fn steps_of(&self, write: &Write<'_>, causes: &Set<Cause>) -> Vec<Option<StepId>> {
         match write.owner {
             Owner::Step(step) if !self.model.is_grafcet() => vec![Some(step)],
             _ => causes

@@ -4,13 +4,12 @@
 //! that transition, and neither are the transitions that leave a step which is never active. The exception is the step
 //! right behind an AND-convergence whose sources are never together: it is where one looks for the fault.
 
-use std::collections::BTreeSet;
-
 use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, situation};
 use crate::analysis::hierarchy::initial_situation;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Dialect, ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
+use crate::sorted::Set;
 
 /// Reports, and returns the transitions that never clear although their sources can be active.
 /// `said` are those of which it has been said that they never clear; `concurrency` is that of independent partial grafcets.
@@ -18,9 +17,9 @@ pub(super) fn check(
     model: &Model,
     concurrency: &Concurrency,
     exploration: &Exploration,
-    said: &BTreeSet<TransitionId>,
+    said: &Set<TransitionId>,
     sink: &mut Sink,
-) -> BTreeSet<TransitionId> {
+) -> Set<TransitionId> {
     let drawn = drawn(model);
     for (id, step) in model.steps.iter().filter(|(id, _)| !exploration.reachable(*id) && !drawn[id.index()]) {
         let scopes = model.levels_of(step);
@@ -57,8 +56,8 @@ pub(super) fn check(
     }
     // Of a convergence that a branch can leave alone `stuck_join` says what is wrong.
     let left = exploration.stuck_joins().iter().filter(|stuck| stuck.culprit.is_some());
-    let waiting: BTreeSet<TransitionId> = left.map(|stuck| stuck.join).collect();
-    let alternatives: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    let waiting: Set<TransitionId> = left.map(|stuck| stuck.join).collect();
+    let alternatives: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     let others_dead = |join: &TransitionId| {
         alternatives.contains(join) && dead.iter().any(|id| id != join && !alternatives.contains(id))
     };
@@ -81,7 +80,7 @@ pub(super) fn check(
 }
 
 /// The dead transitions that only wait for steps which other dead ones lead to.
-fn follow_ups(model: &Model, exploration: &Exploration, dead: &BTreeSet<TransitionId>) -> BTreeSet<TransitionId> {
+fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>) -> Set<TransitionId> {
     let waits_for = |id: &TransitionId| -> Vec<StepId> {
         let reads = model.transitions[*id].condition.reads.iter().flat_map(|read| match read {
             Read::Active(step) | Read::Since(step) | Read::Elapsed(_, step) => std::slice::from_ref(step),
@@ -96,7 +95,7 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &BTreeSet<Transiti
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
     }
     let mut behind = vec![false; model.steps.len()];
-    let mut follow = BTreeSet::new();
+    let mut follow = Set::new();
     let causes = open.iter().filter(|(_, waits)| waits.is_empty());
     let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).collect();
     // Of steps to which no arrow leads it has been said.
@@ -121,7 +120,7 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &BTreeSet<Transiti
 }
 
 /// The transitions that never clear although their sources can be active.
-pub(super) fn idle(model: &Model, exploration: &Exploration) -> BTreeSet<TransitionId> {
+pub(super) fn idle(model: &Model, exploration: &Exploration) -> Set<TransitionId> {
     let is_idle = |(id, transition): &(TransitionId, &Transition)| {
         !exploration.can_clear(*id) && transition.sources.iter().all(|source| exploration.reachable(*source))
     };

@@ -4,14 +4,13 @@
 //! parting: the one with the shortest way. What source transitions start may meet itself: there a step is entered whenever the
 //! event occurs.
 
-use std::collections::BTreeMap;
-
 use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Model, StepId};
+use crate::sorted::Map;
 
 pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
-    let mut first: BTreeMap<Parting, (StepId, Meeting, &Activation)> = BTreeMap::new();
+    let mut first: Map<Parting, (StepId, Meeting, &Activation)> = Map::new();
     for step in model.steps.ids() {
         let Some(activation) = exploration.unsafe_step(step) else { continue };
         let meeting = activation.meeting(model, step);
@@ -24,7 +23,7 @@ pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
             first.insert(parting, (step, meeting, activation));
         }
     }
-    for (step, meeting, activation) in first.into_values() {
+    for (_, (step, meeting, activation)) in first {
         report(model, step, &meeting, activation, sink);
     }
 }

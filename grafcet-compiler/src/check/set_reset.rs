@@ -1,11 +1,9 @@
 //! `set_without_reset`, `reset_without_set`: what is stored with no way back, and what is taken back and never stored.
 
-use std::collections::BTreeMap;
-
 use crate::analysis::Concurrency;
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, Place, Qualifier, Statement, StepId, Tree, Ty};
-use crate::plan::writes;
+use crate::sorted::Map;
 
 /// What keeps a value: a boolean output or variable, or in an `sfc` an action.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -85,16 +83,16 @@ fn report(
     }
 }
 
-fn collect(model: &Model) -> BTreeMap<Stored, Uses> {
-    let mut all: BTreeMap<Stored, Uses> = BTreeMap::new();
+fn collect(model: &Model) -> Map<Stored, Uses> {
+    let mut all: Map<Stored, Uses> = Map::new();
     for association in model.associations.values() {
         match &association.effect {
-            Effect::Control(place) => control(all.entry(Stored::Place(*place)).or_default(), association),
+            Effect::Control(place) => control(all.or_default(Stored::Place(*place)), association),
             Effect::Call(action, _) if !model.is_grafcet() => {
-                control(all.entry(Stored::Action(*action)).or_default(), association);
+                control(all.or_default(Stored::Action(*action)), association);
             }
             Effect::Assign(place, value) if is_bool(model, *place) => {
-                let uses = all.entry(Stored::Place(*place)).or_default();
+                let uses = all.or_default(Stored::Place(*place));
                 match association.qualifier {
                     Qualifier::P1 | Qualifier::P0 | Qualifier::On => {
                         assign(uses, &value.tree, association.mark, association.step);
@@ -116,9 +114,9 @@ fn collect(model: &Model) -> BTreeMap<Stored, Uses> {
 }
 
 /// What is written in a way that is not looked into may get any value.
-fn written(all: &mut BTreeMap<Stored, Uses>, effect: &Effect) {
-    for place in writes(effect) {
-        all.entry(Stored::Place(place)).or_default().unknown = true;
+fn written(all: &mut Map<Stored, Uses>, effect: &Effect) {
+    for place in effect.writes() {
+        all.or_default(Stored::Place(*place)).unknown = true;
     }
 }
 
@@ -143,10 +141,10 @@ fn assign(uses: &mut Uses, value: &Tree, mark: Mark, step: StepId) {
     }
 }
 
-fn statement(all: &mut BTreeMap<Stored, Uses>, statement: &Statement, association: &Association) {
+fn statement(all: &mut Map<Stored, Uses>, statement: &Statement, association: &Association) {
     match statement {
         Statement::Assign(place, value) => {
-            assign(all.entry(Stored::Place(*place)).or_default(), value, association.target_mark, association.step);
+            assign(all.or_default(Stored::Place(*place)), value, association.target_mark, association.step);
         }
         Statement::If(_, then, otherwise) => {
             then.iter().chain(otherwise).for_each(|inner| self::statement(all, inner, association));

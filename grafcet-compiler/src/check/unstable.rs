@@ -4,6 +4,7 @@ use crate::analysis::circles::{Circle, Circles};
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// `never` is what the plant excludes.
 pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
@@ -58,9 +59,7 @@ fn text(model: &Model, circle: &Circle) -> String {
             format!("({})", names.join(", "))
         }
     };
-    let mut partials: Vec<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
-    partials.sort_unstable();
-    partials.dedup();
+    let partials: Set<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
     let path = |partial: &PartialId| {
         let all = circle.transitions.iter().map(|id| &model.transitions[*id]);
         let own: Vec<_> = all.filter(|transition| transition.partial == *partial).collect();

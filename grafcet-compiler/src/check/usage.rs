@@ -1,13 +1,11 @@
 //! `unused_input`, `undriven_output`, `unused_variable`, `unused_action`, `unused_param`: what is declared and takes no
 //! part in the chart. As in rustc, a name that begins with `_` says that this is meant.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::Ident;
 
 use crate::diagnostic::{Rule, Sink, rules};
 use crate::model::{Code, Effect, Expr, LevelAttr, Model, Name, Place, Read, Statement, TimeRef, Tree};
-use crate::plan::writes;
+use crate::sorted::Set;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     let usage = Usage::of(model);
@@ -43,7 +41,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
         report(&rules::UNUSED_VARIABLE, name, &var.levels, message);
     }
     for (id, action) in model.actions.iter() {
-        if !effects(model).any(|effect| matches!(effect, Effect::Call(called, _) if *called == id)) {
+        if !model.effects().iter().any(|effect| matches!(effect, Effect::Call(called, _) if *called == id)) {
             let name = &action.name;
             let message = format!("action `{name}` is never called; {}", mend(name));
             report(&rules::UNUSED_ACTION, name, &action.levels, message);
@@ -59,20 +57,16 @@ fn mend(name: &Ident) -> String {
     format!("use it, delete it, or call it `_{name}` if that is meant")
 }
 
-fn effects(model: &Model) -> impl Iterator<Item = &Effect> {
-    let clearings = model.transitions.values().flat_map(|transition| &transition.clearing);
-    model.associations.values().map(|association| &association.effect).chain(clearings)
-}
-
 /// What the chart reads and writes.
 struct Usage {
-    read: BTreeSet<Name>,
-    written: BTreeSet<Place>,
+    read: Set<Name>,
+    written: Set<Place>,
 }
 
 impl Usage {
     fn of(model: &Model) -> Self {
-        let mut usage = Self { read: BTreeSet::new(), written: effects(model).flat_map(writes).collect() };
+        let mut usage =
+            Self { read: Set::new(), written: model.effects().into_iter().flat_map(Effect::writes).copied().collect() };
         for transition in model.transitions.values() {
             usage.expr(&transition.condition);
         }
@@ -87,7 +81,7 @@ impl Usage {
         model.edges.values().for_each(|edge| usage.expr(&edge.of));
         model.assumptions.iter().for_each(|assumption| usage.expr(&assumption.never));
         model.properties.iter().flat_map(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
-        for effect in effects(model) {
+        for effect in model.effects() {
             match effect {
                 Effect::Control(_) => {}
                 Effect::Assign(place, value) => usage.assigned(*place, &value.reads),

@@ -3,13 +3,12 @@
 //! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
 //! no deadlock beside that. Where all wait for each other, since one took what another needs, it is a deadlock.
 
-use std::collections::BTreeSet;
-
 use crate::analysis::explore::{Deadlock, Exploration, StuckJoin, situation};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
+use crate::sorted::Set;
 
-pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<TransitionId>, sink: &mut Sink) {
+pub(super) fn check(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>, sink: &mut Sink) {
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
@@ -19,10 +18,10 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &BTreeSet<Tr
     for deadlock in smallest(&contended) {
         contention(model, exploration, deadlock, sink);
     }
-    let mut reported: BTreeSet<TransitionId> = BTreeSet::new();
-    let mut waiting: BTreeSet<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
+    let mut reported: Set<TransitionId> = Set::new();
+    let mut waiting: Set<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
     // Of convergences that never clear nothing has been said before.
-    let joins: BTreeSet<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    let joins: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join && !joins.contains(id));
     for stuck in exploration.stuck_joins() {
         let in_contention = contended.iter().any(|deadlock| deadlock.steps.contains(&stuck.waiting));

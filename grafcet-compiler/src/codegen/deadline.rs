@@ -1,13 +1,12 @@
 //! `next_deadline`: until when nothing happens, unless an input changes.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Binary, Effect, Expr, MacroId, Name, Qualifier, Read, StepId, TimeRef, Tree};
+use crate::sorted::Set;
 
 /// At which times of a step something changes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -106,8 +105,8 @@ impl Cx<'_> {
     }
 
     /// Every time of a step that an expression looks at.
-    fn thresholds(&self) -> BTreeSet<(Clock, Threshold)> {
-        let mut found = BTreeSet::new();
+    fn thresholds(&self) -> Set<(Clock, Threshold)> {
+        let mut found = Set::new();
         for transition in self.model.transitions.values() {
             collect(&transition.condition.tree, &mut found);
             transition.clearing.iter().for_each(|effect| of_effect(effect, &mut found));
@@ -125,8 +124,8 @@ impl Cx<'_> {
     }
 }
 
-fn of_effect(effect: &Effect, found: &mut BTreeSet<(Clock, Threshold)>) {
-    let of_expr = |expr: &Expr, found: &mut BTreeSet<_>| collect(&expr.tree, found);
+fn of_effect(effect: &Effect, found: &mut Set<(Clock, Threshold)>) {
+    let of_expr = |expr: &Expr, found: &mut Set<_>| collect(&expr.tree, found);
     match effect {
         Effect::Control(_) => {}
         Effect::Assign(_, value) => of_expr(value, found),
@@ -135,7 +134,7 @@ fn of_effect(effect: &Effect, found: &mut BTreeSet<(Clock, Threshold)>) {
     }
 }
 
-fn collect(tree: &Tree, found: &mut BTreeSet<(Clock, Threshold)>) {
+fn collect(tree: &Tree, found: &mut Set<(Clock, Threshold)>) {
     match tree {
         Tree::Elapsed(time, step) => {
             found.insert((Clock::Step(*step), Threshold::At(*time)));
@@ -159,7 +158,7 @@ fn collect(tree: &Tree, found: &mut BTreeSet<(Clock, Threshold)>) {
     }
 }
 
-fn always(read: Read, found: &mut BTreeSet<(Clock, Threshold)>) {
+fn always(read: Read, found: &mut Set<(Clock, Threshold)>) {
     let entry = match read {
         Read::Since(step) => (Clock::Step(step), Threshold::Always),
         Read::MacroSince(id) => (Clock::Macro(id), Threshold::Always),

@@ -1,7 +1,5 @@
 //! One evolution: which transitions clear in the situation `before`, and the situation `after`.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
@@ -11,6 +9,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
+use crate::sorted::Map;
 
 /// From so many steps on, one arm for all that end alike is less code than an arm for each.
 const ALIKE: usize = 4;
@@ -126,9 +125,9 @@ impl Cx<'_> {
                 .map(|t| (&t.targets, &t.condition.tree)),
             _ => None,
         };
-        let mut ends: BTreeMap<_, Vec<StepId>> = BTreeMap::new();
+        let mut ends: Map<_, Vec<StepId>> = Map::new();
         for step in steps {
-            ends.entry(end(step)).or_default().push(*step);
+            ends.or_default(end(step)).push(*step);
         }
         let is_alike = |step: &StepId| end(step).is_some_and(|end| ends[&Some(end)].len() >= ALIKE);
         let alone = steps.iter().filter(|step| !is_alike(step)).map(|step| vec![*step]);

@@ -281,7 +281,7 @@ impl Cx<'_> {
             Effect::Assign(place, _) => Some((*place, self.plan.regions.of_step(association.step))),
             _ => None,
         });
-        let writes = |association: &Association, place| crate::plan::writes(&association.effect).any(|p| p == place);
+        let writes = |association: &Association, place| association.effect.writes().contains(&place);
         assigned.any(|(place, region)| {
             continuous().any(|other| writes(other, place) && self.plan.regions.of_step(other.step) != region)
         })

@@ -1,7 +1,5 @@
 //! `grafcet`: what a partial grafcet does when a forcing order or an enclosing step decides about it.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::Lifetime;
@@ -12,6 +10,7 @@ use super::{Cx, names};
 use crate::analysis::hierarchy;
 use crate::model::{ForceOrder, Id, PartialId, StepId, Transition};
 use crate::plan::{Below, Descent, directly};
+use crate::sorted::Set;
 
 impl Cx<'_> {
     /// `evolve`, unless something above decides: first forcing, then what follows for enclosures (A15).
@@ -99,7 +98,7 @@ impl Cx<'_> {
     fn frozen(&self, partials: impl IntoIterator<Item = PartialId>) -> Option<TokenStream> {
         let partials: Vec<_> = partials.into_iter().collect();
         let forces = self.model.forces.values().filter(|force| partials.contains(&force.target));
-        let forcing: BTreeSet<_> = forces.map(|force| force.step).collect();
+        let forcing: Set<_> = forces.map(|force| force.step).collect();
         let frozen = forcing.iter().map(|step| self.in_step(At::Before, *step));
         (!forcing.is_empty()).then(|| quote!(#(#frozen)||*))
     }

@@ -2,8 +2,6 @@
 //! step is behind each. A cycle costs the same whatever the step, and a step as little as two bytes beside its actions. Under `optimize size`
 //! it is one byte for the condition and one for the actions: the step behind is computed.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::Lifetime;
@@ -11,6 +9,7 @@ use syn::Lifetime;
 use super::bind::Moment;
 use super::{Cx, names};
 use crate::model::{Id, StepId, Transition, Tree};
+use crate::sorted::Map;
 
 /// From how many steps with one transition on a table is smaller than code.
 const LONG: usize = 20;
@@ -163,7 +162,7 @@ impl Cx<'_> {
         let p = &self.p;
         let (kind, nothing) = (names::local("Kind"), names::local("Nothing"));
         let variant = |number: usize| names::local(&format!("K{number}"));
-        let mut of_state: BTreeMap<String, Ident> = BTreeMap::new();
+        let mut of_state: Map<String, Ident> = Map::new();
         for (number, Shared { states, .. }) in shared.iter().enumerate() {
             of_state.extend(states.iter().map(|state| (state.to_string(), variant(number))));
         }
@@ -204,9 +203,9 @@ impl Cx<'_> {
 /// The states that do the same, in the order of their first ones.
 fn share(states: impl Iterator<Item = (TokenStream, TokenStream)>) -> Vec<Shared> {
     let mut shared: Vec<Shared> = Vec::new();
-    let mut places: BTreeMap<String, usize> = BTreeMap::new();
+    let mut places: Map<String, usize> = Map::new();
     for (state, then) in states {
-        let place = *places.entry(then.to_string()).or_insert_with(|| {
+        let place = *places.or_insert_with(then.to_string(), || {
             shared.push(Shared { states: Vec::new(), then });
             shared.len() - 1
         });

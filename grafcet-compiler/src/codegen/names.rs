@@ -1,7 +1,5 @@
 //! Every name in the generated code.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -10,6 +8,7 @@ use crate::model::{
     Transition, TransitionId, VarId,
 };
 use crate::plan::{Plan, RegionId, Target};
+use crate::sorted::Set;
 
 /// The names of one chart's items.
 pub(super) struct Names {
@@ -40,7 +39,7 @@ impl Names {
     pub(super) fn of(model: &Model) -> Self {
         let chart = &model.name;
         let with = |suffix: &str| format_ident!("{chart}{suffix}");
-        let steps: BTreeSet<String> = model.steps.values().map(|step| step.name.to_string()).collect();
+        let steps: Set<String> = model.steps.values().map(|step| step.name.to_string()).collect();
         Self {
             chart: chart.clone(),
             inputs: with("Inputs"),
@@ -301,7 +300,7 @@ fn prefixed(prefix: &str, name: &Ident) -> Ident {
 }
 
 /// `name`, with underscores behind it until no step is called so.
-fn fresh(steps: &BTreeSet<String>, name: &str) -> Ident {
+fn fresh(steps: &Set<String>, name: &str) -> Ident {
     let mut name = name.to_owned();
     while steps.contains(&name) {
         name.push('_');
@@ -311,7 +310,7 @@ fn fresh(steps: &BTreeSet<String>, name: &str) -> Ident {
 
 /// `Go` for `-[go: x]->`; else from the steps, `OffToOn`; numbered where that is taken.
 fn transitions(model: &Model) -> Vec<Ident> {
-    let mut taken = BTreeSet::new();
+    let mut taken = Set::new();
     let mut names = vec![None; model.transitions.len()];
     // The names the user chose come first.
     for (id, transition) in model.transitions.iter() {

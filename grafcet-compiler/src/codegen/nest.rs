@@ -1,8 +1,6 @@
 //! An evolution of parallel branches that changes the situation in place: a state is read where it is used, and written
 //! where a transition clears. The situation before the evolution is kept only where something looks at it later.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
@@ -11,6 +9,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::model::{PartialId, TransitionId, Tree};
 use crate::plan::{Nest, RegionId};
+use crate::sorted::Set;
 
 impl Cx<'_> {
     /// The nests of branches, where evolutions happen in place.
@@ -150,7 +149,7 @@ impl Cx<'_> {
 
     /// `let before_1 = self.situation_1;` for the regions whose situation before the evolution `code` looks at.
     pub(super) fn befores_for(&self, code: &TokenStream) -> TokenStream {
-        let mut named = BTreeSet::new();
+        let mut named = Set::new();
         identifiers(code.clone(), &mut named);
         let mut all = TokenStream::new();
         for region in (0..self.plan.regions.all().len()).rev() {
@@ -166,7 +165,7 @@ impl Cx<'_> {
 
     /// `let after_1 = self.situation_1;` for the regions whose situation after the evolution `code` looks at.
     pub(super) fn afters_for(&self, code: &TokenStream) -> TokenStream {
-        let mut named = BTreeSet::new();
+        let mut named = Set::new();
         identifiers(code.clone(), &mut named);
         let is_named = |after: &Ident| named.contains(&after.to_string());
         let all = 0..self.plan.regions.all().len();
@@ -192,7 +191,7 @@ impl Cx<'_> {
     }
 }
 
-fn identifiers(tokens: TokenStream, names: &mut BTreeSet<String>) {
+fn identifiers(tokens: TokenStream, names: &mut Set<String>) {
     for token in tokens {
         match token {
             TokenTree::Ident(ident) => _ = names.insert(ident.to_string()),

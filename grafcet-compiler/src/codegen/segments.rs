@@ -1,7 +1,5 @@
 //! Actions in their order, as few `match`es as that allows.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
@@ -9,6 +7,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Association, Effect, Expr, StepId};
 use crate::plan::{RegionId, is_stored};
+use crate::sorted::Map;
 
 /// Something that happens in a cycle.
 pub(super) enum Item {
@@ -33,13 +32,17 @@ struct Segment {
     region: RegionId,
     arms: Vec<(StepId, TokenStream)>,
     /// Where each step's arm stands.
-    places: BTreeMap<StepId, usize>,
+    places: Map<StepId, usize>,
 }
 
 impl Cx<'_> {
     /// One `match` for each run of items that look at the same region: their order is kept, since of a region's steps
     /// only one is active, and a step that is not active costs nothing.
     pub(super) fn in_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
+        self.all_in_order(items.into_iter().collect())
+    }
+
+    fn all_in_order(&self, items: Vec<Item>) -> TokenStream {
         let mut tokens = TokenStream::new();
         let mut open: Option<Segment> = None;
         for item in items {
@@ -59,7 +62,7 @@ impl Cx<'_> {
             match &mut open {
                 Some(segment) if segment.before == before && self.joins(segment, region) => {
                     let arms = &mut segment.arms;
-                    let place = *segment.places.entry(step).or_insert_with(|| {
+                    let place = *segment.places.or_insert_with(step, || {
                         arms.push((step, TokenStream::new()));
                         arms.len() - 1
                     });
@@ -67,8 +70,7 @@ impl Cx<'_> {
                 }
                 _ => {
                     tokens.extend(open.take().map(|segment| self.segment(segment)));
-                    open =
-                        Some(Segment { before, region, arms: vec![(step, body)], places: BTreeMap::from([(step, 0)]) });
+                    open = Some(Segment { before, region, arms: vec![(step, body)], places: Map::from([(step, 0)]) });
                 }
             }
         }
@@ -79,7 +81,10 @@ impl Cx<'_> {
     /// One `match` for each region, for items of which none sees what another one does. Where conditions or values call
     /// functions of the user, those keep their order.
     pub(super) fn in_any_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
-        let mut items: Vec<_> = items.into_iter().filter(|item| !item.is_empty()).collect();
+        self.all_in_any_order(items.into_iter().filter(|item| !item.is_empty()).collect())
+    }
+
+    fn all_in_any_order(&self, mut items: Vec<Item>) -> TokenStream {
         let opaque = |expr: &Expr| expr.tree.is_opaque();
         let continuous = |association: &&Association| !self.model.is_grafcet() || !is_stored(association);
         let mut associations = self.model.associations.values().filter(continuous);
@@ -99,7 +104,7 @@ impl Cx<'_> {
             }
             items.sort_by_key(|item| regions.iter().position(|region| *region == self.region_of(item)));
         }
-        self.in_order(items)
+        self.all_in_order(items)
     }
 
     /// Whose state the item looks at, and when.

@@ -148,7 +148,7 @@ impl Cx<'_> {
     fn is_expression(&self, id: AssociationId) -> bool {
         let association = &self.model.associations[id];
         let Effect::Control(place @ Place::Output(_)) = association.effect else { return false };
-        let writes = |other: &Association| crate::plan::writes(&other.effect).any(|written| written == place);
+        let writes = |other: &Association| other.effect.writes().contains(&place);
         association.qualifier == Qualifier::N
             && association.condition.as_ref().is_some_and(|condition| !condition.tree.is_opaque())
             && self.is_one_match()

@@ -1,13 +1,12 @@
 //! What a chart with mistakes expands to: its types, so that the rest of the program gets no follow-up errors.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::names::Names;
 use super::{derives, editor, types};
 use crate::model::{Model, Ty};
+use crate::sorted::Set;
 use syn::{Attribute, Ident};
 
 /// The public items of a chart, with empty bodies. `timed` where `cycle` takes the time.
@@ -48,7 +47,7 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         let declared = model.params.values().map(|param| (&param.attrs[..], &param.name, &param.ty));
         let record = record(params, none(), declared.collect());
         // A recipe may be a constant, which rustc evaluates beside these errors: a value, and no `loop {}`.
-        let mut seen = BTreeSet::new();
+        let mut seen = Set::new();
         let declared = model.params.values().filter(|param| seen.insert(param.name.to_string()));
         let values = declared.map(|param| {
             let own = matches!(param.ty, Ty::Other(_)) && !param.ty.is_float();
@@ -73,7 +72,7 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             #vis enum #name { #(#variants,)* }
         }
     };
-    let mut seen = BTreeSet::new();
+    let mut seen = Set::new();
     let steps = model.steps.values().filter(|step| seen.insert(step.name.to_string())).map(|step| {
         let (docs, name) = (docs(&step.attrs), &step.name);
         quote!(#docs #name)
@@ -161,7 +160,7 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 type Declared<'m> = (&'m [Attribute], &'m Ident, &'m Ty);
 
 fn fields<'m>(declared: impl Iterator<Item = Declared<'m>>, p: &TokenStream) -> TokenStream {
-    let mut seen = BTreeSet::new();
+    let mut seen = Set::new();
     declared
         .filter(|(_, name, _)| seen.insert(name.to_string()))
         .map(|(attrs, name, ty)| {

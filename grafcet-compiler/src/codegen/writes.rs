@@ -2,8 +2,9 @@
 
 use proc_macro2::Ident;
 use quote::quote;
-use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Block, Expr, Stmt};
+
+use crate::visit::{self, Visit};
 
 /// Whether the block writes the name whatever happens in it: by a statement of its own, not inside another.
 pub(super) fn always(block: &Block, name: &Ident) -> bool {
@@ -14,7 +15,7 @@ pub(super) fn always(block: &Block, name: &Ident) -> bool {
 pub(super) fn noted(block: &Block, name: &Ident, note: &Ident) -> Option<Block> {
     let mut notes = Notes { name, note, other: false };
     let mut block = block.clone();
-    notes.visit_block_mut(&mut block);
+    visit::block(&mut notes, &mut block);
     (!notes.other).then_some(block)
 }
 
@@ -60,9 +61,9 @@ impl Notes<'_> {
     }
 }
 
-impl VisitMut for Notes<'_> {
-    fn visit_expr_mut(&mut self, expr: &mut Expr) {
-        visit_mut::visit_expr_mut(self, expr);
+impl Visit for Notes<'_> {
+    fn expr(&mut self, expr: &mut Expr) {
+        visit::inside(self, expr);
         match expr {
             Expr::Reference(reference) if reference.mutability.is_some() && self.is_name(&reference.expr) => {
                 self.other = true;
@@ -76,7 +77,7 @@ impl VisitMut for Notes<'_> {
         }
     }
 
-    fn visit_macro_mut(&mut self, _: &mut syn::Macro) {
+    fn call(&mut self, _: &mut syn::Macro) {
         self.other = true;
     }
 }

@@ -4,14 +4,13 @@ mod emit;
 mod mark;
 pub mod rules;
 
-use std::collections::BTreeSet;
-
 use proc_macro2::TokenStream;
 
 pub use mark::Mark;
 pub use rules::{Rule, Severity};
 
 use crate::ast::{Dialect, LevelAttr};
+use crate::sorted::Set;
 
 /// One mistake: a message for each participant, the culprit first.
 #[derive(Clone, Debug)]
@@ -98,7 +97,7 @@ impl Sink {
         all.sort_by_key(|d| d.notes.first().map(|(mark, _)| mark.position()));
         // Nothing is said twice at one place: a block is read as tokens and as statements, and of three steps with one
         // name the first takes part in two mistakes.
-        let mut said = BTreeSet::new();
+        let mut said = Set::new();
         for diagnostic in &mut all {
             diagnostic.notes.retain(|(mark, message)| said.insert((mark.key(), message.clone())));
         }

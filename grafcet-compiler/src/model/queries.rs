@@ -1,23 +1,37 @@
 //! Questions that several passes ask of a model.
 
-use crate::diagnostic::rules::Rule;
+use std::slice;
 
-use super::{Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty, Unary};
+use super::{
+    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty, Unary,
+};
+use crate::diagnostic::rules::Rule;
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
-    pub fn expressions(&self) -> impl Iterator<Item = &[Read]> {
-        let transitions = self
-            .transitions
-            .values()
-            .flat_map(|t| std::iter::once(&t.condition.reads[..]).chain(t.clearing.iter().flat_map(Effect::reads)));
-        let associations = self.associations.values().flat_map(|a| {
-            let conditions = a.condition.iter().chain(&a.event).map(|e| &e.reads[..]);
-            conditions.chain(a.effect.reads())
-        });
-        let edges = self.edges.values().map(|edge| &edge.of.reads[..]);
-        let delays = self.delays.values().map(|delay| &delay.of.reads[..]);
-        transitions.chain(associations).chain(edges).chain(delays)
+    #[must_use]
+    pub fn expressions(&self) -> Vec<&[Read]> {
+        let mut all: Vec<&[Read]> = Vec::new();
+        for transition in self.transitions.values() {
+            all.push(&transition.condition.reads);
+            all.extend(transition.clearing.iter().flat_map(Effect::reads));
+        }
+        for association in self.associations.values() {
+            all.extend(association.reads());
+        }
+        all.extend(self.edges.values().map(|edge| &edge.of.reads[..]));
+        all.extend(self.delays.values().map(|delay| &delay.of.reads[..]));
+        all
+    }
+
+    /// What actions do, those of steps and those on clearing.
+    #[must_use]
+    pub fn effects(&self) -> Vec<&Effect> {
+        let mut all: Vec<&Effect> = self.associations.values().map(|association| &association.effect).collect();
+        for transition in self.transitions.values() {
+            all.extend(&transition.clearing);
+        }
+        all
     }
 
     /// Whether `cycle` has to know the time.
@@ -29,7 +43,8 @@ impl Model {
                 Read::Since(_) | Read::MacroSince(_) | Read::Elapsed(..) | Read::MacroElapsed(..) | Read::Delay(_)
             )
         };
-        self.associations.values().any(|a| a.time.is_some()) || self.expressions().any(|reads| reads.iter().any(timed))
+        self.associations.values().any(|a| a.time.is_some())
+            || self.expressions().iter().any(|reads| reads.iter().any(timed))
     }
 
     /// The lint attributes around a transition, the innermost first.
@@ -153,7 +168,7 @@ impl Tree {
     }
 
     /// Calls `f` with everything the tree mentions, in order.
-    pub fn each_read(&self, f: &mut impl FnMut(Read)) {
+    pub fn each_read(&self, f: &mut dyn FnMut(Read)) {
         match self {
             Tree::Bool(_) | Tree::Int(_) => {}
             Tree::Read(read) => f(*read),
@@ -178,26 +193,44 @@ impl Ty {
     }
 }
 
+impl Association {
+    /// What its expressions read, one list an expression: condition, event and effect.
+    #[must_use]
+    pub fn reads(&self) -> Vec<&[Read]> {
+        let mut all: Vec<&[Read]> = self.condition.iter().chain(&self.event).map(|expr| &expr.reads[..]).collect();
+        all.extend(self.effect.reads());
+        all
+    }
+}
+
 impl Effect {
     /// The expressions of an effect; a block has none.
-    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        let (one, many): (Option<&Expr>, &[Expr]) = match self {
-            Effect::Assign(_, value) => (Some(value), &[]),
-            Effect::Call(_, args) => (None, args),
-            Effect::Control(_) | Effect::Block(_) => (None, &[]),
-        };
-        one.into_iter().chain(many)
+    #[must_use]
+    pub fn expressions(&self) -> &[Expr] {
+        match self {
+            Effect::Assign(_, value) => slice::from_ref(value),
+            Effect::Call(_, args) => args,
+            Effect::Control(_) | Effect::Block(_) => &[],
+        }
     }
 
     /// What the expressions of an effect read, one list an expression.
-    pub fn reads(&self) -> impl Iterator<Item = &[Read]> {
-        let (one, many): (Option<&[Read]>, &[Expr]) = match self {
-            Effect::Control(_) => (None, &[]),
-            Effect::Assign(_, value) => (Some(&value.reads), &[]),
-            Effect::Call(_, args) => (None, args),
-            Effect::Block(code) => (Some(&code.reads), &[]),
-        };
-        one.into_iter().chain(many.iter().map(|arg| &arg.reads[..]))
+    #[must_use]
+    pub fn reads(&self) -> Vec<&[Read]> {
+        match self {
+            Effect::Block(code) => vec![&code.reads],
+            _ => self.expressions().iter().map(|expr| &expr.reads[..]).collect(),
+        }
+    }
+
+    /// The places an effect may write.
+    #[must_use]
+    pub fn writes(&self) -> &[Place] {
+        match self {
+            Effect::Control(place) | Effect::Assign(place, _) => slice::from_ref(place),
+            Effect::Call(..) => &[],
+            Effect::Block(code) => &code.writes,
+        }
     }
 }
 
@@ -215,13 +248,13 @@ impl Effect {
 
 impl Claim {
     /// The expressions in it.
-    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        let (first, second) = match self {
-            Self::Never(condition) => (Some(condition), None),
-            Self::Always { premise, condition } => (premise.as_ref(), Some(condition)),
-            Self::Home(..) => (None, None),
-        };
-        first.into_iter().chain(second)
+    #[must_use]
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            Self::Never(condition) => vec![condition],
+            Self::Always { premise, condition } => premise.iter().chain([condition]).collect(),
+            Self::Home(..) => Vec::new(),
+        }
     }
 
     /// What holds at the end of a cycle that violates it; none for a home situation.

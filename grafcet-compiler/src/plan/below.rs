@@ -3,11 +3,10 @@
 //! Where a transition forces or encloses what is below it, or leaves a step that does, nothing below clears: the evolution
 //! ends there, and nothing has been done that it would have to take back.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::{RegionId, Regions};
 use crate::analysis::{Concurrency, hierarchy};
 use crate::model::{Force, ForceOrder, Model, PartialId, Step, StepId, Transition};
+use crate::sorted::{Map, Set};
 
 /// What a transition does to the partial grafcets below its own, by what it enters and leaves: first by forcing, then by
 /// enclosing (A15).
@@ -15,14 +14,14 @@ pub(crate) struct Below<'m> {
     model: &'m Model,
     regions: &'m Regions,
     /// The partial grafcets that it decides about: they clear nothing in the same evolution.
-    pub(crate) partials: BTreeSet<PartialId>,
+    pub(crate) partials: Set<PartialId>,
     /// The states that their regions get, as far as these may be others than before. `None` is "no active step".
-    pub(crate) states: BTreeMap<RegionId, Option<StepId>>,
+    pub(crate) states: Map<RegionId, Option<StepId>>,
 }
 
 impl<'m> Below<'m> {
     pub(crate) fn of(model: &'m Model, regions: &'m Regions, transition: &Transition) -> Self {
-        let mut below = Self { model, regions, partials: BTreeSet::new(), states: BTreeMap::new() };
+        let mut below = Self { model, regions, partials: Set::new(), states: Map::new() };
         let left = transition.sources.iter().filter(|step| !transition.targets.contains(step));
         left.for_each(|step| below.leave(*step));
         let entered = transition.targets.iter().filter(|step| !transition.sources.contains(step));

@@ -5,10 +5,11 @@
 //! a timer would. What is left over gets a [`Target`]: its flags are collected first, then its Q is computed, then it
 //! runs in its place.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::vec;
 
 use crate::analysis::Concurrency;
 use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef};
+use crate::sorted::{Map, Set};
 
 /// A target whose associations are combined by the action control.
 pub struct Target {
@@ -88,7 +89,7 @@ impl Control {
         if model.dialect != Dialect::Sfc {
             return control;
         }
-        let mut numbers: BTreeMap<Key, usize> = BTreeMap::new();
+        let mut numbers: Map<Key, usize> = Map::new();
         let simple = simple_outputs(model);
         for id in source_order(model) {
             let association = &model.associations[id];
@@ -96,7 +97,7 @@ impl Control {
             if is_local(&simple, association) {
                 continue;
             }
-            let target = *numbers.entry(key).or_insert_with(|| {
+            let target = *numbers.or_insert_with(key, || {
                 let what = match association.effect {
                     Effect::Control(place) => What::Boolean(place),
                     _ => What::Runs,
@@ -124,8 +125,15 @@ impl Control {
 }
 
 /// All associations, by step and then as they stand in it.
-pub fn source_order(model: &Model) -> impl Iterator<Item = AssociationId> + '_ {
-    model.steps.values().flat_map(|step| step.associations.iter().copied())
+///
+/// A list: what is done with it need not be compiled for the steps and for their associations each time.
+#[must_use]
+pub fn source_order(model: &Model) -> vec::IntoIter<AssociationId> {
+    let mut all = Vec::new();
+    for step in model.steps.values() {
+        all.extend_from_slice(&step.associations);
+    }
+    all.into_iter()
 }
 
 /// What makes two associations one target.
@@ -147,7 +155,7 @@ fn key(id: AssociationId, effect: &Effect) -> Key {
 /// By output, whether it is controlled by no other qualifiers than N, S, R and P, and by L and D once each.
 fn simple_outputs(model: &Model) -> Vec<bool> {
     let mut simple = vec![true; model.outputs.len()];
-    let mut timed: BTreeSet<(usize, Qualifier)> = BTreeSet::new();
+    let mut timed: Set<(usize, Qualifier)> = Set::new();
     for association in model.associations.values() {
         if let Effect::Control(Place::Output(output)) = association.effect {
             simple[output.index()] &= match association.qualifier {

@@ -1,10 +1,9 @@
 //! How each output gets its value.
 
-use std::collections::BTreeSet;
-
 use super::{Control, What};
 use crate::analysis::Concurrency;
 use crate::model::{Association, Dialect, Effect, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId};
+use crate::sorted::Set;
 
 /// How one output gets its value.
 pub struct Drive {
@@ -73,39 +72,36 @@ struct Uses<'m> {
     /// By output, the associations that write it.
     associations: Vec<Vec<&'m Association>>,
     /// Outputs that actions on clearing write.
-    cleared: BTreeSet<OutputId>,
+    cleared: Set<OutputId>,
     /// Outputs whose Q the action control computes.
-    controlled: BTreeSet<OutputId>,
+    controlled: Set<OutputId>,
     /// In a `grafcet` only stored outputs can be read (A22), and their fields hold what is read: none is in here.
-    read: BTreeSet<OutputId>,
-    read_by_actions: BTreeSet<OutputId>,
+    read: Set<OutputId>,
+    read_by_actions: Set<OutputId>,
 }
 
 impl<'m> Uses<'m> {
     fn of(model: &'m Model, control: &Control) -> Self {
         let mut associations = vec![Vec::new(); model.outputs.len()];
+        let (mut cleared, mut read, mut read_by_actions) = (Set::new(), Set::new(), Set::new());
         for association in model.associations.values() {
-            let written: BTreeSet<OutputId> = written(&association.effect).collect();
+            let written: Set<OutputId> = association.effect.writes().iter().copied().filter_map(written).collect();
             for output in written {
                 associations[output.index()].push(association);
             }
+            read_by_actions.extend(association.reads().into_iter().flatten().filter_map(output));
         }
-        let by_actions = model.associations.values().flat_map(|a| {
-            let conditions = a.condition.iter().chain(&a.event).map(|e| &e.reads[..]);
-            conditions.chain(a.effect.reads()).flatten()
-        });
+        for effect in model.transitions.values().flat_map(|t| &t.clearing) {
+            cleared.extend(effect.writes().iter().copied().filter_map(written));
+        }
+        if model.dialect == Dialect::Sfc {
+            read.extend(model.expressions().into_iter().flatten().filter_map(output));
+        }
         let controlled = control.targets.iter().filter_map(|target| match target.what {
             What::Boolean(Place::Output(output)) => Some(output),
             _ => None,
         });
-        let expressions = model.expressions().filter(|_| model.dialect == Dialect::Sfc);
-        Self {
-            associations,
-            cleared: model.transitions.values().flat_map(|t| &t.clearing).flat_map(written).collect(),
-            controlled: controlled.collect(),
-            read: expressions.flatten().filter_map(output).collect(),
-            read_by_actions: by_actions.filter_map(output).collect(),
-        }
+        Self { associations, cleared, controlled: controlled.collect(), read, read_by_actions }
     }
 }
 
@@ -116,14 +112,9 @@ fn output(read: &Read) -> Option<OutputId> {
     }
 }
 
-fn written(effect: &Effect) -> impl Iterator<Item = OutputId> + '_ {
-    let (one, many): (Option<&Place>, &[Place]) = match effect {
-        Effect::Control(place) | Effect::Assign(place, _) => (Some(place), &[]),
-        Effect::Block(code) => (None, &code.writes),
-        Effect::Call(..) => (None, &[]),
-    };
-    one.into_iter().chain(many).filter_map(|place| match place {
-        Place::Output(output) => Some(*output),
+fn written(place: Place) -> Option<OutputId> {
+    match place {
+        Place::Output(output) => Some(output),
         Place::Var(_) => None,
-    })
+    }
 }

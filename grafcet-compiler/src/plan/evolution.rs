@@ -1,9 +1,8 @@
 //! How one evolution is computed: which transitions are looked at together, and where.
 
-use std::collections::BTreeSet;
-
 use crate::analysis::{Concurrency, Logic, hierarchy};
 use crate::model::{Id, Model, PartialId, StepId, Transition, TransitionId};
+use crate::sorted::Set;
 
 /// The order and grouping of the transitions.
 pub struct Evolution {
@@ -18,13 +17,13 @@ pub struct Evolution {
     /// `sfc`: transitions that compete for source steps of an AND-convergence, in source order (A28).
     pub contests: Vec<Vec<TransitionId>>,
     /// Steps that may be activated and left in the same evolution: they are entered behind everything else.
-    pub entered_last: BTreeSet<StepId>,
+    pub entered_last: Set<StepId>,
 }
 
 impl Evolution {
     pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
         let contests = if model.is_grafcet() { Vec::new() } else { contests(model) };
-        let contested: BTreeSet<TransitionId> = contests.iter().flatten().copied().collect();
+        let contested: Set<TransitionId> = contests.iter().flatten().copied().collect();
         let mut owned = vec![Vec::new(); model.steps.len()];
         for (id, transition) in model.transitions.iter().filter(|(id, _)| !contested.contains(id)) {
             if let Some(first) = transition.sources.first() {
@@ -83,7 +82,7 @@ fn root(group: &[usize], mut item: usize) -> usize {
 }
 
 /// Steps that one transition may take away while another gives them back: activation wins (rule 5 of IEC 60848).
-fn entered_last(model: &Model, concurrency: &Concurrency, exclusive: &[bool]) -> BTreeSet<StepId> {
+fn entered_last(model: &Model, concurrency: &Concurrency, exclusive: &[bool]) -> Set<StepId> {
     let kept = model.transitions.values().flat_map(|transition| {
         let overlapping = |step: &&StepId| transition.sources.contains(step) && !exclusive[step.index()];
         transition.targets.iter().filter(overlapping)

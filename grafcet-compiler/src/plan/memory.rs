@@ -1,12 +1,11 @@
 //! What a chart remembers from cycle to cycle beside its situation: only what it uses.
 
-use std::collections::BTreeSet;
-
 use super::{Control, Drive, Regions, is_stored};
 use crate::analysis::{combinational, is_constant_read};
 use crate::model::{
     Association, AssociationId, EdgeId, Effect, Id, MacroId, Model, OutputId, Read, StepId, TimeRef, Transition, VarId,
 };
+use crate::sorted::Set;
 
 /// The remembered values.
 pub struct Memory {
@@ -21,7 +20,7 @@ pub struct Memory {
     /// The chart looks at the time, so `cycle` takes it.
     pub time: bool,
     /// Steps whose time is read.
-    pub timed: BTreeSet<StepId>,
+    pub timed: Set<StepId>,
     /// Per region, whether the time of its active step is counted.
     pub step_times: Vec<bool>,
     /// Per region, whether that takes no more than 16 bits: the times of its steps are only compared with short ones.
@@ -39,7 +38,7 @@ pub struct Memory {
 
 impl Memory {
     pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive], control: &Control) -> Self {
-        let reads: BTreeSet<Read> = model.expressions().flatten().copied().collect();
+        let reads: Set<Read> = model.expressions().into_iter().flatten().copied().collect();
         let combinational = combinational::in_order(model);
         let pick = |wanted: &dyn Fn(&Drive) -> bool| {
             model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
@@ -94,15 +93,14 @@ fn begins_on_entry(model: &Model) -> bool {
         times.all(|step| transition.sources.contains(&step)) && !clearing.any(|read| time_of(read).is_some())
     };
     let stored = |association: &Association| {
-        let conditions = association.condition.iter().chain(&association.event).map(|expr| &expr.reads[..]);
-        let mut reads = conditions.chain(association.effect.reads()).flatten();
-        model.is_grafcet() && is_stored(association) && reads.any(|read| time_of(read).is_some())
+        let reads = association.reads();
+        model.is_grafcet() && is_stored(association) && reads.into_iter().flatten().any(|read| time_of(read).is_some())
     };
     model.partials.len() == 1 && model.transitions.values().all(own) && !model.associations.values().any(stored)
 }
 
 /// Steps whose time is read.
-fn timed_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
+fn timed_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepId> {
     let read = reads.iter().filter_map(|read| match read {
         Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
         _ => None,
@@ -113,7 +111,7 @@ fn timed_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTre
 }
 
 /// Steps whose time is used in another way than in a comparison with a literal that fits into 16 bits.
-fn long_steps(model: &Model, control: &Control, reads: &BTreeSet<Read>) -> BTreeSet<StepId> {
+fn long_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepId> {
     let is_long = |time: TimeRef| !matches!(time, TimeRef::Ticks(ticks) if u16::try_from(ticks).is_ok());
     let read = reads.iter().filter_map(|read| match read {
         Read::Since(step) => Some(*step),

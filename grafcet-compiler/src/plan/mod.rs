@@ -12,8 +12,6 @@ mod nest;
 mod regions;
 mod stored;
 
-use std::collections::BTreeSet;
-
 pub use below::Descent;
 pub(crate) use below::{Below, directly};
 pub use control::{Control, Target, What, source_order};
@@ -22,10 +20,11 @@ pub use evolution::Evolution;
 pub use memory::Memory;
 pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
-pub use stored::{Stored, is_stored, writes};
+pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Concurrency, Stability, hierarchy};
-use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Transition, Tree, Ty};
+use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
+use crate::sorted::Set;
 
 /// The plan for one chart.
 pub struct Plan {
@@ -45,7 +44,7 @@ pub struct Plan {
     pub stored: Stored,
     pub memory: Memory,
     /// The active steps of the initial situation.
-    pub initial: BTreeSet<StepId>,
+    pub initial: Set<StepId>,
     /// The first cycle differs from the others, so the state says whether it is still to come.
     pub has_start: bool,
     /// Per region, whether an action can see that a step was left and entered again in one evolution.
@@ -113,15 +112,16 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
         Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
         _ => None,
     };
-    let timed: BTreeSet<StepId> = model.expressions().flatten().filter_map(timed).collect();
+    let timed: Set<StepId> = model.expressions().into_iter().flatten().filter_map(timed).collect();
     let looks = |step: &StepId| {
         let mut associations = model.steps[*step].associations.iter().map(|id| &model.associations[*id]);
         associations.any(|a| !matches!(a.qualifier, Qualifier::N | Qualifier::S | Qualifier::R)) || timed.contains(step)
     };
-    let self_loops =
-        |t: &Transition| t.sources.iter().filter(|step| t.targets.contains(step)).copied().collect::<Vec<_>>();
-    let reentered = evolution.entered_last.iter().copied().chain(model.transitions.values().flat_map(self_loops));
-    for step in reentered.filter(looks) {
+    let mut reentered = evolution.entered_last.clone();
+    for transition in model.transitions.values() {
+        reentered.extend(transition.sources.iter().filter(|step| transition.targets.contains(step)));
+    }
+    for step in reentered.into_iter().filter(looks) {
         sees[regions.of_step(step)] = true;
     }
     sees
@@ -131,7 +131,7 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
 ///
 /// In an `sfc` it does not evolve (A27). In a `grafcet` it differs where something happens on the activation of the
 /// initial situation, or where something looks at the time or at the evolution before.
-fn has_start(model: &Model, initial: &BTreeSet<StepId>, memory: &Memory) -> bool {
+fn has_start(model: &Model, initial: &Set<StepId>, memory: &Memory) -> bool {
     // A place that has the value already.
     let has = |place: &Place, value: bool| {
         let init = match place {

@@ -3,11 +3,10 @@
 //! Where a transition that forks or joins clears, nothing else in the regions it touches can: they are tested first, and
 //! the branches inside only where none of them clears. So no region is changed before all that look at its state have done so.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::{Evolution, RegionId, Regions};
 use crate::analysis::{Concurrency, Union};
 use crate::model::{Id, Model, StepId, TransitionId};
+use crate::sorted::{Map, Set};
 
 /// Regions that transitions connect.
 pub struct Nest {
@@ -68,14 +67,14 @@ impl Search<'_> {
     fn nest(&self, part: Part) -> Option<Nest> {
         let Part { regions, transitions } = part;
         let (head, alone) = self.head(&regions)?;
-        let inside: BTreeSet<_> = transitions.iter().copied().collect();
+        let inside: Set<_> = transitions.iter().copied().collect();
         let leaving = |step: &StepId| {
             let owned = self.evolution.owned[step.index()].iter().copied();
             let owned: Vec<_> = owned.filter(|id| self.is_single(*id) && inside.contains(id)).collect();
             (!owned.is_empty()).then_some((*step, owned))
         };
         let alone: Vec<_> = alone.iter().filter_map(leaving).collect();
-        let from_alone: BTreeSet<_> = alone.iter().flat_map(|(_, owned)| owned).copied().collect();
+        let from_alone: Set<_> = alone.iter().flat_map(|(_, owned)| owned).copied().collect();
         let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone.contains(id)).collect();
         let (common, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| self.is_common(*id, &regions));
         if rest.is_empty() {
@@ -123,14 +122,14 @@ impl Search<'_> {
             let (here, others) = self.touched(*id);
             others.for_each(|other| connected.join(here, other));
         }
-        let mut parts: BTreeMap<RegionId, Part> = BTreeMap::new();
+        let mut parts: Map<RegionId, Part> = Map::new();
         for region in regions {
-            parts.entry(connected.root(*region)).or_default().regions.push(*region);
+            parts.or_default(connected.root(*region)).regions.push(*region);
         }
         for id in transitions {
-            parts.entry(connected.root(self.touched(*id).0)).or_default().transitions.push(*id);
+            parts.or_default(connected.root(self.touched(*id).0)).transitions.push(*id);
         }
-        parts.into_values().collect()
+        parts.into_iter().map(|(_, part)| part).collect()
     }
 
     /// The regions of a transition's steps: one, and all of them.

@@ -6,10 +6,9 @@
 //!
 //! Under `encoding flags;` each step is a region of its own, whose state is a bit.
 
-use std::collections::BTreeSet;
-
 use crate::analysis::Concurrency;
 use crate::model::{ForceOrder, Id, Model, PartialId, Step, StepId};
+use crate::sorted::Set;
 
 /// The position of a region.
 pub type RegionId = usize;
@@ -36,7 +35,7 @@ pub struct Regions {
 impl Regions {
     /// Divides the steps of a chart.
     #[must_use]
-    pub fn of(model: &Model, concurrency: &Concurrency, initial: &BTreeSet<StepId>) -> Self {
+    pub fn of(model: &Model, concurrency: &Concurrency, initial: &Set<StepId>) -> Self {
         let mut regions: Vec<Region> = Vec::new();
         let mut of_step = Vec::with_capacity(model.steps.len());
         for step in model.steps.ids() {
@@ -65,7 +64,7 @@ impl Regions {
 
     /// A region for each step, whose state is a bit.
     #[must_use]
-    pub fn flags(model: &Model, initial: &BTreeSet<StepId>) -> Self {
+    pub fn flags(model: &Model, initial: &Set<StepId>) -> Self {
         let alone = |(step, declared): (StepId, &Step)| Region {
             partial: declared.partial,
             steps: vec![step],
@@ -83,7 +82,7 @@ impl Regions {
     }
 
     /// Steps that are first taken away and then given back leave their region empty in between.
-    pub(super) fn allow_leaving(&mut self, steps: &BTreeSet<StepId>) {
+    pub(super) fn allow_leaving(&mut self, steps: &Set<StepId>) {
         for step in steps {
             self.list[self.of_step[step.index()]].may_be_empty = true;
         }

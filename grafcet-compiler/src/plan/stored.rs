@@ -4,53 +4,53 @@
 //! place at once if no other action reads it and no action may write it without a change of the situation; any other
 //! place is first written to a local, which tells whether the evolution changes anything (A25).
 
-use std::collections::BTreeSet;
-
 use crate::analysis::combinational;
 use crate::diagnostic::rules;
 use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Ty};
+use crate::sorted::Set;
 
 /// The places that stored actions write.
 pub struct Stored {
     /// Places that are collected in locals and committed at the end of the evolution.
-    pub collected: BTreeSet<Place>,
+    pub collected: Set<Place>,
     /// Actions on activation and deactivation that look at nothing an evolution changes, and write what nothing in it looks at:
     /// it makes no difference when they act.
-    pub at_any_time: BTreeSet<AssociationId>,
+    pub at_any_time: Set<AssociationId>,
 }
 
 impl Stored {
     pub(super) fn of(model: &Model) -> Self {
-        let mut stored = Self { collected: BTreeSet::new(), at_any_time: BTreeSet::new() };
+        let mut stored = Self { collected: Set::new(), at_any_time: Set::new() };
         if !model.is_grafcet() {
             return stored;
         }
         for transition in model.transitions.values() {
-            stored.collected.extend(transition.clearing.iter().flat_map(writes));
+            stored.collected.extend(transition.clearing.iter().flat_map(Effect::writes));
             stored.collected.extend(transition.clearing.iter().flat_map(Effect::reads).flatten().filter_map(place));
         }
         let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).collect();
         for action in &actions {
             if action.qualifier == Qualifier::On {
-                stored.collected.extend(writes(&action.effect));
+                stored.collected.extend(action.effect.writes());
             }
-            let own: Vec<Place> = writes(&action.effect).collect();
-            stored.collected.extend(reads(action).filter(|place| !own.contains(place)));
+            let own = action.effect.writes();
+            let read = action.reads().into_iter().flatten().filter_map(place);
+            stored.collected.extend(read.filter(|place| !own.contains(place)));
         }
         // A block writes all its places in the same way.
         loop {
             let before = stored.collected.len();
             for action in &actions {
-                if writes(&action.effect).any(|place| stored.collected.contains(&place)) {
-                    stored.collected.extend(writes(&action.effect));
+                if stored.is_collected(&action.effect) {
+                    stored.collected.extend(action.effect.writes());
                 }
             }
             if stored.collected.len() == before {
                 // What is only read needs no local.
-                let written: BTreeSet<Place> = actions.iter().flat_map(|action| writes(&action.effect)).collect();
-                let cleared: BTreeSet<Place> =
-                    model.transitions.values().flat_map(|t| &t.clearing).flat_map(writes).collect();
-                stored.collected.retain(|place| written.contains(place) || cleared.contains(place));
+                let clearings = model.transitions.values().flat_map(|t| &t.clearing);
+                let effects = actions.iter().map(|action| &action.effect).chain(clearings);
+                let written: Set<Place> = effects.flat_map(Effect::writes).copied().collect();
+                stored.collected.retain(|place| written.contains(place));
                 stored.at_any_time = at_any_time(model, &stored.collected);
                 return stored;
             }
@@ -60,17 +60,16 @@ impl Stored {
     /// Whether the effect writes to locals first.
     #[must_use]
     pub fn is_collected(&self, effect: &Effect) -> bool {
-        writes(effect).any(|place| self.collected.contains(&place))
+        effect.writes().iter().any(|place| self.collected.contains(place))
     }
 }
 
 /// Which actions can act at any time of an evolution. Where the chart allows races, the order of the source counts.
-fn at_any_time(model: &Model, collected: &BTreeSet<Place>) -> BTreeSet<AssociationId> {
+fn at_any_time(model: &Model, collected: &Set<Place>) -> Set<AssociationId> {
     if model.has_level_of(&rules::WRITE_RACE) {
-        return BTreeSet::new();
+        return Set::new();
     }
-    let tested: BTreeSet<Place> =
-        model.transitions.values().flat_map(|t| &t.condition.reads).filter_map(place).collect();
+    let tested: Set<Place> = model.transitions.values().flat_map(|t| &t.condition.reads).filter_map(place).collect();
     let fits = |association: &Association| {
         let value = match &association.effect {
             Effect::Control(_) => None,
@@ -79,7 +78,7 @@ fn at_any_time(model: &Model, collected: &BTreeSet<Place>) -> BTreeSet<Associati
         };
         is_stored(association)
             && association.event.is_none()
-            && writes(&association.effect).all(|place| !collected.contains(&place) && !tested.contains(&place))
+            && association.effect.writes().iter().all(|place| !collected.contains(place) && !tested.contains(place))
             && association.condition.iter().chain(value).all(|expr| stands_still(model, expr))
     };
     model.associations.iter().filter(|(_, association)| fits(association)).map(|(id, _)| id).collect()
@@ -115,21 +114,6 @@ fn counts(model: &Model, expr: &Expr) -> bool {
 #[must_use]
 pub fn is_stored(association: &Association) -> bool {
     matches!(association.qualifier, Qualifier::S | Qualifier::R | Qualifier::P1 | Qualifier::P0 | Qualifier::On)
-}
-
-/// The places an effect may write.
-pub fn writes(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
-    let (one, many): (Option<Place>, &[Place]) = match effect {
-        Effect::Control(place) | Effect::Assign(place, _) => (Some(*place), &[]),
-        Effect::Call(..) => (None, &[]),
-        Effect::Block(code) => (None, &code.writes),
-    };
-    one.into_iter().chain(many.iter().copied())
-}
-
-fn reads(association: &Association) -> impl Iterator<Item = Place> + '_ {
-    let conditions = association.condition.iter().chain(&association.event).map(|e| &e.reads[..]);
-    conditions.chain(association.effect.reads()).flatten().filter_map(place)
 }
 
 fn place(read: &Read) -> Option<Place> {

@@ -12,6 +12,7 @@ pub mod brute;
 pub mod chart;
 pub mod emit;
 pub mod generated;
+pub mod interp;
 pub mod oracle;
 pub mod play;
 pub mod random;

@@ -1,6 +1,6 @@
 //! The interpreter as a [`Subject`].
 
-use grafcet_compiler::interp::{Call, Interpreter, Phase, Situation, Value};
+use crate::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_compiler::model::{Model, Ty};
 
 use crate::{Shown, Subject, Values};

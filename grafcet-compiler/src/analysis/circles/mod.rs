@@ -12,12 +12,12 @@ mod run;
 mod view;
 
 use std::cell::Cell;
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use self::run::{Node, Outcome, Run};
 use super::{Answer, Concurrency, Condition, Logic, hierarchy};
 use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
+use crate::sorted::{Map, Set};
 
 /// A circle and the values under which it turns.
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ pub struct Circles<'m> {
     /// By step, whether transitions that can clear lead there.
     reachable: Vec<bool>,
     /// What actions may change within a cycle.
-    written: BTreeSet<Name>,
+    written: Set<Name>,
     /// Steps of which several can be active, apart from branches that are not exclusive.
     parallel: Concurrency,
     /// How many values nothing was known of.
@@ -82,7 +82,7 @@ impl<'m> Circles<'m> {
     /// stable situation, the search has no end.
     #[must_use]
     pub fn certain(&self) -> Vec<Circle> {
-        let mut endless: BTreeMap<TransitionId, Vec<Ring>> = BTreeMap::new();
+        let mut endless: Map<TransitionId, Vec<Ring>> = Map::new();
         for id in self.model.transitions.ids() {
             if self.surely_rests(id) || endless.contains_key(&id) {
                 continue;
@@ -91,7 +91,7 @@ impl<'m> Circles<'m> {
             // Whoever enters a circle of equal conditions elsewhere finds the same one.
             if let [ring] = &rings[..] {
                 for other in ring.iter().filter(|other| self.enters_alike(id, **other, ring)) {
-                    endless.entry(*other).or_insert_with(|| rings.clone());
+                    endless.or_insert_with(*other, || rings.clone());
                 }
             }
             endless.insert(id, rings);
@@ -106,7 +106,7 @@ impl<'m> Circles<'m> {
         let turns = |id: &TransitionId| endless.contains_key(id) || !enters(id);
         let entered = endless.iter().filter(|(id, _)| enters(id)).flat_map(|(_, rings)| rings.clone());
         let mut found: Vec<Ring> = at_start.into_iter().flatten().chain(entered).collect();
-        let mut known = BTreeSet::new();
+        let mut known = Set::new();
         // What enters the circle in a stable situation, has to lead to no end, too. A search that goes on without a
         // transition, by stored values alone, is no circle of the chart.
         let is_circle = |ring: &Ring| {
@@ -119,7 +119,7 @@ impl<'m> Circles<'m> {
     /// Further circles and values under which they turn, beside those in `known`.
     #[must_use]
     pub fn possible(&self, known: &[Circle]) -> Vec<Circle> {
-        let mut seen: BTreeSet<BTreeSet<TransitionId>> = known.iter().map(|circle| set(&circle.transitions)).collect();
+        let mut seen: Set<Set<TransitionId>> = known.iter().map(|circle| set(&circle.transitions)).collect();
         let mut found: Vec<Circle> = Vec::new();
         for id in self.model.transitions.ids() {
             if found.iter().chain(known).any(|circle| circle.transitions.contains(&id)) || !self.can_enter(id, None) {
@@ -197,7 +197,7 @@ impl<'m> Circles<'m> {
         let transitions = || circle.iter().map(|id| &self.model.transitions[*id]);
         // Steps that the circle itself activates together are no marks beside each other.
         let branches = transitions().any(|transition| transition.targets.len() > 1);
-        let steps: BTreeSet<StepId> = transitions().flat_map(|transition| transition.sources.iter().copied()).collect();
+        let steps: Set<StepId> = transitions().flat_map(|transition| transition.sources.iter().copied()).collect();
         let beside = |a: &StepId| {
             let same = |b: &StepId| self.model.steps[*a].partial == self.model.steps[*b].partial;
             steps.iter().any(|b| same(b) && self.parallel.together(*a, *b))
@@ -212,9 +212,9 @@ impl<'m> Circles<'m> {
         if self.logic.impossible(&borrowed(&goals)) {
             return None;
         }
-        let mut active: BTreeSet<StepId> = transition.targets.iter().copied().collect();
+        let mut active: Set<StepId> = transition.targets.iter().copied().collect();
         let fresh = active.iter().copied().filter(|step| !transition.sources.contains(step)).collect();
-        let mut before: BTreeSet<StepId> = transition.sources.iter().copied().collect();
+        let mut before: Set<StepId> = transition.sources.iter().copied().collect();
         let beside = self.active_beside(id, &goals);
         active.extend(&beside);
         before.extend(&beside);
@@ -228,7 +228,7 @@ impl<'m> Circles<'m> {
             self.model.partials[partial].enclosed_by.is_some()
                 || self.model.forces.values().any(|force| force.target == partial)
         };
-        let active: BTreeSet<StepId> =
+        let active: Set<StepId> =
             hierarchy::initial_situation(self.model).into_iter().filter(|step| !commanded(step)).collect();
         let (fresh, before) = (active.clone(), active.clone());
         Node { active, fresh, before, goals: Vec::new(), parent: None, cleared: Vec::new() }
@@ -274,7 +274,7 @@ impl<'m> Circles<'m> {
     }
 }
 
-fn set(circle: &[TransitionId]) -> BTreeSet<TransitionId> {
+fn set(circle: &[TransitionId]) -> Set<TransitionId> {
     circle.iter().copied().collect()
 }
 

@@ -1,17 +1,16 @@
 //! Whether a search is left alone by what commands its partial grafcet: an order that appears, or an enclosing step that
 //! is left, in a later evolution of the same cycle ends a circle that would turn without end.
 
-use std::collections::BTreeSet;
-
 use super::Circles;
 use super::run::Node;
 use super::view::View;
 use crate::model::{Id, Name, PartialId, Read, StepId, TransitionId};
+use crate::sorted::Set;
 
 impl Circles<'_> {
     /// Whether nothing that commands the circle's partial grafcets evolves in a cycle that something else began.
     pub(super) fn is_undisturbed(&self, circle: &[TransitionId]) -> bool {
-        let mut known: BTreeSet<PartialId> = BTreeSet::new();
+        let mut known: Set<PartialId> = Set::new();
         let mut open: Vec<PartialId> = circle.iter().map(|id| self.model.transitions[*id].partial).collect();
         while let Some(partial) = open.pop() {
             if !known.insert(partial) {

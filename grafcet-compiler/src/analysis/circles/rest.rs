@@ -1,25 +1,25 @@
 //! Where a search for stability can come to rest: what can be the beginning of the next one.
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::run::{Node, Outcome, Run};
 use super::view::View;
 use super::{Circles, Goals, borrowed};
 use crate::model::{ForceOrder, Id, Model, PartialId, Read, StepId, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// How many situations are looked at to find out which of them are stable.
 const LOOKED_AT: usize = 600;
 
 impl Circles<'_> {
     /// The steps in which a search can come to rest, found by following all of them; `None` where that is too much.
-    pub(super) fn resting(&self) -> Option<BTreeSet<StepId>> {
+    pub(super) fn resting(&self) -> Option<Set<StepId>> {
         let is_target = |partial: PartialId| self.model.forces.values().any(|force| force.target == partial);
         let commanded = |id: &StepId| {
             let step = &self.model.steps[*id];
             step.linked || step.initial && is_target(step.partial) || self.is_forced(*id)
         };
-        let mut resting: BTreeSet<StepId> = self.model.steps.ids().filter(commanded).collect();
+        let mut resting: Set<StepId> = self.model.steps.ids().filter(commanded).collect();
         let mut waiting: Vec<TransitionId> = self.model.transitions.ids().collect();
         let mut starts = vec![Some(self.start())];
         let mut looked_at = 0;
@@ -50,7 +50,7 @@ impl Circles<'_> {
     }
 
     /// Whether the transition can clear in a stable situation; `resting` are the steps of such, where that is known.
-    pub(super) fn can_enter(&self, id: TransitionId, resting: Option<&BTreeSet<StepId>>) -> bool {
+    pub(super) fn can_enter(&self, id: TransitionId, resting: Option<&Set<StepId>>) -> bool {
         let rests = match resting {
             Some(resting) => self.needs(id).is_subset(resting),
             None => self.model.transitions[id].sources.iter().all(|step| self.can_rest(*step)),
@@ -59,7 +59,7 @@ impl Circles<'_> {
     }
 
     /// The steps that have to be active for the transition to clear: its sources, and those that its condition asks for.
-    fn needs(&self, id: TransitionId) -> BTreeSet<StepId> {
+    fn needs(&self, id: TransitionId) -> Set<StepId> {
         let transition = &self.model.transitions[id];
         let asked_for = |read: &Read| match read {
             Read::Active(step) | Read::Elapsed(_, step) => {
@@ -87,7 +87,7 @@ impl Circles<'_> {
         if own.linked || self.is_forced(step) {
             return true;
         }
-        let alone = BTreeSet::from([step]);
+        let alone = Set::from([step]);
         let first = Node {
             active: alone.clone(),
             fresh: alone.clone(),

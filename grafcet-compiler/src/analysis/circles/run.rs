@@ -1,12 +1,12 @@
 //! One search for stability, under all valuations at once.
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::view::View;
 use super::{Circles, Goals, borrowed};
 use crate::analysis::Condition;
 use crate::model::{Binary, Effect, Id, Name, Place, Read, Statement, StepId, TransitionId, Tree, Unary};
+use crate::sorted::Set;
 
 /// How many situations one search follows.
 const SITUATIONS: usize = 500;
@@ -21,11 +21,11 @@ const STEPS: usize = 64;
 #[derive(Default)]
 pub(super) struct Node {
     /// Steps that are active.
-    pub(super) active: BTreeSet<StepId>,
+    pub(super) active: Set<StepId>,
     /// Those of them that were entered in this cycle.
-    pub(super) fresh: BTreeSet<StepId>,
+    pub(super) fresh: Set<StepId>,
     /// Steps that were active in the evolution before.
-    pub(super) before: BTreeSet<StepId>,
+    pub(super) before: Set<StepId>,
     /// What has been decided on the way.
     pub(super) goals: Goals,
     pub(super) parent: Option<usize>,
@@ -36,7 +36,7 @@ pub(super) struct Node {
 /// How a search ends.
 pub(super) enum Outcome {
     /// Some valuation ends it with these steps active.
-    Rests(BTreeSet<StepId>),
+    Rests(Set<StepId>),
     /// These transitions clear again and again, where the conditions have these values.
     Endless(Vec<TransitionId>, Goals),
     Undecided,
@@ -91,7 +91,7 @@ impl<'r, 'm> Run<'r, 'm> {
     /// The transitions since the same situation on the way here.
     fn circle(&self, at: usize) -> Option<Vec<TransitionId>> {
         let node = &self.nodes[at];
-        let fresh = |node: &Node| node.fresh.intersection(&node.active).copied().collect::<BTreeSet<_>>();
+        let fresh = |node: &Node| node.fresh.intersection(&node.active).copied().collect::<Set<_>>();
         let mut circle: Vec<TransitionId> = node.cleared.iter().rev().copied().collect();
         let mut parent = node.parent;
         while let Some(other) = parent.map(|parent| &self.nodes[parent]) {
@@ -108,7 +108,7 @@ impl<'r, 'm> Run<'r, 'm> {
     fn enabled(&self, at: usize) -> Enabled {
         let (circles, node) = (self.circles, &self.nodes[at]);
         let view = View::new(circles, node);
-        let leaving: BTreeSet<TransitionId> =
+        let leaving: Set<TransitionId> =
             node.active.iter().flat_map(|step| circles.leaving[step.index()].iter().copied()).collect();
         let mut enabled = Enabled { surely: Vec::new(), maybe: Vec::new() };
         for id in leaving {
@@ -160,16 +160,16 @@ impl<'r, 'm> Run<'r, 'm> {
     fn clear(&self, at: usize, cleared: Vec<TransitionId>, goals: Goals) -> Option<Node> {
         let (transitions, node) = (&self.circles.model.transitions, &self.nodes[at]);
         let steps = |pick: fn(&crate::model::Transition) -> &Vec<StepId>| {
-            cleared.iter().flat_map(|id| pick(&transitions[*id]).iter().copied()).collect::<BTreeSet<StepId>>()
+            cleared.iter().flat_map(|id| pick(&transitions[*id]).iter().copied()).collect::<Set<StepId>>()
         };
         let (sources, targets) = (steps(|t| &t.sources), steps(|t| &t.targets));
-        let mut active: BTreeSet<StepId> = node.active.difference(&sources).copied().collect();
+        let mut active: Set<StepId> = node.active.difference(&sources).copied().collect();
         active.extend(&targets);
         if active == node.active && !cleared.iter().any(|id| transitions[*id].clearing.iter().any(is_restless)) {
             return None;
         }
         // A4g: a step that is left and entered at once stays active.
-        let mut fresh: BTreeSet<StepId> = node.fresh.intersection(&active).copied().collect();
+        let mut fresh: Set<StepId> = node.fresh.intersection(&active).copied().collect();
         fresh.extend(targets.difference(&node.active));
         Some(Node { active, fresh, before: node.active.clone(), goals, parent: Some(at), cleared })
     }

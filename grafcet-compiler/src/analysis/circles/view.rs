@@ -1,12 +1,11 @@
 //! What the conditions are in the evolutions behind the first one of a cycle.
 
-use std::collections::BTreeSet;
-
 use super::Circles;
 use super::run::Node;
 use crate::analysis::Condition;
 use crate::analysis::logic::UNKNOWN;
 use crate::model::{Binary, EdgeId, Effect, MacroId, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// The conditions as one evolution sees them.
 pub(super) struct View<'v, 'm> {
@@ -76,7 +75,7 @@ impl<'v, 'm> View<'v, 'm> {
         self.is_excluded(step, &self.node.active).then_some(false)
     }
 
-    fn is_excluded(&self, step: StepId, active: &BTreeSet<StepId>) -> bool {
+    fn is_excluded(&self, step: StepId, active: &Set<StepId>) -> bool {
         let concurrency = self.circles.concurrency;
         let apart = |other: &StepId| {
             self.circles.model.steps[*other].partial == self.circles.model.steps[step].partial
@@ -135,10 +134,10 @@ impl<'v, 'm> View<'v, 'm> {
 }
 
 /// What the actions of a chart may change.
-pub(super) fn written(model: &Model) -> BTreeSet<Name> {
+pub(super) fn written(model: &Model) -> Set<Name> {
     let clearings = model.transitions.values().flat_map(|transition| &transition.clearing);
     let effects = model.associations.values().map(|association| &association.effect).chain(clearings);
-    let mut written = BTreeSet::new();
+    let mut written = Set::new();
     for effect in effects {
         match effect {
             Effect::Control(place) | Effect::Assign(place, _) => _ = written.insert(Name::from(*place)),

@@ -1,11 +1,10 @@
 //! The actions that write what is followed from cycle to cycle.
 
-use std::collections::BTreeMap;
-
 use super::compile::Compiler;
 use super::formula::Formula;
-use super::slots::{Bit, Slots, written};
+use super::slots::{Bit, Slots};
 use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
+use crate::sorted::{Map, Set};
 
 /// An action with the conditions under which it runs.
 pub(super) struct Action {
@@ -52,12 +51,12 @@ pub(super) type Writer = (Option<usize>, Option<usize>);
 pub(super) struct Actions {
     /// `grafcet`: the stored actions, in source order, and those of each step.
     pub(super) stored: Vec<Action>,
-    pub(super) stored_of: BTreeMap<usize, Vec<usize>>,
+    pub(super) stored_of: Map<usize, Vec<usize>>,
     /// `grafcet`: the actions on clearing of each transition.
-    pub(super) clearing: BTreeMap<usize, Vec<Action>>,
+    pub(super) clearing: Map<usize, Vec<Action>>,
     /// `sfc`: the targets in the order in which they first stand in the source, and those of each step.
     pub(super) targets: Vec<Target>,
-    pub(super) targets_of: BTreeMap<usize, Vec<usize>>,
+    pub(super) targets_of: Map<usize, Vec<usize>>,
     /// `sfc`: targets that go on as long as a flip-flop is set.
     pub(super) lasting: Vec<(usize, usize)>,
     /// `sfc`: which slots are outputs; these are read as the previous cycle returned them.
@@ -152,7 +151,7 @@ impl Compile<'_, '_> {
             );
             let on = association.qualifier == Qualifier::On;
             if stored && (on || self.is_followed(&association.effect)) {
-                actions.stored_of.entry(association.step.index()).or_default().push(actions.stored.len());
+                actions.stored_of.or_default(association.step.index()).push(actions.stored.len());
                 actions.stored.push(self.action(id.index(), association));
             }
         }
@@ -174,7 +173,7 @@ impl Compile<'_, '_> {
     }
 
     fn targets(&mut self, model: &Model, actions: &mut Actions) {
-        let mut numbers: BTreeMap<Place, usize> = BTreeMap::new();
+        let mut numbers: Map<Place, usize> = Map::new();
         for (id, association) in model.associations.iter() {
             if !self.is_followed(&association.effect) {
                 continue;
@@ -203,7 +202,7 @@ impl Compile<'_, '_> {
                 }
                 (None, None) => actions.targets.push(Target::Own(action)),
             }
-            let of_step = actions.targets_of.entry(association.step.index()).or_default();
+            let of_step = actions.targets_of.or_default(association.step.index());
             if !of_step.contains(&number) {
                 of_step.push(number);
             }
@@ -221,24 +220,22 @@ impl Compile<'_, '_> {
 
     /// Where only S and R control the place, it is its own flip-flop.
     fn timed(&mut self, model: &Model, place: Place) -> Timed {
-        let own =
-            |((of, qualifier), slot): (&(Place, Qualifier), &usize)| (*of == place).then_some((*qualifier, *slot));
+        let own = |((of, qualifier), slot): &((Place, Qualifier), usize)| (*of == place).then_some((*qualifier, *slot));
         let flip_flops = self.slots.flip_flops.iter().filter_map(own).collect();
         let controls = |a: &&Association| matches!(a.effect, Effect::Control(of) if of == place);
-        let mut qualifiers: Vec<Qualifier> =
+        let qualifiers: Set<Qualifier> =
             model.associations.values().filter(controls).filter(|a| a.time.is_some()).map(|a| a.qualifier).collect();
-        qualifiers.sort_unstable();
-        qualifiers.dedup();
         let times = qualifiers.into_iter().map(|qualifier| (qualifier, self.compiler.time_of(qualifier, place)));
         Timed { flip_flops, times: times.collect() }
     }
 
     fn is_followed(&self, effect: &Effect) -> bool {
-        written(effect).any(|place| self.slots.numbers.contains_key(&place))
+        effect.writes().iter().any(|place| self.slots.numbers.contains_key(place))
     }
 
     fn does_more(&self, effect: &Effect) -> bool {
-        matches!(effect, Effect::Call(..)) || written(effect).any(|place| !self.slots.numbers.contains_key(&place))
+        matches!(effect, Effect::Call(..))
+            || effect.writes().iter().any(|place| !self.slots.numbers.contains_key(place))
     }
 
     fn action(&mut self, position: usize, association: &Association) -> Action {

@@ -6,13 +6,14 @@ use super::formula::{Formula, Kind};
 use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, When};
+use crate::sorted::Set;
 
 /// The time of a step or of a macro-step.
 #[derive(Debug)]
 pub(super) struct Clock {
     pub(super) atom: usize,
     /// What conditions compare it with, ascending: it is known by which of these it has reached.
-    pub(super) marks: Vec<i128>,
+    pub(super) marks: Set<i128>,
 }
 
 /// The times of a chart that have to be followed: all that conditions do more with than to wait until they have passed,
@@ -25,16 +26,10 @@ pub(super) fn of(net: &Net) -> Vec<Clock> {
     for formula in net.actions.formulas() {
         reader.read(formula, &[], None);
     }
-    let mut marks: Vec<Vec<i128>> = vec![Vec::new(); net.atoms.len()];
+    let mut marks: Vec<Set<i128>> = vec![Set::new(); net.atoms.len()];
     net.formulas().for_each(|formula| note_marks(formula, &mut marks));
     let followed = reader.followed.iter().zip(marks).enumerate().filter(|(_, (is_followed, _))| **is_followed);
-    followed
-        .map(|(atom, (_, mut marks))| {
-            marks.sort_unstable();
-            marks.dedup();
-            Clock { atom, marks }
-        })
-        .collect()
+    followed.map(|(atom, (_, marks))| Clock { atom, marks }).collect()
 }
 
 struct Reader<'n> {
@@ -81,9 +76,9 @@ impl Reader<'_> {
     }
 }
 
-fn note_marks(formula: &Formula, marks: &mut [Vec<i128>]) {
+fn note_marks(formula: &Formula, marks: &mut [Set<i128>]) {
     match formula {
-        Formula::Below(atom, bound) => marks[*atom].push(*bound),
+        Formula::Below(atom, bound) => marks[*atom].extend([*bound]),
         Formula::Equals(atom, value) => marks[*atom].extend([*value, value.saturating_add(1)]),
         Formula::Not(inner) => note_marks(inner, marks),
         Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {

@@ -1,12 +1,12 @@
 //! States, and the cycles that lead from one to another.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::State;
 use crate::analysis::Relation;
+use crate::sorted::Map;
 
 /// What was seen on the way, in any part of the chart.
 #[derive(Debug)]
@@ -93,7 +93,7 @@ pub(super) struct Graph {
     /// States that stand for what another part of the chart does to this one.
     pub(super) entries: Vec<usize>,
     /// The steps that were activated while they were active.
-    pub(super) doubled: BTreeMap<usize, Doubled>,
+    pub(super) doubled: Map<usize, Doubled>,
     /// Per watched expression: from which state on which cycle ends with it holding, and the state at its end.
     pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
     /// All of it was explored.
@@ -112,7 +112,7 @@ impl Graph {
             origins: Vec::new(),
             edges: Vec::new(),
             entries: Vec::new(),
-            doubled: BTreeMap::new(),
+            doubled: Map::new(),
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
             cut_off: false,

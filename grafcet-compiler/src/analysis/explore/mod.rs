@@ -37,8 +37,6 @@ mod verdicts;
 mod waiting;
 mod ways;
 
-use std::collections::BTreeMap;
-
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation, text};
 pub use tokens::{Meeting, Parting};
 
@@ -50,6 +48,7 @@ use self::verdicts::Report;
 use self::ways::Ways;
 use super::{Concurrency, Nesting};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
+use crate::sorted::Map;
 
 /// How much is explored before the search gives up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -109,7 +108,7 @@ pub struct Exploration {
     /// Per piece of the chart: everything it can do was seen.
     covered: Vec<bool>,
     sources: Vec<Vec<StepId>>,
-    unsafe_steps: BTreeMap<StepId, Activation>,
+    unsafe_steps: Map<StepId, Activation>,
     deadlocks: Vec<Deadlock>,
     stuck_joins: Vec<StuckJoin>,
     /// The most active steps, where all is covered.
@@ -173,7 +172,7 @@ impl Exploration {
         let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
         let mut exploration = Self {
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
-            unsafe_steps: BTreeMap::new(),
+            unsafe_steps: Map::new(),
             deadlocks: Vec::new(),
             stuck_joins: Vec::new(),
             max_active: None,
@@ -195,7 +194,7 @@ impl Exploration {
         for graph in sooner.into_iter().chain([&self.whole]).chain(pieces) {
             let report = Report { net: &self.net, graph };
             for (step, activation) in report.activations() {
-                self.unsafe_steps.entry(step).or_insert(activation);
+                self.unsafe_steps.or_insert_with(step, || activation);
             }
             if graph.complete {
                 let future = Future::of(&self.net, graph);
@@ -214,7 +213,7 @@ impl Exploration {
         let Some(Ways { graphs, deadlocks, stuck_joins, work }) = ways else { return };
         for graph in &graphs {
             for (step, activation) in (Report { net: &self.net, graph }).activations() {
-                self.unsafe_steps.entry(step).or_insert(activation);
+                self.unsafe_steps.or_insert_with(step, || activation);
             }
         }
         let known: Vec<Vec<StepId>> = self.deadlocks.iter().map(|deadlock| deadlock.steps.clone()).collect();

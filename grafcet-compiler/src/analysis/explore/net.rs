@@ -1,7 +1,5 @@
 //! A chart made ready to be run: everything by number, conditions compiled.
 
-use std::collections::BTreeMap;
-
 use super::actions::{self, Actions};
 use super::clocks::{self, Clock};
 use super::compile::Compiler;
@@ -10,6 +8,7 @@ use super::slots::{Bit, Slots};
 use super::{unfollowed, units};
 use crate::analysis::Concurrency;
 use crate::model::{ForceOrder, Id, Model, Step, StepId, Tree};
+use crate::sorted::Map;
 
 /// A transition.
 pub(super) struct Arc {
@@ -353,7 +352,7 @@ fn add(atoms: &mut Vec<usize>, atom: usize) {
 }
 
 fn parts(model: &Model) -> Vec<Part> {
-    let mut orders: BTreeMap<usize, Vec<(usize, Order)>> = BTreeMap::new();
+    let mut orders: Map<usize, Vec<(usize, Order)>> = Map::new();
     let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<usize> {
         let mut steps: Vec<usize> =
             part.steps.iter().filter(|step| wanted(&model.steps[**step])).map(|step| step.index()).collect();
@@ -370,7 +369,7 @@ fn parts(model: &Model) -> Vec<Part> {
             ForceOrder::Init => Order::To(pick(&model.partials[force.target], |step| step.initial)),
             ForceOrder::Hold => Order::Hold,
         };
-        orders.entry(force.target.index()).or_default().push((force.step.index(), order));
+        orders.or_default(force.target.index()).push((force.step.index(), order));
     }
     let part = |(id, partial): (crate::model::PartialId, &crate::model::Partial)| Part {
         enclosed_by: partial.enclosed_by.map(Id::index),

@@ -226,7 +226,7 @@ impl<'n, 's> Search<'n, 's> {
         let demands = (self.thorough && !late).then(|| cycle.granted.clone().into_boxed_slice());
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
-            self.graph.doubled.entry(step).or_insert_with(doubled);
+            self.graph.doubled.or_insert_with(step, doubled);
         }
         for (index, cycle) in watched {
             if self.graph.watched[index].is_none() {

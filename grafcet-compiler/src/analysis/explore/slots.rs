@@ -1,9 +1,8 @@
 //! Which boolean variables and outputs are followed from cycle to cycle: those that conditions read and whose writes are
 //! all understood.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Tree, Ty};
+use crate::sorted::{Map, Set};
 
 /// A value that is followed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -22,9 +21,9 @@ impl From<bool> for Bit {
 
 /// The places that are followed, numbered.
 pub(super) struct Slots {
-    pub(super) numbers: BTreeMap<Place, usize>,
+    pub(super) numbers: Map<Place, usize>,
     /// `sfc`: the flip-flops of the action control where they are not the place itself: of S, SD, DS and SL.
-    pub(super) flip_flops: BTreeMap<(Place, Qualifier), usize>,
+    pub(super) flip_flops: Map<(Place, Qualifier), usize>,
     pub(super) initial: Vec<Bit>,
     /// `sfc`: places that are computed anew in each cycle and that nothing in the chart reads.
     pub(super) shown: Vec<usize>,
@@ -32,8 +31,7 @@ pub(super) struct Slots {
 
 impl Slots {
     pub(super) fn of(model: &Model, watched: &[&Tree]) -> Self {
-        let mut slots =
-            Self { numbers: BTreeMap::new(), flip_flops: BTreeMap::new(), initial: Vec::new(), shown: Vec::new() };
+        let mut slots = Self { numbers: Map::new(), flip_flops: Map::new(), initial: Vec::new(), shown: Vec::new() };
         let writers = Writers::of(model);
         for place in needed(model, &writers, watched) {
             if !writers.can_be_followed(model, place) {
@@ -70,13 +68,13 @@ fn initial(model: &Model, place: Place) -> Bit {
 }
 
 /// The places that conditions read, directly or because a place that they read depends on them.
-fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> BTreeSet<Place> {
-    let mut needed = BTreeSet::new();
+fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> Set<Place> {
+    let mut needed = Set::new();
     let mut reads: Vec<Read> = model.transitions.values().flat_map(|t| t.condition.reads.iter().copied()).collect();
     for tree in watched {
         reads_of(tree, &mut reads);
     }
-    let mut edges = BTreeSet::new();
+    let mut edges = Set::new();
     while let Some(read) = reads.pop() {
         let place = match read {
             Read::Rising(id) | Read::Falling(id) => {
@@ -91,7 +89,7 @@ fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> BTreeSet<P
         };
         if needed.insert(place) {
             for effect in writers.effects(place) {
-                reads.extend(effect.reads().flatten());
+                reads.extend(effect.reads().into_iter().flatten());
             }
             for association in writers.associations(model, place) {
                 let conditions = association.condition.iter().chain(&association.event);
@@ -118,22 +116,22 @@ fn reads_of(tree: &Tree, reads: &mut Vec<Read>) {
 
 /// Who writes each place.
 struct Writers<'m> {
-    associations: BTreeMap<Place, Vec<AssociationId>>,
-    effects: BTreeMap<Place, Vec<&'m Effect>>,
+    associations: Map<Place, Vec<AssociationId>>,
+    effects: Map<Place, Vec<&'m Effect>>,
 }
 
 impl<'m> Writers<'m> {
     fn of(model: &'m Model) -> Self {
-        let mut writers = Self { associations: BTreeMap::new(), effects: BTreeMap::new() };
+        let mut writers = Self { associations: Map::new(), effects: Map::new() };
         for (id, association) in model.associations.iter() {
-            for place in written(&association.effect) {
-                writers.associations.entry(place).or_default().push(id);
-                writers.effects.entry(place).or_default().push(&association.effect);
+            for place in association.effect.writes() {
+                writers.associations.or_default(*place).push(id);
+                writers.effects.or_default(*place).push(&association.effect);
             }
         }
         for effect in model.transitions.values().flat_map(|t| &t.clearing) {
-            for place in written(effect) {
-                writers.effects.entry(place).or_default().push(effect);
+            for place in effect.writes() {
+                writers.effects.or_default(*place).push(effect);
             }
         }
         writers
@@ -164,7 +162,7 @@ impl<'m> Writers<'m> {
             (Effect::Assign(Place::Output(_), _), Qualifier::N) => 1,
             _ => 2,
         };
-        let kinds: BTreeSet<i32> = self.associations(model, place).map(kind).collect();
+        let kinds: Set<i32> = self.associations(model, place).map(kind).collect();
         model.is_grafcet() || kinds.len() < 2
     }
 
@@ -179,23 +177,13 @@ impl<'m> Writers<'m> {
     /// Whether an output has no memory, and nothing in the chart reads it.
     fn is_only_shown(&self, model: &Model, place: Place) -> bool {
         let Place::Output(id) = place else { return false };
-        let read = model.expressions().any(|reads| reads.contains(&Read::Name(Name::Output(id))));
+        let read = model.expressions().iter().any(|reads| reads.contains(&Read::Name(Name::Output(id))));
         let control = |a: &Association| matches!(a.effect, Effect::Control(_));
         let stored = |a: &Association| matches!(a.qualifier, Qualifier::S | Qualifier::R);
         let all = || self.associations(model, place);
         let computed = all().all(control) && !all().all(stored) || all().all(|a| a.qualifier == Qualifier::N);
         !read && computed && all().next().is_some()
     }
-}
-
-/// The places an effect may write.
-pub(super) fn written(effect: &Effect) -> impl Iterator<Item = Place> + '_ {
-    let (one, many): (Option<Place>, &[Place]) = match effect {
-        Effect::Control(place) | Effect::Assign(place, _) => (Some(*place), &[]),
-        Effect::Call(..) => (None, &[]),
-        Effect::Block(code) => (None, &code.writes),
-    };
-    one.into_iter().chain(many.iter().copied())
 }
 
 fn fits_grafcet(association: &Association) -> bool {

@@ -1,9 +1,8 @@
 //! Why a step is activated while it is active: where the two ways that meet in it have parted.
 
-use std::collections::BTreeMap;
-
 use super::path::Activation;
 use crate::model::{Model, StepId, TransitionId};
+use crate::sorted::Map;
 
 /// How two activations of a step come to meet.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -39,7 +38,7 @@ impl Activation {
     #[must_use]
     pub fn meeting(&self, model: &Model, step: StepId) -> Meeting {
         let mut events: Vec<Event> = Vec::new();
-        let mut active: BTreeMap<StepId, usize> = BTreeMap::new();
+        let mut active: Map<StepId, usize> = Map::new();
         for start in &self.path.start {
             active.insert(*start, events.len());
             events.push(Event { by: None, causes: Vec::new() });

@@ -1,18 +1,17 @@
 //! What is not followed from cycle to cycle, so that a way that relies on it may not exist.
 
-use std::collections::BTreeMap;
-
 use super::formula::{Atom, Kind};
-use super::slots::{Slots, written};
+use super::slots::Slots;
 use crate::model::{Association, Effect, Model, Name, Qualifier, Read, Step, Tree};
+use crate::sorted::Map;
 
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
 /// not looked into, or on each other. Inputs can be anything in each cycle, and times count as unknown.
 pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
-    let mut readers: BTreeMap<Name, usize> = BTreeMap::new();
+    let mut readers: Map<Name, usize> = Map::new();
     for atom in atoms {
         for name in names(&atom.what) {
-            *readers.entry(name).or_default() += 1;
+            *readers.or_default(name) += 1;
         }
     }
     let own = |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1);
@@ -56,7 +55,7 @@ fn names(tree: &Tree) -> Vec<Name> {
 
 /// The steps and the transitions with stored actions that write what is not followed.
 pub(super) fn writers(model: &Model, slots: &Slots) -> (Vec<bool>, Vec<bool>) {
-    let more = |effect: &Effect| written(effect).any(|place| !slots.numbers.contains_key(&place));
+    let more = |effect: &Effect| effect.writes().iter().any(|place| !slots.numbers.contains_key(place));
     let stored = |association: &Association| {
         !matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D) && more(&association.effect)
     };

@@ -1,7 +1,5 @@
 //! Deadlocks and AND-convergences that wait forever, found in the graph of states.
 
-use std::collections::BTreeSet;
-
 use super::formula::Kind;
 use super::future::Future;
 use super::graph::{Cycle, Doubled, Graph};
@@ -9,6 +7,7 @@ use super::knowledge::Known;
 use super::net::Net;
 use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
 use crate::model::{Id, PartialId, StepId, TransitionId};
+use crate::sorted::Set;
 
 /// Turns numbers back into names.
 pub(super) struct Report<'n> {
@@ -106,7 +105,7 @@ impl Report<'_> {
 
     /// The steps that were activated while they were active.
     pub(super) fn activations(&self) -> Vec<(StepId, Activation)> {
-        let activation = |(step, doubled): (&usize, &Doubled)| {
+        let activation = |(step, doubled): &(usize, Doubled)| {
             let path = self.path_beyond(doubled.from, &doubled.cycle, &doubled.end);
             (StepId::new(*step), Activation { path, by: TransitionId::new(doubled.by) })
         };
@@ -121,7 +120,7 @@ impl Report<'_> {
     /// Those among some states.
     pub(super) fn deadlocks_of(&self, future: &Future, among: impl IntoIterator<Item = usize>) -> Vec<Deadlock> {
         let mut deadlocks = Vec::new();
-        let mut known = BTreeSet::new();
+        let mut known = Set::new();
         let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
         for (number, state) in states.filter(|(_, state)| !state.first) {
             let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).collect();
@@ -150,7 +149,7 @@ impl Report<'_> {
     /// Those among some states.
     pub(super) fn stuck_joins_of(&self, future: &Future, among: impl IntoIterator<Item = usize>) -> Vec<StuckJoin> {
         let mut stuck = Vec::new();
-        let mut known = BTreeSet::new();
+        let mut known = Set::new();
         if future.joins.is_empty() {
             return stuck;
         }

@@ -10,13 +10,12 @@
 //!   `sfc` all the others then do too, since in the next cycle that group may already be somewhere else.
 //! - In a `grafcet` it is the fixed point that must be the same, whatever clears first; see [`Net::is_calm`].
 
-use std::collections::BTreeMap;
-
 use super::formula::Formula;
 use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, When};
 use crate::analysis::Union;
+use crate::sorted::Map;
 
 /// Whether a group of transitions can wait in a cycle.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -32,7 +31,7 @@ pub(super) enum Wait {
 type Key = (Vec<usize>, Learnt, Learnt, Vec<usize>, bool, bool);
 
 /// The answers so far.
-pub(super) type Waits = BTreeMap<Key, Wait>;
+pub(super) type Waits = Map<Key, Wait>;
 
 /// How the transitions that are enabled at the start of a cycle may be tried: the same in all runs from one state.
 pub(super) struct Groups {
@@ -143,11 +142,11 @@ pub(super) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
             }
         }
     }
-    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut groups: Map<usize, Vec<usize>> = Map::new();
     for (position, transition) in open.iter().enumerate() {
-        groups.entry(union.root(position)).or_default().push(*transition);
+        groups.or_default(union.root(position)).push(*transition);
     }
-    groups.into_values().collect()
+    groups.into_iter().map(|(_, members)| members).collect()
 }
 
 /// The atoms that more than one group reads, ascending.

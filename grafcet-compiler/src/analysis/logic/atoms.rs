@@ -1,10 +1,9 @@
 //! What conditions are functions of: the table of atoms of a chart.
 
-use std::collections::BTreeMap;
-
 use super::formula::AtomId;
 use super::ranges::Ranges;
 use crate::model::{Binary, Model, Name, Read, TimeRef, Tree, Ty};
+use crate::sorted::Map;
 
 /// Beyond this, constants of 128 bits leave no room to calculate.
 pub(in crate::analysis) const FAR: i128 = i128::MAX / 4;
@@ -38,10 +37,10 @@ pub(super) struct Atom {
 #[derive(Default)]
 pub(super) struct Atoms {
     all: Vec<Atom>,
-    booleans: BTreeMap<Tree, AtomId>,
-    numbers: BTreeMap<Tree, AtomId>,
-    orders: BTreeMap<Tree, BTreeMap<Tree, AtomId>>,
-    before: BTreeMap<AtomId, AtomId>,
+    booleans: Map<Tree, AtomId>,
+    numbers: Map<Tree, AtomId>,
+    orders: Map<Tree, Map<Tree, AtomId>>,
+    before: Map<AtomId, AtomId>,
 }
 
 impl Atoms {
@@ -82,7 +81,7 @@ impl Atoms {
         let is_loose = a.is_opaque() || b.is_opaque();
         let domain = Ranges::from_to(-1, if total { 1 } else { 2 });
         let atom = self.push(Key::Order(a.clone(), b.clone()), domain, is_loose, false);
-        self.orders.entry(a.clone()).or_default().insert(b.clone(), atom);
+        self.orders.or_default(a.clone()).insert(b.clone(), atom);
         atom
     }
 

@@ -65,7 +65,7 @@ impl Formula {
     }
 
     /// The atoms, in the order in which they stand.
-    pub(super) fn each_atom(&self, f: &mut impl FnMut(AtomId)) {
+    pub(super) fn each_atom(&self, f: &mut dyn FnMut(AtomId)) {
         match self {
             Self::Const(_) => {}
             Self::Leaf { atom, .. } => f(*atom),
@@ -79,7 +79,7 @@ impl Formula {
     }
 
     /// The same function of other atoms.
-    pub(super) fn of_others(&self, other: &mut impl FnMut(AtomId) -> AtomId) -> Self {
+    pub(super) fn of_others(&self, other: &mut dyn FnMut(AtomId) -> AtomId) -> Self {
         match self {
             Self::Const(value) => Self::Const(*value),
             Self::Leaf { atom, low, high } => Self::Leaf { atom: other(*atom), low: *low, high: *high },
@@ -119,7 +119,7 @@ impl Formula {
     }
 
     /// A function that has the value `wanted` only where this one has it whatever the atoms are that `loose` names.
-    pub(super) fn certainly(&self, wanted: bool, loose: &impl Fn(AtomId) -> bool) -> Self {
+    pub(super) fn certainly(&self, wanted: bool, loose: &dyn Fn(AtomId) -> bool) -> Self {
         match self {
             Self::Const(value) => Self::Const(*value),
             Self::Leaf { atom, .. } if loose(*atom) => Self::Const(!wanted),

@@ -1,6 +1,5 @@
 //! What atoms have to do with each other: the facts that every valuation obeys.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use super::Concurrency;
@@ -8,6 +7,7 @@ use super::atoms::{Atoms, Key};
 use super::formula::{AtomId, Formula};
 use super::read::{Reader, is_constant};
 use crate::model::{DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
+use crate::sorted::{Map, Set};
 
 /// Step variables of one question that are related to each other pair by pair.
 const STEPS: usize = 32;
@@ -24,8 +24,8 @@ pub(super) struct Link {
 /// The facts about single atoms, found once each, and the assumptions by atom.
 #[derive(Default)]
 pub(super) struct Links {
-    own: BTreeMap<AtomId, Vec<Link>>,
-    assumed: BTreeMap<AtomId, Vec<Rc<Formula>>>,
+    own: Map<AtomId, Vec<Link>>,
+    assumed: Map<AtomId, Vec<Rc<Formula>>>,
 }
 
 impl Links {
@@ -38,10 +38,10 @@ impl Links {
 
     fn assume(&mut self, formula: Formula) {
         let formula = Rc::new(formula);
-        let mut atoms = BTreeSet::new();
+        let mut atoms = Set::new();
         formula.each_atom(&mut |atom| _ = atoms.insert(atom));
         for atom in atoms {
-            self.assumed.entry(atom).or_default().push(Rc::clone(&formula));
+            self.assumed.or_default(atom).push(Rc::clone(&formula));
         }
     }
 
@@ -55,14 +55,14 @@ impl Links {
         model: &Model,
         concurrency: Option<&Concurrency>,
         atoms: &mut Atoms,
-        asked: &mut BTreeSet<AtomId>,
+        asked: &mut Set<AtomId>,
         in_action: bool,
     ) -> Vec<Rc<Formula>> {
         let mut found = Vec::new();
         let mut work: Vec<AtomId> = asked.iter().copied().collect();
         while let Some(atom) = work.pop() {
             let assuming = self.has_assumptions();
-            let own = self.own.entry(atom).or_insert_with(|| {
+            let own = self.own.or_insert_with(atom, || {
                 let mut links = own(model, atoms, atom);
                 links.extend(before(model, atoms, atom, assuming));
                 links
@@ -87,13 +87,13 @@ impl Links {
 }
 
 /// A value is one variant of its type: `mode == Mode::Auto` and `mode == Mode::Manual` exclude each other.
-fn variants(atoms: &Atoms, asked: &BTreeSet<AtomId>) -> Vec<Formula> {
-    let mut by_value: BTreeMap<&Tree, Vec<AtomId>> = BTreeMap::new();
+fn variants(atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
+    let mut by_value: Map<&Tree, Vec<AtomId>> = Map::new();
     for atom in asked {
         if let Some(Key::Order(a, b)) = atoms.get(*atom).map(|atom| &atom.key) {
             let value = if is_variant(b) { Some(a) } else { is_variant(a).then_some(b) };
             if let Some(value) = value {
-                by_value.entry(value).or_default().push(*atom);
+                by_value.or_default(value).push(*atom);
             }
         }
     }
@@ -193,7 +193,7 @@ struct Activity<'m> {
 }
 
 /// Steps that are never active together, and partial grafcets in which one always is.
-fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked: &BTreeSet<AtomId>) -> Vec<Formula> {
+fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
     let mut single: Vec<(AtomId, [StepId; 1])> = Vec::new();
     let mut macros: Vec<(AtomId, MacroId)> = Vec::new();
     for atom in asked {
@@ -222,7 +222,7 @@ fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked:
             }
         }
     }
-    let partials: BTreeSet<PartialId> =
+    let partials: Set<PartialId> =
         all.iter().filter_map(|a| a.steps.first()).map(|step| model.steps[*step].partial).collect();
     for partial in partials.into_iter().filter(|partial| is_never_empty(model, *partial)) {
         let steps = &model.partials[partial].steps;
@@ -291,7 +291,7 @@ fn is_never_empty(model: &Model, id: PartialId) -> bool {
 }
 
 /// Of two delays of one expression the longer one comes later, and both end with it.
-fn delays(model: &Model, atoms: &Atoms, asked: &BTreeSet<AtomId>) -> Vec<Formula> {
+fn delays(model: &Model, atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
     let delays: Vec<(AtomId, DelayId)> = asked
         .iter()
         .filter_map(|atom| match atoms.get(*atom)?.key {

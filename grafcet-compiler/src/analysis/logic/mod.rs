@@ -20,7 +20,6 @@ pub(super) use read::float_constant;
 pub(super) use witness::UNKNOWN;
 
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
 
 use self::atoms::{Atoms, Key};
 use self::formula::{AtomId, Formula};
@@ -29,6 +28,7 @@ use self::read::Reader;
 use self::solve::{Domains, Search, Undecided};
 use super::Concurrency;
 use crate::model::{Model, Tree};
+use crate::sorted::{Map, Set};
 
 /// How many functions are looked at for one question before it counts as undecided.
 const QUESTION: u32 = 20_000;
@@ -202,7 +202,7 @@ impl<'m> Logic<'m> {
 
     /// Asks with `given`, the atoms of which the witness does not mention.
     fn ask_beside(&self, goals: &[(&Condition, bool)], trust: Trust, given: &[&Condition]) -> Answer {
-        let mut known = BTreeSet::new();
+        let mut known = Set::new();
         for condition in given {
             condition.formula.each_atom(&mut |atom| _ = known.insert(atom));
         }
@@ -231,7 +231,7 @@ impl<'m> Logic<'m> {
             return Answer::Undecided;
         }
         let mut order: Vec<AtomId> = Vec::new();
-        let mut asked = BTreeSet::new();
+        let mut asked = Set::new();
         for (condition, _) in goals {
             condition.formula.each_atom(&mut |atom| {
                 if asked.insert(atom) {
@@ -265,10 +265,10 @@ impl<'m> Logic<'m> {
         }
     }
 
-    fn solve(&self, asked: &BTreeSet<AtomId>, goals: Vec<(&Formula, bool)>) -> Result<Option<Domains>, Undecided> {
+    fn solve(&self, asked: &Set<AtomId>, goals: Vec<(&Formula, bool)>) -> Result<Option<Domains>, Undecided> {
         let atoms = self.atoms.borrow();
         let domain = |id: &AtomId| atoms.get(*id).map(|atom| (*id, atom.domain.clone()));
-        let domains: BTreeMap<_, _> = asked.iter().filter_map(domain).collect();
+        let domains: Map<_, _> = asked.iter().filter_map(domain).collect();
         let budget = QUESTION.min(self.budget.get()).checked_sub(PUT).ok_or(Undecided)?;
         let mut search = Search { budget };
         let found = search.solve(domains, goals);
@@ -277,7 +277,7 @@ impl<'m> Logic<'m> {
     }
 
     /// The atoms of a question whose values may depend on each other in a way that is not known.
-    fn loose(&self, asked: &BTreeSet<AtomId>) -> BTreeSet<AtomId> {
+    fn loose(&self, asked: &Set<AtomId>) -> Set<AtomId> {
         let atoms = self.atoms.borrow();
         let key = |id: &AtomId| atoms.get(*id).map(|atom| &atom.key);
         let operands = |id: &AtomId| match key(id) {

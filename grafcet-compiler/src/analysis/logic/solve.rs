@@ -3,16 +3,15 @@
 //! What a function demands is taken apart as long as only one thing can follow; where several can, they are tried one
 //! after the other. The cost is that of the functions asked about and does not grow with the number of constants.
 
-use std::collections::BTreeMap;
-
 use super::formula::{AtomId, Formula};
 use super::ranges::Ranges;
+use crate::sorted::Map;
 
 /// A function and the value it shall have.
 pub(super) type Goal<'f> = (&'f Formula, bool);
 
 /// What each atom can be.
-pub(super) type Domains = BTreeMap<AtomId, Ranges>;
+pub(super) type Domains = Map<AtomId, Ranges>;
 
 /// How deep alternatives may lie in each other: the search is recursive.
 const DEPTH: u32 = 100;

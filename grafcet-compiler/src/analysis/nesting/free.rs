@@ -1,10 +1,9 @@
 //! Whether each transition can clear by itself: whether there are inputs under which it does and the others that leave the
 //! same steps do not, although these may have to be active for some time.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::analysis::{Answer, Condition, Logic};
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TimeRef, TransitionId, Tree, Unary};
+use crate::sorted::{Map, Set};
 
 /// Whether that holds for all transitions of a chart, whose conditions read inputs and how long their sources are active.
 pub(super) fn is_free(model: &Model, never: &[&Tree]) -> bool {
@@ -79,7 +78,7 @@ impl<'m> Groups<'m> {
     fn of(model: &'m Model, never: &[&Tree]) -> Option<Self> {
         let logic = Logic::assuming(model, never);
         let mut all: Vec<Group> = Vec::new();
-        let mut known: BTreeMap<StepId, usize> = BTreeMap::new();
+        let mut known: Map<StepId, usize> = Map::new();
         let (mut of, mut readings) = (Vec::new(), Vec::new());
         for (id, transition) in model.transitions.iter() {
             let mut sources = transition.sources.clone();
@@ -88,7 +87,7 @@ impl<'m> Groups<'m> {
             if number == all.len() {
                 all.push(Group::of(&sources));
             }
-            let strange = |source: &StepId| *known.entry(*source).or_insert(number) != number;
+            let strange = |source: &StepId| *known.or_insert_with(*source, || number) != number;
             let tree = &transition.condition.tree;
             if sources.iter().any(strange) || all[number].sources != sources || !is_plain(model, tree, &sources) {
                 return None;
@@ -101,7 +100,7 @@ impl<'m> Groups<'m> {
             readings.push(Reading { whole, at: TIMES.map(at) });
         }
         for (id, transition) in model.transitions.iter() {
-            let groups: BTreeSet<usize> =
+            let groups: Set<usize> =
                 transition.targets.iter().filter_map(|target| known.get(target).copied()).collect();
             for group in groups {
                 all[group].entering.push(id);

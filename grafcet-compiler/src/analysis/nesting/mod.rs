@@ -9,11 +9,10 @@
 
 mod free;
 
-use std::collections::BTreeSet;
-
 use super::Union;
 use super::hierarchy::initial_situation;
 use crate::model::{Id, InputId, Model, Name, Read, StepId, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// A chart that is one sequence in the end.
 pub struct Nesting<'m> {
@@ -35,7 +34,7 @@ struct Place {
     /// In how many ways it can be active.
     situations: u64,
     /// What is read within.
-    inputs: BTreeSet<InputId>,
+    inputs: Set<InputId>,
 }
 
 /// A transition, between steps and blocks.
@@ -122,7 +121,7 @@ impl<'m> Reduction<'m> {
             step: Some(step),
             active: initial.contains(&step),
             situations: 1,
-            inputs: BTreeSet::new(),
+            inputs: Set::new(),
         };
         let numbers = |steps: &[StepId]| steps.iter().map(|step| step.index()).collect();
         let arcs = model.transitions.values();
@@ -181,17 +180,16 @@ impl<'m> Reduction<'m> {
     /// Whether sequences are the branches of a block.
     fn is_block(&self, sequences: &Sequences, branches: &[usize]) -> bool {
         let of = |place: &usize| sequences.of.get(*place).copied();
-        let all: BTreeSet<Option<usize>> = branches.iter().map(|branch| Some(*branch)).collect();
-        let one_each =
-            |places: &[usize]| places.len() == all.len() && places.iter().map(of).collect::<BTreeSet<_>>() == all;
+        let all: Set<Option<usize>> = branches.iter().map(|branch| Some(*branch)).collect();
+        let one_each = |places: &[usize]| places.len() == all.len() && places.iter().map(of).collect::<Set<_>>() == all;
         let mut entering = branches.iter().flat_map(|branch| &sequences.entering[*branch]);
         let mut leaving = branches.iter().flat_map(|branch| &sequences.leaving[*branch]);
         let Some(first) = leaving.next() else { return false };
-        let last: BTreeSet<usize> = self.arcs[*first].sources.iter().copied().collect();
+        let last: Set<usize> = self.arcs[*first].sources.iter().copied().collect();
         let starts = branches.iter().filter(|branch| self.starts(sequences, **branch)).count();
         all.len() == branches.len()
             && one_each(&self.arcs[*first].sources)
-            && leaving.all(|arc| self.arcs[*arc].sources.iter().copied().collect::<BTreeSet<_>>() == last)
+            && leaving.all(|arc| self.arcs[*arc].sources.iter().copied().collect::<Set<_>>() == last)
             && entering.all(|arc| one_each(&self.arcs[*arc].targets))
             && (starts == 0 || starts == branches.len())
             && branches.iter().all(|branch| self.is_branch(sequences, *branch, &last))
@@ -203,7 +201,7 @@ impl<'m> Reduction<'m> {
 
     /// Whether all of a sequence is reached from where it is entered, and its last step, which nothing else leaves, from
     /// all of it.
-    fn is_branch(&self, sequences: &Sequences, branch: usize, last: &BTreeSet<usize>) -> bool {
+    fn is_branch(&self, sequences: &Sequences, branch: usize, last: &Set<usize>) -> bool {
         let places = &sequences.places[branch];
         let arcs = || sequences.within[branch].iter().map(|arc| &self.arcs[*arc]);
         let Some(last) = places.iter().find(|place| last.contains(*place)) else { return false };
@@ -227,15 +225,15 @@ impl<'m> Reduction<'m> {
     /// Takes branches for one step.
     fn enclose(&mut self, sequences: &Sequences, branches: &[usize]) {
         let mut block =
-            Place { step: None, active: self.starts(sequences, branches[0]), situations: 1, inputs: BTreeSet::new() };
+            Place { step: None, active: self.starts(sequences, branches[0]), situations: 1, inputs: Set::new() };
         for branch in branches {
             let places = &sequences.places[*branch];
             let situations = sum(places.iter().map(|place| self.places[*place].situations));
             block.situations = block.situations.saturating_mul(situations);
-            let mut inputs = BTreeSet::new();
+            let mut inputs = Set::new();
             for place in places {
                 self.inside[*place] = true;
-                inputs.append(&mut self.places[*place].inputs);
+                inputs.extend(std::mem::take(&mut self.places[*place].inputs));
             }
             for arc in &sequences.within[*branch] {
                 self.arcs[*arc].outside = false;
@@ -243,7 +241,7 @@ impl<'m> Reduction<'m> {
                 inputs_of(self.model, &transition.condition.reads, &mut inputs);
             }
             self.independent &= block.inputs.is_disjoint(&inputs);
-            block.inputs.append(&mut inputs);
+            block.inputs.extend(inputs);
         }
         let number = self.places.len();
         for branch in branches {
@@ -294,7 +292,7 @@ fn sum(numbers: impl Iterator<Item = u64>) -> u64 {
 }
 
 /// The inputs that a condition reads.
-fn inputs_of(model: &Model, reads: &[Read], inputs: &mut BTreeSet<InputId>) {
+fn inputs_of(model: &Model, reads: &[Read], inputs: &mut Set<InputId>) {
     for read in reads {
         match read {
             Read::Name(Name::Input(id)) => _ = inputs.insert(*id),

@@ -1,10 +1,9 @@
 //! The chart as the search for pairs sees it.
 
-use std::collections::BTreeSet;
-
 use super::ways::{Demand, holds};
 use super::{Relation, drags};
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
+use crate::sorted::Set;
 
 /// A transition.
 pub(super) struct Arc {
@@ -39,7 +38,7 @@ pub(super) struct Chart {
 }
 
 impl Chart {
-    pub(super) fn of(model: &Model, may_meet: &Relation, granted: &BTreeSet<TransitionId>) -> Self {
+    pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>) -> Self {
         let steps = model.steps.len();
         let mut chart = Self {
             arcs: Vec::new(),
@@ -74,7 +73,7 @@ impl Chart {
         chart
     }
 
-    fn draw(&mut self, model: &Model, granted: &BTreeSet<TransitionId>) {
+    fn draw(&mut self, model: &Model, granted: &Set<TransitionId>) {
         for (index, (id, transition)) in model.transitions.iter().enumerate() {
             let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
             let anyhow = granted.contains(&id);
@@ -89,7 +88,7 @@ impl Chart {
                 way.active.extend(sources.iter().chain(&outside));
             }
             ways.retain(|way| way.active.is_disjoint(&way.inactive));
-            let needed: BTreeSet<usize> = ways.iter().flat_map(|way| &way.active).copied().collect();
+            let needed: Set<usize> = ways.iter().flat_map(|way| &way.active).copied().collect();
             for step in needed {
                 self.needing[step].push(index);
             }
@@ -114,11 +113,11 @@ impl Chart {
         let share = |a: &Arc, b: &Arc| a.sources.iter().any(|source| b.sources.contains(source));
         let enters = |a: &Arc, b: &Arc| a.asks && a.targets.iter().any(|target| b.sources.contains(target));
         let together = |a: &Arc, b: &Arc| a.asks && b.asks || share(a, b) || enters(a, b) || enters(b, a);
-        let partners = |(index, arc): (usize, &Arc)| -> BTreeSet<usize> {
+        let partners = |(index, arc): (usize, &Arc)| -> Set<usize> {
             let others = arcs.iter().enumerate().filter(|(other, _)| *other != index);
             others.filter(|(_, b)| together(arc, b)).map(|(other, _)| other).collect()
         };
-        let mut partners: Vec<BTreeSet<usize>> = arcs.iter().enumerate().map(partners).collect();
+        let mut partners: Vec<Set<usize>> = arcs.iter().enumerate().map(partners).collect();
         let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).collect();
         let mut dragged: Vec<Vec<usize>> = Vec::new();
         for (index, drags) in drags.iter().enumerate() {

@@ -1,18 +1,17 @@
 //! What has to clear with a transition: in a `grafcet` all that is enabled and whose condition holds clears at once.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::analysis::Relation;
 use crate::model::{Binary, ForceOrder, Id, Model, PartialId, Read, Transition, TransitionId, Tree, Unary};
+use crate::sorted::{Map, Set};
 
 /// Per transition those with one source step that clear in the same evolution if that step is active: their condition
 /// follows from its own and from its sources, and no order holds them that does not hold it, too.
-pub(super) fn of(model: &Model, may_meet: &Relation, granted: &BTreeSet<TransitionId>) -> Vec<Vec<usize>> {
+pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>) -> Vec<Vec<usize>> {
     let terms = Terms::of(model, granted);
     let dragged = |(id, transition): (TransitionId, &Transition)| -> Vec<usize> {
         let Some(own) = &terms.by_transition[id.index()] else { return Vec::new() };
         let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
-        let mut given: BTreeSet<usize> = own.clone();
+        let mut given: Set<usize> = own.clone();
         given.extend((0..terms.all.len()).filter(|term| follows(terms.all[*term], &sources, may_meet)));
         let mut held: Vec<usize> = terms.without.clone();
         held.extend(given.iter().flat_map(|term| terms.first_in[*term].iter().copied()));
@@ -32,7 +31,7 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &BTreeSet<Transiti
 struct Terms<'m> {
     all: Vec<&'m Tree>,
     /// `None` for conditions that are not looked at.
-    by_transition: Vec<Option<BTreeSet<usize>>>,
+    by_transition: Vec<Option<Set<usize>>>,
     /// Per term the transitions of whose terms it is the first.
     first_in: Vec<Vec<usize>>,
     /// The transitions whose conditions always hold.
@@ -40,15 +39,15 @@ struct Terms<'m> {
 }
 
 impl<'m> Terms<'m> {
-    fn of(model: &'m Model, granted: &BTreeSet<TransitionId>) -> Self {
-        let mut numbers: BTreeMap<&Tree, usize> = BTreeMap::new();
+    fn of(model: &'m Model, granted: &Set<TransitionId>) -> Self {
+        let mut numbers: Map<&Tree, usize> = Map::new();
         let mut terms = Self { all: Vec::new(), by_transition: Vec::new(), first_in: Vec::new(), without: Vec::new() };
         for (id, transition) in model.transitions.iter() {
             if granted.contains(&id) {
                 terms.by_transition.push(None);
                 continue;
             }
-            let mut own: BTreeSet<usize> = BTreeSet::new();
+            let mut own: Set<usize> = Set::new();
             let mut open = vec![&transition.condition.tree];
             while let Some(tree) = open.pop() {
                 match tree {
@@ -56,7 +55,7 @@ impl<'m> Terms<'m> {
                     Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.extend([&**a, &**b]),
                     _ => {
                         let next = numbers.len();
-                        let number = *numbers.entry(tree).or_insert(next);
+                        let number = *numbers.or_insert_with(tree, || next);
                         if number == next {
                             terms.all.push(tree);
                             terms.first_in.push(Vec::new());

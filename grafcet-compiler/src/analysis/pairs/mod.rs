@@ -16,7 +16,6 @@ mod chart;
 mod drags;
 mod ways;
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use self::chart::{Arc, Chart};
@@ -24,6 +23,7 @@ use self::ways::Demand;
 use super::Relation;
 use super::hierarchy::initial_situation;
 use crate::model::{Id, Model, TransitionId};
+use crate::sorted::Set;
 
 /// What was found.
 pub(super) struct Pairs {
@@ -35,7 +35,7 @@ pub(super) struct Pairs {
 }
 
 /// The pairs among those that `may_meet`; what the conditions of `granted` ask for is taken for granted.
-pub(super) fn of(model: &Model, may_meet: &Relation, granted: &BTreeSet<TransitionId>) -> Pairs {
+pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>) -> Pairs {
     let mut search = Search::new(Chart::of(model, may_meet, granted), may_meet);
     let start: Vec<usize> = initial_situation(model).iter().map(|step| step.index()).collect();
     search.enter_together(&start);
@@ -121,7 +121,8 @@ impl<'m> Search<'m> {
     /// Whether some situation may contain all that this way needs, and no order holds the partial grafcet.
     fn is_possible(&self, chart: &Chart, arc: &Arc, way: &Demand) -> bool {
         let meets = |(a, b): (usize, usize)| self.relation.contains(a, b);
-        let mut pairs = way.active.iter().flat_map(|a| way.active.range(a + 1..).map(|b| (*a, *b)));
+        let mut pairs =
+            way.active.iter().enumerate().flat_map(|(place, a)| way.active[place + 1..].iter().map(|b| (*a, *b)));
         way.active.iter().all(|step| self.reachable[*step] && !chart.commands[*step].contains(&arc.partial))
             && pairs.all(meets)
     }

@@ -1,8 +1,7 @@
 //! What a condition asks of steps.
 
-use std::collections::BTreeSet;
-
 use crate::model::{Binary, Id, Model, Read, StepId, Tree, Unary};
+use crate::sorted::Set;
 
 /// So many alternatives of a condition are told apart.
 const ALTERNATIVES: usize = 32;
@@ -10,8 +9,8 @@ const ALTERNATIVES: usize = 32;
 /// One way for a condition to hold, as far as it is about steps.
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Demand {
-    pub(super) active: BTreeSet<usize>,
-    pub(super) inactive: BTreeSet<usize>,
+    pub(super) active: Set<usize>,
+    pub(super) inactive: Set<usize>,
 }
 
 /// The ways in which an expression can have this value, as far as it is about steps.
@@ -20,10 +19,10 @@ pub(super) fn holds(model: &Model, tree: &Tree, value: bool) -> Vec<Demand> {
     let any_of = |steps: &[StepId], value: bool| -> Vec<Demand> {
         let steps = steps.iter().map(|step| step.index());
         if value {
-            let one = |step| Demand { active: BTreeSet::from([step]), inactive: BTreeSet::new() };
+            let one = |step| Demand { active: Set::from([step]), inactive: Set::new() };
             return steps.map(one).collect();
         }
-        vec![Demand { active: BTreeSet::new(), inactive: steps.collect() }]
+        vec![Demand { active: Set::new(), inactive: steps.collect() }]
     };
     match tree {
         Tree::Bool(constant) if *constant == value => anyhow(),
@@ -46,12 +45,11 @@ pub(super) fn holds(model: &Model, tree: &Tree, value: bool) -> Vec<Demand> {
 }
 
 /// Either of two.
-fn any(mut a: Vec<Demand>, b: Vec<Demand>) -> Vec<Demand> {
-    a.extend(b);
-    a.sort();
-    a.dedup();
+fn any(a: Vec<Demand>, b: Vec<Demand>) -> Vec<Demand> {
+    let all: Set<Demand> = a.into_iter().chain(b).collect();
     // Where one of them demands nothing, that is enough.
-    if a.len() > ALTERNATIVES || a.first() == Some(&Demand::default()) { vec![Demand::default()] } else { a }
+    let enough = all.len() > ALTERNATIVES || all.first() == Some(&Demand::default());
+    if enough { vec![Demand::default()] } else { all.into_iter().collect() }
 }
 
 /// Both of two.
@@ -60,12 +58,12 @@ fn all(a: &[Demand], b: &[Demand]) -> Vec<Demand> {
         return a.to_vec();
     }
     let both = |one: &Demand, other: &Demand| Demand {
-        active: one.active.union(&other.active).copied().collect(),
-        inactive: one.inactive.union(&other.inactive).copied().collect(),
+        active: one.active.iter().chain(&other.active).copied().collect(),
+        inactive: one.inactive.iter().chain(&other.inactive).copied().collect(),
     };
-    let mut both: Vec<Demand> = a.iter().flat_map(|one| b.iter().map(move |other| both(one, other))).collect();
-    both.retain(|way| way.active.is_disjoint(&way.inactive));
-    both.sort();
-    both.dedup();
-    both
+    let mut found = Set::new();
+    for one in a {
+        found.extend(b.iter().map(|other| both(one, other)).filter(|way| way.active.is_disjoint(&way.inactive)));
+    }
+    found.into_iter().collect()
 }

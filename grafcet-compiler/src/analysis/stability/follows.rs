@@ -1,10 +1,11 @@
 //! Which transitions a transition may enable in the same cycle, and which exclude each other in it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::{Candidates, is_constant_read};
 use crate::analysis::{Condition, Logic};
 use crate::model::{Binary, ForceOrder, Id, Model, StepId, TransitionId, Tree, Unary};
+use crate::sorted::{Map, Set};
 
 /// In larger circles no choice is looked for: it would take a comparison of all pairs.
 const LARGE: usize = 80;
@@ -15,7 +16,7 @@ pub(super) struct Follows<'m> {
     /// By step, the transitions that leave it.
     leaving: Vec<Vec<TransitionId>>,
     /// By transition, the steps it activates, also by what a step forces or encloses.
-    activates: Vec<BTreeSet<StepId>>,
+    activates: Vec<Set<StepId>>,
     /// By step, the transitions that activate it.
     entering: Vec<Vec<TransitionId>>,
     /// By transition, the number of its condition among the different ones.
@@ -39,15 +40,16 @@ impl<'m> Follows<'m> {
             }
             activates.push(steps);
         }
-        let mut different: BTreeMap<Tree, usize> = BTreeMap::new();
+        let mut different: Map<Tree, usize> = Map::new();
         let mut conditions = Vec::new();
         let mut condition_of = Vec::new();
         for transition in model.transitions.values() {
             let tree = constant_part(&transition.condition.tree, true);
-            let number = *different.entry(tree).or_insert_with_key(|tree| {
-                conditions.push(logic.condition(tree));
-                conditions.len() - 1
-            });
+            let number = different.get(&tree).copied().unwrap_or(conditions.len());
+            if number == conditions.len() {
+                conditions.push(logic.condition(&tree));
+                different.insert(tree, number);
+            }
             condition_of.push(number);
         }
         Self { model, logic, leaving, activates, entering, condition_of, conditions, together: BTreeMap::new() }
@@ -97,8 +99,8 @@ impl<'m> Follows<'m> {
 }
 
 /// These steps, the linked ones of those that enclose others, and the ones they force.
-fn activated(model: &Model, steps: &[StepId]) -> BTreeSet<StepId> {
-    let mut all = BTreeSet::new();
+fn activated(model: &Model, steps: &[StepId]) -> Set<StepId> {
+    let mut all = Set::new();
     let mut waiting = steps.to_vec();
     while let Some(step) = waiting.pop() {
         if !all.insert(step) {

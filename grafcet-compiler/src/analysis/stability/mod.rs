@@ -8,17 +8,16 @@
 mod follows;
 mod once;
 
-use std::collections::BTreeSet;
-
 use self::follows::Follows;
 use super::Concurrency;
 use crate::model::{Id, Model, Name, Qualifier, Read, TransitionId};
+use crate::sorted::Set;
 
 /// So many choices between transitions that exclude each other are gone through before nothing is claimed.
 const CHOICES: usize = 64;
 
 /// Transitions that all may clear again and again in one search.
-type Candidates = BTreeSet<TransitionId>;
+type Candidates = Set<TransitionId>;
 
 /// What is known about the end of the search.
 pub struct Stability {

@@ -8,6 +8,7 @@ use crate::codegen::segments::Item;
 use crate::codegen::{Cx, names};
 use crate::model::{Association, AssociationId, Effect, Id, Qualifier};
 use crate::plan::{Target, What, source_order};
+use crate::sorted::Set;
 
 /// The qualifiers whose timer starts again with a step that is left and re-entered at once.
 const RESTARTED: [Qualifier; 3] = [Qualifier::L, Qualifier::D, Qualifier::Ds];
@@ -27,9 +28,7 @@ impl Cx<'_> {
 
     fn declare_flags(&self, index: usize, target: &Target) -> TokenStream {
         let flags = target.associations.iter().map(|id| self.model.associations[*id].qualifier);
-        let mut flags: Vec<Qualifier> = flags.collect();
-        flags.sort_unstable();
-        flags.dedup();
+        let flags: Set<Qualifier> = flags.collect();
         let flags = flags.iter().map(|qualifier| {
             let flag = names::target(names::flag(*qualifier), self.model, index, target);
             quote!(let mut #flag = false;)

@@ -1,6 +1,5 @@
 //! Rust blocks behind a qualifier, an event or `=>`.
 
-use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Block, Stmt};
 
 use super::Resolver;
@@ -8,17 +7,18 @@ use super::expr::{Lower, single_name};
 use super::foreign::locals_of_block;
 use super::scope::{Meaning, Scope};
 use crate::model::{Binary, Code, Name, Place, Statement, Tree};
+use crate::visit::{self, Visit};
 
 /// Resolves one block of the user.
 pub(super) fn resolve(block: &Block, resolver: &mut Resolver<'_>) -> Code {
     let mut writes = Writes { scope: &resolver.scope, places: Vec::new() };
-    writes.visit_block_mut(&mut block.clone());
+    visit::block(&mut writes, &mut block.clone());
     let writes = writes.places;
 
     let mut lower = Lower::new(resolver);
     locals_of_block(&mut block.clone(), &mut lower.locals);
     let mut tokens = block.clone();
-    lower.visit_block_mut(&mut tokens);
+    visit::block(&mut lower, &mut tokens);
     let reads = std::mem::take(&mut lower.reads);
     let statements = statements(&mut block.clone(), &mut lower);
     Code { tokens, statements, reads, writes, text: super::text::of(block) }
@@ -120,8 +120,8 @@ impl Writes<'_> {
     }
 }
 
-impl VisitMut for Writes<'_> {
-    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+impl Visit for Writes<'_> {
+    fn expr(&mut self, expr: &mut syn::Expr) {
         match expr {
             syn::Expr::Assign(assign) => self.note(&assign.left),
             syn::Expr::Binary(binary) if compound(&binary.op).is_some() => self.note(&binary.left),
@@ -129,10 +129,10 @@ impl VisitMut for Writes<'_> {
             syn::Expr::MethodCall(call) => self.note(&call.receiver),
             _ => {}
         }
-        visit_mut::visit_expr_mut(self, expr);
+        visit::inside(self, expr);
     }
 
-    fn visit_macro_mut(&mut self, call: &mut syn::Macro) {
+    fn call(&mut self, call: &mut syn::Macro) {
         self.note_tokens(call.tokens.clone());
     }
 }

@@ -1,7 +1,5 @@
 //! Expressions: names found, the forms that are not Rust replaced by placeholders, the meaning as a tree.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, Lit, Member, UnOp};
@@ -11,6 +9,7 @@ use super::foreign::locals_of_expr;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Binary, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
+use crate::sorted::Set;
 
 /// Resolves one expression of the user.
 pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
@@ -38,12 +37,12 @@ pub(super) struct Lower<'r, 's> {
     /// Every mention.
     pub(super) places: Vec<(Read, Mark)>,
     /// Names bound inside the expression, by `let`, a closure or a pattern.
-    pub(super) locals: BTreeSet<String>,
+    pub(super) locals: Set<String>,
 }
 
 impl<'r, 's> Lower<'r, 's> {
     pub(super) fn new(resolver: &'r mut Resolver<'s>) -> Self {
-        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: BTreeSet::new() }
+        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: Set::new() }
     }
 
     /// Rewrites `expr` and returns its meaning.

@@ -1,21 +1,20 @@
 //! Rust inside an expression that is not looked into: only its names are resolved.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::quote_spanned;
-use syn::visit_mut::{self, VisitMut};
 
 use super::expr::Lower;
 use super::scope::Meaning;
 use crate::model::{Read, Tree};
+use crate::sorted::Set;
+use crate::visit::{self, Visit};
 
 impl Lower<'_, '_> {
     /// The meaning is the text alone, and what is read.
     pub(super) fn opaque(&mut self, expr: &mut syn::Expr) -> Tree {
         let text = super::text::of(&*expr);
         let outside = std::mem::take(&mut self.reads);
-        visit_mut::visit_expr_mut(self, expr);
+        visit::inside(self, expr);
         let reads = std::mem::replace(&mut self.reads, outside);
         for read in &reads {
             self.note(*read);
@@ -71,39 +70,41 @@ impl Lower<'_, '_> {
     }
 }
 
-impl VisitMut for Lower<'_, '_> {
-    fn visit_expr_mut(&mut self, expr: &mut syn::Expr) {
+impl Visit for Lower<'_, '_> {
+    fn expr(&mut self, expr: &mut syn::Expr) {
         self.lower(expr);
     }
 
-    fn visit_macro_mut(&mut self, call: &mut syn::Macro) {
+    fn call(&mut self, call: &mut syn::Macro) {
         call.tokens = self.macro_tokens(std::mem::take(&mut call.tokens));
     }
 
-    fn visit_field_value_mut(&mut self, field: &mut syn::FieldValue) {
+    fn field(&mut self, field: &mut syn::FieldValue) {
         // `Point { x }` would lose its name when `x` is replaced.
         if field.colon_token.is_none() {
             field.colon_token = Some(syn::token::Colon::default());
         }
-        self.visit_expr_mut(&mut field.expr);
     }
 }
 
 /// The names bound by patterns inside the expression.
-pub(super) fn locals_of_expr(expr: &mut syn::Expr, locals: &mut BTreeSet<String>) {
-    Locals(locals).visit_expr_mut(expr);
+pub(super) fn locals_of_expr(expr: &mut syn::Expr, locals: &mut Set<String>) {
+    Locals(locals).expr(expr);
 }
 
 /// The names bound by patterns inside the block.
-pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut BTreeSet<String>) {
-    Locals(locals).visit_block_mut(block);
+pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut Set<String>) {
+    visit::block(&mut Locals(locals), block);
 }
 
-struct Locals<'a>(&'a mut BTreeSet<String>);
+struct Locals<'a>(&'a mut Set<String>);
 
-impl VisitMut for Locals<'_> {
-    fn visit_pat_ident_mut(&mut self, pattern: &mut syn::PatIdent) {
+impl Visit for Locals<'_> {
+    fn expr(&mut self, expr: &mut syn::Expr) {
+        visit::inside(self, expr);
+    }
+
+    fn binding(&mut self, pattern: &mut syn::PatIdent) {
         self.0.insert(pattern.ident.to_string());
-        visit_mut::visit_pat_ident_mut(self, pattern);
     }
 }

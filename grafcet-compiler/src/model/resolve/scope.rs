@@ -1,12 +1,11 @@
 //! The names of a chart: what is declared, what is meant, what was nearly meant.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::Ident;
 
 use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{ActionId, MacroId, Name, PartialId, StepId};
+use crate::sorted::Map;
 
 /// What a name in an expression or behind a qualifier means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,9 +35,9 @@ impl Meaning {
 #[derive(Default)]
 pub(super) struct Scope {
     /// Of several with one name, which is an error, the first counts; as a step the first step.
-    names: BTreeMap<String, Vec<(Meaning, Ident)>>,
-    partials: BTreeMap<String, (PartialId, Ident)>,
-    transitions: BTreeMap<String, Ident>,
+    names: Map<String, Vec<(Meaning, Ident)>>,
+    partials: Map<String, (PartialId, Ident)>,
+    transitions: Map<String, Ident>,
     /// Names that a broken item would have declared: no error about them, its own error says enough.
     broken: Vec<Ident>,
 }
@@ -66,7 +65,7 @@ impl Scope {
     /// Declares `name`; `false` if it is taken. A reserved one is reported and declared all the same, so that its uses
     /// are no further errors.
     pub(super) fn declare(&mut self, name: &Ident, meaning: Meaning, sink: &mut Sink) -> bool {
-        let same = self.names.entry(key(name)).or_default();
+        let same = self.names.or_default(key(name));
         match same.first() {
             Some((_, first)) => report_duplicate(name, first, sink),
             None => refuse_reserved(name, sink),
@@ -113,7 +112,7 @@ impl Scope {
             return Some(*id);
         }
         if !self.is_broken(name) {
-            let hint = nearest(name, self.partials.values().map(|(_, declared)| declared))
+            let hint = nearest(name, &self.partials.values().map(|(_, declared)| declared).collect::<Vec<_>>())
                 .unwrap_or_else(|| format!("declare it: `partial {name} {{ … }}`"));
             sink.rule(
                 &rules::UNKNOWN_PARTIAL,
@@ -179,8 +178,10 @@ impl Scope {
         }
     }
 
-    fn suggest(&self, name: &Ident, fits: impl Fn(Meaning) -> bool) -> Option<String> {
-        nearest(name, self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared))
+    fn suggest(&self, name: &Ident, fits: fn(Meaning) -> bool) -> Option<String> {
+        let declared =
+            self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared);
+        nearest(name, &declared.collect::<Vec<_>>())
     }
 }
 
@@ -190,18 +191,19 @@ fn key(name: &Ident) -> String {
 }
 
 /// "did you mean `Off`?", where something is near enough. `S5` is not a slip of the pen for `S1`.
-fn nearest<'a>(name: &Ident, candidates: impl Iterator<Item = &'a Ident> + Clone) -> Option<String> {
+fn nearest(name: &Ident, candidates: &[&Ident]) -> Option<String> {
     let lower = key(name).to_lowercase();
     // Half of a name is nearer than it looks by its letters.
-    let begun = |candidate: &&Ident| {
+    let begun = |candidate: &&&Ident| {
         let other = key(candidate).to_lowercase();
         lower.chars().count() >= 4
             && other.strip_prefix(&lower).is_some_and(|rest| rest.starts_with(char::is_alphabetic))
     };
-    let mut beginning = candidates.clone().filter(begun);
+    let mut beginning = candidates.iter().filter(begun);
     let only = beginning.next().filter(|_| beginning.next().is_none());
     let letters = |name: &str| name.chars().filter(|c| !c.is_numeric()).collect::<String>();
     candidates
+        .iter()
         .map(|candidate| (key(candidate).to_lowercase(), candidate))
         .filter(|(other, _)| *other == lower || letters(other) != letters(&lower))
         .map(|(other, candidate)| (strsim::osa_distance(&lower, &other), other.chars().count(), candidate))

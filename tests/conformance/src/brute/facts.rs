@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::interp::Evolution;
 use grafcet_compiler::analysis::{Concurrency, Condition, Logic, Stability};
-use grafcet_compiler::interp::Evolution;
 use grafcet_compiler::model::{Effect, Expr, Id, Model, Place, Qualifier, StepId, TransitionId, Tree};
 
 use super::compare::Difference;

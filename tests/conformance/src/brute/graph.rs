@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::interp::{Evolution, Interpreter, Memory, Situation, Value};
+use crate::interp::{Evolution, Interpreter, Memory, Situation, Value};
 use grafcet_compiler::model::{Binary, Effect, Expr, Model, Name, Place, Read, TimeRef, TransitionId, Tree, Ty};
 
 /// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::interp::{Evolution, Value};
 use grafcet_compiler::analysis::explore::{Demand, Exploration, Given, Path, PathCycle};
-use grafcet_compiler::interp::{Evolution, Value};
 use grafcet_compiler::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
 
 use super::compare::Difference;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use grafcet_compiler::interp::{Evolution, Situation};
+use crate::interp::{Evolution, Situation};
 use grafcet_compiler::model::{Model, PartialId, StepId, TransitionId};
 
 use super::graph::{Edge, Graph, State};

@@ -2,25 +2,24 @@
 
 mod numbers;
 
-use std::collections::BTreeMap;
-
 use super::formula::{Atom, Formula, Kind};
 use crate::analysis::combinational;
 use crate::model::{
     Binary, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
 };
+use crate::sorted::Map;
 
 /// Numbers the atoms of a chart.
 pub(super) struct Compiler<'m> {
     model: &'m Model,
     /// The number of each place that is followed from cycle to cycle.
-    slots: &'m BTreeMap<Place, usize>,
+    slots: &'m Map<Place, usize>,
     pub(super) atoms: Vec<Atom>,
-    numbers: BTreeMap<Tree, usize>,
+    numbers: Map<Tree, usize>,
     /// What the edges look at, where they are used.
     pub(super) edges: Vec<Option<Formula>>,
     pub(super) shared: Vec<Formula>,
-    combinational: BTreeMap<Place, Option<usize>>,
+    combinational: Map<Place, Option<usize>>,
     /// Inside the expression of an edge.
     in_edge: bool,
     /// Something is taken as unknown that is not, or only partly.
@@ -28,15 +27,15 @@ pub(super) struct Compiler<'m> {
 }
 
 impl<'m> Compiler<'m> {
-    pub(super) fn new(model: &'m Model, slots: &'m BTreeMap<Place, usize>) -> Self {
+    pub(super) fn new(model: &'m Model, slots: &'m Map<Place, usize>) -> Self {
         Self {
             model,
             slots,
             atoms: Vec::new(),
-            numbers: BTreeMap::new(),
+            numbers: Map::new(),
             edges: model.edges.ids().map(|_| None).collect(),
             shared: Vec::new(),
-            combinational: BTreeMap::new(),
+            combinational: Map::new(),
             in_edge: false,
             approximate: false,
         }

@@ -1,9 +1,9 @@
 //! The interpreter's own contract: errors instead of panics, declared types, parameters, repeatability.
 
 use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::interp::{Cycle, Error, Interpreter, Value};
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
+use grafcet_conformance::interp::{Cycle, Error, Interpreter, Value};
 
 fn model(chart: &str) -> Model {
     let mut sink = Sink::new();

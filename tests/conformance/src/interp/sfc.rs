@@ -7,7 +7,7 @@ use super::state::State;
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
 use super::{Call, Evolution, Phase, arguments, statements};
-use crate::model::{AssociationId, Effect, Id, Model, OutputId, Place, Qualifier};
+use grafcet_compiler::model::{AssociationId, Effect, Id, Model, OutputId, Place, Qualifier};
 
 /// The action controls of a chart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]

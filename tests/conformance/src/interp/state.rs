@@ -6,7 +6,7 @@ use super::hierarchy;
 use super::time::{self, Delayed};
 use super::value::{Error, Value, default};
 use super::view::{Edges, Situation, Times, View};
-use crate::model::{DelayId, EdgeId, Expr, Model, Ty};
+use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Ty};
 
 /// The memory of a running chart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -103,7 +103,7 @@ impl Times {
         self.macros = active.map(|(id, _)| (id, self.macros.get(&id).copied().unwrap_or(0))).collect();
     }
 
-    fn time_of_step(&self, step: crate::model::StepId) -> u32 {
+    fn time_of_step(&self, step: grafcet_compiler::model::StepId) -> u32 {
         self.steps.get(&step).copied().unwrap_or(0)
     }
 }

@@ -9,7 +9,7 @@ use super::stored::{self, Outcome};
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
 use super::{Call, Evolution, Phase, arguments};
-use crate::model::{ActionId, AssociationId, Effect, Id, Model, Place};
+use grafcet_compiler::model::{ActionId, AssociationId, Effect, Id, Model, Place};
 
 /// What `grafcet` remembers beside the state: whether the continuous calls were active on the last stable situation.
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::value::Error;
 use super::view::View;
-use crate::model::{AssociationId, DelayId, Expr, Model, Name, Place, Read, TimeRef};
+use grafcet_compiler::model::{AssociationId, DelayId, Expr, Model, Name, Place, Read, TimeRef};
 
 /// How long a signal has had a value. The time between two cycles counts if the signal had it in both.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]

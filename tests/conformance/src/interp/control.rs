@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::time::Stopwatch;
 use super::value::Error;
 use super::view::{Situation, View};
-use crate::model::{ActionId, AssociationId, Effect, Model, Place, Qualifier};
+use grafcet_compiler::model::{ActionId, AssociationId, Effect, Model, Place, Qualifier};
 
 /// A31: what associations are combined for.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -2,7 +2,7 @@
 
 use super::value::{Error, Value};
 use super::view::View;
-use crate::model::{Association, AssociationId, Effect, Model, OutputId, Place, Qualifier, VarId};
+use grafcet_compiler::model::{Association, AssociationId, Effect, Model, OutputId, Place, Qualifier, VarId};
 
 /// Whether the association is a continuous action: N, and L and D by A32.
 pub(super) fn is_continuous(association: &Association) -> bool {

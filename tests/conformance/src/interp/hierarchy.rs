@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::Evolution;
 use super::value::Error;
 use super::view::Situation;
-use crate::model::{Force, ForceOrder, Model, Partial, PartialId, StepId, TransitionId};
+use grafcet_compiler::model::{Force, ForceOrder, Model, Partial, PartialId, StepId, TransitionId};
 
 /// All partial grafcets, each behind those that enclose or may force it.
 pub(super) fn top_down(model: &Model) -> Result<Vec<PartialId>, Error> {

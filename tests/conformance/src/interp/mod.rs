@@ -30,7 +30,7 @@ use self::state::State;
 pub use self::value::{Error, Value};
 pub use self::view::Situation;
 use self::view::View;
-use crate::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Tree, Ty};
+use grafcet_compiler::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Tree, Ty};
 
 /// Which call of a code action this is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::value::{Error, Value};
 use super::view::{Situation, View};
 use super::{Call, Phase, arguments, statements};
-use crate::model::{Association, Effect, Place, Qualifier, TransitionId};
+use grafcet_compiler::model::{Association, Effect, Place, Qualifier, TransitionId};
 
 /// What the stored actions of one evolution do together.
 #[derive(Default)]

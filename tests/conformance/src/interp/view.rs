@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::continuous;
 use super::value::{Error, Term, Value, binary, unary};
-use crate::model::{
+use grafcet_compiler::model::{
     Binary, DelayId, EdgeId, Id, MacroId, Model, Name, OutputId, Place, Read, Statement, StepId, TimeRef, Tree, VarId,
 };
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::continuous::{associations_of, is_continuous};
 use super::value::{Error, default};
-use crate::model::{Association, Effect, Expr, Model, Name, Place, Qualifier, Read, VarId};
+use grafcet_compiler::model::{Association, Effect, Expr, Model, Name, Place, Qualifier, Read, VarId};
 
 /// Every declared type has values here.
 pub(super) fn types(model: &Model) -> Result<(), Error> {

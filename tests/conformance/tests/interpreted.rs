@@ -1,19 +1,15 @@
 //! The conformance corpus against the interpreter.
 
-#[path = "../../tests/conformance/reader.rs"]
-#[allow(unreachable_pub, reason = "public in the package grafcet-conformance")]
-mod reader;
-
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use grafcet_compiler::check;
 use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_compiler::model::{self, Model, Ty};
 use grafcet_compiler::parse;
-use reader::{Expected, Kind, Line};
+use grafcet_conformance::interp::{Call, Interpreter, Phase, Situation, Value};
+use grafcet_conformance::reader::{self, Expected, Kind, Line};
 
 /// Every file of the corpus, and all differences at once.
 #[test]
@@ -44,8 +40,7 @@ fn every_decision_and_qualifier_has_a_file() {
 }
 
 fn files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/conformance");
-    let entries = std::fs::read_dir(folder).expect("the corpus is there");
+    let entries = std::fs::read_dir(env!("CARGO_MANIFEST_DIR")).expect("the corpus is there");
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("a folder entry").path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "chart"));
     files.sort();

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::model::{Binary, Ty, Unary};
+use grafcet_compiler::model::{Binary, Ty, Unary};
 
 /// A value of a declared name.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
