@@ -147,9 +147,10 @@ impl Motor {
             __MotorState::INIT => __MotorState::Off,
         };
         self.situation = after;
-        outputs.red |= after == __MotorState::Off;
-        outputs.relay |= after == __MotorState::On;
-        outputs.green |= after == __MotorState::On;
+        let in_second = after == __MotorState::On;
+        outputs.red |= !in_second;
+        outputs.relay |= in_second;
+        outputs.green |= in_second;
         outputs
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -17,11 +17,12 @@ impl Cx<'_> {
         let start = self.start_cycle();
         let search = self.search();
         let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
+        let second = self.declare_second(&continuous);
         let stable = self.stable_situation(&quote!(#continuous #calls #result));
         let outputs = self.declare_outputs();
         let forget = self.forget_instability();
         // The outputs come first: behind the search, the compiler would clear them again in every arm.
-        quote!(#outputs #forget #time #start #search #stable #continuous #calls #result)
+        quote!(#outputs #forget #time #start #search #stable #second #continuous #calls #result)
     }
 
     /// A37: the activation of the initial situation is an evolution of its own. Delays are sampled on the initial situation

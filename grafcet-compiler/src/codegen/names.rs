@@ -290,6 +290,11 @@ pub(super) fn written(name: &Ident) -> Ident {
     prefixed("written_", name)
 }
 
+/// Whether the second of two steps is active.
+pub(super) fn in_second() -> Ident {
+    local("in_second")
+}
+
 /// A name of ours that no token of the user can mean.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())

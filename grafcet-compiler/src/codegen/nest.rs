@@ -191,6 +191,13 @@ impl Cx<'_> {
     }
 }
 
+/// Whether tokens hold a name.
+pub(super) fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
+    let mut names = Set::new();
+    identifiers(tokens.clone(), &mut names);
+    names.contains(&name.to_string())
+}
+
 fn identifiers(tokens: TokenStream, names: &mut Set<String>) {
     for token in tokens {
         match token {

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::nest::mentions;
 use super::situation::At;
 use super::{Cx, names};
 use crate::model::{Association, Effect, Expr, StepId};
@@ -128,11 +129,22 @@ impl Cx<'_> {
 
     /// `local` is true while `step` is active. With two steps that is a comparison and no jump.
     pub(super) fn while_active(&self, step: StepId, local: &TokenStream) -> Item {
-        if self.is_one_match() && self.model.steps.len() == 2 {
-            let (after, variant) = (names::after(0, self.plan), self.variant(step));
-            return Item::Always(quote!(#local |= #after == #variant;));
-        }
-        Item::After(step, quote!(#local = true;))
+        let Some(second) = self.second_of_two() else { return Item::After(step, quote!(#local = true;)) };
+        let (name, not) = (names::in_second(), (step != second).then(|| quote!(!)));
+        Item::Always(quote!(#local |= #not #name;))
+    }
+
+    /// The comparison that `actions` ask about: one for all of them is less code than one for each.
+    pub(super) fn declare_second(&self, actions: &TokenStream) -> Option<TokenStream> {
+        let (after, second, name) = (names::after(0, self.plan), self.second_of_two()?, names::in_second());
+        let variant = self.variant(second);
+        mentions(actions, &name).then(|| quote!(let #name = #after == #variant;))
+    }
+
+    /// The second step, where the chart has two and one of them is active.
+    fn second_of_two(&self) -> Option<StepId> {
+        let two = self.model.steps.len() == 2 && self.is_one_match();
+        two.then(|| self.model.steps.ids().nth(1)).flatten()
     }
 
     fn segment(&self, segment: Segment) -> TokenStream {

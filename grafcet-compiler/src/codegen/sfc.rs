@@ -27,10 +27,11 @@ impl Cx<'_> {
         let (commit, restart) = (self.commit(), self.restart_times());
         let settle = self.declare_settled();
         let actions = self.sfc_actions();
+        let second = self.declare_second(&actions);
         let result = self.result();
         // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
-        let rest = quote!(#restart #settle #actions #result);
+        let rest = quote!(#restart #settle #second #actions #result);
         let afters = self.in_place().then(|| {
             let (fence, afters) = (self.fence(), self.afters_for(&rest));
             quote!(#fence #afters)
