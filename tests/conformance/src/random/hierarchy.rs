@@ -8,7 +8,8 @@ use super::{Random, Rng};
 /// A chart in `grafcet`.
 #[must_use]
 pub(super) fn chart(seed: u64, cycles: usize) -> Random {
-    let mut machine = Machine { rng: Rng::new(seed), steps: Vec::new(), partials: 0 };
+    let mut machine = Machine { rng: Rng::new(seed), steps: Vec::new(), partials: 0, edges: false };
+    machine.edges = machine.rng.chance(60);
     let rules = "several_initial_steps unreachable_step dead_transition stuck_join deadlock never_true always_true \
                  conflicting_values set_without_reset reset_without_set unused_input undriven_output";
     let allowed: Vec<_> = rules.split(' ').map(|rule| format!("grafcet::{rule}")).collect();
@@ -28,6 +29,8 @@ struct Machine {
     /// The steps drawn so far, with their partial grafcets.
     steps: Vec<(usize, usize)>,
     partials: usize,
+    /// Without edges a search may have no end, as far as the compiler knows.
+    edges: bool,
 }
 
 /// A partial grafcet in the making.
@@ -161,16 +164,16 @@ impl Machine {
     fn condition(&mut self, partial: usize, from: usize) -> String {
         let (of, other) = *self.rng.pick(&self.steps);
         let other = if of == partial { format!("S{other}.X") } else { format!("G{of}::S{other}.X") };
-        match self.rng.below(14) {
-            0 => "true".to_owned(),
+        let kinds = if self.edges { 14 } else { 6 };
+        match self.rng.below(kinds) {
+            0 if self.edges => "true".to_owned(),
             1 => format!("{other} && a"),
-            2 => format!("!{other} && b"),
-            3 => format!("2ms/S{from}"),
-            4 | 5 => "rising(a)".to_owned(),
-            6 | 7 => "falling(b)".to_owned(),
-            8 => "rising(c) && !d".to_owned(),
-            9 => "!d".to_owned(),
-            _ => (*self.rng.pick(&["a", "b", "c", "a && !b", "c || d"])).to_owned(),
+            2 => format!("2ms/S{from}"),
+            6 | 7 => "rising(a)".to_owned(),
+            8 | 9 => "falling(b)".to_owned(),
+            10 => "rising(c) && !d".to_owned(),
+            11 => format!("!{other} && b"),
+            _ => (*self.rng.pick(&["a", "b", "c", "!d", "a && !b", "c || d"])).to_owned(),
         }
     }
 }
