@@ -4,7 +4,7 @@
 //! B-trees of the standard library were a quarter of all code. What may grow to very many entries in any order stays one.
 
 use std::borrow::Borrow;
-use std::ops::{Deref, Index};
+use std::ops::Deref;
 use std::{mem, slice, vec};
 
 /// A set: a slice in ascending order, each value once.
@@ -247,13 +247,6 @@ impl<K, V> Deref for Map<K, V> {
     }
 }
 
-impl<K: Ord + Borrow<Q>, V, Q: Ord + ?Sized> Index<&Q> for Map<K, V> {
-    type Output = V;
-    fn index(&self, key: &Q) -> &V {
-        self.get(key).expect("the key has a value")
-    }
-}
-
 impl<K: Ord, V> Extend<(K, V)> for Map<K, V> {
     fn extend<I: IntoIterator<Item = (K, V)>>(&mut self, entries: I) {
         for (key, value) in entries {
@@ -323,7 +316,7 @@ mod tests {
         assert_eq!(*map, [("a", 2), ("b", 3)]);
         assert_eq!((map.insert("c", 4), map.insert("a", 5)), (None, Some(2)));
         assert_eq!((*map.or_default("b"), *map.or_default("d"), *map.or_insert_with("e", || 7)), (3, 0, 7));
-        assert_eq!((map.remove("b"), map.remove("b"), map.get("c"), map["a"]), (Some(3), None, Some(&4), 5));
+        assert_eq!((map.remove("b"), map.remove("b"), map.get("c"), map.get("a")), (Some(3), None, Some(&4), Some(&5)));
         if let Some(value) = map.get_mut("d") {
             *value = 6;
         }

@@ -18,7 +18,8 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
         );
         sink.rule(&rules::UNSTABLE, &[], notes(model, circle, &message));
     }
-    if !is_asked_for(model) {
+    // Nothing is looked for that no attribute wants to see.
+    if !model.has_level_of(&rules::POSSIBLE_INSTABILITY) {
         return;
     }
     // The many questions about single transitions are not at the expense of these.
@@ -36,14 +37,6 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
         scopes.push(&model.levels);
         sink.rule(&rules::POSSIBLE_INSTABILITY, &scopes, notes(model, &circle, &message));
     }
-}
-
-/// Nothing is looked for that no attribute wants to see.
-fn is_asked_for(model: &Model) -> bool {
-    let partials = model.partials.values().map(|partial| &partial.levels);
-    let transitions = model.transitions.values().map(|transition| &transition.levels);
-    let all = partials.chain(transitions).chain([&model.levels]).flatten();
-    all.into_iter().any(|level| level.rule == rules::POSSIBLE_INSTABILITY.name)
 }
 
 fn notes(model: &Model, circle: &Circle, message: &str) -> Vec<(Mark, String)> {

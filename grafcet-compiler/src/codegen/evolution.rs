@@ -17,13 +17,13 @@ const ALIKE: usize = 4;
 impl Cx<'_> {
     /// Statements that change the `after` of every region by the transitions that clear.
     pub(super) fn evolve(&self) -> TokenStream {
+        if self.descends() {
+            return self.descend();
+        }
         let declare = self.plan.evolution.entered_last.iter().map(|step| {
             let enter = names::enter_local(*step);
             quote!(let mut #enter = false;)
         });
-        if self.descends() {
-            return self.descend();
-        }
         let partials = self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial));
         quote!(#(#declare)* #(#partials)*)
     }
@@ -125,14 +125,22 @@ impl Cx<'_> {
                 .map(|t| (&t.targets, &t.condition.tree)),
             _ => None,
         };
-        let mut ends: Map<_, Vec<StepId>> = Map::new();
+        let (mut arms, mut alike): (Vec<Vec<StepId>>, Map<_, Vec<StepId>>) = (Vec::new(), Map::new());
         for step in steps {
-            ends.or_default(end(step)).push(*step);
+            match end(step) {
+                Some(end) => alike.or_default(end).push(*step),
+                None => arms.push(vec![*step]),
+            }
         }
-        let is_alike = |step: &StepId| end(step).is_some_and(|end| ends[&Some(end)].len() >= ALIKE);
-        let alone = steps.iter().filter(|step| !is_alike(step)).map(|step| vec![*step]);
-        let alike = ends.iter().filter(|(end, steps)| end.is_some() && steps.len() >= ALIKE);
-        alone.chain(alike.map(|(_, steps)| steps.clone())).collect()
+        for (_, steps) in alike {
+            if steps.len() < ALIKE {
+                arms.extend(steps.into_iter().map(|step| vec![step]));
+            } else {
+                arms.push(steps);
+            }
+        }
+        arms.sort_unstable();
+        arms
     }
 
     /// `{ if … { On } else { Off } }`
@@ -302,9 +310,10 @@ impl Cx<'_> {
             writes.extend(self.begin_time(*target, transition));
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
-        writes.extend(self.overwrite_below(transition));
-        let (actions, at_once) = (self.clearing_actions(id), self.stored_at_once(transition));
-        let (writes, end) = (self.few_at_a_time(&writes), self.end_below(transition));
+        let below = self.below(transition);
+        writes.extend(self.overwrite_below(&below));
+        let (actions, at_once) = (self.clearing_actions(id), self.stored_at_once(transition, &below));
+        let (writes, end) = (self.few_at_a_time(&writes), self.end_below(transition.partial, &below));
         quote!(#actions #at_once #writes #moved #end)
     }
 

@@ -7,9 +7,8 @@ use syn::Lifetime;
 use super::bind::{Moment, bare};
 use super::situation::At;
 use super::{Cx, names};
-use crate::analysis::hierarchy;
 use crate::model::{ForceOrder, Id, PartialId, StepId, Transition};
-use crate::plan::{Below, Descent, directly};
+use crate::plan::{Below, Descent, directly, is_top};
 use crate::sorted::Set;
 
 impl Cx<'_> {
@@ -56,10 +55,10 @@ impl Cx<'_> {
     pub(super) fn descend(&self) -> TokenStream {
         let partials = self.plan.evolution.partials.iter();
         if self.plan.descent == Descent::Jumps {
-            let top = partials.filter(|id| hierarchy::masters(self.model, **id).is_empty());
+            let top = partials.filter(|id| is_top(self.model, **id));
             return top.map(|partial| self.jump_or_descend(*partial)).collect();
         }
-        let below = partials.clone().filter(|id| self.is_decided_about(**id));
+        let below = partials.clone().filter(|id| !is_top(self.model, **id));
         let declare = below.map(|id| {
             let free = free(*id);
             match self.frozen([*id]) {
@@ -69,7 +68,7 @@ impl Cx<'_> {
         });
         let evolve = partials.map(|id| {
             let evolve = self.within_outer(*id, self.evolve_in_place(*id).unwrap_or_default());
-            if !self.is_decided_about(*id) {
+            if is_top(self.model, *id) {
                 return evolve;
             }
             let free = free(*id);
@@ -87,7 +86,7 @@ impl Cx<'_> {
         let below = directly(self.model, partial).map(|id| self.within_outer(id, self.jump_or_descend(id)));
         let code = quote!(#evolve #frozen #(#below)*);
         let mut transitions = self.model.partials[partial].transitions.iter().map(|id| &self.model.transitions[*id]);
-        if frozen.is_none() && !transitions.any(|transition| self.end_below(transition).is_some()) {
+        if frozen.is_none() && transitions.all(|transition| self.below(transition).partials.is_empty()) {
             return code;
         }
         quote!(#label: { #code })
@@ -114,35 +113,25 @@ impl Cx<'_> {
         }
     }
 
-    /// Whether something above a partial grafcet decides about it.
-    fn is_decided_about(&self, partial: PartialId) -> bool {
-        !hierarchy::masters(self.model, partial).is_empty()
-    }
-
-    /// Nothing below a transition clears any more, where it decides about something there.
-    pub(super) fn end_below(&self, transition: &Transition) -> Option<TokenStream> {
-        let decided = self.below(transition)?.partials;
-        let jumps = self.plan.descent == Descent::Jumps;
-        (!decided.is_empty()).then(|| {
-            if jumps {
-                let label = label(transition.partial);
-                return quote!(break #label;);
-            }
-            let free = decided.into_iter().map(free);
-            quote!(#(#free = false;)*)
-        })
-    }
-
-    /// What a transition does to the partial grafcets below its own.
-    pub(super) fn below(&self, transition: &Transition) -> Option<Below<'_>> {
-        self.descends().then(|| Below::of(self.model, &self.plan.regions, transition))
+    /// What a transition does to the partial grafcets below its own, where they evolve behind it.
+    pub(super) fn below(&self, transition: &Transition) -> Below {
+        if self.descends() { Below::of(self.model, &self.plan.regions, transition) } else { Below::default() }
     }
 
     /// The states that a transition gives the regions below it.
-    pub(super) fn overwrite_below(&self, transition: &Transition) -> Vec<TokenStream> {
-        let state = |step: Option<StepId>, region| step.map_or_else(|| self.empty(region), |step| self.variant(step));
-        let states = self.below(transition).into_iter().flat_map(|below| below.states);
-        states.map(|(region, step)| self.enter_state(region, &state(step, region))).collect()
+    pub(super) fn overwrite_below(&self, below: &Below) -> Vec<TokenStream> {
+        let state = |step: &Option<StepId>, region| step.map_or_else(|| self.empty(region), |step| self.variant(step));
+        below.states.iter().map(|(region, step)| self.enter_state(*region, &state(step, *region))).collect()
+    }
+
+    /// Nothing below a transition of this partial grafcet clears any more, where it decides about something there.
+    pub(super) fn end_below(&self, partial: PartialId, below: &Below) -> TokenStream {
+        if below.partials.is_empty() || self.plan.descent != Descent::Jumps {
+            let free = below.partials.iter().map(|id| free(*id));
+            return quote!(#(#free = false;)*);
+        }
+        let label = label(partial);
+        quote!(break #label;)
     }
 }
 

@@ -11,7 +11,7 @@ use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names, types};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId};
-use crate::plan::{is_stored, source_order};
+use crate::plan::{Below, is_stored, source_order};
 
 /// When an association of a `grafcet` acts.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -122,13 +122,13 @@ impl Cx<'_> {
     }
 
     /// The stored actions on what a transition leaves and enters, here and below it, which act where it clears.
-    pub(super) fn stored_at_once(&self, transition: &Transition) -> TokenStream {
+    pub(super) fn stored_at_once(&self, transition: &Transition, below: &Below) -> TokenStream {
         let left = transition.sources.iter().filter(|step| !transition.targets.contains(step));
         let entered = transition.targets.iter().filter(|step| !transition.sources.contains(step));
         let left = left.map(|step| self.at_once(*step, Instant::Deactivation));
         let entered = entered.map(|step| self.at_once(*step, Instant::Activation));
-        let below = self.below(transition).into_iter().flat_map(|below| below.states).map(|(region, step)| {
-            let left = self.plan.regions.all()[region].steps.iter().filter(|other| Some(**other) != step);
+        let below = below.states.iter().map(|(region, step)| {
+            let left = self.plan.regions.all()[*region].steps.iter().filter(|other| Some(**other) != *step);
             let left = left.map(|other| (other, self.at_once(*other, Instant::Deactivation)));
             let left = left.filter(|(_, actions)| !actions.is_empty()).map(|(other, actions)| {
                 let active = self.in_step(At::Now, *other);

@@ -10,25 +10,32 @@ use crate::sorted::{Map, Set};
 
 /// What a transition does to the partial grafcets below its own, by what it enters and leaves: first by forcing, then by
 /// enclosing (A15).
-pub(crate) struct Below<'m> {
-    model: &'m Model,
-    regions: &'m Regions,
+#[derive(Default)]
+pub(crate) struct Below {
     /// The partial grafcets that it decides about: they clear nothing in the same evolution.
     pub(crate) partials: Set<PartialId>,
     /// The states that their regions get, as far as these may be others than before. `None` is "no active step".
     pub(crate) states: Map<RegionId, Option<StepId>>,
 }
 
-impl<'m> Below<'m> {
-    pub(crate) fn of(model: &'m Model, regions: &'m Regions, transition: &Transition) -> Self {
-        let mut below = Self { model, regions, partials: Set::new(), states: Map::new() };
+impl Below {
+    pub(crate) fn of(model: &Model, regions: &Regions, transition: &Transition) -> Self {
+        let mut search = Deciding { model, regions, below: Self::default() };
         let left = transition.sources.iter().filter(|step| !transition.targets.contains(step));
-        left.for_each(|step| below.leave(*step));
+        left.for_each(|step| search.leave(*step));
         let entered = transition.targets.iter().filter(|step| !transition.sources.contains(step));
-        entered.for_each(|step| below.enter(*step));
-        below
+        entered.for_each(|step| search.enter(*step));
+        search.below
     }
+}
 
+struct Deciding<'m> {
+    model: &'m Model,
+    regions: &'m Regions,
+    below: Below,
+}
+
+impl Deciding<'_> {
     /// Its enclosures are emptied with a step that is left.
     fn leave(&mut self, step: StepId) {
         for (id, partial) in self.model.partials.iter().filter(|(_, partial)| partial.enclosed_by == Some(step)) {
@@ -44,7 +51,7 @@ impl<'m> Below<'m> {
                 ForceOrder::Steps(steps) => steps.clone(),
                 ForceOrder::Init => self.marked(force.target, |step| step.initial),
                 ForceOrder::Hold => {
-                    self.partials.insert(force.target);
+                    self.below.partials.insert(force.target);
                     continue;
                 }
             };
@@ -53,21 +60,21 @@ impl<'m> Below<'m> {
             self.enter_all(&situation);
         }
         for id in self.model.partials.ids().filter(|id| self.model.partials[*id].enclosed_by == Some(step)) {
-            self.partials.insert(id);
+            self.below.partials.insert(id);
             self.enter_all(&self.marked(id, |step| step.linked));
         }
     }
 
     fn enter_all(&mut self, steps: &[StepId]) {
-        self.states.extend(steps.iter().map(|step| (self.regions.of_step(*step), Some(*step))));
+        self.below.states.extend(steps.iter().map(|step| (self.regions.of_step(*step), Some(*step))));
         for step in steps {
             self.enter(*step);
         }
     }
 
     fn empty(&mut self, partial: PartialId) {
-        self.partials.insert(partial);
-        self.states.extend(self.regions.of_partial(partial).map(|region| (region, None)));
+        self.below.partials.insert(partial);
+        self.below.states.extend(self.regions.of_partial(partial).map(|region| (region, None)));
     }
 
     fn marked(&self, partial: PartialId, wanted: fn(&Step) -> bool) -> Vec<StepId> {
@@ -79,6 +86,11 @@ impl<'m> Below<'m> {
 /// The partial grafcets on which steps of this one act directly.
 pub(crate) fn directly(model: &Model, partial: PartialId) -> impl Iterator<Item = PartialId> + '_ {
     model.partials.ids().filter(move |id| hierarchy::masters(model, *id).contains(&partial))
+}
+
+/// Whether no step of another partial grafcet acts on this one.
+pub(crate) fn is_top(model: &Model, partial: PartialId) -> bool {
+    hierarchy::masters(model, partial).is_empty()
 }
 
 /// How partial grafcets that evolve in place know that something above them has decided about them in this evolution.

@@ -13,7 +13,7 @@ mod regions;
 mod stored;
 
 pub use below::Descent;
-pub(crate) use below::{Below, directly};
+pub(crate) use below::{Below, directly, is_top};
 pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
 pub use evolution::Evolution;

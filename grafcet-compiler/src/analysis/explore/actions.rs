@@ -193,8 +193,9 @@ impl Compile<'_, '_> {
                     }
                 }
                 (None, Some(place)) => {
+                    let Some(slot) = self.slots.numbers.get(&place).copied() else { continue };
                     numbers.insert(place, number);
-                    let target = self.target(model, place, &association.effect, action);
+                    let target = self.target(model, (place, slot), &association.effect, action);
                     if let Target::Control { timed, .. } = &target {
                         actions.lasting.extend(timed.flip_flops.iter().map(|(_, slot)| (*slot, number)));
                     }
@@ -209,8 +210,7 @@ impl Compile<'_, '_> {
         }
     }
 
-    fn target(&mut self, model: &Model, place: Place, effect: &Effect, action: Action) -> Target {
-        let slot = self.slots.numbers[&place];
+    fn target(&mut self, model: &Model, (place, slot): (Place, usize), effect: &Effect, action: Action) -> Target {
         let by = vec![action];
         match effect {
             Effect::Control(_) => Target::Control { slot, timed: self.timed(model, place), by },
