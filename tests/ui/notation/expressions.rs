@@ -16,4 +16,22 @@ grafcet! {
     }
 }
 
+grafcet! {
+    grafcet Stations {
+        input part: bool;
+        output push: bool;
+
+        partial Feeder {
+            initial step Rest;
+            step Push { push; }
+            Rest -[part && Drill::Wait]-> Push -[!(Drill::Wait.X || Drill::Work)]-> Rest;
+        }
+        partial Drill {
+            initial step Wait;
+            step Work { push if Feeder::Rest; }
+            Wait -[Feeder::Push.X]-> Work -[Feeder::Rest]-> Wait;
+        }
+    }
+}
+
 fn main() {}

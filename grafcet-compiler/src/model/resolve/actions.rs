@@ -21,8 +21,8 @@ impl Resolver<'_> {
     pub(super) fn association(&mut self, step: StepId, association: &ast::Association) {
         let qualifier = association.qualifier.map(|(qualifier, _)| qualifier);
         let time = association.time.as_ref().map(|time| self.time_arg(time, qualifier));
-        let event = association.event.as_ref().map(|event| expr::resolve(event, self));
-        let condition = association.condition.as_ref().map(|condition| expr::resolve(condition, self));
+        let event = association.event.as_ref().map(|event| expr::resolve_condition(event, self));
+        let condition = association.condition.as_ref().map(|condition| expr::resolve_condition(condition, self));
         let Some(effect) = self.effect(&association.target) else { return self.lose() };
         let id = self.model.associations.push(Association {
             step,

@@ -47,7 +47,7 @@ impl Resolver<'_> {
         let sources = self.node(before, End::Source, partial);
         let targets = self.node(after, End::Target, partial);
         self.crossing(before, after);
-        let condition = expr::resolve(&transition.condition, self);
+        let condition = expr::resolve_condition(&transition.condition, self);
         if let Some(name) = &transition.name {
             self.scope.declare_transition(name, self.sink);
         }

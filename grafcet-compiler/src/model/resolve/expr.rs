@@ -30,6 +30,40 @@ pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>)
     (Expr { tree, tokens, reads, text, mark: Mark::of(expr) }, places)
 }
 
+/// Resolves a condition. `Feeder::Rest` alone, where that is a step of a partial grafcet, is no Rust there; compared with
+/// something it may be a variant of a type with such a name.
+pub(super) fn resolve_condition(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
+    steps_alone(expr, resolver);
+    resolve(expr, resolver)
+}
+
+fn steps_alone(expr: &syn::Expr, resolver: &mut Resolver<'_>) {
+    match expr {
+        syn::Expr::Paren(paren) => steps_alone(&paren.expr, resolver),
+        syn::Expr::Group(group) => steps_alone(&group.expr, resolver),
+        syn::Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => steps_alone(&unary.expr, resolver),
+        syn::Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
+            steps_alone(&binary.left, resolver);
+            steps_alone(&binary.right, resolver);
+        }
+        syn::Expr::Path(_) => {
+            let Some([partial, step]) = step_path(expr).and_then(|path| <[Ident; 2]>::try_from(path).ok()) else {
+                return;
+            };
+            let is_step = matches!(resolver.scope.get(&step), Some(Meaning::Step(_) | Meaning::Macro(_)));
+            if is_step && resolver.scope.has_partial(&partial) {
+                let message = without_field(&format!("{partial}::{step}"));
+                resolver.sink.notation(Mark::of(expr), message);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn without_field(step: &str) -> String {
+    format!("`{step}` is a step; write `{step}.X` for its activity or `{step}.T` for its time")
+}
+
 /// Rewrites expressions in place and takes note of what they read.
 pub(super) struct Lower<'r, 's> {
     pub(super) resolver: &'r mut Resolver<'s>,
@@ -126,9 +160,7 @@ impl<'r, 's> Lower<'r, 's> {
                 Tree::Read(Read::Name(value))
             }
             Some(Meaning::Step(_) | Meaning::Macro(_)) if !self.locals.contains(&name.to_string()) => {
-                let message =
-                    format!("`{name}` is a step; write `{name}.X` for its activity or `{name}.T` for its time");
-                self.resolver.sink.notation(&name, message);
+                self.resolver.sink.notation(&name, without_field(&name.to_string()));
                 Tree::Bool(true)
             }
             Some(Meaning::Action(_)) => {

@@ -106,6 +106,11 @@ impl Scope {
         self.names.get(&key(name)).into_iter().flatten().map(|(meaning, _)| *meaning)
     }
 
+    /// Whether a partial grafcet is called so.
+    pub(super) fn has_partial(&self, name: &Ident) -> bool {
+        self.partials.contains_key(&key(name))
+    }
+
     /// The partial grafcet `name`; an unknown one is reported.
     pub(super) fn partial(&self, name: &Ident, sink: &mut Sink) -> Option<PartialId> {
         if let Some((id, _)) = self.partials.get(&key(name)) {
