@@ -9,6 +9,7 @@ mod hierarchy;
 mod names;
 mod rng;
 mod structure;
+mod timed;
 mod timeline;
 mod write;
 
@@ -35,6 +36,9 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     }
     if grafcet && seed % 8 == 3 {
         return hierarchy::chart(seed, cycles);
+    }
+    if seed % 8 == 5 {
+        return timed::chart(seed, grafcet, cycles);
     }
     let mut generator = Gen {
         rng: Rng::new(seed),
