@@ -92,6 +92,47 @@ pub mod par8 {
     }
 }
 
+/// In both dialects the same.
+pub mod crossing {
+    #[repr(C)]
+    pub struct State {
+        since: u32,
+        step: u8,
+        wait: bool,
+    }
+    impl State {
+        /// `INIT`, behind the steps.
+        const INITIAL: Self = Self { since: 0, step: 6, wait: false };
+    }
+    pub mod sfc {
+        pub use super::State as Chart;
+        pub use crate::signals::crossing::*;
+        impl Chart {
+            pub fn new() -> Self {
+                Self::INITIAL
+            }
+            /// Its times end every search.
+            pub fn is_stable(&self) -> bool {
+                true
+            }
+        }
+        unsafe extern "C" {
+            #[link_name = "crossing_sfc_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, now: u32, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
+    pub mod grafcet {
+        pub use super::State as Chart;
+        pub use crate::signals::crossing::*;
+        unsafe extern "C" {
+            #[link_name = "crossing_grafcet_cycle"]
+            fn cycle(chart: &mut Chart, inputs: &ChartInputs, now: u32, outputs: &mut ChartOutputs);
+        }
+        pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = cycle;
+    }
+}
+
 /// In both dialects the same but for the first step.
 pub mod mixed {
     pub mod sfc {

@@ -154,6 +154,7 @@ benches! {
     par8: Cycle sfc grafcet;
     selection: Cycle sfc grafcet;
     washer: Cycle sfc grafcet;
+    crossing: TimedCycle sfc grafcet;
     mixed: TimedCycle sfc grafcet;
     cell: Cycle grafcet;
 }
@@ -171,6 +172,7 @@ benches! {
     par8: Cycle sfc grafcet;
     selection: Cycle sfc grafcet;
     washer: Cycle sfc grafcet;
+    crossing: TimedCycle sfc grafcet;
     mixed: TimedCycle sfc grafcet;
     cell: Cycle grafcet;
 }

@@ -54,6 +54,9 @@ macro_rules! with_signals {
                 start, full, hot, washed, empty, again, spun
                     => ready, locked, valve, heater, drum, pump, spin
             }
+            crossing (sfc grafcet) {
+                request => red, yellow, green, walk, wait
+            }
             mixed (sfc grafcet) {
                 start, part, clamped, hot, filled, weighed, good, capped, printed, stuck, gone
                     => ready, busy, belt, heater, valve, pump, stirrer, eject, alarm, capper, press, printer, labeler

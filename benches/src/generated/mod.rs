@@ -92,3 +92,18 @@ both! { washer {
     Drain -[empty && again]-> Fill;
     Drain -[empty && !again]-> Spin -[spun]-> Done -[!start]-> Idle;
 } }
+
+both! { crossing: TimedCycle {
+    input request: bool;
+    output red, yellow, green, walk, wait: bool;
+
+    initial step Green { green; }
+    step Asked { green; S wait; }
+    step Yellow { yellow; }
+    step Clear { red; }
+    step Walk { red; walk; R wait; }
+    step RedYellow { red; yellow; }
+
+    Green -[request && 10s/Green]-> Asked -[5s/Asked]-> Yellow -[3s/Yellow]-> Clear;
+    Clear -[2s/Clear]-> Walk -[8s/Walk]-> RedYellow -[1s/RedYellow]-> Green;
+} }

@@ -2,6 +2,7 @@
 //! acts; for IEC 60848 a loop around the first, with the bound that the dialect asks for.
 
 pub mod cell;
+pub mod crossing;
 pub mod line24v;
 pub mod mixed;
 pub mod motor;
