@@ -153,7 +153,14 @@ fn memory_follows_from_use() {
 }
 
 chart! { sfc Timed { step Second; Second -[5s/Second]-> First; } }
-chart! { sfc TimedLong { step Second; Second -[65536ms/Second]-> First; } }
+chart! { sfc TimedBranches {
+    step Second; step A1; step A2; step B1; step B2;
+    Second -[level > 3]-> (A1, B1); A1 -[5s/A1]-> A2; B1 -[6s/B1]-> B2; (A2, B2) -[a]-> First;
+} }
+chart! { sfc LongBranches {
+    step Second; step A1; step A2; step B1; step B2;
+    Second -[level > 3]-> (A1, B1); A1 -[65536ms/A1]-> A2; B1 -[65537ms/B1]-> B2; (A2, B2) -[a]-> First;
+} }
 chart! { grafcet TimedOnce { step Second; Second -[5s/Second || Second.T > 1s && b]-> First; } }
 chart! { sfc Limited { output q: bool; step Second { L 2s q; } } }
 chart! { sfc LimitedTwice { output q: bool; step Second { L 2s q; } step Third { L 2s q; } Second -[a]-> Third -[b]-> First; } }
@@ -165,10 +172,15 @@ chart! { sfc TimedRecipe { param soak: time = 5s; step Second; Second -[soak/Sec
 fn time() {
     // The reading of the clock; and of the single bytes: the situation, and whether anything is due at once.
     let with = |words: usize, bytes: usize| (4 * (1 + words) + 2 + bytes).next_multiple_of(4);
-    assert_eq!(size_of::<Timed>(), with(0, 2), "the time of the active step, which is compared with a short one");
-    assert_eq!(size_of::<TimedLong>(), with(1, 0), "the same with one that takes more than 16 bits");
+    assert_eq!(size_of::<Timed>(), with(1, 0), "the time of the active step");
+    assert_eq!(
+        size_of::<TimedBranches>(),
+        with(0, 2 * 2 + 1),
+        "one of 16 bits for each branch, compared with short ones"
+    );
+    assert_eq!(size_of::<LongBranches>(), with(2, 1), "the same with one that takes more than 16 bits");
     assert_eq!(size_of::<TimedOnce>(), with(1, 0), "one time, however often it is looked at");
-    assert_eq!(size_of::<Limited>(), with(0, 2), "the time of the active step");
+    assert_eq!(size_of::<Limited>(), with(1, 0), "the time of the active step");
     assert_eq!(size_of::<LimitedTwice>(), with(2, 0), "a timer: its time, and the input of the cycle before");
     assert_eq!(size_of::<Kept>(), with(2, 1), "a timer and a flip-flop");
     assert_eq!(size_of::<Delayed>(), with(2, 0), "a delay: its time, and input and output of the cycle before");

@@ -69,3 +69,37 @@ fn partial_grafcets_end_one_after_the_other() {
     assert!(ends(&modes("!b")));
     assert!(!ends(&modes("c")));
 }
+
+/// A sequence has no second evolution behind a step that nothing can leave in the cycle in which it is entered.
+#[test]
+fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
+    let ends = |text: &str| {
+        let model = model(text);
+        let ends = Stability::of(&model).ends();
+        ends.steps().iter().map(|step| model.steps[*step].name.to_string()).collect::<Vec<_>>()
+    };
+    let ring = |last: &str| format!("initial step S1; step S2; step S3; S1 -[a]-> S2 -[b]-> S3 -[{last}]-> S1;");
+    assert_eq!(ends(&ring("c")), [""; 0]);
+    assert_eq!(ends(&ring("c && !b")), ["S3"]);
+    assert_eq!(ends(&ring("c && !a")), ["S1"]);
+    // A time begins with the step; one of zero has elapsed at once (A35).
+    assert_eq!(ends(&ring("c && 5s/S3")), ["S3"]);
+    assert_eq!(ends(&ring("c && S3.T >= 1ms")), ["S3"]);
+    assert_eq!(ends(&ring("c && 0s/S3")), [""; 0]);
+    assert_eq!(ends(&ring("c || 5s/S3")), [""; 0]);
+    assert_eq!(ends(&ring("!(5s/S3)")), [""; 0]);
+    // The second evolution sees no edge of an input (A2), but may see one of a step.
+    assert_eq!(ends(&ring("rising(c)")), ["S3"]);
+    assert_eq!(ends(&ring("rising(S3.X)")), [""; 0]);
+    // Several ways in and out: each pair of them counts.
+    let ways = |last: &str| format!("{} S3 -[{last}]-> S2;", ring("5s/S3"));
+    assert_eq!(ends(&ways("rising(c)")), ["S3"]);
+    assert_eq!(ends(&ways("c")), [""; 0]);
+    // Nothing leaves the last step; it can be left and entered at once, which changes nothing (A4g).
+    assert_eq!(ends("initial step S1; step S2; S1 -[a]-> S2;"), ["S2"]);
+    let always = |text: &str| Stability::of(&model(text)).ends().always();
+    assert!(always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[rising(b)]-> S1;"));
+    assert!(!always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[b]-> S1;"));
+    // Beside others, what follows is not known.
+    assert_eq!(ends("initial step S1; initial step S2; step S3; S1 -[5s/S1]-> S3 -[5s/S3]-> S1;"), [""; 0]);
+}

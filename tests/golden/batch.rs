@@ -391,18 +391,23 @@ impl Batch {
             __BatchRegion0::Idle => {
                 outputs.lamp = true;
             }
-            __BatchRegion0::Fill => {
-                outputs.valve = true;
-            }
-            _ => {}
-        }
-        match self.region_1 {
-            __BatchRegion1::Heat => {
-                if self.since_1 < ::grafcet::__private::Ticks::new(3000u32) {
-                    outputs.lamp = true;
+            __BatchRegion0::Stir | __BatchRegion0::Drain => {}
+            _ => {
+                match self.region_0 {
+                    __BatchRegion0::Fill => {
+                        outputs.valve = true;
+                    }
+                    _ => {}
+                }
+                match self.region_1 {
+                    __BatchRegion1::Heat => {
+                        if self.since_1 < ::grafcet::__private::Ticks::new(3000u32) {
+                            outputs.lamp = true;
+                        }
+                    }
+                    _ => {}
                 }
             }
-            _ => {}
         }
         let mut flag_n_heat = false;
         let mut left_flag_n_heat = false;

@@ -101,8 +101,7 @@ pub struct Stations {
     situation: [::grafcet::__private::u8; 1usize],
     out_motor: ::grafcet::__private::core::primitive::bool,
     now: ::grafcet::__private::Ticks,
-    settled: ::grafcet::__private::bool,
-    since_5: ::grafcet::__private::ShortTime,
+    since_5: ::grafcet::__private::Ticks,
 }
 impl Stations {
     ///A chart `Stations` in its initial situation; its activation belongs to the first cycle.
@@ -112,8 +111,7 @@ impl Stations {
             situation: [64u8],
             out_motor: false,
             now: ::grafcet::__private::Ticks::ZERO,
-            settled: false,
-            since_5: ::grafcet::__private::ShortTime::ZERO,
+            since_5: ::grafcet::__private::Ticks::ZERO,
         }
     }
 }
@@ -176,17 +174,12 @@ impl Stations {
             test: false,
             motor: false,
         };
-        let elapsed = if self.situation[0usize] & 64u8 != 0 {
-            ::grafcet::__private::Ticks::ZERO
-        } else {
-            now.since(self.now)
-        };
+        let elapsed = now.since(self.now);
         self.now = now;
         self.since_5 = self.since_5 + elapsed;
         if self.situation[0usize] & 64u8 != 0 {
             self.situation = [1u8];
         }
-        self.settled = true;
         loop {
             let inputs = ::grafcet::__private::core::hint::black_box(inputs);
             let before = self.situation;
@@ -227,7 +220,7 @@ impl Stations {
                     if {
                         let elapsed_2000_5 = (before[0usize] & 32u8 != 0)
                             && (if before[0usize] & 32u8 != 0 {
-                                self.since_5.ticks()
+                                self.since_5
                             } else {
                                 ::grafcet::__private::Ticks::ZERO
                             }) >= ::grafcet::__private::Ticks::new(2000u32);
@@ -256,7 +249,7 @@ impl Stations {
             }
             self.situation = after;
             if (after[0usize] ^ before[0usize]) & 32u8 != 0 {
-                self.since_5 = ::grafcet::__private::ShortTime::ZERO;
+                self.since_5 = ::grafcet::__private::Ticks::ZERO;
             }
         }
         let after = self.situation;
@@ -336,7 +329,7 @@ impl Stations {
     pub fn next_deadline(
         &self,
     ) -> ::grafcet::__private::Option<::grafcet::__private::Ticks> {
-        if !self.settled {
+        if self.situation[0usize] & 64u8 != 0 {
             return ::grafcet::__private::Option::Some(self.now);
         }
         let mut soonest = ::grafcet::__private::Option::None;
@@ -344,7 +337,7 @@ impl Stations {
             soonest = ::grafcet::__private::sooner(
                 soonest,
                 ::grafcet::__private::until(
-                    self.since_5.ticks(),
+                    self.since_5,
                     ::grafcet::__private::Ticks::new(2000u32),
                 ),
             );

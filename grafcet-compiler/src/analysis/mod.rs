@@ -17,5 +17,5 @@ pub use concurrency::Concurrency;
 pub use logic::{Answer, Condition, Logic};
 pub use nesting::Nesting;
 pub use relation::Relation;
-pub use stability::{Stability, is_constant_read};
+pub use stability::{Ends, Stability, is_constant_read};
 pub use union::Union;

@@ -27,6 +27,20 @@ enum Clock {
 }
 
 impl Cx<'_> {
+    /// Whether a cycle may leave something to the next one that needs neither an input nor time. In a `grafcet` the search goes
+    /// on until nothing more happens: only edges, delays, actions, outputs that are read, and a search without end do.
+    pub(super) fn remembers_settled(&self) -> bool {
+        let (model, memory) = (self.model, &self.plan.memory);
+        let read = || self.plan.drives.iter().any(|drive| drive.read);
+        let left_over = || !memory.edges.is_empty() || !model.delays.is_empty() || !model.actions.is_empty() || read();
+        memory.time && (!model.is_grafcet() || self.plan.may_be_unstable || !memory.last.is_empty() || left_over())
+    }
+
+    /// As long as nothing contradicts, the cycle leaves nothing to the next one.
+    pub(super) fn assume_settled(&self) -> Option<TokenStream> {
+        self.remembers_settled().then(|| quote!(self.settled = true;))
+    }
+
     /// The method, where the chart uses time.
     pub(super) fn deadline(&self) -> Option<TokenStream> {
         if !self.plan.memory.time {
@@ -40,13 +54,14 @@ impl Cx<'_> {
             quote!(soonest = #p::sooner(soonest, self.#field.remaining(#on, #off));)
         });
         let timers = self.timers();
+        let at_once = if self.remembers_settled() { quote!(!self.settled) } else { self.first() };
         Some(quote! {
             /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
             /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
             /// "scan again at once"; `None` means "only an input can change anything".
             #[must_use]
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> {
-                if !self.settled {
+                if #at_once {
                     return #p::Option::Some(self.now);
                 }
                 let mut soonest = #p::Option::None;

@@ -111,7 +111,9 @@ impl Cx<'_> {
         });
         let start = self.has_start_variant(0).then(|| {
             let (start, initial) = (self.start(), self.initial(0));
-            quote!(#start => #initial,)
+            let begin = self.begins_on_entry().then(|| self.begin_initial());
+            let moved = self.note_moved();
+            quote!(#start => { #begin #moved #initial })
         });
         quote!(let #after = match #before { #(#arms)* #start };)
     }
@@ -184,12 +186,15 @@ impl Cx<'_> {
             return transition.sources.iter().map(|step| self.stay(*step)).collect();
         }
         let actions = self.clearing_actions(id);
-        let again = (self.plan.sees_reentry[0] && transition.sources == transition.targets).then(|| {
+        let (stays, seen) = (transition.sources == transition.targets, self.plan.sees_reentry[0]);
+        let again = (stays && seen).then(|| {
             let again = names::again(0, self.plan);
             quote!(#again = true;)
         });
+        let moved = (!stays || seen).then(|| self.note_moved());
+        let begin = transition.targets.iter().map(|step| self.begin_time(*step, transition));
         let target = transition.targets.iter().map(|step| self.variant(*step));
-        quote!(#actions #again #(#target)*)
+        quote!(#actions #again #(#begin)* #moved #(#target)*)
     }
 
     /// The transitions out of the steps of one region.

@@ -74,12 +74,12 @@ impl Cx<'_> {
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
         let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
-        let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
+        let time = self.assume_settled();
         let opaque = self.opaque_inputs();
         // In place, an evolution reads each state where it uses it: held in registers, the states would be moved from one to
         // another on every way.
         let (once, each) = if self.in_place() { (opaque, Some(self.fence())) } else { (None, opaque) };
-        let fence = self.breaks_out().then(|| self.fence());
+        let fence = (self.breaks_out() && !self.evolves_once()).then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
         let gone =
@@ -91,18 +91,17 @@ impl Cx<'_> {
             #bound
             #stored #commit_collected #commit #restart #unsettle #forget
         };
-        let (snapshot, label) = (self.snapshot(&code), self.search_label().into_iter());
+        let (snapshot, end) = (self.snapshot(&code), self.end_of_search());
+        let body = quote!({ #each #snapshot #code #end });
+        let label = self.search_label().map(|label| quote!(#label:));
+        let again = (!self.evolves_once()).then(|| quote!(loop));
         quote! {
             #declare_bound
             #declare_edges
             #still
             #time
             #once
-            #(#label:)* loop {
-                #each
-                #snapshot
-                #code
-            }
+            #label #again #body
             #gone
             #fence
         }
@@ -112,13 +111,13 @@ impl Cx<'_> {
     /// active step asks for.
     pub(super) fn opaque_inputs(&self) -> Option<TokenStream> {
         let p = &self.p;
-        let reads = !self.model.inputs.is_empty() && !self.evolves_apart();
+        let reads = !self.model.inputs.is_empty() && !self.evolves_apart() && !self.evolves_once();
         reads.then(|| quote!(let inputs = #p::core::hint::black_box(inputs);))
     }
 
     /// A delay is sampled once per cycle: the next one sees the new situation.
     pub(super) fn unsettle_delays(&self) -> Option<TokenStream> {
-        (!self.model.delays.is_empty()).then(|| quote!(self.settled = false;))
+        (!self.model.delays.is_empty()).then(|| self.unsettle()).flatten()
     }
 
     /// No instruction: it keeps LLVM from copying the actions of the steps into the evolution before, or from holding the

@@ -34,8 +34,10 @@ impl Cx<'_> {
 
     /// Whether the evolution notes in `moved` that it has changed the situation.
     pub(super) fn notes_moves(&self) -> bool {
-        let sees = self.in_place() || self.has_flags() && self.changes_by_clearing();
-        sees && (self.model.is_grafcet() || self.plan.memory.time)
+        let search = self.model.is_grafcet();
+        let in_arms = !search && self.is_one_match() && !self.is_long;
+        let sees = self.in_place() || in_arms || self.has_flags() && self.changes_by_clearing();
+        sees && (search || self.plan.memory.time)
     }
 
     /// Whether a transition that clears changes the situation: no other one gives back what it takes away.
@@ -45,8 +47,10 @@ impl Cx<'_> {
 
     /// An `sfc` only wants to know for `next_deadline`.
     pub(super) fn declare_moved(&self) -> Option<TokenStream> {
-        let search = self.model.is_grafcet();
-        self.notes_moves().then(|| if search { quote!(let mut moved = false;) } else { quote!(self.settled = true;) })
+        if self.model.is_grafcet() {
+            return self.notes_moves().then(|| quote!(let mut moved = false;));
+        }
+        self.assume_settled()
     }
 
     pub(super) fn note_moved(&self) -> Option<TokenStream> {

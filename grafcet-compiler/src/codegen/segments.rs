@@ -25,6 +25,12 @@ impl Item {
         let (Self::Before(_, body) | Self::After(_, body) | Self::Always(body)) = self;
         body.is_empty()
     }
+
+    /// What happens.
+    pub(super) fn into_body(self) -> TokenStream {
+        let (Self::Before(_, body) | Self::After(_, body) | Self::Always(body)) = self;
+        body
+    }
 }
 
 /// A `match` under construction.
@@ -104,12 +110,16 @@ impl Cx<'_> {
                 }
             }
             items.sort_by_key(|item| regions.iter().position(|region| *region == self.region_of(item)));
+            let nests = self.plan.nests.as_ref().filter(|_| items.iter().all(|item| matches!(item, Item::After(..))));
+            if let Some(nests) = nests {
+                return self.side_by_side(nests, items);
+            }
         }
         self.all_in_order(items)
     }
 
     /// Whose state the item looks at, and when.
-    fn region_of(&self, item: &Item) -> Option<(bool, RegionId)> {
+    pub(super) fn region_of(&self, item: &Item) -> Option<(bool, RegionId)> {
         match item {
             Item::Before(step, _) => Some((true, self.plan.regions.of_step(*step))),
             Item::After(step, _) => Some((false, self.plan.regions.of_step(*step))),
@@ -153,12 +163,7 @@ impl Cx<'_> {
             arms.sort_by_key(|(step, _)| *step);
             return self.visit(if before { At::Before } else { At::After }, &arms);
         }
-        let state = match before {
-            true => names::before(region, self.plan).to_token_stream(),
-            // Read where it is used, not held in a register until then.
-            false if self.in_place() => self.plain_state(region),
-            false => names::after(region, self.plan).to_token_stream(),
-        };
+        let state = if before { names::before(region, self.plan).to_token_stream() } else { self.state_after(region) };
         if let Some(shared) = self.shared_actions(&state, &arms) {
             return shared;
         }
@@ -168,6 +173,11 @@ impl Cx<'_> {
             quote!(#variant => { #body })
         });
         quote!(match #state { #(#arms)* #rest })
+    }
+
+    /// The state of a region after the evolution, where it happens in place not held in a register until then.
+    pub(super) fn state_after(&self, region: RegionId) -> TokenStream {
+        if self.in_place() { self.plain_state(region) } else { names::after(region, self.plan).to_token_stream() }
     }
 
     /// The arm for the states that `arms` leave out.

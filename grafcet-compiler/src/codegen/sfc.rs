@@ -24,14 +24,14 @@ impl Cx<'_> {
         let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first)));
         let evolve = self.evolve();
         let keep = self.keep_times();
-        let (commit, restart) = (self.commit(), self.restart_times());
-        let settle = self.declare_settled();
+        let commit = self.commit();
+        let settle = self.settle();
         let actions = self.sfc_actions();
         let second = self.declare_second(&actions);
         let result = self.result();
         // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
-        let rest = quote!(#restart #settle #second #actions #result);
+        let rest = quote!(#settle #second #actions #result);
         let afters = self.in_place().then(|| {
             let (fence, afters) = (self.fence(), self.afters_for(&rest));
             quote!(#fence #afters)
@@ -213,18 +213,17 @@ impl Cx<'_> {
         self.under_condition(association, quote!(#unsettle #run))
     }
 
-    /// `settled` says whether the next cycle would do the same as this one, were it not for the time.
-    fn declare_settled(&self) -> TokenStream {
+    /// Times begin where a step has been entered, and `settled` says whether the next cycle would do the same as this one, were
+    /// it not for the time.
+    fn settle(&self) -> TokenStream {
         if !self.plan.memory.time {
             return TokenStream::new();
         }
+        let restart = self.restart_times();
         let edges = self.edge_names();
         if self.notes_moves() {
-            return if edges.is_empty() {
-                TokenStream::new()
-            } else {
-                quote!(if #(#edges)||* { self.settled = false; })
-            };
+            let edges = (!edges.is_empty()).then(|| quote!(if #(#edges)||* { self.settled = false; }));
+            return quote!(#restart #edges);
         }
         let regions = 0..self.plan.regions.all().len();
         let compared = if self.has_flags() { 0..1 } else { regions.clone() };
@@ -232,19 +231,20 @@ impl Cx<'_> {
         let again: Vec<_> = again.map(|region| names::again(region, self.plan)).collect();
         let same = compared.map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            quote!(#before == #after)
+            quote!(#before != #after)
         });
-        quote!(self.settled = #(#same)&&* #(&& !#again)* #(&& !#edges)*;)
+        // One question: where two are asked about the same, LLVM keeps the way the evolution has come as a number.
+        quote!(if #(#same)||* #(|| #again)* #(|| #edges)* { #restart self.settled = false; })
     }
 
     /// An action runs, and would run again in the next cycle or has changed what others read.
     pub(super) fn unsettle(&self) -> Option<TokenStream> {
-        self.plan.memory.time.then(|| quote!(self.settled = false;))
+        self.remembers_settled().then(|| quote!(self.settled = false;))
     }
 
     /// The same, if something changes.
     pub(super) fn unsettle_if(&self, change: &TokenStream) -> Option<TokenStream> {
-        self.plan.memory.time.then(|| quote!(if #change { self.settled = false; }))
+        self.unsettle().map(|unsettle| quote!(if #change { #unsettle }))
     }
 
     /// The outputs of the cycle before, where an action reads them.

@@ -115,12 +115,14 @@ impl Cx<'_> {
 
     /// The initial situation, entered by an evolution of its own in the first cycle.
     pub(super) fn enter_initial(&self) -> TokenStream {
+        let begin = self.begin_initial();
         if self.has_flags() {
             let initial = self.initial_flags();
-            return quote!(self.situation = #initial;);
+            return quote!(self.situation = #initial; #begin);
         }
         // The other regions hold their initial states from the beginning.
-        self.set_state(0, &self.initial(0))
+        let enter = self.set_state(0, &self.initial(0));
+        quote!(#enter #begin)
     }
 
     /// Takes the mark of an unstable search away, or sets it (A30).

@@ -7,7 +7,7 @@ use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
-use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
+use crate::model::{DelayId, EdgeId, Expr, Name, Qualifier, Read, StepId, Transition, VarId};
 use crate::plan::RegionId;
 
 /// Something that is sampled at the begin of a cycle or an evolution.
@@ -25,20 +25,44 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let p = &self.p;
-        let first = self.first();
-        let regions = self.timed_regions().map(|region| {
-            let since = names::step_time(region, self.plan);
-            quote!(self.#since = self.#since + elapsed;)
-        });
+        let regions: Vec<_> = self
+            .timed_regions()
+            .map(|region| {
+                let since = names::step_time(region, self.plan);
+                quote!(self.#since = self.#since + elapsed;)
+            })
+            .collect();
         let macros = self.plan.memory.macro_times.iter().map(|id| {
             let since = names::macro_time(*id);
             quote!(self.#since = self.#since + elapsed;)
         });
+        let since = quote!(now.since(self.now));
+        let elapsed = if self.counts_in_first() {
+            let first = self.first();
+            quote!(if #first { #p::Ticks::ZERO } else { #since })
+        } else {
+            since
+        };
+        let counts = !regions.is_empty() || !self.plan.memory.macro_times.is_empty() || self.has_timers();
+        let declare = counts.then(|| quote!(let elapsed = #elapsed;));
         quote! {
-            let elapsed = if #first { #p::Ticks::ZERO } else { now.since(self.now) };
+            #declare
             self.now = now;
             #(#regions)* #(#macros)*
         }
+    }
+
+    /// Whether something that is not a step counts time, also in the first cycle, which has none. The times of the initial steps
+    /// begin in it.
+    fn counts_in_first(&self) -> bool {
+        !self.plan.memory.macro_times.is_empty() || !self.model.delays.is_empty()
+    }
+
+    /// Whether delays or the action control count time.
+    fn has_timers(&self) -> bool {
+        let timers = [Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
+        let mut targets = self.plan.control.targets.iter();
+        !self.model.delays.is_empty() || targets.any(|target| timers.iter().any(|timer| target.has(self.model, *timer)))
     }
 
     /// Regions whose active step's time is counted.
@@ -50,10 +74,8 @@ impl Cx<'_> {
     pub(super) fn restart_times(&self) -> TokenStream {
         let p = &self.p;
         let regions = self.timed_regions().filter(|_| !self.begins_on_entry()).map(|region| {
-            let (since, again) = (names::step_time(region, self.plan), self.or_again(region));
-            let changed = self.is_changed(region);
-            let time = self.time_type(region);
-            quote!(if #changed #again { self.#since = #time::ZERO; })
+            let (changed, again, begin) = (self.is_changed(region), self.or_again(region), self.begin_region(region));
+            quote!(if #changed #again { #begin })
         });
         let macros = self.plan.memory.macro_times.iter().map(|id| {
             let since = names::macro_time(*id);
@@ -78,7 +100,10 @@ impl Cx<'_> {
 
     /// Whether a transition that clears begins the times of the steps it enters.
     pub(super) fn begins_on_entry(&self) -> bool {
-        self.in_place() && self.plan.memory.begins_on_entry
+        // An evolution that the bound forbids has been found by then.
+        let never_taken_back = !self.plan.may_be_unstable || self.walks();
+        let in_arms = self.is_one_match() && !self.is_long && never_taken_back;
+        (self.in_place() || in_arms) && self.plan.memory.begins_on_entry
     }
 
     /// A step that is entered begins its time. One that is left at once goes on with it in a `grafcet` (A4g), but not in an `sfc`
@@ -86,11 +111,18 @@ impl Cx<'_> {
     pub(super) fn begin_time(&self, step: StepId, transition: &Transition) -> Option<TokenStream> {
         let stays = self.model.is_grafcet() && transition.sources.contains(&step);
         let begins = self.begins_on_entry() && self.plan.memory.timed.contains(&step) && !stays;
-        begins.then(|| {
-            let region = self.plan.regions.of_step(step);
-            let (since, time) = (names::step_time(region, self.plan), self.time_type(region));
-            quote!(self.#since = #time::ZERO;)
-        })
+        begins.then(|| self.begin_region(self.plan.regions.of_step(step)))
+    }
+
+    /// The times of the initial steps begin in the first cycle.
+    pub(super) fn begin_initial(&self) -> TokenStream {
+        let timed = self.plan.initial.iter().filter(|step| self.plan.memory.timed.contains(step));
+        timed.map(|step| self.begin_region(self.plan.regions.of_step(*step))).collect()
+    }
+
+    fn begin_region(&self, region: RegionId) -> TokenStream {
+        let (since, time) = (names::step_time(region, self.plan), self.time_type(region));
+        quote!(self.#since = #time::ZERO;)
     }
 
     /// The time the active steps had reached, for the actions on leaving them (A34).

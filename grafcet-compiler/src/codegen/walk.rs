@@ -34,7 +34,7 @@ impl Cx<'_> {
         let (first, mark) = (self.plain_state(0), self.mark(true));
         let limit = Literal::u32_suffixed(self.plan.max_evolutions);
         let label = label();
-        let time = self.plan.memory.time.then(|| quote!(self.settled = true;));
+        let time = self.assume_settled();
         let combinational = self.all_combinational(Moment::Condition);
         let (evolve, stored, restart) = (self.one_match(), self.do_stored(), self.restart_times());
         let (unmark, commit) = (self.set_state(0, &quote!(#state)), self.set_state(0, &quote!(#after)));
@@ -70,7 +70,28 @@ impl Cx<'_> {
 
     /// The label of the search, where `break` alone would leave something within it.
     pub(super) fn search_label(&self) -> Option<Lifetime> {
-        (self.walks() || self.is_long).then(label)
+        (self.walks() || self.is_long || self.evolves_once()).then(label)
+    }
+
+    /// Whether each search ends with its first evolution.
+    pub(super) fn evolves_once(&self) -> bool {
+        self.plan.search_ends.always() && self.knows_ends()
+    }
+
+    /// The end of a search with the activation of a step that nothing can leave at once.
+    pub(super) fn end_of_search(&self) -> Option<TokenStream> {
+        let ends = &self.plan.search_ends;
+        let some = !ends.always() && !ends.steps().is_empty() && self.knows_ends();
+        some.then(|| {
+            let (after, stop, p) = (names::after(0, self.plan), self.stop(), &self.p);
+            let ends = ends.steps().iter().map(|step| self.variant(*step));
+            quote!(if #p::core::matches!(#after, #(#ends)|*) { #stop; })
+        })
+    }
+
+    /// Whether the search is one for which the plan knows where it ends.
+    fn knows_ends(&self) -> bool {
+        self.model.is_grafcet() && !self.plan.may_be_unstable && !self.is_long && self.is_one_match()
     }
 
     /// `break`, out of the search.

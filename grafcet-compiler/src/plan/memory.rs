@@ -1,6 +1,6 @@
 //! What a chart remembers from cycle to cycle beside its situation: only what it uses.
 
-use super::{Control, Drive, Regions, is_stored};
+use super::{Control, Drive, Region, Regions, is_stored};
 use crate::analysis::{combinational, is_constant_read};
 use crate::model::{
     Association, AssociationId, EdgeId, Effect, Id, MacroId, Model, OutputId, Read, StepId, TimeRef, Transition, VarId,
@@ -44,6 +44,8 @@ impl Memory {
             model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
         };
         let timed = timed_steps(model, control, &reads);
+        let step_times: Vec<_> =
+            regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect();
         Self {
             vars: model.vars.ids().filter(|id| !combinational.contains(id)).collect(),
             combinational,
@@ -51,11 +53,8 @@ impl Memory {
             last: pick(&|drive| drive.last),
             time: model.uses_time(),
             begins_on_entry: begins_on_entry(model),
-            short_times: {
-                let long = long_steps(model, control, &reads);
-                regions.all().iter().map(|r| r.steps.iter().all(|step| !long.contains(step))).collect()
-            },
-            step_times: regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect(),
+            short_times: short_times(regions, &step_times, &long_steps(model, control, &reads)),
+            step_times,
             timed,
             macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
             still_edges: still_edges(model),
@@ -120,6 +119,14 @@ fn long_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepId
     });
     let limited = model.associations.iter().filter(|(id, _)| control.step_limit(model, *id).is_some_and(is_long));
     read.chain(limited.map(|(_, association)| association.step)).collect()
+}
+
+/// The only one would leave its place beside it empty, and takes more instructions.
+fn short_times(regions: &Regions, timed: &[bool], long: &Set<StepId>) -> Vec<bool> {
+    let is_short = |(region, timed): (&Region, &bool)| *timed && region.steps.iter().all(|step| !long.contains(step));
+    let short: Vec<_> = regions.all().iter().zip(timed).map(is_short).collect();
+    let several = short.iter().filter(|short| **short).count() > 1;
+    short.into_iter().map(|short| short && several).collect()
 }
 
 fn is_time_of(read: Read, id: MacroId) -> bool {

@@ -22,7 +22,7 @@ pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored};
 
-use crate::analysis::{Concurrency, Stability, hierarchy};
+use crate::analysis::{Concurrency, Ends, Stability, hierarchy};
 use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
@@ -51,6 +51,8 @@ pub struct Plan {
     pub sees_reentry: Vec<bool>,
     /// A search for stability may have no end, as far as is known (A30).
     pub may_be_unstable: bool,
+    /// Where a search ends without another look.
+    pub search_ends: Ends,
     /// After how many evolutions that changed something such a search is given up.
     pub max_evolutions: u32,
     /// A search of a chart whose situation is one step that takes so many evolutions is certain to go on: a step has come
@@ -78,6 +80,7 @@ impl Plan {
         if model.flags {
             regions = Regions::flags(model, &initial);
         }
+        let stability = model.is_grafcet().then(|| Stability::of(model));
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         let memory = Memory::of(model, &regions, &drives, &control);
         Self {
@@ -89,7 +92,8 @@ impl Plan {
             one_step,
             most_active,
             sees_reentry,
-            may_be_unstable: may_be_unstable(model),
+            may_be_unstable: stability.as_ref().is_some_and(|stability| may_be_unstable(model, stability)),
+            search_ends: stability.map(Stability::ends).unwrap_or_default(),
             max_evolutions: max_evolutions(model),
             comes_back: Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len(),
             regions,
@@ -158,15 +162,13 @@ fn has_start(model: &Model, initial: &Set<StepId>, memory: &Memory) -> bool {
 }
 
 /// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
-fn may_be_unstable(model: &Model) -> bool {
+fn may_be_unstable(model: &Model, stability: &Stability) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
-    let is_endless = || {
-        let stability = Stability::of(model);
-        // Where each transition clears at most once, the chart gives the search long enough.
-        let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
-        !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound))
-    };
-    model.is_grafcet() && (is_endless() || Stored::of(model).collected.iter().any(compared))
+    // Where each transition clears at most once, the chart gives the search long enough.
+    let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
+    !stability.is_certain()
+        || model.max_evolutions.is_some_and(|bound| !is_long(bound))
+        || Stored::of(model).collected.iter().any(compared)
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

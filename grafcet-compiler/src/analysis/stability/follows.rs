@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Candidates, is_constant_read};
 use crate::analysis::{Condition, Logic};
-use crate::model::{Binary, ForceOrder, Id, Model, StepId, TransitionId, Tree, Unary};
+use crate::model::{Binary, ForceOrder, Id, Model, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
 /// In larger circles no choice is looked for: it would take a comparison of all pairs.
@@ -21,6 +21,8 @@ pub(super) struct Follows<'m> {
     entering: Vec<Vec<TransitionId>>,
     /// By transition, the number of its condition among the different ones.
     condition_of: Vec<usize>,
+    /// The same of its condition as it is when its source step has been entered in the same cycle.
+    entered_of: Vec<usize>,
     conditions: Vec<Condition>,
     /// Whether two conditions can hold together, as far as that was asked.
     together: BTreeMap<(usize, usize), bool>,
@@ -42,17 +44,32 @@ impl<'m> Follows<'m> {
         }
         let mut different: Map<Tree, usize> = Map::new();
         let mut conditions = Vec::new();
-        let mut condition_of = Vec::new();
-        for transition in model.transitions.values() {
-            let tree = constant_part(&transition.condition.tree, true);
+        let mut number = |tree: Tree| {
             let number = different.get(&tree).copied().unwrap_or(conditions.len());
             if number == conditions.len() {
                 conditions.push(logic.condition(&tree));
                 different.insert(tree, number);
             }
-            condition_of.push(number);
+            number
+        };
+        let (mut condition_of, mut entered_of) = (Vec::new(), Vec::new());
+        for transition in model.transitions.values() {
+            let tree = &transition.condition.tree;
+            condition_of.push(number(constant_part(tree, true)));
+            let entered = just_entered(model, tree, &transition.sources);
+            entered_of.push(number(constant_part(&entered, true)));
         }
-        Self { model, logic, leaving, activates, entering, condition_of, conditions, together: BTreeMap::new() }
+        Self {
+            model,
+            logic,
+            leaving,
+            activates,
+            entering,
+            condition_of,
+            entered_of,
+            conditions,
+            together: BTreeMap::new(),
+        }
     }
 
     pub(super) fn transitions(&self) -> usize {
@@ -64,6 +81,15 @@ impl<'m> Follows<'m> {
         let next: Vec<_> =
             self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).collect();
         next.into_iter().filter(|other| self.can_clear_together(id, *other)).collect()
+    }
+
+    /// Whether nothing that leaves the steps a transition activates can clear in the same cycle.
+    pub(super) fn is_followed_by_none(&mut self, id: TransitionId) -> bool {
+        let leaving: Vec<_> =
+            self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).collect();
+        leaving
+            .into_iter()
+            .all(|next| !self.hold_together(self.condition_of[id.index()], self.entered_of[next.index()]))
     }
 
     /// Whether transitions among `candidates` enter each of its source steps.
@@ -92,7 +118,10 @@ impl<'m> Follows<'m> {
     }
 
     fn can_clear_together(&mut self, a: TransitionId, b: TransitionId) -> bool {
-        let (a, b) = (self.condition_of[a.index()], self.condition_of[b.index()]);
+        self.hold_together(self.condition_of[a.index()], self.condition_of[b.index()])
+    }
+
+    fn hold_together(&mut self, a: usize, b: usize) -> bool {
         let (logic, conditions) = (&self.logic, &self.conditions);
         *self.together.entry((a.min(b), a.max(b))).or_insert_with(|| !logic.exclusive(&conditions[a], &conditions[b]))
     }
@@ -121,6 +150,25 @@ fn activated(model: &Model, steps: &[StepId]) -> Set<StepId> {
         }
     }
     all
+}
+
+/// A condition where one of these steps has been entered in the same cycle: its time is zero, and edges of what stays constant
+/// are gone (A2).
+fn just_entered(model: &Model, tree: &Tree, steps: &[StepId]) -> Tree {
+    let inner = |tree: &Tree| Box::new(just_entered(model, tree, steps));
+    match tree {
+        Tree::Elapsed(TimeRef::Ticks(1..), step) if steps.contains(step) => Tree::Bool(false),
+        Tree::Read(Read::Rising(id) | Read::Falling(id)) if model.edges[*id].of.reads.iter().all(is_constant_read) => {
+            Tree::Bool(false)
+        }
+        Tree::Binary(Binary::Ge | Binary::Gt, a, b) => match (&**a, &**b) {
+            (Tree::Read(Read::Since(step)), Tree::Read(Read::Ticks(1..))) if steps.contains(step) => Tree::Bool(false),
+            _ => tree.clone(),
+        },
+        Tree::Unary(Unary::Not, of) => Tree::Unary(Unary::Not, inner(of)),
+        Tree::Binary(operator @ (Binary::And | Binary::Or), a, b) => Tree::Binary(*operator, inner(a), inner(b)),
+        _ => tree.clone(),
+    }
 }
 
 /// What a condition demands of the values that stay constant during a cycle: everything else is taken as favourable.

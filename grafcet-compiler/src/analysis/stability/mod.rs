@@ -10,7 +10,7 @@ mod once;
 
 use self::follows::Follows;
 use super::Concurrency;
-use crate::model::{Id, Model, Name, Qualifier, Read, TransitionId};
+use crate::model::{Id, Model, Name, Qualifier, Read, StepId, TransitionId};
 use crate::sorted::Set;
 
 /// So many choices between transitions that exclude each other are gone through before nothing is claimed.
@@ -23,6 +23,28 @@ type Candidates = Set<TransitionId>;
 pub struct Stability {
     certain: bool,
     at_once: bool,
+    ends: Ends,
+}
+
+/// The steps with whose activation a search ends, in a chart that is one sequence: nothing can leave them in the same cycle.
+#[derive(Default)]
+pub struct Ends {
+    steps: Set<StepId>,
+    always: bool,
+}
+
+impl Ends {
+    /// These steps.
+    #[must_use]
+    pub fn steps(&self) -> &Set<StepId> {
+        &self.steps
+    }
+
+    /// All steps that a transition activates are such ones: a search has one evolution.
+    #[must_use]
+    pub fn always(&self) -> bool {
+        self.always
+    }
 }
 
 impl Stability {
@@ -31,7 +53,7 @@ impl Stability {
     pub fn of(model: &Model) -> Self {
         let events = model.associations.values().any(|a| a.qualifier == Qualifier::On);
         if events || is_refilled(model) {
-            return Self { certain: false, at_once: false };
+            return Self { certain: false, at_once: false, ends: Ends::default() };
         }
         let mut follows = Follows::new(model);
         let all: Candidates = model.transitions.ids().collect();
@@ -41,7 +63,7 @@ impl Stability {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, &concurrency, *id)).collect();
             ends(&mut follows, again, &all, &mut 0)
         };
-        Self { certain, at_once }
+        Self { certain, at_once, ends: search_ends(model, &mut follows) }
     }
 
     /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
@@ -58,11 +80,37 @@ impl Stability {
         self.certain
     }
 
+    /// Where a search ends without another look.
+    #[must_use]
+    pub fn ends(self) -> Ends {
+        self.ends
+    }
+
     /// Every search ends after each transition has cleared at most once.
     #[must_use]
     pub fn is_at_once(&self) -> bool {
         self.at_once
     }
+}
+
+/// The steps that are active alone and that no transition can leave in the cycle in which another one has entered them.
+fn search_ends(model: &Model, follows: &mut Follows<'_>) -> Ends {
+    let is_sequence = model.partials.len() == 1
+        && model.steps.values().filter(|step| step.initial).count() == 1
+        && model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1);
+    if !is_sequence {
+        return Ends::default();
+    }
+    let mut steps: Set<StepId> = model.transitions.values().flat_map(|t| &t.targets).copied().collect();
+    let entered = steps.len();
+    for (id, transition) in model.transitions.iter() {
+        let goes_on = transition.sources != transition.targets && !follows.is_followed_by_none(id);
+        if goes_on {
+            transition.targets.iter().for_each(|step| _ = steps.remove(step));
+        }
+    }
+    let always = steps.len() == entered;
+    Ends { steps, always }
 }
 
 /// Whether a source transition, which nothing has to enable, may go on filling a chart in which what clears depends on what
