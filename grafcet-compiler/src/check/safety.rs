@@ -32,7 +32,16 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
     let name = &model.steps[step].name;
     let way = activation.path.before_last().text(model);
     let by = &model.transitions[activation.by];
-    let mend = "let parallel branches meet in one convergence, `(…, …) -[x]-> …`, before a step behind them is entered";
+    let mend = match divergence(model, meeting) {
+        Some(step) => {
+            let step = &model.steps[step].name;
+            format!("several transitions behind `{step}` can clear at once; let their conditions exclude each other")
+        }
+        None => {
+            "let parallel branches meet in one convergence, `(…, …) -[x]-> …`, before a step behind them is entered"
+                .to_owned()
+        }
+    };
     let mut notes = vec![
         (by.mark, format!("`{way}`: this transition can activate `{name}` while it is active; {mend}")),
         (Mark::from(name), format!("`{name}` can be activated while it is active")),
@@ -61,4 +70,16 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
     }
     let scopes = [&by.levels[..], &model.steps[step].levels, &model.partials[by.partial].levels, &model.levels];
     sink.rule_in(model.dialect, &rules::UNSAFE_STEP, &scopes, notes);
+}
+
+/// The step from which several transitions have cleared at once, where that has parted the ways.
+fn divergence(model: &Model, meeting: &Meeting) -> Option<StepId> {
+    let from = match meeting.parting {
+        Parting::At(parting) => &model.transitions[parting].targets,
+        Parting::Start => &meeting.starts,
+        Parting::Source => return None,
+    };
+    let [step] = from[..] else { return None };
+    let leaving = model.transitions.values().filter(|transition| transition.sources.contains(&step));
+    (leaving.count() > 1).then_some(step)
 }
