@@ -229,12 +229,12 @@ impl Cx<'_> {
         let compared = if self.has_flags() { 0..1 } else { regions.clone() };
         let again = regions.filter(|region| self.plan.sees_reentry[*region]);
         let again: Vec<_> = again.map(|region| names::again(region, self.plan)).collect();
-        let same = compared.map(|region| {
+        let changed = compared.map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             quote!(#before != #after)
         });
         // One question: where two are asked about the same, LLVM keeps the way the evolution has come as a number.
-        quote!(if #(#same)||* #(|| #again)* #(|| #edges)* { #restart self.settled = false; })
+        quote!(if #(#changed)||* #(|| #again)* #(|| #edges)* { #restart self.settled = false; })
     }
 
     /// An action runs, and would run again in the next cycle or has changed what others read.

@@ -7,7 +7,7 @@ use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
-use crate::model::{DelayId, EdgeId, Expr, Name, Qualifier, Read, StepId, Transition, VarId};
+use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
 use crate::plan::RegionId;
 
 /// Something that is sampled at the begin of a cycle or an evolution.
@@ -25,13 +25,10 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let p = &self.p;
-        let regions: Vec<_> = self
-            .timed_regions()
-            .map(|region| {
-                let since = names::step_time(region, self.plan);
-                quote!(self.#since = self.#since + elapsed;)
-            })
-            .collect();
+        let regions = self.timed_regions().map(|region| {
+            let since = names::step_time(region, self.plan);
+            quote!(self.#since = self.#since + elapsed;)
+        });
         let macros = self.plan.memory.macro_times.iter().map(|id| {
             let since = names::macro_time(*id);
             quote!(self.#since = self.#since + elapsed;)
@@ -43,10 +40,8 @@ impl Cx<'_> {
         } else {
             since
         };
-        let counts = !regions.is_empty() || !self.plan.memory.macro_times.is_empty() || self.has_timers();
-        let declare = counts.then(|| quote!(let elapsed = #elapsed;));
         quote! {
-            #declare
+            let elapsed = #elapsed;
             self.now = now;
             #(#regions)* #(#macros)*
         }
@@ -56,13 +51,6 @@ impl Cx<'_> {
     /// begin in it.
     fn counts_in_first(&self) -> bool {
         !self.plan.memory.macro_times.is_empty() || !self.model.delays.is_empty()
-    }
-
-    /// Whether delays or the action control count time.
-    fn has_timers(&self) -> bool {
-        let timers = [Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
-        let mut targets = self.plan.control.targets.iter();
-        !self.model.delays.is_empty() || targets.any(|target| timers.iter().any(|timer| target.has(self.model, *timer)))
     }
 
     /// Regions whose active step's time is counted.

@@ -121,7 +121,8 @@ fn long_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepId
     read.chain(limited.map(|(_, association)| association.step)).collect()
 }
 
-/// The only one would leave its place beside it empty, and takes more instructions.
+/// Regions whose times take 16 bits. One such region alone would mostly save no memory, as the struct is aligned to words, and
+/// saturating at 16 bits takes more instructions.
 fn short_times(regions: &Regions, timed: &[bool], long: &Set<StepId>) -> Vec<bool> {
     let is_short = |(region, timed): (&Region, &bool)| *timed && region.steps.iter().all(|step| !long.contains(step));
     let short: Vec<_> = regions.all().iter().zip(timed).map(is_short).collect();
