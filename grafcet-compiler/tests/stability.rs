@@ -1,6 +1,6 @@
 //! Which searches for stability are certain to end (A30).
 
-use grafcet_compiler::analysis::Stability;
+use grafcet_compiler::analysis::{Stability, explore};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
@@ -102,4 +102,40 @@ fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
     assert!(!always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[b]-> S1;"));
     // Beside others, what follows is not known.
     assert_eq!(ends("initial step S1; initial step S2; step S3; S1 -[5s/S1]-> S3 -[5s/S3]-> S1;"), [""; 0]);
+}
+
+/// Where the circles do not tell, all inputs are tried from all situations that can be reached.
+#[test]
+fn what_the_circles_do_not_tell_is_tried() {
+    let tried = |text: &str| {
+        let model = model(text);
+        assert!(!Stability::of(&model).is_certain(), "{text}");
+        explore::settles(&model, 10_000)
+    };
+    // Each of the two goes round only while the other one does, which takes `a` and `!a`.
+    let pair = |there: &str, back: &str| {
+        format!(
+            "partial Ram {{ initial step Open; step Shut; Open -[Feeder::Placed.X]-> Shut -[Feeder::Rest.X]-> Open; }} \
+             partial Feeder {{ initial step Rest; step Placed; \
+             Rest -[({there}) && Ram::Open.X]-> Placed -[({back}) && Ram::Shut.X]-> Rest; }}"
+        )
+    };
+    assert!(tried(&pair("a", "!a")));
+    assert!(!tried(&pair("a", "b")));
+    // A time begins anew with its step; one of zero has elapsed at once (A35).
+    assert!(tried(&pair("a || 5s/Rest", "!a")));
+    assert!(!tried(&pair("a || 0s/Rest", "!a")));
+    // In all situations, one of the steps would chase the other; in those that can be reached, they never meet.
+    let ring = "initial step S1; step S2; step S3; step S4; S2 -[S4.X]-> S3 -[S4.X]-> S2; S1 -[a]-> S2;";
+    assert!(tried(&format!("{ring} S1 -[!a]-> S4;")));
+    assert!(!tried(&format!("{ring} S1 -[a && b]-> S4;")));
+    // What is not known at each moment of a cycle tells nothing.
+    let counted = |bound: &str| {
+        format!("output n: u8 = 0; initial step S1; step S2 {{ P1 n = n + 1; }} S1 -[a {bound}]-> S2 -[a]-> S1;")
+    };
+    assert!(!tried(&counted("&& n < 3")));
+    // The bound is the chart's own, and so is the effort.
+    let long = "max_evolutions 1; initial step S1; step S2; step S3; S1 -[a]-> S2 -[S2.X && b]-> S3 -[!a]-> S1;";
+    assert!(!explore::settles(&model(long), 10_000));
+    assert!(!explore::settles(&model(&pair("a", "!a")), 10));
 }

@@ -81,6 +81,6 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
     usage::check(model, sink);
     if model.is_grafcet() {
         structure::two_masters(model, &seen, sink);
-        unstable::check(model, &concurrency, never, sink);
+        unstable::check(model, &concurrency, never, exploration.settles(), sink);
     }
 }

@@ -6,8 +6,11 @@ use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
-/// `never` is what the plant excludes.
-pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
+/// `never` is what the plant excludes; `settles` tells that no search is without end then.
+pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], settles: bool, sink: &mut Sink) {
+    if settles {
+        return;
+    }
     let logic = Logic::within(model, concurrency, never);
     let certain = Circles::new(model, concurrency, &logic).certain();
     for circle in &certain {

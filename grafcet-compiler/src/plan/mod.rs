@@ -22,9 +22,12 @@ pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored};
 
-use crate::analysis::{Concurrency, Ends, Stability, hierarchy};
+use crate::analysis::{Concurrency, Ends, Stability, explore, hierarchy};
 use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
+
+/// How many units of work it is worth to find out that the searches of a chart end, where its circles do not tell.
+const WORK: u64 = 100_000;
 
 /// The plan for one chart.
 pub struct Plan {
@@ -166,9 +169,8 @@ fn may_be_unstable(model: &Model, stability: &Stability) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
     // Where each transition clears at most once, the chart gives the search long enough.
     let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
-    !stability.is_certain()
-        || model.max_evolutions.is_some_and(|bound| !is_long(bound))
-        || Stored::of(model).collected.iter().any(compared)
+    let open = !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound));
+    Stored::of(model).collected.iter().any(compared) || open && !explore::settles(model, WORK)
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

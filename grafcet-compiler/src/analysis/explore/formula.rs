@@ -1,5 +1,6 @@
 //! Conditions over numbered atoms.
 
+use crate::analysis::is_constant_read;
 use crate::model::Tree;
 
 /// A condition.
@@ -63,6 +64,21 @@ pub(super) struct Atom {
     pub(super) volatile: bool,
     /// Whether the time of an action has come.
     pub(super) is_time: bool,
+}
+
+impl Atom {
+    /// Whether its value at each moment of a cycle follows from what was chosen at the begin and from what has happened since.
+    pub(super) fn is_exact(&self) -> bool {
+        match self.kind {
+            Kind::Step(_) | Kind::Macro(_) | Kind::Slot(_) | Kind::Since(_) => true,
+            Kind::MacroSince(_) => false,
+            Kind::Free | Kind::Number(..) => {
+                let mut stands_still = true;
+                self.what.each_read(&mut |read| stands_still &= is_constant_read(&read));
+                stands_still
+            }
+        }
+    }
 }
 
 /// How the value of an atom is found.

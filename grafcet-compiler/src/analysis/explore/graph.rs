@@ -101,6 +101,8 @@ pub(super) struct Graph {
     /// Not everything was tried in all combinations, and a search for stability did not come to its end: it stops elsewhere
     /// when more clears at once.
     pub(super) cut_off: bool,
+    /// Some search for stability was stopped by its bound.
+    pub(super) unstable: bool,
 }
 
 impl Graph {
@@ -116,6 +118,7 @@ impl Graph {
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
             cut_off: false,
+            unstable: false,
         }
     }
 }

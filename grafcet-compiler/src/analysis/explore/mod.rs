@@ -27,6 +27,7 @@ mod net;
 mod path;
 mod scene;
 mod search;
+mod settles;
 mod sfc;
 mod slots;
 mod table;
@@ -36,8 +37,10 @@ mod units;
 mod verdicts;
 mod waiting;
 mod ways;
+mod whole;
 
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation, text};
+pub use settles::settles;
 pub use tokens::{Meeting, Parting};
 
 use self::future::Future;
@@ -46,6 +49,7 @@ use self::net::Net;
 use self::search::Search;
 use self::verdicts::Report;
 use self::ways::Ways;
+use self::whole::{Budget, Detail, explore_whole};
 use super::{Concurrency, Nesting};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 use crate::sorted::Map;
@@ -117,6 +121,7 @@ pub struct Exploration {
     approximate: bool,
     /// Per watched expression whether it can hold.
     watched: Vec<Answer>,
+    settles: bool,
     limit: u64,
     work: u64,
 }
@@ -171,6 +176,7 @@ impl Exploration {
         }
         let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
         let mut exploration = Self {
+            settles: sooner.is_none() && settles::settled(&net, &whole),
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
             unsafe_steps: Map::new(),
             deadlocks: Vec::new(),
@@ -237,6 +243,13 @@ impl Exploration {
     #[must_use]
     pub fn is_exact(&self) -> bool {
         self.whole.complete && !self.approximate
+    }
+
+    /// Every search for stability comes to its end before the bound, as far as the assumptions allow it; `false` also where
+    /// that is not known.
+    #[must_use]
+    pub fn settles(&self) -> bool {
+        self.settles
     }
 
     /// The units of work it took.
@@ -342,67 +355,4 @@ fn answers(net: &Net, sooner: Option<&Graph>, whole: &Graph) -> Vec<Answer> {
         }
     };
     (0..net.watched.len()).map(answer).collect()
-}
-
-/// The units of work that are left.
-struct Budget {
-    limit: u64,
-    work: u64,
-}
-
-impl Budget {
-    fn left(&self) -> u64 {
-        self.limit.saturating_sub(self.work)
-    }
-
-    fn run(&mut self, search: Search<'_, '_>) -> Graph {
-        let (graph, work) = search.run();
-        self.work += work;
-        graph
-    }
-}
-
-/// How closely the chart is looked at.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Detail {
-    /// Times count as unknown.
-    Rough,
-    /// See [`Search::with_time`].
-    Timed,
-    /// See [`Search::thoroughly`].
-    Thorough,
-}
-
-/// The whole chart, as far as the budget suffices; and the graph of a first attempt that was given up.
-///
-/// First everything is tried in all combinations, which gives the shortest ways, then not what has nothing to do with
-/// each other.
-fn explore_whole(
-    net: &Net,
-    several: bool,
-    budget: &mut Budget,
-    seen: &mut Seen,
-    detail: Detail,
-) -> (Graph, Option<Graph>) {
-    let share = if several { budget.limit / 3 } else { budget.limit };
-    // What waits may rely on values that nobody can choose, or on a time that does not stand still.
-    let may_wait = match detail {
-        Detail::Rough => true,
-        Detail::Timed => net.clocks.is_empty(),
-        Detail::Thorough => net.clocks.is_empty() && !net.unfollowed.contains(&true),
-    };
-    let lazy = may_wait && (!net.grafcet || net.is_calm(None));
-    let mut run = |lazy: bool, limit: u64| {
-        let search = Search::new(net, None, lazy, limit.saturating_sub(budget.work), seen);
-        budget.run(match detail {
-            Detail::Rough => search,
-            Detail::Timed => search.with_time(),
-            Detail::Thorough => search.thoroughly(),
-        })
-    };
-    let graph = run(false, if lazy { share / 3 } else { share });
-    if graph.complete || !lazy {
-        return (graph, None);
-    }
-    (run(true, share), Some(graph))
 }

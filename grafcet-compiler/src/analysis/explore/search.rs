@@ -28,6 +28,8 @@ pub(super) struct Search<'n, 's> {
     pub(super) thorough: bool,
     /// See [`Search::with_time`].
     pub(super) timed: bool,
+    /// See [`Search::while_it_settles`].
+    settles: bool,
 }
 
 impl<'n, 's> Search<'n, 's> {
@@ -44,7 +46,14 @@ impl<'n, 's> Search<'n, 's> {
             commanded: false,
             thorough: false,
             timed: false,
+            settles: false,
         }
+    }
+
+    /// Until a search for stability is stopped by its bound.
+    pub(super) fn while_it_settles(mut self) -> Self {
+        self.settles = true;
+        self
     }
 
     /// Whatever can be done from a state can be done from each situation that it stands for: what the edges of the next
@@ -197,6 +206,10 @@ impl<'n, 's> Search<'n, 's> {
                 return None;
             }
             if let Some(leaf) = leaf {
+                self.graph.unstable |= leaf.done.unstable;
+                if self.graph.unstable && self.settles {
+                    return None;
+                }
                 self.graph.cut_off |= lazy && leaf.done.unstable;
                 leaves.push(leaf);
             }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::interp::Evolution;
-use grafcet_compiler::analysis::{Concurrency, Condition, Logic, Stability};
+use grafcet_compiler::analysis::{Concurrency, Condition, Logic, Stability, explore};
 use grafcet_compiler::model::{Effect, Expr, Id, Model, Place, Qualifier, StepId, TransitionId, Tree};
 
 use super::compare::Difference;
@@ -90,7 +90,7 @@ impl Facts<'_> {
     /// Every search of a chart that is certain to become stable does so.
     fn stability(&mut self, graph: &Graph) {
         let model = self.model;
-        if model.is_grafcet() && Stability::of(model).is_certain() {
+        if model.is_grafcet() && (Stability::of(model).is_certain() || explore::settles(model, 1_000_000)) {
             if let Some((_, edge)) = graph.cycles().find(|(_, edge)| !edge.stable) {
                 self.report("stable", replay::names(model, &graph.states[edge.to].situation).join(", "));
             }
