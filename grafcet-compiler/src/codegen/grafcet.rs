@@ -144,8 +144,9 @@ impl Cx<'_> {
             let (evolve, probe) = (names::evolve(), self.probe());
             return quote!(#probe if !self.#evolve(inputs) { break; } #afters);
         }
+        let keep = self.takes_back().then(|| self.keep_states().0);
         let (moved, evolve) = (self.declare_moved(), self.evolve());
-        quote!(#declare #moved #evolve #afters #collect if #unchanged { break; })
+        quote!(#declare #moved #keep #evolve #afters #collect if #unchanged { break; })
     }
 
     /// A30: where the bound is reached, whether the search would go on is tried on a copy.
@@ -176,7 +177,7 @@ impl Cx<'_> {
             return (TokenStream::new(), TokenStream::new());
         }
         let (limit, p) = (Literal::u32_unsuffixed(self.plan.max_evolutions), &self.p);
-        let put_back = self.keep_edges().1;
+        let put_back = if self.takes_back() { self.keep_states().1 } else { self.keep_edges().1 };
         let declare = quote! {
             let mut evolutions_left: #p::u32 = #limit;
         };
@@ -186,9 +187,9 @@ impl Cx<'_> {
         let (mark, unsettle) = (self.mark(true), self.unsettle());
         let bound = quote! {
             if evolutions_left == 0 {
+                #put_back
                 #mark
                 #unsettle
-                #put_back
                 break;
             }
             evolutions_left -= 1;

@@ -11,11 +11,14 @@ use crate::model::{PartialId, TransitionId, Tree};
 use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
 
+/// So many fields are few.
+const FEW: usize = 3;
+
 impl Cx<'_> {
     /// The nests of branches, where evolutions happen in place.
     ///
-    /// Where a search may have no end, the last evolution is tried on a copy of the chart (A30); what else an evolution
-    /// reads and writes would have to be copied too.
+    /// Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
+    /// evolution reads and writes would have to be copied too.
     fn nests(&self) -> Option<&[Nest]> {
         let memory = &self.plan.memory;
         let copies = self.only_situation && memory.edges.is_empty() && memory.combinational.is_empty();
@@ -29,7 +32,29 @@ impl Cx<'_> {
 
     /// Whether the evolution is a function of its own, so that a search without end can try another one on a copy.
     pub(super) fn evolves_apart(&self) -> bool {
-        self.in_place() && self.plan.may_be_unstable
+        self.in_place() && self.plan.may_be_unstable && !self.takes_back()
+    }
+
+    /// Whether a search without end takes its last evolution back: a few fields are sooner kept than a function is called.
+    pub(super) fn takes_back(&self) -> bool {
+        self.in_place() && self.plan.may_be_unstable && self.changed_in_place().len() <= FEW
+    }
+
+    /// Keeps what an evolution in place changes, and puts it back.
+    pub(super) fn keep_states(&self) -> (TokenStream, TokenStream) {
+        let fields = self.changed_in_place();
+        let kept: Vec<_> = fields.iter().map(names::kept).collect();
+        (quote!(#(let #kept = self.#fields;)*), quote!(#(self.#fields = #kept;)*))
+    }
+
+    /// The fields that an evolution in place changes where a transition clears.
+    fn changed_in_place(&self) -> Vec<Ident> {
+        let states = (0..self.plan.regions.all().len()).map(|region| names::region_field(region, self.plan));
+        let times = self.timed_regions().filter(|_| self.begins_on_entry());
+        let times = times.map(|region| names::step_time(region, self.plan));
+        let places = self.written_at_once();
+        let places = places.iter().map(|place| names::place_field(self.model, *place));
+        states.chain(times).chain(places).collect()
     }
 
     /// Whether the evolution notes in `moved` that it has changed the situation.

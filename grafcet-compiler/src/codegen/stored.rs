@@ -12,6 +12,7 @@ use super::situation::At;
 use super::{Cx, names, types};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId};
 use crate::plan::{Below, is_stored, source_order};
+use crate::sorted::Set;
 
 /// When an association of a `grafcet` acts.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -154,6 +155,12 @@ impl Cx<'_> {
     fn acts_at_once(&self, id: AssociationId) -> bool {
         let descends = self.model.partials.len() == 1 || self.descends();
         self.in_place() && descends && self.plan.stored.at_any_time.contains(&id)
+    }
+
+    /// The places that such actions write.
+    pub(super) fn written_at_once(&self) -> Set<Place> {
+        let actions = self.model.associations.iter().filter(|(id, _)| self.acts_at_once(*id));
+        actions.flat_map(|(_, action)| action.effect.writes()).copied().collect()
     }
 
     fn clearing_calls(&self) -> impl Iterator<Item = TransitionId> + '_ {

@@ -1,5 +1,6 @@
 //! Sequences that go on by time, by edges and by inputs that contradict each other: many searches end with their first evolution,
-//! and some have two branches beside each other, each with times of its own.
+//! and some have branches beside each other, each with times of its own. Others go on by inputs that often hold together: many of
+//! their searches have no end.
 
 use std::fmt::Write as _;
 
@@ -8,18 +9,21 @@ use super::{Random, Rng};
 /// A chart of a dialect.
 #[must_use]
 pub(super) fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
-    let mut sequence =
-        Sequence { rng: Rng::new(seed), steps: String::new(), arrows: String::new(), count: 0, only_time: 0 };
-    sequence.only_time = *sequence.rng.pick(&[0, 50, 100]);
+    let mut rng = Rng::new(seed);
+    let (only_time, turns) = *rng.pick(&[(0, 0), (50, 0), (100, 0), (0, 80), (0, 100)]);
+    let mut sequence = Sequence { rng, steps: String::new(), arrows: String::new(), count: 0, only_time, turns };
     let dialect = if grafcet { "grafcet" } else { "sfc" };
     let rules = "unreachable_step dead_transition stuck_join deadlock never_true always_true conflicting_values \
                  set_without_reset reset_without_set unused_input undriven_output overlapping_branches";
     let allowed = rules.split(' ').filter(|rule| !grafcet || *rule != "overlapping_branches");
     let allowed: Vec<_> = allowed.map(|rule| format!("grafcet::{rule}")).collect();
     sequence.ring();
+    let bound = (grafcet && turns > 0).then(|| *sequence.rng.pick(&["", "", "1", "2", "3", "5", "8"]));
+    let bound = bound.filter(|bound| !bound.is_empty()).map(|bound| format!("max_evolutions {bound};\n"));
     let text = format!(
-        "{dialect} C {{\n#![allow({})]\ninput a, b, c, d: bool;\noutput q0, q1, q2, s: bool;\noutput n: u8;\n{}{}}}\n",
+        "{dialect} C {{\n#![allow({})]\n{}input a, b, c, d: bool;\noutput q0, q1, q2, s: bool;\noutput n: u8;\n{}{}}}\n",
         allowed.join(", "),
+        bound.unwrap_or_default(),
         sequence.steps,
         sequence.arrows
     );
@@ -34,6 +38,8 @@ struct Sequence {
     count: usize,
     /// Of a hundred conditions, how many ask but for the time of their own step.
     only_time: usize,
+    /// And how many of the others ask for inputs that often hold.
+    turns: usize,
 }
 
 impl Sequence {
@@ -59,15 +65,16 @@ impl Sequence {
         // Each writes another place.
         for q in 0..self.rng.below(3) {
             let time = self.rng.between(1, 4);
+            let condition = *self.rng.pick(&["", "", "", " if a", " if !b || c"]);
             let action = match (q, self.rng.below(8)) {
-                (0, 4) if alone => "S s;".to_owned(),
-                (0, 5) if alone => "R s;".to_owned(),
+                (0, 4) if alone => format!("S s{condition};"),
+                (0, 5) if alone => format!("R s{condition};"),
                 (1, 6) if alone => "P1 n = (n + 1) % 100;".to_owned(),
                 (1, 7) if alone => "P0 n = (n + 7) % 100;".to_owned(),
                 (_, 0) => format!("N q{q};"),
                 (_, 1) => format!("N q{q} if a;"),
-                (_, 2) => format!("D {time}ms q{q};"),
-                _ => format!("L {time}ms q{q};"),
+                (_, 2) => format!("D {time}ms q{q}{condition};"),
+                _ => format!("L {time}ms q{q}{condition};"),
             };
             _ = writeln!(actions, "{action}");
         }
@@ -100,12 +107,29 @@ impl Sequence {
     }
 
     fn branches(&mut self, from: usize) -> usize {
-        let starts: Vec<usize> = (0..2).map(|_| self.step(false)).collect();
-        self.arrow(&format!("S{from}"), &format!("(S{}, S{})", starts[0], starts[1]), from);
-        let ends: Vec<usize> = starts.into_iter().map(|start| self.next(start, false)).collect();
+        let count = *self.rng.pick(&[2, 2, 2, 3, 4]);
+        let starts: Vec<usize> = (0..count).map(|_| self.step(false)).collect();
+        self.arrow(&format!("S{from}"), &list(&starts), from);
+        let mut ends: Vec<usize> = Vec::new();
+        for start in starts {
+            let end = match ends.last() {
+                Some(beside) if self.rng.chance(40) => self.looks_beside(start, *beside),
+                _ => self.next(start, false),
+            };
+            ends.push(end);
+        }
         let join = self.step(true);
-        self.arrow(&format!("(S{}, S{})", ends[0], ends[1]), &format!("S{join}"), ends[0]);
+        self.arrow(&list(&ends), &format!("S{join}"), ends[0]);
         join
+    }
+
+    /// A step that is left at once where the branch beside has gone on, and one that is left by time.
+    fn looks_beside(&mut self, from: usize, beside: usize) -> usize {
+        let (to, end) = (self.step(false), self.step(false));
+        let times = [(); 2].map(|()| self.rng.between(1, 5));
+        _ = writeln!(self.arrows, "S{from} -[S{beside}.X && b || {}ms/S{from}]-> S{to};", times[0]);
+        _ = writeln!(self.arrows, "S{to} -[{}ms/S{to}]-> S{end};", times[1]);
+        end
     }
 
     fn arrow(&mut self, from: &str, to: &str, timed: usize) {
@@ -120,6 +144,9 @@ impl Sequence {
         if self.rng.chance(self.only_time) {
             return format!("{time}ms/S{step}");
         }
+        if self.rng.chance(self.turns) {
+            return (*self.rng.pick(&["a", "b", "c", "a || b", "!d", "0ms/S0 || c", "!S0.X"])).to_owned();
+        }
         match self.rng.below(9) {
             0 | 1 => format!("{time}ms/S{step}"),
             2 => format!("S{step}.T >= {time}ms"),
@@ -130,6 +157,11 @@ impl Sequence {
             _ => input.to_owned(),
         }
     }
+}
+
+fn list(steps: &[usize]) -> String {
+    let steps: Vec<_> = steps.iter().map(|step| format!("S{step}")).collect();
+    format!("({})", steps.join(", "))
 }
 
 /// The clock is irregular, wraps, and sometimes leaps.
