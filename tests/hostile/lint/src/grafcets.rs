@@ -131,6 +131,61 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// A search has one evolution; times that begin where a step is entered.
+    pub grafcet Crossing {
+        input request: bool;
+        output red, green, wait: bool;
+
+        initial step Green { green; }
+        step Asked { green; S wait; }
+        step Red { red; R wait; L 2s green; }
+
+        Green -[request && 10s/Green]-> Asked -[5s/Asked]-> Red -[8s/Red]-> Green;
+    }
+}
+
+grafcet! {
+    /// Parallel branches whose search may have no end: the last evolution is taken back.
+    pub grafcet Fork {
+        input start, a, b, out: bool;
+        output left, right: bool;
+
+        initial step Idle;
+        step Left { left; }
+        step Gone;
+        step Right { right; }
+        step Waits;
+
+        Idle -[start]-> (Left, Right);
+        Left -[a]-> Gone;
+        Right -[b || 2s/Right]-> Waits;
+        (Gone, Waits) -[out]-> Idle;
+    }
+}
+
+grafcet! {
+    /// Partial grafcets that wait for each other's steps.
+    pub grafcet Feeder {
+        input part, front, back, shut: bool;
+        output push, pull: bool;
+        output strokes: u8;
+
+        partial Ram {
+            initial step Open;
+            step Shut { P1 strokes = strokes.wrapping_add(1); }
+            Open -[Slide::Placed.X && shut]-> Shut -[Slide::Rest.X]-> Open;
+        }
+        partial Slide {
+            initial step Rest;
+            step Forward { push; }
+            step Placed;
+            step Backward { pull; }
+            Rest -[part && Ram::Open.X]-> Forward -[front]-> Placed -[Ram::Shut.X]-> Backward -[back && !front]-> Rest;
+        }
+    }
+}
+
 /// Carries out no action.
 #[derive(Clone, Copy, Debug)]
 pub struct Silent;
