@@ -381,8 +381,8 @@ impl Cell {
                 break;
             }
             if evolutions_left == 0 {
-                self.region_0 = self.region_0.marked();
                 self.edge_0 = edge_before_0;
+                self.region_0 = self.region_0.marked();
                 break;
             }
             evolutions_left -= 1;
