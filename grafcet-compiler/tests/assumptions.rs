@@ -70,6 +70,18 @@ fn circles() {
     changes("grafcet", circle, "a && b", &["possible_instability"], &[]);
     // Where `a` and `b` are always on together, the circle turns whenever it is entered.
     changes("grafcet", circle, "a != b", &["possible_instability"], &["unstable"]);
+    // Each of two partial grafcets goes round only while the other one does.
+    let pair = |back: &str| {
+        format!(
+            "#![warn(grafcet::possible_instability)] input part, front, back, open, shut: bool; \
+             partial Ram {{ initial step Open; step Closing; step Shut; step Opening; \
+             Open -[Feeder::Placed.X]-> Closing -[shut]-> Shut -[Feeder::Rest.X]-> Opening -[open]-> Open; }} \
+             partial Feeder {{ initial step Rest; step Forward; step Placed; step Backward; \
+             Rest -[part && Ram::Open.X]-> Forward -[front]-> Placed -[Ram::Shut.X]-> Backward -[{back}]-> Rest; }}"
+        )
+    };
+    changes("grafcet", &pair("back"), "front && back", &["possible_instability"], &[]);
+    changes("grafcet", &pair("back && !front"), "open && shut", &[], &[]);
 }
 
 #[test]

@@ -11,7 +11,8 @@ use crate::model::{PartialId, TransitionId, Tree};
 use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
 
-/// So many fields are few.
+/// Up to so many fields, keeping them in each evolution takes less than calling it as a function and once more on a copy; with
+/// more, it takes a tenth more flash and more.
 const FEW: usize = 3;
 
 impl Cx<'_> {
@@ -35,7 +36,7 @@ impl Cx<'_> {
         self.in_place() && self.plan.may_be_unstable && !self.takes_back()
     }
 
-    /// Whether a search without end takes its last evolution back: a few fields are sooner kept than a function is called.
+    /// Whether a search without end takes its last evolution back.
     pub(super) fn takes_back(&self) -> bool {
         self.in_place() && self.plan.may_be_unstable && self.changed_in_place().len() <= FEW
     }

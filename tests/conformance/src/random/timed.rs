@@ -28,7 +28,8 @@ pub(super) fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         sequence.arrows
     );
     let timeline = timeline(&mut sequence.rng, cycles);
-    Random { chart: text, timeline, features: std::iter::once("sequence by time").collect() }
+    let feature = if turns > 0 { "sequence by inputs that hold together" } else { "sequence by time" };
+    Random { chart: text, timeline, features: std::iter::once(feature).collect() }
 }
 
 struct Sequence {
