@@ -1,5 +1,7 @@
 //! `mixed_modes`: one output or variable has one kind of action (A8).
 
+use syn::Ident;
+
 use super::targets;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier};
@@ -34,7 +36,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
                     format!("in {}", elsewhere.place)
                 }
             );
-            (here.mark, message)
+            (here.mark, message + &here.unsure(name))
         };
         sink.rule(&rules::MIXED_MODES, &[], vec![note(first, other), note(other, first)]);
     }
@@ -46,6 +48,16 @@ struct Use {
     mark: Mark,
     /// `` step `On` ``
     place: String,
+    /// What may write the place there, where nobody can know: `n.bump(…)`.
+    unsure: Option<String>,
+}
+
+impl Use {
+    /// What to write where a call only reads.
+    fn unsure(&self, name: &Ident) -> String {
+        let Some(call) = &self.unsure else { return String::new() };
+        format!(". `{call}` counts as writing `{name}`; if it only reads, hand it a copy: `let value = {name};`")
+    }
 }
 
 fn uses(model: &Model, place: Place) -> Vec<Use> {
@@ -56,14 +68,16 @@ fn uses(model: &Model, place: Place) -> Vec<Use> {
         mode: mode(model, association),
         mark: association.mark,
         place: format!("step `{}`", model.steps[association.step].name),
+        unsure: association.effect.unsure(place).map(str::to_owned),
     });
     let mut uses: Vec<Use> = of_steps.collect();
     for transition in model.transitions.values().filter(|_| model.is_grafcet()) {
-        for _ in transition.clearing.iter().filter(|effect| effect.writes().contains(&place)) {
+        for effect in transition.clearing.iter().filter(|effect| effect.writes().contains(&place)) {
             uses.push(Use {
                 mode: Mode::Written,
                 mark: transition.mark,
                 place: format!("the transition {}", model.transition_text(transition)),
+                unsure: effect.unsure(place).map(str::to_owned),
             });
         }
     }

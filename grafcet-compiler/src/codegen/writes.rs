@@ -1,19 +1,35 @@
 //! Which places a block of the user has really written, where that is known only when it runs.
 
-use proc_macro2::Ident;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
 use syn::{BinOp, Block, Expr, Stmt};
 
-use crate::visit::{self, Visit};
+use crate::methods;
+use crate::model::Ty;
+use crate::visit::{self, Locals, Visit};
 
 /// Whether the block writes the name whatever happens in it: by a statement of its own, not inside another.
 pub(super) fn always(block: &Block, name: &Ident) -> bool {
-    block.stmts.iter().any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr) == Some(name)))
+    let own = block.stmts.iter().take_while(|stmt| !matches!(stmt, Stmt::Local(local) if mentions(&local.pat, name)));
+    { own }.any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr) == Some(name)))
 }
 
-/// The block with `note = true` behind each assignment to the name; `None` where it may be written in another way.
-pub(super) fn noted(block: &Block, name: &Ident, note: &Ident) -> Option<Block> {
-    let mut notes = Notes { name, note, other: false };
+/// Whether a pattern binds the name, behind which it is another one.
+fn mentions(pattern: &syn::Pat, name: &Ident) -> bool {
+    fn inside(tokens: TokenStream, name: &Ident) -> bool {
+        tokens.into_iter().any(|tree| match tree {
+            TokenTree::Group(group) => inside(group.stream(), name),
+            TokenTree::Ident(ident) => ident == *name,
+            _ => false,
+        })
+    }
+    inside(pattern.to_token_stream(), name)
+}
+
+/// The block with `note = true` behind each assignment to the name, which has this type; `None` where it may be written in
+/// another way.
+pub(super) fn noted(block: &Block, name: &Ident, ty: &Ty, note: &Ident) -> Option<Block> {
+    let mut notes = Notes { name, ty, note, locals: Locals::default(), other: false };
     let mut block = block.clone();
     visit::block(&mut notes, &mut block);
     (!notes.other).then_some(block)
@@ -26,16 +42,7 @@ fn assigned(expr: &Expr) -> Option<&Ident> {
         Expr::Binary(binary) if is_compound(binary.op) => &binary.left,
         _ => return None,
     };
-    let mut root = &**left;
-    loop {
-        root = match root {
-            Expr::Field(field) => &field.base,
-            Expr::Index(index) => &index.expr,
-            Expr::Paren(paren) => &paren.expr,
-            Expr::Path(path) => return path.path.get_ident(),
-            _ => return None,
-        };
-    }
+    methods::root(left)
 }
 
 fn is_compound(operator: BinOp) -> bool {
@@ -50,34 +57,43 @@ fn is_compound(operator: BinOp) -> bool {
 
 struct Notes<'n> {
     name: &'n Ident,
+    ty: &'n Ty,
     note: &'n Ident,
-    /// It is borrowed, a method is called on it, or a macro sees it.
+    locals: Locals,
+    /// It is borrowed, a method that may write is called on it, or a macro sees it.
     other: bool,
 }
 
 impl Notes<'_> {
     fn is_name(&self, expr: &Expr) -> bool {
-        matches!(expr, Expr::Path(path) if path.path.is_ident(self.name))
+        methods::root(expr) == Some(self.name) && !self.locals.contains(self.name)
     }
 }
 
 impl Visit for Notes<'_> {
     fn expr(&mut self, expr: &mut Expr) {
         visit::inside(self, expr);
-        match expr {
-            Expr::Reference(reference) if reference.mutability.is_some() && self.is_name(&reference.expr) => {
-                self.other = true;
-            }
-            Expr::MethodCall(call) if self.is_name(&call.receiver) => self.other = true,
-            _ => {}
-        }
-        if assigned(expr) == Some(self.name) {
+        self.other |= match expr {
+            Expr::Reference(reference) => reference.mutability.is_some() && self.is_name(&reference.expr),
+            Expr::RawAddr(address) => self.is_name(&address.expr),
+            Expr::MethodCall(call) => self.is_name(&call.receiver) && !methods::only_reads(call, self.ty),
+            _ => false,
+        };
+        if assigned(expr) == Some(self.name) && !self.locals.contains(self.name) {
             let note = self.note;
             *expr = Expr::Verbatim(quote!({ #expr; #note = true; }));
         }
     }
 
+    fn locals(&mut self) -> &mut Locals {
+        &mut self.locals
+    }
+
     fn call(&mut self, _: &mut syn::Macro) {
         self.other = true;
+    }
+
+    fn binding(&mut self, pattern: &syn::PatIdent) {
+        self.other |= pattern.by_ref.is_some() && pattern.mutability.is_some();
     }
 }

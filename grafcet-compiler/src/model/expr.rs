@@ -30,6 +30,8 @@ pub struct Code {
     pub reads: Vec<Read>,
     /// Variables and outputs it may assign to: a subset of what it mentions.
     pub writes: Vec<Place>,
+    /// Those of them that are only handed to something that nobody knows, with what that is: `n.bump(…)`.
+    pub unsure: Vec<(Place, String)>,
     /// As the user wrote it, on one line.
     pub text: String,
 }

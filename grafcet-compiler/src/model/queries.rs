@@ -100,6 +100,15 @@ impl Model {
         }
     }
 
+    /// The declared type of a place.
+    #[must_use]
+    pub fn place_type(&self, place: Place) -> &Ty {
+        match place {
+            Place::Output(id) => &self.outputs[id].ty,
+            Place::Var(id) => &self.vars[id].ty,
+        }
+    }
+
     /// The declared name of a value.
     #[must_use]
     pub fn value_name(&self, name: Name) -> &syn::Ident {
@@ -221,6 +230,13 @@ impl Effect {
             Effect::Block(code) => vec![&code.reads],
             _ => self.expressions().iter().map(|expr| &expr.reads[..]).collect(),
         }
+    }
+
+    /// What may write the place in a block, where nobody can know whether it does: `n.bump(…)`.
+    #[must_use]
+    pub fn unsure(&self, place: Place) -> Option<&str> {
+        let Effect::Block(code) = self else { return None };
+        code.unsure.iter().find(|(at, _)| *at == place).map(|(_, call)| call.as_str())
     }
 
     /// The places an effect may write.

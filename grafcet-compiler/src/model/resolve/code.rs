@@ -1,27 +1,48 @@
 //! Rust blocks behind a qualifier, an event or `=>`.
 
+use proc_macro2::Ident;
+use syn::punctuated::Punctuated;
 use syn::{BinOp, Block, Stmt};
 
 use super::Resolver;
-use super::expr::{Lower, single_name};
-use super::foreign::locals_of_block;
-use super::scope::{Meaning, Scope};
-use crate::model::{Binary, Code, Name, Place, Statement, Tree};
-use crate::visit::{self, Visit};
+use super::expr::Lower;
+use super::scope::Meaning;
+use crate::methods;
+use crate::model::{Binary, Code, Name, Place, Read, Statement, Tree};
+use crate::visit::{self, Locals, Visit};
 
 /// Resolves one block of the user.
 pub(super) fn resolve(block: &Block, resolver: &mut Resolver<'_>) -> Code {
-    let mut writes = Writes { scope: &resolver.scope, places: Vec::new() };
+    let mut writes = Writes::new(resolver);
     visit::block(&mut writes, &mut block.clone());
-    let writes = writes.places;
+    let Writes { places, unsure, by_reference, .. } = writes;
 
     let mut lower = Lower::new(resolver);
-    locals_of_block(&mut block.clone(), &mut lower.locals);
     let mut tokens = block.clone();
     visit::block(&mut lower, &mut tokens);
     let reads = std::mem::take(&mut lower.reads);
     let statements = statements(&mut block.clone(), &mut lower);
-    Code { tokens, statements, reads, writes, text: super::text::of(block) }
+    let mut code = Code { tokens, statements, reads, writes: places, unsure: Vec::new(), text: super::text::of(block) };
+    code.unsure.extend(unsure.into_iter().filter(|(place, _)| !code.writes.contains(place)));
+    if by_reference {
+        // `ref mut x` in a pattern: whatever is matched may be written through it.
+        let read = code.reads.iter().filter_map(|read| place_of(*read)).filter(|place| !code.writes.contains(place));
+        code.unsure.extend(read.map(|place| (place, "ref mut".to_owned())).collect::<Vec<_>>());
+    }
+    for (place, _) in &code.unsure {
+        if !code.writes.contains(place) {
+            code.writes.push(*place);
+        }
+    }
+    code
+}
+
+fn place_of(read: Read) -> Option<Place> {
+    match read {
+        Read::Name(Name::Output(id)) => Some(Place::Output(id)),
+        Read::Name(Name::Var(id)) => Some(Place::Var(id)),
+        _ => None,
+    }
 }
 
 /// The statements of a block, where all of them are understood.
@@ -44,8 +65,12 @@ fn statement(stmt: &mut Stmt, lower: &mut Lower<'_, '_>) -> Option<Statement> {
             Some(Statement::Assign(place, Tree::Binary(operator, Box::new(old), Box::new(value))))
         }
         syn::Expr::If(branch) => {
+            // `if let` binds names, also for what follows in the condition.
+            lower.locals.enter();
             let condition = lower.lower(&mut branch.cond);
-            let then = statements(&mut branch.then_branch, lower)?;
+            let then = statements(&mut branch.then_branch, lower);
+            lower.locals.leave();
+            let then = then?;
             let otherwise = match &mut branch.else_branch {
                 None => Vec::new(),
                 Some((_, expr)) => match &mut **expr {
@@ -58,6 +83,28 @@ fn statement(stmt: &mut Stmt, lower: &mut Lower<'_, '_>) -> Option<Statement> {
         _ => None,
     }
 }
+
+/// Macros that look at their arguments as a function by `&` would.
+const READING: &[&str] = &[
+    "assert",
+    "assert_eq",
+    "assert_ne",
+    "debug_assert",
+    "debug_assert_eq",
+    "debug_assert_ne",
+    "print",
+    "println",
+    "eprint",
+    "eprintln",
+    "format",
+    "format_args",
+    "panic",
+    "trace",
+    "debug",
+    "info",
+    "warn",
+    "error",
+];
 
 /// The operator of a compound assignment.
 fn compound(op: &BinOp) -> Option<Binary> {
@@ -76,63 +123,104 @@ fn compound(op: &BinOp) -> Option<Binary> {
     })
 }
 
-/// The places a block may write: assigned, borrowed mutably, the receiver of a method, or seen by a macro.
-struct Writes<'a> {
-    scope: &'a Scope,
+/// The places a block may write.
+struct Writes<'r, 's> {
+    resolver: &'r Resolver<'s>,
+    locals: Locals,
+    /// Assigned or borrowed mutably.
     places: Vec<Place>,
+    /// Handed to something that may write them, and to what: a method that nobody knows, or a macro.
+    unsure: Vec<(Place, String)>,
+    /// A pattern borrows mutably what it is compared with.
+    by_reference: bool,
 }
 
-impl Writes<'_> {
+impl<'r, 's> Writes<'r, 's> {
+    fn new(resolver: &'r Resolver<'s>) -> Self {
+        Self { resolver, locals: Locals::default(), places: Vec::new(), unsure: Vec::new(), by_reference: false }
+    }
+
+    fn place(&self, name: &Ident) -> Option<Place> {
+        match self.resolver.scope.get(name) {
+            _ if self.locals.contains(name) => None,
+            Some(Meaning::Value(Name::Output(id))) => Some(Place::Output(id)),
+            Some(Meaning::Value(Name::Var(id))) => Some(Place::Var(id)),
+            _ => None,
+        }
+    }
+
     fn note(&mut self, expr: &syn::Expr) {
-        let mut root = expr;
-        loop {
-            root = match root {
-                syn::Expr::Field(field) => &field.base,
-                syn::Expr::Index(index) => &index.expr,
-                syn::Expr::Paren(paren) => &paren.expr,
-                _ => break,
-            };
-        }
-        if let Some(name) = single_name(root) {
-            self.note_name(&name);
+        if let Some(place) = methods::root(expr).and_then(|name| self.place(name)) {
+            if !self.places.contains(&place) {
+                self.places.push(place);
+            }
         }
     }
 
-    fn note_name(&mut self, name: &syn::Ident) {
-        let place = match self.scope.get(name) {
-            Some(Meaning::Value(Name::Output(id))) => Place::Output(id),
-            Some(Meaning::Value(Name::Var(id))) => Place::Var(id),
-            _ => return,
-        };
-        if !self.places.contains(&place) {
-            self.places.push(place);
+    fn note_unsure(&mut self, name: &Ident, what: &str) {
+        if let Some(place) = self.place(name) {
+            if !self.unsure.iter().any(|(known, _)| *known == place) {
+                self.unsure.push((place, what.to_owned()));
+            }
         }
     }
 
-    fn note_tokens(&mut self, tokens: proc_macro2::TokenStream) {
+    fn note_call(&mut self, call: &syn::ExprMethodCall) {
+        let Some(name) = methods::root(&call.receiver) else { return };
+        let Some(place) = self.place(name) else { return };
+        if !methods::only_reads(call, self.resolver.model.place_type(place)) {
+            self.note_unsure(name, &format!("{}.{}(…)", super::text::of(&call.receiver), call.method));
+        }
+    }
+
+    fn note_tokens(&mut self, tokens: proc_macro2::TokenStream, call: &str) {
         for tree in tokens {
             match tree {
-                proc_macro2::TokenTree::Group(group) => self.note_tokens(group.stream()),
-                proc_macro2::TokenTree::Ident(name) => self.note_name(&name),
+                proc_macro2::TokenTree::Group(group) => self.note_tokens(group.stream(), call),
+                proc_macro2::TokenTree::Ident(name) => self.note_unsure(&name, call),
                 _ => {}
             }
         }
     }
 }
 
-impl Visit for Writes<'_> {
+impl Visit for Writes<'_, '_> {
     fn expr(&mut self, expr: &mut syn::Expr) {
         match expr {
             syn::Expr::Assign(assign) => self.note(&assign.left),
             syn::Expr::Binary(binary) if compound(&binary.op).is_some() => self.note(&binary.left),
             syn::Expr::Reference(reference) if reference.mutability.is_some() => self.note(&reference.expr),
-            syn::Expr::MethodCall(call) => self.note(&call.receiver),
+            syn::Expr::RawAddr(address) if matches!(address.mutability, syn::PointerMutability::Mut(_)) => {
+                self.note(&address.expr);
+            }
+            syn::Expr::MethodCall(call) => self.note_call(call),
             _ => {}
         }
         visit::inside(self, expr);
     }
 
+    fn locals(&mut self) -> &mut Locals {
+        &mut self.locals
+    }
+
     fn call(&mut self, call: &mut syn::Macro) {
-        self.note_tokens(call.tokens.clone());
+        let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        let arguments = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
+        if let (true, Ok(arguments)) = (READING.contains(&&*name), call.parse_body_with(arguments)) {
+            for mut argument in arguments {
+                match &mut argument {
+                    // A name for the text: `{n}`, `n = count`.
+                    syn::Expr::Assign(named) => self.expr(&mut named.right),
+                    argument => self.expr(argument),
+                }
+            }
+            return;
+        }
+        let text = format!("{}!(…)", super::text::of(&call.path));
+        self.note_tokens(call.tokens.clone(), &text);
+    }
+
+    fn binding(&mut self, pattern: &syn::PatIdent) {
+        self.by_reference |= pattern.by_ref.is_some() && pattern.mutability.is_some();
     }
 }

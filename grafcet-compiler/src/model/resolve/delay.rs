@@ -19,7 +19,7 @@ pub(super) struct DelayParts {
 impl Lower<'_, '_> {
     /// The parts of `t1/e/t2`, if this division is a delay.
     pub(super) fn delay_parts(&mut self, division: &ExprBinary) -> Option<DelayParts> {
-        if !matches!(division.op, BinOp::Div(_)) {
+        if !matches!(division.op, BinOp::Div(_)) || self.divides_local(&division.left) {
             return None;
         }
         if let syn::Expr::Binary(inner) = &*division.left {
@@ -63,12 +63,22 @@ impl Lower<'_, '_> {
         Some(DelayParts { on, of: (*division.right).clone(), off: TimeRef::Ticks(0) })
     }
 
+    /// `n / 2`, where `n` is bound in the expression and no time of the chart.
+    fn divides_local(&self, expr: &syn::Expr) -> bool {
+        match expr {
+            syn::Expr::Paren(paren) => self.divides_local(&paren.expr),
+            syn::Expr::Binary(inner) if matches!(inner.op, BinOp::Div(_)) => self.divides_local(&inner.left),
+            other => single_name(other).is_some_and(|name| self.locals.contains(&name)),
+        }
+    }
+
     fn is_known(&self, name: &Ident) -> bool {
-        self.locals.contains(&name.to_string()) || self.resolver.scope.get(name).is_some()
+        self.locals.contains(name) || self.resolver.scope.get(name).is_some()
     }
 
     fn is_step(&self, expr: &syn::Expr) -> bool {
-        let meaning = single_name(expr).and_then(|name| self.resolver.scope.get(&name));
+        let name = single_name(expr).filter(|name| !self.locals.contains(name));
+        let meaning = name.and_then(|name| self.resolver.scope.get(&name));
         matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)))
     }
 
@@ -84,6 +94,9 @@ impl Lower<'_, '_> {
     /// `t1/e/t2`; `t/Step` needs only the step's time.
     pub(super) fn delay(&mut self, parts: DelayParts, expr: &mut syn::Expr) -> Tree {
         let DelayParts { on, of, off } = parts;
+        if self.refuses_locals(&of, "a delay") {
+            return Tree::Bool(true);
+        }
         let step = single_name(&of)
             .filter(|name| matches!(self.resolver.scope.get(name), Some(Meaning::Step(_) | Meaning::Macro(_)) | None))
             .filter(|name| !looks_like_a_variable(name) || self.resolver.scope.get(name).is_some());

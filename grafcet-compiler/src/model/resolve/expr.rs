@@ -1,15 +1,14 @@
 //! Expressions: names found, the forms that are not Rust replaced by placeholders, the meaning as a tree.
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{BinOp, Lit, Member, UnOp};
 
 use super::Resolver;
-use super::foreign::locals_of_expr;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Binary, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
-use crate::sorted::Set;
+use crate::visit::Locals;
 
 /// Resolves one expression of the user.
 pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
@@ -19,7 +18,6 @@ pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
 /// The same, and where everything that it reads is mentioned, in source order.
 pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> (Expr, Vec<(Read, Mark)>) {
     let mut lower = Lower::new(resolver);
-    locals_of_expr(&mut expr.clone(), &mut lower.locals);
     let mut tokens = expr.clone();
     let before = lower.resolver.sink.count();
     let tree = lower.lower(&mut tokens);
@@ -70,13 +68,13 @@ pub(super) struct Lower<'r, 's> {
     pub(super) reads: Vec<Read>,
     /// Every mention.
     pub(super) places: Vec<(Read, Mark)>,
-    /// Names bound inside the expression, by `let`, a closure or a pattern.
-    pub(super) locals: Set<String>,
+    /// Names that Rust binds where the walk stands: by `let`, a closure or a pattern.
+    pub(super) locals: Locals,
 }
 
 impl<'r, 's> Lower<'r, 's> {
     pub(super) fn new(resolver: &'r mut Resolver<'s>) -> Self {
-        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: Set::new() }
+        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: Locals::default() }
     }
 
     /// Rewrites `expr` and returns its meaning.
@@ -119,7 +117,8 @@ impl<'r, 's> Lower<'r, 's> {
 
     /// The output or variable on the left of an assignment.
     pub(super) fn place(&self, expr: &syn::Expr) -> Option<Place> {
-        match self.resolver.scope.get(&single_name(expr)?)? {
+        let name = single_name(expr).filter(|name| !self.locals.contains(name))?;
+        match self.resolver.scope.get(&name)? {
             Meaning::Value(Name::Output(id)) => Some(Place::Output(id)),
             Meaning::Value(Name::Var(id)) => Some(Place::Var(id)),
             _ => None,
@@ -153,13 +152,14 @@ impl<'r, 's> Lower<'r, 's> {
             return Tree::Bool(name == "true");
         }
         match self.resolver.scope.get(&name) {
+            _ if self.locals.contains(&name) => Tree::Opaque { text: name.to_string(), reads: Vec::new() },
             Some(Meaning::Value(value)) => {
                 self.note(Read::Name(value));
                 self.places.push((Read::Name(value), (&name).into()));
                 self.join(expr, value);
                 Tree::Read(Read::Name(value))
             }
-            Some(Meaning::Step(_) | Meaning::Macro(_)) if !self.locals.contains(&name.to_string()) => {
+            Some(Meaning::Step(_) | Meaning::Macro(_)) => {
                 self.resolver.sink.notation(&name, without_field(&name.to_string()));
                 Tree::Bool(true)
             }
@@ -168,9 +168,7 @@ impl<'r, 's> Lower<'r, 's> {
                 self.resolver.sink.notation(&name, message);
                 Tree::Bool(true)
             }
-            _ if self.locals.contains(&name.to_string())
-                || !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) =>
-            {
+            _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => {
                 Tree::Opaque { text: name.to_string(), reads: Vec::new() }
             }
             _ => {
@@ -188,10 +186,7 @@ impl<'r, 's> Lower<'r, 's> {
             syn::Expr::Group(group) => self.join(&mut group.expr, value),
             syn::Expr::Path(path) => {
                 for segment in &mut path.path.segments {
-                    // A name that the expression also binds itself may be that one.
-                    if !self.locals.contains(&segment.ident.to_string()) {
-                        segment.ident.set_span(segment.ident.span().resolved_at(declared));
-                    }
+                    segment.ident.set_span(segment.ident.span().resolved_at(declared));
                 }
             }
             _ => {}
@@ -206,6 +201,9 @@ impl<'r, 's> Lower<'r, 's> {
             _ => return self.opaque(expr),
         };
         let Some(step) = step_path(&field.base) else { return self.opaque(expr) };
+        if matches!(&step[..], [name] if self.locals.contains(name)) {
+            return self.opaque(expr);
+        }
         let Some(meaning) = self.step(&step) else {
             return if member == "X" { Tree::Bool(true) } else { Tree::Int(0) };
         };
@@ -247,10 +245,11 @@ impl<'r, 's> Lower<'r, 's> {
     fn call(&mut self, expr: &mut syn::Expr) -> Tree {
         let syn::Expr::Call(call) = &mut *expr else { return self.opaque(expr) };
         let Some(function) = single_name(&call.func) else { return self.opaque(expr) };
-        if let Some(Meaning::Action(_)) = self.resolver.scope.get(&function) {
+        let local = self.locals.contains(&function);
+        if let (false, Some(Meaning::Action(_))) = (local, self.resolver.scope.get(&function)) {
             return self.path(&mut call.func);
         }
-        if function != "rising" && function != "falling" {
+        if local || function != "rising" && function != "falling" {
             let text = super::text::of(&*call);
             let outside = std::mem::take(&mut self.reads);
             // The name of a function is Rust's, its arguments are ours.
@@ -266,10 +265,39 @@ impl<'r, 's> Lower<'r, 's> {
             self.resolver.sink.notation(Mark::of(&*call), message);
             return Tree::Bool(true);
         };
+        if self.refuses_locals(argument, "an edge") {
+            return Tree::Bool(true);
+        }
         let of = resolve(argument, self.resolver);
         let edge = self.resolver.edge(Edge { of });
         let read = if function == "rising" { Read::Rising(edge) } else { Read::Falling(edge) };
         self.replace(expr, read)
+    }
+
+    /// What is followed from cycle to cycle cannot look at names that live inside an expression.
+    pub(super) fn refuses_locals(&mut self, of: &syn::Expr, what: &str) -> bool {
+        let local = self.local_in(of.to_token_stream());
+        if let Some(name) = &local {
+            let message = format!(
+                "`{name}` lives inside this expression, and {what} is followed from cycle to cycle: it can only look at \
+                 declared names"
+            );
+            self.resolver.sink.notation(name, message);
+        }
+        local.is_some()
+    }
+
+    /// The first name in `tokens` that is bound here.
+    fn local_in(&self, tokens: TokenStream) -> Option<Ident> {
+        let mut dot = false;
+        tokens.into_iter().find_map(|tree| {
+            let behind_dot = std::mem::replace(&mut dot, matches!(&tree, TokenTree::Punct(p) if p.as_char() == '.'));
+            match tree {
+                TokenTree::Group(group) => self.local_in(group.stream()),
+                TokenTree::Ident(name) if !behind_dot && self.locals.contains(&name) => Some(name),
+                _ => None,
+            }
+        })
     }
 
     /// `5s` alone; a literal of Rust stays.

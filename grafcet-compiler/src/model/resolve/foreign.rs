@@ -6,8 +6,7 @@ use quote::quote_spanned;
 use super::expr::Lower;
 use super::scope::Meaning;
 use crate::model::{Read, Tree};
-use crate::sorted::Set;
-use crate::visit::{self, Visit};
+use crate::visit::{self, Locals, Visit};
 
 impl Lower<'_, '_> {
     /// The meaning is the text alone, and what is read.
@@ -47,7 +46,8 @@ impl Lower<'_, '_> {
             if let [.., TokenTree::Ident(step), TokenTree::Punct(dot)] = &out[..] {
                 if dot.as_char() == '.' {
                     let mut field = syn::parse_quote_spanned!(step.span()=> #step.#name);
-                    if !matches!(self.resolver.scope.get(step), Some(Meaning::Value(_))) {
+                    let local = self.locals.contains(step);
+                    if !local && !matches!(self.resolver.scope.get(step), Some(Meaning::Value(_))) {
                         self.lower(&mut field);
                         out.truncate(out.len() - 2);
                         let group = Group::new(Delimiter::None, quote_spanned!(name.span()=> #field));
@@ -58,7 +58,8 @@ impl Lower<'_, '_> {
             }
         }
         let is_field = matches!(out.last(), Some(TokenTree::Punct(p)) if p.as_char() == '.');
-        if let (false, Some(Meaning::Value(value))) = (is_field, self.resolver.scope.get(name)) {
+        let is_other = is_field || self.locals.contains(name);
+        if let (false, Some(Meaning::Value(value))) = (is_other, self.resolver.scope.get(name)) {
             self.note(Read::Name(value));
             self.places.push((Read::Name(value), name.into()));
             let mut name = name.clone();
@@ -75,6 +76,10 @@ impl Visit for Lower<'_, '_> {
         self.lower(expr);
     }
 
+    fn locals(&mut self) -> &mut Locals {
+        &mut self.locals
+    }
+
     fn call(&mut self, call: &mut syn::Macro) {
         call.tokens = self.macro_tokens(std::mem::take(&mut call.tokens));
     }
@@ -84,27 +89,5 @@ impl Visit for Lower<'_, '_> {
         if field.colon_token.is_none() {
             field.colon_token = Some(syn::token::Colon::default());
         }
-    }
-}
-
-/// The names bound by patterns inside the expression.
-pub(super) fn locals_of_expr(expr: &mut syn::Expr, locals: &mut Set<String>) {
-    Locals(locals).expr(expr);
-}
-
-/// The names bound by patterns inside the block.
-pub(super) fn locals_of_block(block: &mut syn::Block, locals: &mut Set<String>) {
-    visit::block(&mut Locals(locals), block);
-}
-
-struct Locals<'a>(&'a mut Set<String>);
-
-impl Visit for Locals<'_> {
-    fn expr(&mut self, expr: &mut syn::Expr) {
-        visit::inside(self, expr);
-    }
-
-    fn binding(&mut self, pattern: &mut syn::PatIdent) {
-        self.0.insert(pattern.ident.to_string());
     }
 }
