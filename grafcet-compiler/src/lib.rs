@@ -35,10 +35,8 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
-    if complete && !sink.has_errors() {
-        check::evolution(&model, &mut sink);
-    }
-    let plan = (complete && !sink.has_errors()).then(|| Plan::of(&model));
+    let races = (complete && !sink.has_errors()).then(|| check::evolution(&model, &mut sink));
+    let plan = races.filter(|_| !sink.has_errors()).map(|races| Plan::of(&model, &races));
     if let Some(plan) = &plan {
         check::initial_values(&model, plan, &mut sink);
     }

@@ -1,7 +1,6 @@
 //! `conflicting_values`, `timed_contention`: steps that are active together and want different things.
 
-use super::meeting;
-use crate::analysis::{Concurrency, Condition, Logic};
+use crate::analysis::{Concurrency, Condition, Logic, meeting};
 use crate::diagnostic::{Rule, Sink, rules};
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, TimeRef, Tree};
 use crate::sorted::{Map, Set};

@@ -9,7 +9,6 @@ mod derives;
 mod drawing;
 mod events;
 mod initial;
-mod meeting;
 mod modes;
 mod properties;
 mod race;
@@ -25,7 +24,7 @@ mod waits;
 pub use initial::initial_values;
 
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Concurrency, Logic};
+use crate::analysis::{Concurrency, Logic, Races};
 use crate::diagnostic::Sink;
 use crate::model::{Model, Tree};
 
@@ -45,8 +44,9 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
     }
 }
 
-/// The rules that look at how the chart evolves; only for charts whose drawing is in order.
-pub fn evolution(model: &Model, sink: &mut Sink) {
+/// The rules that look at how the chart evolves; only for charts whose drawing is in order. Returned are the races that were
+/// found, whatever the chart says of them: they are facts for the plan too.
+pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
     let never = &assumed[..];
     let independent = Concurrency::assuming(model, never);
@@ -75,7 +75,8 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink);
     }
     waits::check(model, &exploration, &dead, sink);
-    race::check(model, racing, never, sink);
+    let races = Races::of(model, racing, &limits, never);
+    race::check(model, &races, sink);
     contention::check(model, &seen, never, sink);
     set_reset::check(model, &concurrency, sink);
     usage::check(model, sink);
@@ -83,4 +84,5 @@ pub fn evolution(model: &Model, sink: &mut Sink) {
         structure::two_masters(model, &seen, sink);
         unstable::check(model, &concurrency, never, exploration.settles(), sink);
     }
+    races
 }

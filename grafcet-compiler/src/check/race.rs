@@ -1,83 +1,38 @@
 //! `write_race`: two stored actions that can write one place in the same evolution (A7).
-//!
-//! In an `sfc` the order of the source decides (A29), but between parallel branches nobody reads it off the chart.
 
-use super::meeting;
-use crate::analysis::{Concurrency, Condition, Logic};
-use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{
-    Association, Effect, Expr, ForceOrder, Id, LevelAttr, Model, PartialId, Place, Qualifier, Read, StepId,
-    TransitionId, Tree,
-};
-use crate::plan::is_stored;
-use crate::sorted::{Map, Set};
+use crate::analysis::{Races, Writer};
+use crate::diagnostic::{Sink, rules};
+use crate::model::{LevelAttr, Model, Place, StepId, TransitionId};
 
-/// One stored action that writes a place.
-struct Write<'m> {
-    /// What it writes, where that is known before.
-    value: Option<Tree>,
-    when: When,
-    conditions: Vec<&'m Expr>,
-    mark: Mark,
-    owner: Owner,
+pub(super) fn check(model: &Model, races: &Races, sink: &mut Sink) {
+    for (place, first, second) in &races.all {
+        report(model, *place, *first, *second, sink);
+    }
 }
 
-/// What the action stands at.
+/// What an action stands at.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Owner {
     Step(StepId),
     Transition(TransitionId),
 }
 
-/// The change of the situation that an action belongs to.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum When {
-    Entered(StepId),
-    Left(StepId),
-    /// An event while the step is active, or in an `sfc` in each cycle.
-    Active(StepId),
-    Cleared(TransitionId),
-}
-
-/// What an action follows from.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Cause {
-    /// The activation of the initial situation.
-    Start,
-    Transition(TransitionId),
-    /// The step is active.
-    While(StepId),
-}
-
-pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
-    let race = Race::new(model, concurrency, Logic::within(model, concurrency, never));
-    for (place, writes) in race.collect() {
-        let causes: Vec<Set<Cause>> = writes.iter().map(|write| race.causes(write.when, 0)).collect();
-        let things: Vec<_> = writes
-            .iter()
-            .zip(&causes)
-            .enumerate()
-            .flat_map(|(i, (write, causes))| race.steps_of(write, causes).into_iter().map(move |step| (i, step)))
-            .collect();
-        let mut reported = Set::new();
-        for (i, j) in meeting::pairs(concurrency, &things) {
-            let (first, second) = (&writes[i], &writes[j]);
-            if !reported.contains(&j) && race.can_meet((first, &causes[i]), (second, &causes[j])) {
-                reported.insert(j);
-                report(model, place, first, second, sink);
-            }
-        }
-    }
-}
-
-fn report(model: &Model, place: Place, first: &Write<'_>, second: &Write<'_>, sink: &mut Sink) {
+fn report(model: &Model, place: Place, first: Writer, second: Writer, sink: &mut Sink) {
     let name = model.place_name(place);
-    let owner = |write: &Write<'_>| match write.owner {
+    let owner = |writer: Writer| match writer {
+        Writer::Action(id) => Owner::Step(model.associations[id].step),
+        Writer::Clearing(id) => Owner::Transition(id),
+    };
+    let mark = |writer: Writer| match writer {
+        Writer::Action(id) => model.associations[id].mark,
+        Writer::Clearing(id) => model.transitions[id].mark,
+    };
+    let text = |writer: Writer| match owner(writer) {
         Owner::Step(step) => format!("step `{}`", model.steps[step].name),
         Owner::Transition(id) => model.transition_text(&model.transitions[id]),
     };
-    let note = |write: &Write<'_>, other: &Write<'_>| {
-        let who = if write.owner == other.owner { "again here".to_owned() } else { format!("by {}", owner(other)) };
+    let note = |writer: Writer, other: Writer| {
+        let who = if owner(writer) == owner(other) { "again here".to_owned() } else { format!("by {}", text(other)) };
         let message = if model.is_grafcet() {
             format!(
                 "`{name}` is also written {who} in the same evolution, and which one wins is open; write it in one place, \
@@ -89,13 +44,13 @@ fn report(model: &Model, place: Place, first: &Write<'_>, second: &Write<'_>, si
                  in the source decides which one wins; write it in one branch"
             )
         };
-        (write.mark, message)
+        (mark(writer), message)
     };
-    let levels = |write: &Write<'_>| match write.owner {
+    let levels = |writer: Writer| match owner(writer) {
         Owner::Step(step) => &model.steps[step].levels[..],
         Owner::Transition(id) => &model.transitions[id].levels[..],
     };
-    let partial = |write: &Write<'_>| match write.owner {
+    let partial = |writer: Writer| match owner(writer) {
         Owner::Step(step) => &model.partials[model.steps[step].partial].levels[..],
         Owner::Transition(id) => &model.partials[model.transitions[id].partial].levels[..],
     };
@@ -103,248 +58,4 @@ fn report(model: &Model, place: Place, first: &Write<'_>, second: &Write<'_>, si
     let scopes: [&[LevelAttr]; 6] =
         [levels(first), levels(second), place, partial(first), partial(second), &model.levels];
     sink.rule_in(model.dialect, &rules::WRITE_RACE, &scopes, vec![note(first, second), note(second, first)]);
-}
-
-struct Race<'m> {
-    model: &'m Model,
-    concurrency: &'m Concurrency,
-    logic: Logic<'m>,
-    entering: Vec<Vec<TransitionId>>,
-    leaving: Vec<Vec<TransitionId>>,
-}
-
-/// Hierarchies are not deeper than this; a circle in them is refused elsewhere.
-const DEPTH: usize = 16;
-
-impl<'m> Race<'m> {
-    fn new(model: &'m Model, concurrency: &'m Concurrency, logic: Logic<'m>) -> Self {
-        let mut entering = vec![Vec::new(); model.steps.len()];
-        let mut leaving = vec![Vec::new(); model.steps.len()];
-        for (id, transition) in model.transitions.iter() {
-            // A4g: a step that is left and entered at once is neither; in an `sfc` it is both (A4s).
-            let stays = |step: &&StepId| {
-                model.is_grafcet() && transition.sources.contains(step) && transition.targets.contains(step)
-            };
-            transition.targets.iter().filter(|s| !stays(s)).for_each(|step| entering[step.index()].push(id));
-            transition.sources.iter().filter(|s| !stays(s)).for_each(|step| leaving[step.index()].push(id));
-        }
-        Self { model, concurrency, logic, entering, leaving }
-    }
-
-    /// The writes of each place.
-    fn collect(&self) -> Map<Place, Vec<Write<'m>>> {
-        let model = self.model;
-        let mut all: Map<Place, Vec<Write<'m>>> = Map::new();
-        for association in model.associations.values().filter(|association| self.is_write(association)) {
-            let value = match (&association.effect, association.qualifier) {
-                (Effect::Control(_), qualifier) => Some(Tree::Bool(qualifier == Qualifier::S)),
-                (effect, _) => constant(effect),
-            };
-            let when = match association.qualifier {
-                Qualifier::P0 => When::Left(association.step),
-                Qualifier::P1 | Qualifier::P => When::Entered(association.step),
-                Qualifier::S | Qualifier::R if model.is_grafcet() => When::Entered(association.step),
-                _ => When::Active(association.step),
-            };
-            let conditions: Vec<_> = association.condition.iter().chain(&association.event).collect();
-            for place in association.effect.writes() {
-                let (value, conditions) = (value.clone(), conditions.clone());
-                let owner = Owner::Step(association.step);
-                all.or_default(*place).push(Write { value, when, conditions, mark: association.mark, owner });
-            }
-        }
-        for (id, transition) in model.transitions.iter() {
-            for effect in &transition.clearing {
-                for place in effect.writes() {
-                    let (value, when, owner) = (constant(effect), When::Cleared(id), Owner::Transition(id));
-                    let write = Write { value, when, conditions: Vec::new(), mark: transition.mark, owner };
-                    all.or_default(*place).push(write);
-                }
-            }
-        }
-        all
-    }
-
-    /// In an `sfc` what is switched by qualifiers is combined by the action control, and R dominates.
-    fn is_write(&self, association: &Association) -> bool {
-        if self.model.is_grafcet() {
-            return is_stored(association);
-        }
-        match &association.effect {
-            Effect::Assign(Place::Output(_), _) => association.qualifier != Qualifier::N,
-            Effect::Assign(..) | Effect::Block(_) => true,
-            Effect::Control(_) | Effect::Call(..) => false,
-        }
-    }
-
-    /// Whether both can write in one evolution, and not just the same value.
-    fn can_meet(&self, (a, of_a): (&Write<'_>, &Set<Cause>), (b, of_b): (&Write<'_>, &Set<Cause>)) -> bool {
-        if a.value.is_some() && a.value == b.value {
-            return false;
-        }
-        if !self.model.is_grafcet() && !self.are_parallel(a.owner, b.owner) {
-            return false;
-        }
-        of_a.iter().any(|x| of_b.iter().any(|y| self.happen_together(*x, *y) && !self.exclude((a, *x), (b, *y))))
-    }
-
-    fn are_parallel(&self, a: Owner, b: Owner) -> bool {
-        match (a, b) {
-            (Owner::Step(a), Owner::Step(b)) => a != b && self.concurrency.together(a, b),
-            _ => true,
-        }
-    }
-
-    /// The conditions under which an action runs, and those of what it follows from.
-    fn conditions(&self, write: &Write<'_>, cause: Cause) -> Vec<Condition> {
-        let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
-        let mut all: Vec<Condition> = write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).collect();
-        match cause {
-            Cause::Transition(id) => {
-                let transition = &self.model.transitions[id];
-                all.push(self.logic.condition(&transition.condition.tree));
-                all.extend(transition.sources.iter().map(active));
-            }
-            Cause::While(step) if self.model.is_grafcet() => all.push(active(&step)),
-            Cause::While(_) | Cause::Start => {}
-        }
-        all
-    }
-
-    /// Whether the conditions under which both write exclude each other.
-    fn exclude(&self, a: (&Write<'_>, Cause), b: (&Write<'_>, Cause)) -> bool {
-        // In an `sfc` those of actions are read behind the evolution, those of transitions before it.
-        if !self.model.is_grafcet() && (!a.0.conditions.is_empty() || !b.0.conditions.is_empty()) {
-            let of = |write: &Write<'_>| {
-                write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).collect::<Vec<_>>()
-            };
-            return self.impossible(of(a.0).into_iter().chain(of(b.0)));
-        }
-        self.impossible(self.conditions(a.0, a.1).into_iter().chain(self.conditions(b.0, b.1)))
-    }
-
-    fn impossible(&self, all: impl Iterator<Item = Condition>) -> bool {
-        let all: Vec<Condition> = all.collect();
-        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).collect();
-        self.logic.impossible(&goals)
-    }
-
-    /// What activates or deactivates a step: transitions, those that enter or leave the enclosing step, and those that bring a
-    /// forcing order.
-    fn causes(&self, when: When, depth: usize) -> Set<Cause> {
-        let transitions = |ids: &[TransitionId]| ids.iter().copied().map(Cause::Transition).collect::<Set<_>>();
-        let (step, mut causes) = match when {
-            When::Cleared(id) => return Set::from([Cause::Transition(id)]),
-            When::Active(step) => return Set::from([Cause::While(step)]),
-            When::Entered(step) => (step, transitions(&self.entering[step.index()])),
-            When::Left(step) => (step, transitions(&self.leaving[step.index()])),
-        };
-        if depth == DEPTH {
-            return causes;
-        }
-        let own = &self.model.steps[step];
-        let outer = self.model.partials[own.partial].enclosed_by;
-        if matches!(when, When::Left(_)) {
-            causes.extend(outer.into_iter().flat_map(|outer| self.causes(When::Left(outer), depth + 1)));
-            let empties = self.orders(own.partial).filter(|(_, order)| !self.activates(order, step));
-            causes.extend(empties.flat_map(|(by, _)| self.causes(When::Entered(by), depth + 1)));
-            return causes;
-        }
-        if own.initial && outer.is_none() {
-            causes.insert(Cause::Start);
-        }
-        let link = outer.filter(|_| own.linked);
-        causes.extend(link.into_iter().flat_map(|outer| self.causes(When::Entered(outer), depth + 1)));
-        let forced = self.orders(own.partial).filter(|(_, order)| self.activates(order, step));
-        causes.extend(forced.flat_map(|(by, _)| self.causes(When::Entered(by), depth + 1)));
-        causes
-    }
-
-    /// The steps that force a partial grafcet, and how; holding it changes nothing.
-    fn orders(&self, partial: PartialId) -> impl Iterator<Item = (StepId, &'m ForceOrder)> {
-        let forces = self.model.forces.values().filter(move |force| force.target == partial);
-        forces.map(|force| (force.step, &force.order)).filter(|(_, order)| **order != ForceOrder::Hold)
-    }
-
-    fn activates(&self, order: &ForceOrder, step: StepId) -> bool {
-        match order {
-            ForceOrder::Steps(steps) => steps.contains(&step),
-            ForceOrder::Init => self.model.steps[step].initial,
-            ForceOrder::Hold => false,
-        }
-    }
-
-    /// The steps by which writes meet: in a `grafcet` for each cause one that is active before, where there is one.
-    fn steps_of(&self, write: &Write<'_>, causes: &Set<Cause>) -> Vec<Option<StepId>> {
-        match write.owner {
-            Owner::Step(step) if !self.model.is_grafcet() => vec![Some(step)],
-            _ => causes
-                .iter()
-                .map(|cause| match cause {
-                    Cause::Start => None,
-                    Cause::Transition(id) => self.model.transitions[*id].sources.first().copied(),
-                    Cause::While(step) => Some(*step),
-                })
-                .collect(),
-        }
-    }
-
-    fn happen_together(&self, a: Cause, b: Cause) -> bool {
-        match (a, b) {
-            (Cause::Start, Cause::Start) => true,
-            // A37: the activation of the initial situation is an evolution of its own.
-            (Cause::Start, _) | (_, Cause::Start) => false,
-            (Cause::While(x), Cause::While(y)) => x == y || self.concurrency.together(x, y),
-            (Cause::While(step), Cause::Transition(id)) | (Cause::Transition(id), Cause::While(step)) => {
-                !self.model.is_grafcet() || self.active_before(id, step)
-            }
-            (Cause::Transition(x), Cause::Transition(y)) => {
-                x == y || self.enabled_together(x, y) && !self.prevents(x, y) && !self.prevents(y, x)
-            }
-        }
-    }
-
-    /// Whether what a transition brings about keeps another from clearing in the same evolution: it leaves or empties what
-    /// encloses it (A19), or brings an order on its partial grafcet (A13).
-    fn prevents(&self, clears: TransitionId, other: TransitionId) -> bool {
-        let (clears, mut partial) = (&self.model.transitions[clears], self.model.transitions[other].partial);
-        let orders = || clears.targets.iter().flat_map(|step| &self.model.steps[*step].forces);
-        let mut orders = orders().map(|id| &self.model.forces[*id]).collect::<Vec<_>>();
-        if orders.iter().any(|force| force.target == partial) {
-            return true;
-        }
-        orders.retain(|force| force.order != ForceOrder::Hold);
-        for _ in 0..DEPTH {
-            let Some(outer) = self.model.partials[partial].enclosed_by else { return false };
-            partial = self.model.steps[outer].partial;
-            let left = clears.sources.contains(&outer) && !clears.targets.contains(&outer);
-            if left || orders.iter().any(|force| force.target == partial && !self.activates(&force.order, outer)) {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Whether the transition can clear while the step is active.
-    fn active_before(&self, cause: TransitionId, step: StepId) -> bool {
-        let sources = &self.model.transitions[cause].sources;
-        sources.iter().all(|source| *source == step || self.concurrency.together(*source, step))
-    }
-
-    /// Whether the two can clear in one evolution: in an `sfc` one that takes a step away from the other prevents it.
-    fn enabled_together(&self, a: TransitionId, b: TransitionId) -> bool {
-        let (first, second) = (&self.model.transitions[a], &self.model.transitions[b]);
-        let share = |x: &StepId, y: &StepId| x == y && self.model.is_grafcet();
-        first
-            .sources
-            .iter()
-            .all(|x| second.sources.iter().all(|y| share(x, y) || x != y && self.concurrency.together(*x, *y)))
-    }
-}
-
-fn constant(effect: &Effect) -> Option<Tree> {
-    match effect {
-        Effect::Assign(_, value) if matches!(value.tree, Tree::Bool(_) | Tree::Int(_)) => Some(value.tree.clone()),
-        _ => None,
-    }
 }

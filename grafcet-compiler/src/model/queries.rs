@@ -203,6 +203,13 @@ impl Ty {
 }
 
 impl Association {
+    /// Whether the action of a `grafcet` acts at an instant.
+    #[must_use]
+    pub fn is_stored(&self) -> bool {
+        use super::Qualifier::{On, P0, P1, R, S};
+        matches!(self.qualifier, S | R | P1 | P0 | On)
+    }
+
     /// What its expressions read, one list an expression: condition, event and effect.
     #[must_use]
     pub fn reads(&self) -> Vec<&[Read]> {

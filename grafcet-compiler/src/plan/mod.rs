@@ -22,7 +22,7 @@ pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored};
 
-use crate::analysis::{Concurrency, Ends, Stability, explore, hierarchy};
+use crate::analysis::{Concurrency, Ends, Races, Stability, explore, hierarchy};
 use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
@@ -64,9 +64,9 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Plans a chart that has passed all checks.
+    /// Plans a chart that has passed all checks; `races` is what they found, which the chart may allow.
     #[must_use]
-    pub fn of(model: &Model) -> Self {
+    pub fn of(model: &Model, races: &Races) -> Self {
         let concurrency = Concurrency::of(model);
         let initial = hierarchy::initial_situation(model);
         let mut regions = Regions::of(model, &concurrency, &initial);
@@ -85,20 +85,21 @@ impl Plan {
         }
         let stability = model.is_grafcet().then(|| Stability::of(model));
         let sees_reentry = sees_reentry(model, &regions, &evolution);
+        let stored = Stored::of(model, races);
         let memory = Memory::of(model, &regions, &drives, &control);
         Self {
             has_start: has_start(model, &initial, &memory),
             memory,
-            stored: Stored::of(model),
             nests: Nest::all(model, &regions, &evolution, &concurrency),
             descent: Descent::of(model, &regions, &concurrency),
             one_step,
             most_active,
             sees_reentry,
-            may_be_unstable: stability.as_ref().is_some_and(|stability| may_be_unstable(model, stability)),
+            may_be_unstable: stability.as_ref().is_some_and(|stability| may_be_unstable(model, &stored, stability)),
             search_ends: stability.map(Stability::ends).unwrap_or_default(),
             max_evolutions: max_evolutions(model),
             comes_back: Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len(),
+            stored,
             regions,
             evolution,
             drives,
@@ -165,12 +166,12 @@ fn has_start(model: &Model, initial: &Set<StepId>, memory: &Memory) -> bool {
 }
 
 /// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
-fn may_be_unstable(model: &Model, stability: &Stability) -> bool {
+fn may_be_unstable(model: &Model, stored: &Stored, stability: &Stability) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
     // Where each transition clears at most once, the chart gives the search long enough.
     let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
     let open = !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound));
-    Stored::of(model).collected.iter().any(compared) || open && !explore::settles(model, WORK)
+    stored.collected.iter().any(compared) || open && !explore::settles(model, WORK)
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

@@ -4,8 +4,7 @@
 //! place at once if no other action reads it and no action may write it without a change of the situation; any other
 //! place is first written to a local, which tells whether the evolution changes anything (A25).
 
-use crate::analysis::combinational;
-use crate::diagnostic::rules;
+use crate::analysis::{Races, combinational};
 use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Ty};
 use crate::sorted::Set;
 
@@ -19,7 +18,7 @@ pub struct Stored {
 }
 
 impl Stored {
-    pub(super) fn of(model: &Model) -> Self {
+    pub(super) fn of(model: &Model, races: &Races) -> Self {
         let mut stored = Self { collected: Set::new(), at_any_time: Set::new() };
         if !model.is_grafcet() {
             return stored;
@@ -51,7 +50,7 @@ impl Stored {
                 let effects = actions.iter().map(|action| &action.effect).chain(clearings);
                 let written: Set<Place> = effects.flat_map(Effect::writes).copied().collect();
                 stored.collected.retain(|place| written.contains(place));
-                stored.at_any_time = at_any_time(model, &stored.collected);
+                stored.at_any_time = at_any_time(model, &stored.collected, races);
                 return stored;
             }
         }
@@ -64,11 +63,8 @@ impl Stored {
     }
 }
 
-/// Which actions can act at any time of an evolution. Where the chart allows races, the order of the source counts.
-fn at_any_time(model: &Model, collected: &Set<Place>) -> Set<AssociationId> {
-    if model.has_level_of(&rules::WRITE_RACE) {
-        return Set::new();
-    }
+/// Which actions can act at any time of an evolution. Where two race, the order of the source counts.
+fn at_any_time(model: &Model, collected: &Set<Place>, races: &Races) -> Set<AssociationId> {
     let tested: Set<Place> = model.transitions.values().flat_map(|t| &t.condition.reads).filter_map(place).collect();
     let fits = |association: &Association| {
         let value = match &association.effect {
@@ -78,7 +74,11 @@ fn at_any_time(model: &Model, collected: &Set<Place>) -> Set<AssociationId> {
         };
         is_stored(association)
             && association.event.is_none()
-            && association.effect.writes().iter().all(|place| !collected.contains(place) && !tested.contains(place))
+            && association
+                .effect
+                .writes()
+                .iter()
+                .all(|place| !collected.contains(place) && !tested.contains(place) && !races.are_about(*place))
             && association.condition.iter().chain(value).all(|expr| stands_still(model, expr))
     };
     model.associations.iter().filter(|(_, association)| fits(association)).map(|(id, _)| id).collect()
@@ -113,7 +113,7 @@ fn counts(model: &Model, expr: &Expr) -> bool {
 /// Whether the action acts at an instant.
 #[must_use]
 pub fn is_stored(association: &Association) -> bool {
-    matches!(association.qualifier, Qualifier::S | Qualifier::R | Qualifier::P1 | Qualifier::P0 | Qualifier::On)
+    association.is_stored()
 }
 
 fn place(read: &Read) -> Option<Place> {

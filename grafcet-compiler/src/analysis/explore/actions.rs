@@ -2,6 +2,7 @@
 
 use super::compile::Compiler;
 use super::formula::Formula;
+use super::rivals::Watched;
 use super::slots::{Bit, Slots};
 use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
 use crate::sorted::{Map, Set};
@@ -59,6 +60,8 @@ pub(super) struct Actions {
     pub(super) targets_of: Map<usize, Vec<usize>>,
     /// `sfc`: targets that go on as long as a flip-flop is set.
     pub(super) lasting: Vec<(usize, usize)>,
+    /// `grafcet`: pairs of stored actions of which it is asked whether they run in the same evolution.
+    pub(super) rivals: Vec<(Watched, Watched)>,
     /// `sfc`: which slots are outputs; these are read as the previous cycle returned them.
     pub(super) is_output: Vec<bool>,
 }
@@ -66,7 +69,7 @@ pub(super) struct Actions {
 impl Actions {
     /// Whether nothing is followed.
     pub(super) fn is_empty(&self) -> bool {
-        self.stored.is_empty() && self.clearing.is_empty() && self.targets.is_empty()
+        self.stored.is_empty() && self.clearing.is_empty() && self.targets.is_empty() && self.rivals.is_empty()
     }
 
     /// The formulas that actions evaluate.
@@ -80,6 +83,8 @@ impl Actions {
             formulas.extend(action.event.iter().chain(&action.condition));
             collect(&action.program, &mut formulas);
         }
+        let rivals = self.rivals.iter().flat_map(|(a, b)| [a, b]);
+        formulas.extend(rivals.flat_map(|rival| &rival.conditions));
         formulas
     }
 

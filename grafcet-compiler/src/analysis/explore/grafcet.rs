@@ -3,6 +3,7 @@
 use super::actions::Action;
 use super::cycle::{self, Done, evolve, note_doubled};
 use super::hierarchy;
+use super::rivals;
 use super::scene::{Scene, Snapshot, State, When};
 use super::sfc::perform;
 use super::slots::Bit;
@@ -148,6 +149,7 @@ fn actions(scene: &mut Scene<'_>, after: &[usize], cleared: &[usize]) -> Outcome
         return outcome;
     }
     let before = scene.now.active.clone();
+    rivals::note(scene, &before, after, cleared);
     let mut due: Vec<usize> = Vec::new();
     let steps = before.iter().chain(after.iter().filter(|step| before.binary_search(step).is_err()));
     for step in steps.filter_map(|step| net.actions.stored_of.get(step)) {

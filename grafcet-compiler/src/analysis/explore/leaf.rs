@@ -15,6 +15,8 @@ pub(super) struct Leaf {
     pub(super) late: bool,
     /// The watched expressions that hold, each with what it takes.
     pub(super) watched: Vec<(usize, Cycle)>,
+    /// The watched pairs of actions that ran together.
+    pub(super) met: Vec<usize>,
 }
 
 impl Search<'_, '_> {
@@ -47,7 +49,8 @@ impl Search<'_, '_> {
             return None;
         }
         let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
-        Some(Leaf { next, done, cycle, late, watched })
+        let met = self.scene.met.clone();
+        Some(Leaf { next, done, cycle, late, watched, met })
     }
 
     /// Whether watched expressions are left that have not been seen to hold.

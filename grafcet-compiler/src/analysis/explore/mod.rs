@@ -25,6 +25,7 @@ mod knowledge;
 mod leaf;
 mod net;
 mod path;
+mod rivals;
 mod scene;
 mod search;
 mod settles;
@@ -40,6 +41,7 @@ mod ways;
 mod whole;
 
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation, text};
+pub use rivals::{Rival, rivals_meeting};
 pub use settles::settles;
 pub use tokens::{Meeting, Parting};
 

@@ -4,6 +4,7 @@ use super::actions::{self, Actions};
 use super::clocks::{self, Clock};
 use super::compile::Compiler;
 use super::formula::{Atom, Formula, Kind};
+use super::rivals::Rival;
 use super::slots::{Bit, Slots};
 use super::{unfollowed, units};
 use crate::analysis::Concurrency;
@@ -98,11 +99,24 @@ pub(super) struct Net {
 
 impl Net {
     pub(super) fn of(model: &Model, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
-        let slots = Slots::of(model, watched);
+        Self::with(model, watched, &[], assumed_never)
+    }
+
+    /// A chart of which pairs of stored actions are watched.
+    pub(super) fn beside(model: &Model, rivals: &[(Rival<'_>, Rival<'_>)], assumed_never: &[&Tree]) -> Self {
+        Self::with(model, &[], rivals, assumed_never)
+    }
+
+    fn with(model: &Model, watched: &[&Tree], rivals: &[(Rival<'_>, Rival<'_>)], assumed_never: &[&Tree]) -> Self {
+        let asked = rivals.iter().flat_map(|(a, b)| a.conditions().chain(b.conditions()));
+        let asked: Vec<&Tree> = watched.iter().copied().chain(asked).collect();
+        let slots = Slots::of(model, &asked);
         let mut compiler = Compiler::new(model, &slots.numbers);
         let conditions: Vec<Formula> =
             model.transitions.values().map(|t| compiler.formula(&t.condition.tree)).collect();
-        let actions = actions::compile(model, &slots, &mut compiler);
+        let mut actions = actions::compile(model, &slots, &mut compiler);
+        let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
+        actions.rivals = rivals.collect();
         let watched = watched.iter().map(|tree| compiler.formula(tree)).collect();
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();

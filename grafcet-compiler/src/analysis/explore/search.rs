@@ -75,18 +75,29 @@ impl<'n, 's> Search<'n, 's> {
     /// The whole chart from its initial situation, or a piece of it from all situations in which it can start.
     /// Returns the units of work it took.
     pub(super) fn run(mut self) -> (Graph, u64) {
+        self.explore();
+        (self.graph, self.scene.work)
+    }
+
+    /// The same; returned is whether all was seen, and which of the watched pairs of actions ran together.
+    pub(super) fn run_beside(mut self, pairs: usize) -> (bool, Vec<bool>) {
+        self.scene.have_met = vec![false; pairs];
+        self.explore();
+        (self.graph.complete, self.scene.have_met)
+    }
+
+    fn explore(&mut self) {
         if self.graph.states.is_empty() {
             self.roots();
         }
         let mut next = 0;
         while next < self.graph.states.len() {
             if !self.expand(next) {
-                return (self.graph, self.scene.work);
+                return;
             }
             next += 1;
         }
         self.graph.complete = true;
-        (self.graph, self.scene.work)
     }
 
     pub(super) fn roots(&mut self) {
@@ -225,7 +236,10 @@ impl<'n, 's> Search<'n, 's> {
     /// The number of the state to which it leads.
     pub(super) fn commit(&mut self, from: usize, leaf: Leaf) -> usize {
         let net = self.scene.net;
-        let Leaf { next, done, mut cycle, late, watched } = leaf;
+        let Leaf { next, done, mut cycle, late, watched, met } = leaf;
+        for pair in met {
+            self.scene.have_met[pair] = true;
+        }
         for active in &done.transient {
             self.seen.situation(active);
         }

@@ -85,6 +85,9 @@ pub(super) struct Scene<'n> {
     pub(super) late: bool,
     /// Actions that are not followed may have run in this cycle.
     acted: bool,
+    /// The watched pairs of actions that have run together in this run, and which have been seen to before.
+    pub(super) met: Vec<usize>,
+    pub(super) have_met: Vec<bool>,
     pub(super) waits: Waits,
     /// For trying out whether transitions can wait.
     pub(super) trial: Option<Box<Scene<'n>>>,
@@ -118,6 +121,8 @@ impl<'n> Scene<'n> {
             granted: Vec::new(),
             late: false,
             acted: false,
+            met: Vec::new(),
+            have_met: Vec::new(),
             waits: Waits::new(),
             trial: None,
             work: 0,
@@ -162,6 +167,7 @@ impl<'n> Scene<'n> {
         self.granted.clear();
         self.late = false;
         self.acted = false;
+        self.met.clear();
     }
 
     /// Begins in the middle of another scene's cycle, knowing only this.

@@ -1,6 +1,6 @@
 //! Which things meet, of those that belong to steps.
 
-use crate::analysis::Concurrency;
+use super::Concurrency;
 use crate::model::StepId;
 use crate::sorted::{Map, Set};
 
@@ -9,7 +9,7 @@ const PAIRS: usize = 100_000;
 
 /// The pairs of things, smaller number first, whose steps are the same or can be active together; a thing without a step
 /// meets all.
-pub(super) fn pairs(concurrency: &Concurrency, things: &[(usize, Option<StepId>)]) -> Set<(usize, usize)> {
+pub(crate) fn pairs(concurrency: &Concurrency, things: &[(usize, Option<StepId>)]) -> Set<(usize, usize)> {
     let mut at: Map<StepId, Vec<usize>> = Map::new();
     for (thing, step) in things {
         if let Some(step) = step {
