@@ -10,7 +10,13 @@ const CHART: &str = "
     input a, b, c: bool;
     input level, other: u16;
     input small: i8;
-    input temp: f32;
+    input temp, tepid, warm: f32;
+    input lo, hi: u8;
+    input reading, other_reading: Reading;
+    input pair: (u8, u8);
+    input letter: char;
+    input word: &'static str;
+    input far: &'static u16;
     input pressure: f64;
     input mode: Mode;
     var count: u16 = 0;
@@ -165,15 +171,81 @@ fn other_rust_is_equal_to_its_own_text() {
     assert!(
         never("f(level) && !f(level)") && !exclusive("f(level)", "!g(level)") && !exclusive("f(level)", "f(other)")
     );
-    assert!(
-        exclusive("mode == Mode::Auto", "mode != Mode::Auto") && !exclusive("mode == Mode::AUTO", "mode == Mode::HAND")
-    );
+    assert!(!exclusive("mode == Mode::AUTO", "mode == Mode::HAND"));
+    assert!(exclusive("mode == Mode::Auto", "!(mode == Mode::Auto)"));
     assert!(exclusive("level < MAX", "level >= MAX"));
     // What nobody knows is no reason to say that two conditions hold together.
     assert!(!certain(&["mode == Mode::Auto", "mode == Mode::Hand"]) && !certain(&["f(level)", "a"]));
     assert!(certain(&["a || f(level)", "a || g(level)"]) && !certain(&["a != f(level)", "a"]));
     assert!(!certain(&["level < low", "level > high"]) && certain(&["level < low", "a"]));
     assert!(!certain(&["level + 1 < 3", "level > 7"]) && certain(&["level < 3", "other > 7"]));
+}
+
+#[test]
+fn two_values_lie_between_their_constants_and_limits() {
+    for condition in [
+        "level < 1 && level > other",
+        "level < low && low < other && other < level",
+        "level < other && other == 0",
+        "level == other && level > 3 && other < 3",
+        "level > other && other > low && level == low",
+        "level < low && low < high && high <= 1",
+        "other > level && level == 65535",
+        "level <= other && level >= other && level != other",
+        "Fill.T > soak && soak > 5s && Fill.T <= 5s",
+        "Fill.T > soak && !Fill.X",
+        "Fill.T == soak && soak > 0s && !Fill.X",
+        "level < level",
+        "level % 4 > 3",
+        "(level & 7) == 9 || level / 1000 > 65 || small % 3 < -2",
+        "temp > tepid && tepid > 3.0 && temp < 2.0",
+        "rising(level < other) && other <= level",
+    ] {
+        assert!(never(condition), "{condition}");
+        assert!(always(&format!("!({condition})")), "{condition}");
+    }
+    for condition in [
+        "level < 2 && level > other",
+        "level < low && low < high && high <= 2",
+        "level < other && level != 0 && other != 2",
+        "Fill.T > soak && soak > 5s",
+        "temp > tepid && tepid > 1.0 && temp < 2.0",
+        // There may be no number at all.
+        "!(temp < tepid) && !(temp >= tepid)",
+        "!(temp < tepid) && !(temp >= tepid) && tepid < 3.0",
+    ] {
+        assert!(!never(condition) && !always(condition), "{condition}");
+        assert!(certain(&[condition]) || condition.contains("low") || condition.contains("soak"), "{condition}");
+    }
+    assert!(never("!(temp < tepid) && !(temp >= tepid) && tepid < 3.0 && temp > 1.0"));
+    assert!(never("!(temp < tepid) && !(temp >= tepid) && tepid < 3.0 && temp < warm"));
+    let text = |conditions: &[&str]| match witness(conditions) {
+        Answer::Witness(text) => text,
+        other => panic!("{conditions:?}: {other:?}"),
+    };
+    assert_eq!(text(&["level < 9 && level > other", "other > 2"]), "level = 4, level > other, other = 3");
+    assert!(ask(&["hi == 0"], &["lo >= hi"], |logic, all| logic.never(&all[0])));
+}
+
+#[test]
+fn types_of_the_user_compare_as_they_like() {
+    for (a, b) in [
+        ("reading < 3", "reading >= 3"),
+        ("reading < other_reading", "reading >= other_reading"),
+        ("reading < 3", "3 < reading"),
+        ("reading == 3", "reading != 3"),
+        ("mode == Mode::AUTO", "mode != Mode::AUTO"),
+        ("pair.0 < 3", "pair.0 >= 3"),
+        ("reading + 1 < 3", "reading + 1 > 3"),
+    ] {
+        assert!(!exclusive(a, b), "{a}, {b}");
+        assert!(!always(&format!("{a} || {b}")), "{a}, {b}");
+        assert!(!never(&format!("!({a}) && !({b})")), "{a}, {b}");
+        assert!(exclusive(a, &format!("!({a})")), "{a}");
+    }
+    // References to primitive types, characters and text have the order of their types.
+    assert!(exclusive("letter < 'c'", "letter >= 'c'") && exclusive("word == \"on\"", "word != \"on\""));
+    assert!(exclusive("far < &LIMIT", "far >= &LIMIT"));
 }
 
 #[test]
@@ -231,6 +303,8 @@ fn long_charts() {
 enum Random {
     Name(usize),
     Compare(usize, &'static str, i64),
+    /// `level` with `other`, or the other way round.
+    Order(usize, &'static str),
     Not(Box<Random>),
     Pair(&'static str, Box<Random>, Box<Random>),
 }
@@ -246,13 +320,12 @@ impl Random {
             *random ^= *random << 17;
             usize::try_from(*random % below).unwrap_or_default()
         };
-        match draw(if depth == 0 { 2 } else { 6 }) {
+        let operators = ["<", "<=", ">", ">=", "==", "!="];
+        match draw(if depth == 0 { 3 } else { 7 }) {
             0 => Self::Name(draw(3)),
-            1 => {
-                let operator = ["<", "<=", ">", ">=", "==", "!="][draw(6)];
-                Self::Compare(draw(2), operator, i64::try_from(draw(5)).unwrap_or_default())
-            }
-            2 => Self::Not(Box::new(Self::make(random, depth - 1))),
+            1 => Self::Compare(draw(2), operators[draw(6)], [0, 1, 2, 3, 4, 65_534, 65_535][draw(7)]),
+            2 => Self::Order(draw(2), operators[draw(6)]),
+            3 => Self::Not(Box::new(Self::make(random, depth - 1))),
             _ => {
                 let operator = ["&&", "||", "^", "=="][draw(4)];
                 Self::Pair(operator, Box::new(Self::make(random, depth - 1)), Box::new(Self::make(random, depth - 1)))
@@ -264,6 +337,9 @@ impl Random {
         match self {
             Self::Name(index) => ["a", "b", "c"][*index].to_owned(),
             Self::Compare(index, operator, value) => format!("{} {operator} {value}", ["level", "other"][*index]),
+            Self::Order(first, operator) => {
+                format!("{} {operator} {}", ["level", "other"][*first], ["level", "other"][1 - *first])
+            }
             Self::Not(inner) => format!("!({})", inner.text()),
             Self::Pair(operator, a, b) => format!("(({}) {operator} ({}))", a.text(), b.text()),
         }
@@ -272,17 +348,8 @@ impl Random {
     fn holds(&self, valuation: &Valuation) -> bool {
         match self {
             Self::Name(index) => valuation.0[*index],
-            Self::Compare(index, operator, value) => {
-                let left = valuation.1[*index];
-                match *operator {
-                    "<" => left < *value,
-                    "<=" => left <= *value,
-                    ">" => left > *value,
-                    ">=" => left >= *value,
-                    "==" => left == *value,
-                    _ => left != *value,
-                }
-            }
+            Self::Compare(index, operator, value) => compare(valuation.1[*index], operator, *value),
+            Self::Order(first, operator) => compare(valuation.1[*first], operator, valuation.1[1 - *first]),
             Self::Not(inner) => !inner.holds(valuation),
             Self::Pair(operator, a, b) => match (*operator, a.holds(valuation), b.holds(valuation)) {
                 ("&&", a, b) => a && b,
@@ -294,11 +361,24 @@ impl Random {
     }
 }
 
+fn compare(left: i64, operator: &str, right: i64) -> bool {
+    match operator {
+        "<" => left < right,
+        "<=" => left <= right,
+        ">" => left > right,
+        ">=" => left >= right,
+        "==" => left == right,
+        _ => left != right,
+    }
+}
+
 #[test]
 fn verdicts_equal_those_of_all_valuations() {
+    // The values at the limits of the type, and enough between the constants.
+    let value = |number: i64| if number < 7 { number } else { 65_524 + number };
     let bits = (0..8).map(|bits| [bits & 1 == 1, bits & 2 == 2, bits & 4 == 4]);
     let valuations: Vec<Valuation> =
-        bits.flat_map(|bits| (0..36).map(move |number| (bits, [number % 6, number / 6]))).collect();
+        bits.flat_map(|bits| (0..144).map(move |number| (bits, [value(number % 12), value(number / 12)]))).collect();
     let mut random = 0x9E37_79B9_7F4A_7C15;
     for round in 0..600 {
         let all: Vec<Random> = (0..3).map(|_| Random::make(&mut random, round % 4)).collect();
@@ -334,7 +414,7 @@ fn verdicts_equal_those_of_all_valuations() {
 #[test]
 fn a_value_is_one_variant_of_its_type() {
     assert!(never("mode == Mode::Auto && Mode::Manual == mode"));
-    assert!(never("a && mode == modes::Mode::Auto && !(mode != Mode::Off)"));
+    assert!(never("a && mode == modes::Mode::Auto && mode == Mode::Off"));
     // Constants may be equal, and so may what is computed.
     assert!(!never("mode == Mode::DEFAULT && mode == Mode::Auto"));
     assert!(!never("mode == Mode::Auto && mode == Mode::of(level)"));

@@ -3,11 +3,13 @@
 pub mod circles;
 pub mod combinational;
 mod concurrency;
+mod differences;
 pub mod explore;
 pub mod hierarchy;
 mod logic;
 pub(crate) mod meeting;
 mod nesting;
+mod numbers;
 mod pairs;
 mod races;
 mod relation;

@@ -87,9 +87,10 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before.
+    /// Whether the run is one that the assumptions allow, and so is what it takes for the inputs of the cycle before; and
+    /// whether there are numbers that compare so.
     pub(super) fn is_assumed(&mut self) -> bool {
-        self.allows(When::Now) && self.allows(When::Before)
+        self.allows(When::Now) && self.allows(When::Before) && !self.scene.impossible && self.scene.goes_together()
     }
 
     fn allows(&mut self, when: When) -> bool {

@@ -23,6 +23,7 @@ mod hierarchy;
 mod home;
 mod knowledge;
 mod leaf;
+mod links;
 mod net;
 mod path;
 mod rivals;

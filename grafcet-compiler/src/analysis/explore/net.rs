@@ -4,6 +4,7 @@ use super::actions::{self, Actions};
 use super::clocks::{self, Clock};
 use super::compile::Compiler;
 use super::formula::{Atom, Formula, Kind};
+use super::links::Links;
 use super::rivals::Rival;
 use super::slots::{Bit, Slots};
 use super::{unfollowed, units};
@@ -49,6 +50,7 @@ pub(super) struct Net {
     pub(super) leaving: Vec<Vec<usize>>,
     pub(super) sourceless: Vec<usize>,
     pub(super) atoms: Vec<Atom>,
+    pub(super) links: Links,
     pub(super) edges: Vec<Option<Formula>>,
     pub(super) shared: Vec<Formula>,
     pub(super) actions: Actions,
@@ -120,7 +122,8 @@ impl Net {
         let watched = watched.iter().map(|tree| compiler.formula(tree)).collect();
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();
-        let Compiler { atoms, edges, shared, .. } = compiler;
+        let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
+        let links = Links::of(&atoms, &differences, &numbers);
         let unfollowed = unfollowed::atoms(&atoms);
         let count = atoms.len();
         let (unit_of, units) = units::of(model);
@@ -130,6 +133,7 @@ impl Net {
             leaving: vec![Vec::new(); model.steps.len()],
             sourceless: Vec::new(),
             atoms,
+            links,
             edges,
             shared,
             actions,
@@ -204,11 +208,14 @@ impl Net {
         }
     }
 
-    /// The atoms of a condition, those of its edges beside.
+    /// The atoms of a condition, those of its edges beside; and what they are tied to.
     pub(super) fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
         match formula {
             Formula::Const(_) => {}
-            Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => add(atoms, *atom),
+            Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
+                add(atoms, *atom);
+                self.links.with(*atom).iter().for_each(|other| add(atoms, *other));
+            }
             Formula::Not(inner) => self.collect(inner, atoms, edge_atoms),
             Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
                 self.collect(a, atoms, edge_atoms);

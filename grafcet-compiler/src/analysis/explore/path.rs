@@ -1,6 +1,6 @@
 //! Ways through a chart, as the verdicts show them.
 
-use crate::analysis::logic::{Float, float};
+use crate::analysis::numbers::{Float, float};
 use crate::model::{Binary, Model, Name, PartialId, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 
 /// A sequence of cycles from the initial situation on.
@@ -142,6 +142,9 @@ impl Given {
         if let (Some(float), Demand::Within(low, high)) = (float(model, &self.what), self.demand) {
             return float_text(&what, float, low, high);
         }
+        if let (Tree::Binary(Binary::Lt, a, b), Demand::Within(low, high)) = (&self.what, self.demand) {
+            return compared(&text(model, a), &text(model, b), low, high);
+        }
         let number =
             |number: i128| if is_time(model, &self.what) { model.time_text(number) } else { number.to_string() };
         match self.demand {
@@ -154,6 +157,18 @@ impl Given {
             Demand::Within(None, Some(high)) => format!("{what} <= {}", number(high)),
         }
     }
+}
+
+/// How two numbers compare, one of which lies this far above the other.
+fn compared(a: &str, b: &str, low: Option<i128>, high: Option<i128>) -> String {
+    let sign = match (low, high) {
+        (Some(0), Some(0)) => "==",
+        (_, Some(0)) => "<=",
+        (_, Some(_)) => "<",
+        (Some(0), None) => ">=",
+        (_, None) => ">",
+    };
+    format!("{a} {sign} {b}")
 }
 
 /// What is demanded of a float, by positions among all floats. A bound that nobody would write is the one beside it,

@@ -2,7 +2,7 @@
 
 use super::formula::{Atom, Kind};
 use super::slots::Slots;
-use crate::model::{Association, Effect, Model, Name, Qualifier, Read, Step, Tree};
+use crate::model::{Association, Binary, Effect, Model, Name, Qualifier, Read, Step, Tree};
 use crate::sorted::Map;
 
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
@@ -26,7 +26,18 @@ fn is_free(atom: &Atom) -> bool {
             | Tree::Elapsed(..)
             | Tree::MacroElapsed(..)
     );
-    free || atom.is_time || !matches!(atom.kind, Kind::Free | Kind::Number(..))
+    // How plain values compare is as free as they are: what does not go together is left out.
+    let plain = |tree: &Tree| {
+        matches!(
+            tree,
+            Tree::Read(
+                Read::Name(Name::Input(_) | Name::Param(_)) | Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)
+            )
+        )
+    };
+    let compares = matches!(atom.kind, Kind::Number(..))
+        && matches!(&atom.what, Tree::Binary(Binary::Lt, a, b) if plain(a) && plain(b));
+    free || compares || atom.is_time || !matches!(atom.kind, Kind::Free | Kind::Number(..))
 }
 
 /// Whether it reads something of its `own` that can be chosen to suit, and nothing that is not followed.

@@ -239,7 +239,7 @@ fn try_to_wait(scene: &mut Scene<'_>, group: &[usize], key: &Key, atoms: &[usize
     loop {
         trial.resume(scene, &key.1, &key.2);
         let waits = !group.iter().any(|transition| trial.decide(&net.arcs[*transition].condition, When::Now));
-        if waits {
+        if waits && trial.goes_together() {
             let (given, _) = trial.knowledge_of(&edge_atoms);
             if !ways.contains(&given) {
                 ways.push(given);

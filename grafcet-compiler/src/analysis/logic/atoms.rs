@@ -2,11 +2,10 @@
 
 use super::formula::AtomId;
 use super::ranges::Ranges;
-use crate::model::{Binary, Model, Name, Read, TimeRef, Tree, Ty};
+use crate::analysis::differences::FAR;
+use crate::analysis::numbers::{float, range};
+use crate::model::{Model, Name, Read, TimeRef, Tree, Ty};
 use crate::sorted::Map;
-
-/// Beyond this, constants of 128 bits leave no room to calculate.
-pub(in crate::analysis) const FAR: i128 = i128::MAX / 4;
 
 /// What an atom stands for.
 #[derive(Clone, Debug)]
@@ -18,7 +17,7 @@ pub(super) enum Key {
     /// How two values compare: -1 less, 0 equal, 1 greater, 2 none of these.
     Order(Tree, Tree),
     /// What another atom was in the cycle before, with which edges compare.
-    Before,
+    Before(AtomId),
 }
 
 /// One atom.
@@ -72,12 +71,11 @@ impl Atoms {
         atom
     }
 
-    /// How `a` compares with `b`, which stand in their order.
-    pub(super) fn order(&mut self, model: &Model, a: &Tree, b: &Tree) -> AtomId {
+    /// How `a` compares with `b`, which stand in their order; of two floats one may be no number.
+    pub(super) fn order(&mut self, a: &Tree, b: &Tree, total: bool) -> AtomId {
         if let Some(known) = self.orders.get(a).and_then(|with| with.get(b)) {
             return *known;
         }
-        let total = range(model, a).is_some() || range(model, b).is_some();
         let is_loose = a.is_opaque() || b.is_opaque();
         let domain = Ranges::from_to(-1, if total { 1 } else { 2 });
         let atom = self.push(Key::Order(a.clone(), b.clone()), domain, is_loose, false);
@@ -91,9 +89,22 @@ impl Atoms {
             return *known;
         }
         let Some(Atom { domain, is_loose, is_float, .. }) = self.get(atom).cloned() else { return atom };
-        let before = self.push(Key::Before, domain, is_loose, is_float);
+        let before = self.push(Key::Before(atom), domain, is_loose, is_float);
         self.before.insert(atom, before);
         before
+    }
+
+    /// The values that an atom compares, in this cycle or in the one before.
+    pub(super) fn compared(&self, atom: AtomId) -> Vec<(Tree, bool)> {
+        let (key, before) = match self.get(atom).map(|atom| &atom.key) {
+            Some(Key::Before(of)) => (self.get(*of).map(|atom| &atom.key), true),
+            key => (key, false),
+        };
+        match key {
+            Some(Key::Number(tree)) => vec![(tree.clone(), before)],
+            Some(Key::Order(a, b)) => vec![(a.clone(), before), (b.clone(), before)],
+            _ => Vec::new(),
+        }
     }
 
     fn push(&mut self, key: Key, domain: Ranges, is_loose: bool, is_float: bool) -> AtomId {
@@ -105,60 +116,6 @@ impl Atoms {
 
 pub(super) fn is_bool_name(model: &Model, name: Name) -> bool {
     matches!(model.ty(name), Ty::Bool(_))
-}
-
-/// A floating-point type.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::analysis) enum Float {
-    F32,
-    F64,
-}
-
-/// The type of a name that is a float, or of arithmetic with one.
-pub(in crate::analysis) fn float(model: &Model, tree: &Tree) -> Option<Float> {
-    match tree {
-        Tree::Read(Read::Name(name)) => match model.ty(*name) {
-            Ty::Other(syn::Type::Path(path)) if path.path.is_ident("f32") => Some(Float::F32),
-            Ty::Other(syn::Type::Path(path)) if path.path.is_ident("f64") => Some(Float::F64),
-            _ => None,
-        },
-        Tree::Unary(_, inner) => float(model, inner),
-        Tree::Binary(_, a, b) => float(model, a).or_else(|| float(model, b)),
-        _ => None,
-    }
-}
-
-/// The least and the greatest value of an integer expression or a time, by its type.
-pub(super) fn range(model: &Model, tree: &Tree) -> Option<(i128, i128)> {
-    let ticks = (0, i128::from(u32::MAX));
-    match tree {
-        Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)) => Some(ticks),
-        Tree::Read(Read::Name(name)) => match model.ty(*name) {
-            Ty::Time(_) => Some(ticks),
-            Ty::Int { signed, bits, rust } => {
-                // On the host they have 64 bits, on the controller 32.
-                let size =
-                    matches!(rust, syn::Type::Path(path) if path.path.is_ident("usize") || path.path.is_ident("isize"));
-                let bits = if size { 64 } else { *bits };
-                Some(match (signed, bits) {
-                    (true, 0..128) => (-(1 << (bits - 1)), (1 << (bits - 1)) - 1),
-                    (false, 0..127) => (0, (1 << bits) - 1),
-                    (true, _) => (-FAR, FAR),
-                    (false, _) => (0, FAR),
-                })
-            }
-            _ => None,
-        },
-        Tree::Unary(_, inner) => range(model, inner),
-        Tree::Binary(Binary::Shl | Binary::Shr, a, _) => range(model, a),
-        Tree::Binary(operator, a, b) if is_arithmetic(*operator) => range(model, a).or_else(|| range(model, b)),
-        _ => None,
-    }
-}
-
-fn is_arithmetic(operator: Binary) -> bool {
-    use Binary::{Add, BitAnd, BitOr, BitXor, Div, Mul, Rem, Sub};
-    matches!(operator, Add | Sub | Mul | Div | Rem | BitAnd | BitOr | BitXor)
 }
 
 /// A time that a name holds.

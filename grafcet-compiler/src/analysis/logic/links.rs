@@ -6,7 +6,7 @@ use super::Concurrency;
 use super::atoms::{Atoms, Key};
 use super::formula::{AtomId, Formula};
 use super::read::{Reader, is_constant};
-use crate::model::{DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
+use crate::model::{Binary, DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
 use crate::sorted::{Map, Set};
 
 /// Step variables of one question that are related to each other pair by pair.
@@ -26,22 +26,27 @@ pub(super) struct Link {
 pub(super) struct Links {
     own: Map<AtomId, Vec<Link>>,
     assumed: Map<AtomId, Vec<Rc<Formula>>>,
+    /// The assumptions that compare a value, in this cycle or in the one before.
+    compared: Map<(Tree, bool), Vec<Rc<Formula>>>,
 }
 
 impl Links {
     /// Valuations in which `formula`, which is about inputs, holds do not count: neither in this cycle nor in the one
     /// before, with which edges compare.
     pub(super) fn assume_never(&mut self, formula: &Formula, atoms: &mut Atoms) {
-        self.assume(formula.clone().not());
-        self.assume(formula.of_others(&mut |atom| atoms.before(atom)).not());
+        self.assume(formula.clone().not(), atoms);
+        self.assume(formula.of_others(&mut |atom| atoms.before(atom)).not(), atoms);
     }
 
-    fn assume(&mut self, formula: Formula) {
+    fn assume(&mut self, formula: Formula, of: &Atoms) {
         let formula = Rc::new(formula);
         let mut atoms = Set::new();
         formula.each_atom(&mut |atom| _ = atoms.insert(atom));
         for atom in atoms {
             self.assumed.or_default(atom).push(Rc::clone(&formula));
+            for value in of.compared(atom) {
+                self.compared.or_default(value).push(Rc::clone(&formula));
+            }
         }
     }
 
@@ -68,7 +73,9 @@ impl Links {
                 links
             });
             let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| &link.formula);
-            for formula in own.chain(self.assumed.get(&atom).into_iter().flatten()) {
+            let values = if assuming { atoms.compared(atom) } else { Vec::new() };
+            let compared = values.iter().filter_map(|value| self.compared.get(value)).flatten();
+            for formula in own.chain(self.assumed.get(&atom).into_iter().flatten()).chain(compared) {
                 if found.iter().any(|known| Rc::ptr_eq(known, formula)) {
                     continue;
                 }
@@ -90,14 +97,16 @@ impl Links {
 fn variants(atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
     let mut by_value: Map<&Tree, Vec<AtomId>> = Map::new();
     for atom in asked {
-        if let Some(Key::Order(a, b)) = atoms.get(*atom).map(|atom| &atom.key) {
+        let key = atoms.get(*atom).map(|atom| &atom.key);
+        if let Some(Key::Boolean(Tree::Binary(Binary::Eq, a, b))) = key {
+            let (a, b) = (&**a, &**b);
             let value = if is_variant(b) { Some(a) } else { is_variant(a).then_some(b) };
             if let Some(value) = value {
                 by_value.or_default(value).push(*atom);
             }
         }
     }
-    let is_it = |atom: AtomId| Formula::Leaf { atom, low: 0, high: 0 };
+    let is_it = Formula::is_true;
     let apart = |a: AtomId, b: AtomId| is_it(a).implies(is_it(b).not());
     let pairs = by_value.values().flat_map(|all| all.iter().enumerate().map(move |(i, a)| (*a, &all[i + 1..])));
     pairs.flat_map(|(a, others)| others.iter().map(move |b| apart(a, *b))).collect()
@@ -154,12 +163,13 @@ fn own(model: &Model, atoms: &mut Atoms, atom: AtomId) -> Vec<Link> {
                 Tree::Read(Read::MacroSince(id)) => Some(Read::MacroActive(*id)),
                 _ => None,
             };
-            let (active, low, high) = match (since(&a), since(&b)) {
-                (Some(active), None) => (active, -1, 0),
-                (None, Some(active)) => (active, 0, 1),
-                _ => return Vec::new(),
-            };
-            link(reader.read(active).or(Formula::Leaf { atom, low, high }), false)
+            let mut links = Vec::new();
+            for tree in [&a, &b] {
+                let Some(active) = since(tree) else { continue };
+                let zero = Formula::Leaf { atom: reader.atoms.number(model, tree), low: 0, high: 0 };
+                links.extend(link(reader.read(active).or(zero), false));
+            }
+            links
         }
         _ => Vec::new(),
     }

@@ -13,10 +13,9 @@ mod links;
 mod ranges;
 mod read;
 mod solve;
+mod values;
 mod witness;
 
-pub(super) use atoms::{FAR, Float, float};
-pub(super) use read::float_constant;
 pub(super) use witness::UNKNOWN;
 
 use std::cell::{Cell, RefCell};
@@ -26,8 +25,9 @@ use self::formula::{AtomId, Formula};
 use self::links::Links;
 use self::read::Reader;
 use self::solve::{Domains, Search, Undecided};
+use self::values::Values;
 use super::Concurrency;
-use crate::model::{Model, Tree};
+use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::{Map, Set};
 
 /// How many functions are looked at for one question before it counts as undecided.
@@ -270,7 +270,8 @@ impl<'m> Logic<'m> {
         let domain = |id: &AtomId| atoms.get(*id).map(|atom| (*id, atom.domain.clone()));
         let domains: Map<_, _> = asked.iter().filter_map(domain).collect();
         let budget = QUESTION.min(self.budget.get()).checked_sub(PUT).ok_or(Undecided)?;
-        let mut search = Search { budget };
+        let values = Values::of(self.model, &atoms, asked);
+        let mut search = Search { budget, values: values.as_ref() };
         let found = search.solve(domains, goals);
         self.budget.set(self.budget.get() - PUT - (budget - search.budget));
         found
@@ -279,19 +280,36 @@ impl<'m> Logic<'m> {
     /// The atoms of a question whose values may depend on each other in a way that is not known.
     fn loose(&self, asked: &Set<AtomId>) -> Set<AtomId> {
         let atoms = self.atoms.borrow();
-        let key = |id: &AtomId| atoms.get(*id).map(|atom| &atom.key);
-        let operands = |id: &AtomId| match key(id) {
-            Some(Key::Order(a, b)) => vec![a, b],
-            Some(Key::Number(a)) => vec![a],
-            _ => Vec::new(),
+        // Of plain values it is known how they compare; but of two params one may be meant to be the greater one.
+        let is_open = |id: &AtomId| match atoms.get(*id).map(|atom| &atom.key) {
+            Some(Key::Order(a, b)) => !is_plain(a) || !is_plain(b) || is_param(a) || is_param(b),
+            _ => false,
+        };
+        let reads = |id: &AtomId| {
+            let mut reads: Vec<Read> = Vec::new();
+            match atoms.get(*id).map(|atom| &atom.key) {
+                Some(Key::Order(a, b)) => {
+                    [a, b].into_iter().for_each(|tree| tree.each_read(&mut |read| reads.push(read)))
+                }
+                Some(Key::Number(a)) => a.each_read(&mut |read| reads.push(read)),
+                _ => {}
+            }
+            reads
         };
         let shared = |id: &AtomId| {
-            let own = operands(id);
-            asked.iter().any(|other| other != id && operands(other).iter().any(|tree| own.contains(tree)))
+            let own = reads(id);
+            asked.iter().any(|other| other != id && reads(other).iter().any(|read| own.contains(read)))
         };
-        let is_loose = |id: &&AtomId| {
-            atoms.get(**id).is_none_or(|atom| atom.is_loose || matches!(atom.key, Key::Order(..)) && shared(id))
-        };
+        let is_loose = |id: &&AtomId| atoms.get(**id).is_none_or(|atom| atom.is_loose || is_open(id) && shared(id));
         asked.iter().filter(is_loose).copied().collect()
     }
+}
+
+fn is_param(tree: &Tree) -> bool {
+    matches!(tree, Tree::Read(Read::Name(Name::Param(_))))
+}
+
+/// A value that is not computed.
+fn is_plain(tree: &Tree) -> bool {
+    matches!(tree, Tree::Read(_) | Tree::Int(_))
 }

@@ -19,6 +19,16 @@ impl Ranges {
         self.0.len()
     }
 
+    /// The least and the greatest value.
+    pub(super) fn hull(&self) -> Option<(i128, i128)> {
+        Some((self.0.first()?.0, self.0.last()?.1))
+    }
+
+    /// Each interval by itself.
+    pub(super) fn parts(&self) -> Vec<Self> {
+        self.0.iter().map(|part| Self(vec![*part])).collect()
+    }
+
     /// Whether all values (true) or none of them (false) lie between `low` and `high`.
     pub(super) fn within(&self, low: i128, high: i128) -> Option<bool> {
         let (first, last) = (self.0.first()?.0, self.0.last()?.1);

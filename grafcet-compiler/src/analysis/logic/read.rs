@@ -1,7 +1,9 @@
 //! From the tree of a condition to a boolean function.
 
-use super::atoms::{self, Atoms, FAR, Float};
+use super::atoms::{self, Atoms};
 use super::formula::Formula;
+use crate::analysis::differences::FAR;
+use crate::analysis::numbers::{self, Sort, constant, float_constant};
 use crate::model::{Binary, Model, Name, Read, TimeRef, Tree, Unary};
 
 /// Reads conditions of one chart.
@@ -43,20 +45,31 @@ impl Reader<'_> {
     }
 
     fn compare(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Formula {
-        let float = atoms::float(self.model, a).or_else(|| atoms::float(self.model, b));
-        let constant = |tree: &Tree| float.map_or_else(|| constant(tree), |float| float_constant(tree, float));
-        match (constant(a), constant(b)) {
-            (None, Some(value)) => self.with_constant(operator, a, value),
-            (Some(value), None) => self.with_constant(flipped(operator), b, value),
+        let sort = numbers::common(self.model, a, b);
+        let of = |tree: &Tree| match sort {
+            Some(Sort::Float(float)) => float_constant(tree, float),
+            _ => constant(tree),
+        };
+        match (of(a), of(b)) {
             (Some(a), Some(b)) => Formula::Const(holds(operator, a, b)),
-            (None, None) => self.with_another(operator, a, b),
+            (None, Some(value)) if sort.is_some() => self.with_constant(operator, a, value),
+            (Some(value), None) if sort.is_some() => self.with_constant(flipped(operator), b, value),
+            _ => match sort {
+                Some(sort) => self.with_another(operator, a, b, sort == Sort::Total),
+                // What the comparisons of such a type have to do with each other is up to its author.
+                None => Formula::is_true(self.atoms.boolean(&Tree::Binary(
+                    operator,
+                    Box::new(a.clone()),
+                    Box::new(b.clone()),
+                ))),
+            },
         }
     }
 
     /// Comparisons of one number with constants are about the interval in which it lies.
     fn with_constant(&mut self, operator: Binary, value: &Tree, constant: i128) -> Formula {
         if constant.unsigned_abs() >= FAR.unsigned_abs() {
-            return self.with_another(operator, value, &Tree::Int(constant));
+            return self.with_another(operator, value, &Tree::Int(constant), true);
         }
         let atom = self.atoms.number(self.model, value);
         let (low, high) = bounds(operator, constant);
@@ -65,9 +78,12 @@ impl Reader<'_> {
     }
 
     /// Two values that are both unknown: less, equal or greater.
-    fn with_another(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Formula {
+    fn with_another(&mut self, operator: Binary, a: &Tree, b: &Tree, total: bool) -> Formula {
+        if a == b && total {
+            return Formula::Const(holds(operator, 0, 0));
+        }
         let (operator, a, b) = if a <= b { (operator, a, b) } else { (flipped(operator), b, a) };
-        let atom = self.atoms.order(self.model, a, b);
+        let atom = self.atoms.order(a, b, total);
         let (low, high) = match operator {
             Binary::Lt => (-1, -1),
             Binary::Le => (-1, 0),
@@ -151,44 +167,5 @@ fn bounds(operator: Binary, constant: i128) -> (i128, i128) {
         Binary::Gt => (constant.saturating_add(1), FAR),
         Binary::Ge => (constant, FAR),
         _ => (constant, constant),
-    }
-}
-
-/// The value of a constant expression.
-fn constant(tree: &Tree) -> Option<i128> {
-    match tree {
-        Tree::Int(value) => Some(*value),
-        Tree::Read(Read::Ticks(ticks)) => Some(i128::from(*ticks)),
-        Tree::Unary(Unary::Neg, inner) => constant(inner)?.checked_neg(),
-        Tree::Binary(operator, a, b) => {
-            let (a, b) = (constant(a)?, constant(b)?);
-            match operator {
-                Binary::Add => a.checked_add(b),
-                Binary::Sub => a.checked_sub(b),
-                Binary::Mul => a.checked_mul(b),
-                Binary::Div => a.checked_div(b),
-                Binary::Rem => a.checked_rem(b),
-                _ => None,
-            }
-        }
-        _ => None,
-    }
-}
-
-/// The position of a float literal among all floats; both zeros have one.
-pub(in crate::analysis) fn float_constant(tree: &Tree, float: Float) -> Option<i128> {
-    match tree {
-        Tree::Unary(Unary::Neg, inner) => float_constant(inner, float)?.checked_neg(),
-        Tree::Opaque { text, reads } if reads.is_empty() && text.starts_with(|c: char| c.is_ascii_digit()) => {
-            let digits = text.replace('_', "");
-            let digits = digits.trim_end_matches("f32").trim_end_matches("f64");
-            // Of an `f32`, two literals may be one value.
-            let value = match float {
-                Float::F32 => f64::from(digits.parse::<f32>().ok()?),
-                Float::F64 => digits.parse().ok()?,
-            };
-            value.is_finite().then(|| i128::from(value.to_bits()))
-        }
-        _ => None,
     }
 }

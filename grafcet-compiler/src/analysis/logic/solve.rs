@@ -5,6 +5,7 @@
 
 use super::formula::{AtomId, Formula};
 use super::ranges::Ranges;
+use super::values::Values;
 use crate::sorted::Map;
 
 /// A function and the value it shall have.
@@ -17,15 +18,17 @@ pub(super) type Domains = Map<AtomId, Ranges>;
 const DEPTH: u32 = 100;
 
 /// One question.
-pub(super) struct Search {
+pub(super) struct Search<'v> {
     /// How many functions may still be looked at.
     pub(super) budget: u32,
+    /// What atoms say of values that are compared with each other.
+    pub(super) values: Option<&'v Values>,
 }
 
 /// The budget does not suffice.
 pub(super) struct Undecided;
 
-impl Search {
+impl Search<'_> {
     /// Values with which all goals are reached, if there are any. Every choice from the result is one.
     pub(super) fn solve(&mut self, domains: Domains, goals: Vec<Goal<'_>>) -> Result<Option<Domains>, Undecided> {
         self.search(domains, goals, DEPTH)
@@ -58,7 +61,7 @@ impl Search {
                 break;
             }
         }
-        let Some(first) = open.pop() else { return Ok(Some(domains)) };
+        let Some(first) = open.pop() else { return self.settle(domains, depth) };
         let depth = depth.checked_sub(1).ok_or(Undecided)?;
         for way in self.ways(first, &domains)? {
             let goals = open.iter().copied().chain(way).collect();
@@ -166,7 +169,7 @@ impl Search {
         Ok((!open).then_some(!deciding))
     }
 
-    fn pay(&mut self, units: usize) -> Result<(), Undecided> {
+    pub(super) fn pay(&mut self, units: usize) -> Result<(), Undecided> {
         let units = u32::try_from(units).map_err(|_| Undecided)?;
         self.budget = self.budget.checked_sub(units).ok_or(Undecided)?;
         Ok(())

@@ -50,7 +50,7 @@ fn one(model: &Model, atom: &Atom, value: i128) -> String {
         Key::Number(tree) if is_time(model, tree) => format!("{} = {}", written(model, tree), model.time_text(value)),
         Key::Number(tree) => format!("{} = {value}", written(model, tree)),
         // Nobody asks for what was.
-        Key::Before => UNKNOWN.to_string(),
+        Key::Before(_) => UNKNOWN.to_string(),
         Key::Order(a, b) => {
             // `level < low`, not `low > level`: what changes stands first.
             let (a, b, value) = match a {

@@ -3,6 +3,7 @@
 mod numbers;
 
 use super::formula::{Atom, Formula, Kind};
+use super::links::Difference;
 use crate::analysis::combinational;
 use crate::model::{
     Binary, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
@@ -15,7 +16,9 @@ pub(super) struct Compiler<'m> {
     /// The number of each place that is followed from cycle to cycle.
     slots: &'m Map<Place, usize>,
     pub(super) atoms: Vec<Atom>,
-    numbers: Map<Tree, usize>,
+    pub(super) numbers: Map<Tree, usize>,
+    pub(super) differences: Vec<Difference>,
+    differences_of: Map<(Tree, Tree), usize>,
     /// What the edges look at, where they are used.
     pub(super) edges: Vec<Option<Formula>>,
     pub(super) shared: Vec<Formula>,
@@ -33,6 +36,8 @@ impl<'m> Compiler<'m> {
             slots,
             atoms: Vec::new(),
             numbers: Map::new(),
+            differences: Vec::new(),
+            differences_of: Map::new(),
             edges: model.edges.ids().map(|_| None).collect(),
             shared: Vec::new(),
             combinational: Map::new(),

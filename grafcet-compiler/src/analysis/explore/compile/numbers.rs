@@ -1,11 +1,11 @@
 //! Comparisons of numbers and times: what is compared with constants is one atom, whose comparisons exclude each other.
 
 use super::Compiler;
+use crate::analysis::differences::FAR;
 use crate::analysis::explore::formula::{Formula, Kind};
-use crate::analysis::logic::{FAR, float, float_constant};
-use crate::model::{Binary, Id, Name, Read, Tree, Ty, Unary};
-
-const TICKS: (i128, i128) = (0, u32::MAX as i128);
+use crate::analysis::explore::links::{Difference, Operand};
+use crate::analysis::numbers::{constant, float, float_constant, is_arithmetic, range};
+use crate::model::{Binary, Id, Name, Read, Tree};
 
 impl Compiler<'_> {
     /// A comparison of a float with a literal: its position among all floats is the number. What is no number at all
@@ -31,7 +31,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// A comparison of a number with a constant, or of two numbers, whose difference then is the number.
+    /// A comparison of a number with a constant, or of two numbers, of which it matters how far one lies above the other.
     pub(super) fn comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
         let flipped = flipped(operator)?;
         let (number, operator, bound) = match (constant(a), constant(b)) {
@@ -42,10 +42,11 @@ impl Compiler<'_> {
                 if !self.is_number(a) || !self.is_number(b) {
                     return None;
                 }
-                self.approximate = true;
+                if a == b {
+                    return Some(Formula::Const(compare(operator, 0, 0)));
+                }
                 let ((a, b), operator) = if a <= b { ((a, b), operator) } else { ((b, a), flipped) };
-                let difference = Tree::Binary(Binary::Sub, Box::new(a.clone()), Box::new(b.clone()));
-                (self.atom(&difference, Kind::Number(i128::MIN, i128::MAX)), operator, 0)
+                (self.difference(a, b), operator, 0)
             }
         };
         let below = |bound| Formula::Below(number, bound);
@@ -66,7 +67,7 @@ impl Compiler<'_> {
             Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(id.index()),
             _ if !self.is_number(tree) => return None,
             _ => {
-                let (low, high) = self.range(tree).unwrap_or((i128::MIN, i128::MAX));
+                let (low, high) = range(self.model, tree).unwrap_or((i128::MIN, i128::MAX));
                 Kind::Number(low, high)
             }
         };
@@ -78,44 +79,39 @@ impl Compiler<'_> {
     fn is_number(&self, tree: &Tree) -> bool {
         match tree {
             Tree::Int(_) => true,
-            Tree::Read(_) => self.range(tree).is_some(),
+            Tree::Read(_) => range(self.model, tree).is_some(),
             Tree::Unary(_, inner) => self.is_number(inner),
             Tree::Binary(Binary::Shl | Binary::Shr, a, _) => self.is_number(a),
-            Tree::Binary(operator, a, b) => {
-                let arithmetic = matches!(
-                    operator,
-                    Binary::Add
-                        | Binary::Sub
-                        | Binary::Mul
-                        | Binary::Div
-                        | Binary::Rem
-                        | Binary::BitAnd
-                        | Binary::BitOr
-                        | Binary::BitXor
-                );
-                arithmetic && self.is_number(a) && self.is_number(b)
-            }
+            Tree::Binary(operator, a, b) => is_arithmetic(*operator) && self.is_number(a) && self.is_number(b),
             _ => false,
         }
     }
 
-    /// The values that the type of a number has: in Rust, the operands of arithmetic have one type.
-    fn range(&self, tree: &Tree) -> Option<(i128, i128)> {
-        let ty = match tree {
-            Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)) => return Some(TICKS),
-            Tree::Read(Read::Name(name)) => self.ty(*name),
-            Tree::Unary(_, inner) => return self.range(inner),
-            Tree::Binary(_, a, b) => return self.range(a).or_else(|| self.range(b)),
-            _ => return None,
-        };
-        match ty {
-            Ty::Int { signed: false, bits, .. } if *bits < 127 => Some((0, (1 << bits) - 1)),
-            Ty::Int { signed: false, .. } => Some((0, i128::MAX)),
-            Ty::Int { signed: true, bits, .. } if *bits < 128 => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
-            Ty::Int { .. } => Some((i128::MIN, i128::MAX)),
-            Ty::Time(_) => Some(TICKS),
-            Ty::Bool(_) | Ty::Other(_) => None,
+    /// How far one number lies above another. What a time is compared with is compared with zero where the time is.
+    fn difference(&mut self, a: &Tree, b: &Tree) -> usize {
+        let pair = (a.clone(), b.clone());
+        if let Some(known) = self.differences_of.get(&pair) {
+            return *known;
         }
+        let is_time = |tree: &Tree| matches!(tree, Tree::Read(Read::Since(_) | Read::MacroSince(_)));
+        if is_time(a) || is_time(b) {
+            self.approximate = true;
+            for tree in [a, b] {
+                self.number(tree);
+            }
+        }
+        let is_plain = |tree: &Tree| matches!(tree, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
+        self.approximate |= !is_plain(a) || !is_plain(b);
+        let what = Tree::Binary(Binary::Lt, Box::new(a.clone()), Box::new(b.clone()));
+        let atom = self.atom(&what, Kind::Number(i128::MIN, i128::MAX));
+        let operand = |tree: &Tree| {
+            let limits = (i128::MIN, i128::MAX);
+            Operand { tree: tree.clone(), range: range(self.model, tree).unwrap_or(limits) }
+        };
+        let difference = Difference { atom, a: operand(a), b: operand(b) };
+        self.differences.push(difference);
+        self.differences_of.insert(pair, atom);
+        atom
     }
 }
 
@@ -129,18 +125,6 @@ fn flipped(operator: Binary) -> Option<Binary> {
         Binary::Ge => Binary::Le,
         _ => return None,
     })
-}
-
-fn constant(tree: &Tree) -> Option<i128> {
-    match tree {
-        Tree::Int(value) => Some(*value),
-        Tree::Read(Read::Ticks(ticks)) => Some(i128::from(*ticks)),
-        Tree::Unary(Unary::Neg, inner) => constant(inner)?.checked_neg(),
-        Tree::Binary(Binary::Add, a, b) => constant(a)?.checked_add(constant(b)?),
-        Tree::Binary(Binary::Sub, a, b) => constant(a)?.checked_sub(constant(b)?),
-        Tree::Binary(Binary::Mul, a, b) => constant(a)?.checked_mul(constant(b)?),
-        _ => None,
-    }
 }
 
 fn compare(operator: Binary, a: i128, b: i128) -> bool {

@@ -106,6 +106,12 @@ impl Scene<'_> {
 
     fn ask_below(&mut self, atom: usize, bound: i128, when: When) -> bool {
         let Known::Range(low, high) = self.value(atom, when) else { return false };
+        match self.beside_zero(atom, when) {
+            // `0 - b < bound` is `b > -bound`.
+            Some((other, true)) => return !self.decide(&Formula::Below(other, bound.saturating_neg() + 1), when),
+            Some((other, false)) => return self.decide(&Formula::Below(other, bound), when),
+            None => {}
+        }
         let below = self.tape.choose(2) == 1;
         let known = if below { Known::Range(low, bound - 1) } else { Known::Range(bound, high) };
         self.learn(atom, when, known);
@@ -114,6 +120,10 @@ impl Scene<'_> {
 
     fn ask_equal(&mut self, atom: usize, bound: i128, when: When) -> bool {
         let Known::Range(low, high) = self.value(atom, when) else { return false };
+        if let Some((other, is_less)) = self.beside_zero(atom, when) {
+            let bound = if is_less { bound.saturating_neg() } else { bound };
+            return self.decide(&Formula::Equals(other, bound), when);
+        }
         let mut parts = vec![(bound, bound)];
         if low < bound {
             parts.push((low, bound - 1));
@@ -124,6 +134,16 @@ impl Scene<'_> {
         let part = self.tape.choose(parts.len());
         self.learn(atom, when, Known::Range(parts[part].0, parts[part].1));
         part == 0
+    }
+
+    /// Where an atom is the difference of a time that is zero at this moment and another number: that one, and whether the
+    /// time stands first.
+    fn beside_zero(&self, atom: usize, when: When) -> Option<(usize, bool)> {
+        let (a, b) = self.net.links.times(atom)?;
+        if self.is_zero(a, when) {
+            return Some((b, true));
+        }
+        self.is_zero(b, when).then_some((a, false))
     }
 
     fn learn(&mut self, atom: usize, when: When, known: Known) {

@@ -79,6 +79,8 @@ pub(super) struct Scene<'n> {
     pub(super) spoilt: bool,
     /// Another run shows the same.
     pub(super) redundant: bool,
+    /// There are no numbers that compare as was decided.
+    pub(super) impossible: bool,
     /// What this run takes for granted of atoms that are not followed; see [`super::unfollowed`].
     pub(super) granted: Learnt,
     /// Some of that was asked for when actions might have changed it already.
@@ -118,6 +120,7 @@ impl<'n> Scene<'n> {
             reserved_atoms: Vec::new(),
             spoilt: false,
             redundant: false,
+            impossible: false,
             granted: Vec::new(),
             late: false,
             acted: false,
@@ -164,6 +167,7 @@ impl<'n> Scene<'n> {
         }
         self.spoilt = false;
         self.redundant = false;
+        self.impossible = false;
         self.granted.clear();
         self.late = false;
         self.acted = false;
@@ -194,6 +198,11 @@ impl<'n> Scene<'n> {
             pairs.filter(|(_, known)| *known != Known::Unknown).collect()
         };
         (known(&self.given), known(&self.recorded))
+    }
+
+    /// What is known of this cycle, and of the one before.
+    pub(super) fn knowledge(&self) -> (&Knowledge, &Knowledge) {
+        (&self.given, &self.recorded)
     }
 
     /// The transitions wait in this cycle, under these values of what edges look at.
@@ -245,6 +254,7 @@ impl<'n> Scene<'n> {
     /// Actions that are not followed may have changed what is known of variables.
     pub(super) fn forget_volatile(&mut self) {
         self.acted = true;
+        self.impossible |= !self.goes_together();
         for atom in self.given.learnt().to_vec() {
             if self.net.atoms[atom].volatile {
                 self.given.forget(atom);

@@ -25,7 +25,8 @@ impl Scene<'_> {
         let knowledge = if when == When::Before { &self.recorded } else { &self.given };
         match formula {
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
-                knowledge.get(*atom) != Known::Unknown
+                let known = |atom: &usize| knowledge.get(*atom) != Known::Unknown;
+                known(atom) || self.net.links.with(*atom).iter().any(known)
             }
             Formula::Not(inner) => self.touches(inner, when),
             Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {

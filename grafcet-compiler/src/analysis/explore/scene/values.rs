@@ -20,6 +20,11 @@ impl Scene<'_> {
         if when == When::Before && self.previous.is_none() {
             return self.recorded_value(atom, kind);
         }
+        if let Some((a, b)) =
+            net.links.times(atom).filter(|pair| self.is_zero(pair.0, when) || self.is_zero(pair.1, when))
+        {
+            return between(self.value_of(a, when), self.value_of(b, when));
+        }
         match kind {
             Kind::Number(low, high) => match self.given.get(atom) {
                 Known::Unknown => Known::Range(low, high),
@@ -41,6 +46,12 @@ impl Scene<'_> {
                 self.time(atom, zero)
             }
         }
+    }
+
+    /// Whether an atom is a time that is zero at this moment.
+    pub(super) fn is_zero(&self, atom: usize, when: When) -> bool {
+        let is_time = matches!(self.net.atoms[atom].kind, Kind::Since(_) | Kind::MacroSince(_));
+        is_time && !(when == When::Before && self.previous.is_none()) && self.value_of(atom, when) == Known::Range(0, 0)
     }
 
     /// Whether the time of a step begins in this cycle. `sfc`: to the edges, which look at the start of the cycle, a step that
@@ -105,5 +116,15 @@ impl Scene<'_> {
     fn any_active(&self, id: usize, when: When) -> bool {
         let active = &self.at(when).active;
         self.net.macros[id].iter().any(|step| active.binary_search(step).is_ok())
+    }
+}
+
+/// What is known of the difference of two numbers.
+fn between(a: Known, b: Known) -> Known {
+    match (a, b) {
+        (Known::Range(low, high), Known::Range(least, most)) => {
+            Known::Range(low.saturating_sub(most), high.saturating_sub(least))
+        }
+        _ => Known::Unknown,
     }
 }
