@@ -15,7 +15,6 @@ pub(crate) fn root(expr: &Expr) -> Option<&Ident> {
         Expr::Field(field) => root(&field.base),
         Expr::Index(index) => root(&index.expr),
         Expr::Paren(paren) => root(&paren.expr),
-        Expr::Group(group) => root(&group.expr),
         Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
         _ => None,
     }
@@ -53,7 +52,6 @@ enum Kind<'t> {
 fn kind<'t>(place: &Expr, ty: &'t Ty) -> Kind<'t> {
     match place {
         Expr::Paren(paren) => kind(&paren.expr, ty),
-        Expr::Group(group) => kind(&group.expr, ty),
         Expr::Path(_) => match ty {
             Ty::Bool(_) | Ty::Int { .. } => Kind::Number,
             Ty::Time(_) => Kind::Time,
@@ -76,7 +74,6 @@ fn kind<'t>(place: &Expr, ty: &'t Ty) -> Kind<'t> {
 
 fn kind_of(rust: &Type) -> Kind<'_> {
     match rust {
-        Type::Group(group) => kind_of(&group.elem),
         Type::Paren(paren) => kind_of(&paren.elem),
         Type::Array(array) => Kind::List(Some(&array.elem)),
         Type::Slice(slice) => Kind::List(Some(&slice.elem)),

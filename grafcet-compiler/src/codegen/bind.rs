@@ -315,7 +315,6 @@ fn eager(expr: &syn::Expr) -> syn::Expr {
         }
         syn::Expr::Unary(unary) => *unary.expr = eager(&unary.expr),
         syn::Expr::Paren(paren) => *paren.expr = eager(&paren.expr),
-        syn::Expr::Group(group) => *group.expr = eager(&group.expr),
         _ => {}
     }
     expr
@@ -337,11 +336,10 @@ pub(super) fn bare(term: TokenStream) -> TokenStream {
     }
 }
 
-/// `if (a)` would be an `unused_parens` at the user's tokens, also where a macro has passed `(a)` on as one token.
+/// `if (a)` would be an `unused_parens` at the user's tokens.
 fn without_parens(expr: &syn::Expr) -> &syn::Expr {
     match expr {
         syn::Expr::Paren(paren) => without_parens(&paren.expr),
-        syn::Expr::Group(group) => without_parens(&group.expr),
         other => other,
     }
 }

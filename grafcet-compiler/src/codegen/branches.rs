@@ -88,7 +88,6 @@ type Parts = ((Tree, Option<Tree>), (syn::Expr, Option<syn::Expr>));
 fn parts(tree: &Tree, tokens: &syn::Expr) -> Option<Parts> {
     match (tree, tokens) {
         (_, syn::Expr::Paren(paren)) => parts(tree, &paren.expr),
-        (_, syn::Expr::Group(group)) => parts(tree, &group.expr),
         (Tree::Binary(Binary::And, left, right), syn::Expr::Binary(both)) if matches!(both.op, syn::BinOp::And(_)) => {
             let (trees, expressions) = parts(left, &both.left)?;
             Some(match (trees.1, expressions.1) {

@@ -1,6 +1,6 @@
 //! Conditions: Rust expressions, with an ear for other notations.
 
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::Delimiter;
 use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
@@ -81,13 +81,9 @@ fn collect_foreign(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
             notes.push((input.span().into(), "a negation is written `!a`".to_owned()));
         }
         operand = input.punct().is_none();
-        match input.tree() {
-            Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::None => {
-                if let Some(mut inside) = input.enter(group.delimiter()) {
-                    collect_foreign(&mut inside, notes);
-                }
-            }
-            _ => {
+        match input.delimiter().and_then(|delimiter| input.enter(delimiter)) {
+            Some(mut inside) => collect_foreign(&mut inside, notes),
+            None => {
                 input.bump();
             }
         }
@@ -111,7 +107,6 @@ fn assignments(expr: &Expr, notes: &mut Vec<(Mark, String)>) {
         }
         Expr::Unary(unary) => assignments(&unary.expr, notes),
         Expr::Paren(paren) => assignments(&paren.expr, notes),
-        Expr::Group(group) => assignments(&group.expr, notes),
         _ => {}
     }
 }

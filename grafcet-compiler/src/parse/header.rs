@@ -1,6 +1,6 @@
 //! `pub sfc Motor { … }`
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident};
 use quote::ToTokens;
 use syn::Visibility;
 use syn::parse::Parse;
@@ -53,10 +53,6 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, Dia
 }
 
 fn visibility(input: &mut Input) -> Result<Visibility> {
-    // A macro that makes charts passes `$vis` in a group without delimiters.
-    if matches!(input.tree(), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::None) {
-        return input.rust_tokens(1, Visibility::parse);
-    }
     if input.at_word("pub") {
         let restricted = usize::from(input.next().at_group(Delimiter::Parenthesis));
         return input.rust_tokens(1 + restricted, Visibility::parse);

@@ -27,7 +27,7 @@ impl<'a> Input<'a> {
     }
 
     pub(super) fn is_empty(&self) -> bool {
-        self.visible() >= self.end
+        self.at >= self.end
     }
 
     /// Whether both stand at the same token.
@@ -35,17 +35,8 @@ impl<'a> Input<'a> {
         self.at == other.at
     }
 
-    /// Where the next token stands that is not an invisible group.
-    fn visible(&self) -> usize {
-        let mut at = self.at;
-        while at < self.end && self.tokens[at].is_invisible() {
-            at += 1;
-        }
-        at
-    }
-
     fn token(&self) -> Option<&'a Token> {
-        self.tokens[..self.end].get(self.visible())
+        self.tokens[..self.end].get(self.at)
     }
 
     /// Steps over the token at `at`.
@@ -57,8 +48,8 @@ impl<'a> Input<'a> {
     /// The next token's place, or that of the closing delimiter.
     pub(super) fn span(&self) -> Span {
         match (self.token(), self.group) {
-            (Some(token), _) => token.open(),
-            (None, Some(group)) => self.tokens[group].close(),
+            (Some(token), _) => token.open,
+            (None, Some(group)) => self.tokens[group].close,
             (None, None) => self.last(),
         }
     }
@@ -66,8 +57,8 @@ impl<'a> Input<'a> {
     /// The place of the token before the cursor.
     pub(super) fn last(&self) -> Span {
         match (self.last, self.group) {
-            (Some(last), _) => self.tokens[last].close(),
-            (None, Some(group)) => self.tokens[group].open(),
+            (Some(last), _) => self.tokens[last].close,
+            (None, Some(group)) => self.tokens[group].open,
             (None, None) => Span::call_site(),
         }
     }
@@ -101,9 +92,12 @@ impl<'a> Input<'a> {
         last > 0 && self.span().start().line > last
     }
 
-    /// The next token, also where it is an invisible group.
-    pub(super) fn tree(&self) -> Option<&'a TokenTree> {
-        self.tokens[..self.end].get(self.at).map(|token| &token.tree)
+    /// The delimiter of the next token if it is a group.
+    pub(super) fn delimiter(&self) -> Option<Delimiter> {
+        match &self.token()?.tree {
+            TokenTree::Group(group) => Some(group.delimiter()),
+            _ => None,
+        }
     }
 
     /// The next token if it is an identifier, keywords of Rust included.
@@ -172,11 +166,11 @@ impl<'a> Input<'a> {
 
     /// Steps over the next token, a group as a whole; `false` at the end.
     pub(super) fn bump(&mut self) -> bool {
-        let at = self.visible();
-        if at < self.end {
-            self.step(at);
+        let more = !self.is_empty();
+        if more {
+            self.step(self.at);
         }
-        at < self.end
+        more
     }
 
     pub(super) fn eat_ident(&mut self) -> Option<Ident> {
@@ -202,7 +196,7 @@ impl<'a> Input<'a> {
         if !self.at_group(delimiter) {
             return None;
         }
-        let group = self.visible();
+        let group = self.at;
         self.step(group);
         Some(Self { at: group + 1, end: self.at, group: Some(group), last: None, ..*self })
     }
@@ -244,7 +238,7 @@ impl<'a> Input<'a> {
                 break;
             }
             operand = name || matches!(token.tree, TokenTree::Literal(_));
-            ahead.at = self.tokens[ahead.at].behind;
+            ahead.at = token.behind;
         }
         self.cut(ahead, parse)
     }

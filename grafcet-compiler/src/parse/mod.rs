@@ -12,6 +12,7 @@ mod condition;
 mod decl;
 mod error;
 mod force;
+mod fragments;
 mod guard;
 mod header;
 mod input;

@@ -4,21 +4,7 @@ use grafcet_compiler::compile;
 use quote::quote;
 
 use crate::generator;
-
-/// A linear congruential generator: the same bytes on every machine.
-struct Random(u64);
-
-impl Random {
-    fn bytes(&mut self) -> Vec<u8> {
-        let length = self.next() % 400;
-        (0..length).map(|_| self.next().to_le_bytes()[0]).collect()
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        self.0 >> 33
-    }
-}
+use crate::random::Random;
 
 /// No token stream makes the compiler panic, and what comes out can be parsed by rustc.
 #[test]

@@ -349,7 +349,31 @@ fn mutated(bytes: &mut Bytes) -> TokenStream {
         let mut at = bytes.below(count(&tokens));
         tokens = change(tokens, &mut at, bytes);
     }
+    for _ in 0..bytes.below(4) {
+        let mut at = bytes.below(count(&tokens));
+        tokens = passed_on(tokens, &mut at, bytes);
+    }
     tokens
+}
+
+/// A few tokens from the one with the number `at` on, as a macro of `macro_rules` hands them over; it counts down.
+fn passed_on(tokens: TokenStream, at: &mut usize, bytes: &mut Bytes) -> TokenStream {
+    let mut changed = TokenStream::new();
+    let mut tokens = tokens.into_iter();
+    while let Some(tree) = tokens.next() {
+        let here = *at == 0;
+        *at = at.wrapping_sub(1);
+        changed.extend([match tree {
+            tree if here => {
+                let before = parsed(["", "", "", "#[allow(unused)]", "#![a]", "let x =", "pub", "#"][bytes.below(8)]);
+                let count = bytes.below(6);
+                group(Delimiter::None, before.into_iter().chain([tree]).chain(tokens.by_ref().take(count)).collect())
+            }
+            TokenTree::Group(it) => group(it.delimiter(), passed_on(it.stream(), at, bytes)),
+            other => other,
+        }]);
+    }
+    changed
 }
 
 /// How many tokens there are on all levels.

@@ -1,10 +1,12 @@
 //! The parser: every form of the language, every message, recovery behind mistakes, hostile sizes.
 
 mod forms;
+mod fragments;
 mod generated;
 mod generator;
 mod limits;
 mod messages;
+mod random;
 mod recovery;
 mod show;
 mod times;

@@ -269,14 +269,10 @@ fn partial(name: Option<Ident>, enclosed_by: Option<StepId>, levels: Vec<ast::Le
 
 /// The declared type, told apart as far as the compiler needs it.
 fn ty(ty: &ast::Ty) -> Ty {
-    let mut rust = match ty {
+    let rust = match ty {
         ast::Ty::Time(span) => return Ty::Time(*span),
         ast::Ty::Rust(rust) => rust.clone(),
     };
-    // A type that a macro has passed on (`$t:ty`) stands in a group without a delimiter.
-    while let Type::Group(group) = rust {
-        rust = *group.elem;
-    }
     let Type::Path(path) = &rust else { return Ty::Other(rust) };
     let Some(name) = path.path.get_ident().map(ToString::to_string) else { return Ty::Other(rust) };
     match name.as_str() {

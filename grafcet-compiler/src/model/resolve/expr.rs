@@ -38,7 +38,6 @@ pub(super) fn resolve_condition(expr: &syn::Expr, resolver: &mut Resolver<'_>) -
 fn steps_alone(expr: &syn::Expr, resolver: &mut Resolver<'_>) {
     match expr {
         syn::Expr::Paren(paren) => steps_alone(&paren.expr, resolver),
-        syn::Expr::Group(group) => steps_alone(&group.expr, resolver),
         syn::Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => steps_alone(&unary.expr, resolver),
         syn::Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
             steps_alone(&binary.left, resolver);
@@ -81,7 +80,6 @@ impl<'r, 's> Lower<'r, 's> {
     pub(super) fn lower(&mut self, expr: &mut syn::Expr) -> Tree {
         match expr {
             syn::Expr::Paren(paren) => self.lower(&mut paren.expr),
-            syn::Expr::Group(group) => self.lower(&mut group.expr),
             syn::Expr::Unary(unary) => {
                 let operator = match unary.op {
                     UnOp::Not(_) => Unary::Not,
@@ -182,14 +180,9 @@ impl<'r, 's> Lower<'r, 's> {
     /// declared name.
     fn join(&self, expr: &mut syn::Expr, value: Name) {
         let declared = self.resolver.model.value_name(value).span();
-        match expr {
-            syn::Expr::Group(group) => self.join(&mut group.expr, value),
-            syn::Expr::Path(path) => {
-                for segment in &mut path.path.segments {
-                    segment.ident.set_span(segment.ident.span().resolved_at(declared));
-                }
-            }
-            _ => {}
+        let syn::Expr::Path(path) = expr else { return };
+        for segment in &mut path.path.segments {
+            segment.ident.set_span(segment.ident.span().resolved_at(declared));
         }
     }
 
@@ -314,7 +307,6 @@ impl<'r, 's> Lower<'r, 's> {
 pub(super) fn single_name(expr: &syn::Expr) -> Option<Ident> {
     match expr {
         syn::Expr::Path(path) if path.qself.is_none() && path.attrs.is_empty() => path.path.get_ident().cloned(),
-        syn::Expr::Group(group) => single_name(&group.expr),
         _ => None,
     }
 }

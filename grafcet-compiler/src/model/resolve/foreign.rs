@@ -1,7 +1,7 @@
 //! Rust inside an expression that is not looked into: only its names are resolved.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
-use quote::quote_spanned;
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use quote::ToTokens;
 
 use super::expr::Lower;
 use super::scope::Meaning;
@@ -45,13 +45,12 @@ impl Lower<'_, '_> {
         if name == "X" || name == "T" {
             if let [.., TokenTree::Ident(step), TokenTree::Punct(dot)] = &out[..] {
                 if dot.as_char() == '.' {
-                    let mut field = syn::parse_quote_spanned!(step.span()=> #step.#name);
+                    let mut field: syn::Expr = syn::parse_quote_spanned!(step.span()=> #step.#name);
                     let local = self.locals.contains(step);
                     if !local && !matches!(self.resolver.scope.get(step), Some(Meaning::Value(_))) {
                         self.lower(&mut field);
                         out.truncate(out.len() - 2);
-                        let group = Group::new(Delimiter::None, quote_spanned!(name.span()=> #field));
-                        out.push(TokenTree::Group(group));
+                        out.extend(field.into_token_stream());
                         return;
                     }
                 }

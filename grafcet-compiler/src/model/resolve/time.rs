@@ -68,8 +68,6 @@ impl Resolver<'_> {
         match expr {
             syn::Expr::Lit(lit) => self.literal_time(&lit.lit).map(TimeRef::Ticks),
             syn::Expr::Paren(paren) => self.time_of(&paren.expr),
-            // A fragment of the user's own macro.
-            syn::Expr::Group(group) => self.time_of(&group.expr),
             other => match self.scope.get(&single_name(other)?)? {
                 Meaning::Value(value) => time_name(value, self),
                 _ => None,

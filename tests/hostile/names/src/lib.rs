@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 #![deny(warnings, clippy::all, clippy::pedantic, missing_docs, unreachable_pub)]
 
+pub mod fragments;
 pub mod hygiene;
 pub mod passed_on;
 pub mod places;
