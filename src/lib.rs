@@ -148,7 +148,9 @@ pub mod __private {
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
-    pub use grafcet_core::{ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, sooner, until};
+    pub use grafcet_core::{
+        ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, sooner, until, until_change,
+    };
     pub use grafcet_macros::chart;
     pub use heapless;
 }

@@ -15,4 +15,4 @@ pub use chart::Chart;
 pub use description::ActiveSteps;
 pub use phase::Phase;
 pub use ticks::Ticks;
-pub use time::{Delay, OnDelay, ShortTime, sooner, until};
+pub use time::{Delay, OnDelay, ShortTime, phase, sooner, until, until_change};

@@ -117,6 +117,25 @@ pub fn until(counted: Ticks, threshold: Ticks) -> Option<Ticks> {
     (counted < threshold).then(|| threshold - counted)
 }
 
+/// How far a period is that goes on while time passes: the phase of something that blinks, which neither saturates nor wraps. It is
+/// below the period, which is not zero.
+#[must_use]
+pub fn phase(reached: Ticks, elapsed: Ticks, period: Ticks) -> Ticks {
+    let elapsed = if elapsed < period { elapsed.get() } else { elapsed.get().checked_rem(period.get()).unwrap_or(0) };
+    let left = period - reached;
+    Ticks::new(if elapsed < left.get() {
+        reached.get().wrapping_add(elapsed)
+    } else {
+        elapsed.wrapping_sub(left.get())
+    })
+}
+
+/// How long until something that blinks changes: at the end of the part in which it is true, or at that of the period.
+#[must_use]
+pub fn until_change(reached: Ticks, on: Ticks, period: Ticks) -> Ticks {
+    if reached < on { on - reached } else { period - reached }
+}
+
 /// The earlier of two times from now.
 #[must_use]
 pub fn sooner(a: Option<Ticks>, b: Option<Ticks>) -> Option<Ticks> {
@@ -128,7 +147,7 @@ pub fn sooner(a: Option<Ticks>, b: Option<Ticks>) -> Option<Ticks> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Delay, OnDelay, ShortTime, sooner};
+    use super::{Delay, OnDelay, ShortTime, phase, sooner, until_change};
     use crate::Ticks;
 
     const fn ticks(n: u32) -> Ticks {
@@ -170,6 +189,28 @@ mod tests {
         assert!(step(false, 5));
         assert!(step(false, 1));
         assert!(!step(false, 1));
+    }
+
+    #[test]
+    fn a_phase_goes_on_for_ever() {
+        let next = |reached, elapsed, period| phase(ticks(reached), ticks(elapsed), ticks(period));
+        assert_eq!(next(0, 999, 1000), ticks(999));
+        assert_eq!(next(0, 1000, 1000), ticks(0));
+        assert_eq!(next(999, 1, 1000), ticks(0));
+        assert_eq!(next(999, 1001, 1000), ticks(0));
+        assert_eq!(next(400, 2_700, 1000), ticks(100));
+        // The longest time between two cycles, and the longest period.
+        assert_eq!(next(999, u32::MAX, 1000), ticks(294));
+        assert_eq!(next(u32::MAX - 1, 1, u32::MAX), ticks(0));
+        assert_eq!(next(u32::MAX - 1, u32::MAX - 1, u32::MAX), ticks(u32::MAX - 2));
+        assert_eq!(next(u32::MAX - 1, u32::MAX, u32::MAX), ticks(u32::MAX - 1));
+        assert_eq!(next(0, 5, 1), ticks(0));
+    }
+
+    #[test]
+    fn the_next_change_of_what_blinks() {
+        let change = |reached| until_change(ticks(reached), ticks(700), ticks(1000));
+        assert_eq!([change(0), change(699), change(700), change(999)], [ticks(700), ticks(1), ticks(300), ticks(1)]);
     }
 
     #[test]

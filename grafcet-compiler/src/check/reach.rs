@@ -8,7 +8,7 @@ use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, situation};
 use crate::analysis::hierarchy::initial_situation;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Dialect, ForceOrder, Id, Model, Read, Step, StepId, Transition, TransitionId};
+use crate::model::{Blinker, Dialect, ForceOrder, Id, Model, Step, StepId, Transition, TransitionId};
 use crate::sorted::Set;
 
 /// Reports, and returns the transitions that never clear although their sources can be active.
@@ -82,12 +82,12 @@ pub(super) fn check(
 /// The dead transitions that only wait for steps which other dead ones lead to.
 fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>) -> Set<TransitionId> {
     let waits_for = |id: &TransitionId| -> Vec<StepId> {
-        let reads = model.transitions[*id].condition.reads.iter().flat_map(|read| match read {
-            Read::Active(step) | Read::Since(step) | Read::Elapsed(_, step) => std::slice::from_ref(step),
-            Read::MacroActive(id) | Read::MacroSince(id) | Read::MacroElapsed(_, id) => &model.macros[*id].steps[..],
-            _ => &[],
+        let reads = model.transitions[*id].condition.reads.iter().flat_map(|read| match read.about() {
+            Some(Blinker::Step(step)) => vec![step],
+            Some(Blinker::Macro(id)) => model.macros[id].steps.clone(),
+            None => Vec::new(),
         });
-        reads.filter(|step| !exploration.reachable(**step)).copied().collect()
+        reads.filter(|step| !exploration.reachable(*step)).collect()
     };
     let mut open: Vec<(TransitionId, Vec<StepId>)> = dead.iter().map(|id| (*id, waits_for(id))).collect();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
@@ -206,12 +206,9 @@ fn never_enabled(model: &Model, transition: &Transition) -> String {
 
 fn never_holds(model: &Model, transition: &Transition) -> String {
     let (sources, text) = (named(model, &transition.sources), &transition.condition.text);
-    let mut steps = transition.condition.reads.iter().filter_map(|read| match read {
-        Read::Active(step) | Read::Since(step) | Read::Elapsed(_, step) => Some(model.steps[*step].name.to_string()),
-        Read::MacroActive(id) | Read::MacroSince(id) | Read::MacroElapsed(_, id) => {
-            Some(model.macros[*id].name.to_string())
-        }
-        _ => None,
+    let mut steps = transition.condition.reads.iter().filter_map(|read| match read.about()? {
+        Blinker::Step(step) => Some(model.steps[step].name.to_string()),
+        Blinker::Macro(id) => Some(model.macros[id].name.to_string()),
     });
     let why = match steps.next() {
         Some(step) => format!("; is `{step}` the step that is meant?"),

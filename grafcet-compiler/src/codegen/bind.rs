@@ -5,8 +5,10 @@ use quote::{ToTokens, quote, quote_spanned};
 
 use super::situation::At;
 use super::{Cx, names, writes};
-use crate::model::{Binary, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder};
-use crate::plan::RegionId;
+use crate::model::{
+    Binary, Blink, Blinker, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder,
+};
+use crate::plan::{Phase, RegionId};
 
 /// At which moment of the cycle an expression is evaluated: which situation and which values it sees.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -200,7 +202,29 @@ impl Cx<'_> {
                 quote!(self.#field.output())
             }
             Read::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
+            Read::Blink(blink) => self.blink(blink, moment),
         }
+    }
+
+    /// `blink(700ms/300ms, Step)`
+    fn blink(&self, blink: Blink, moment: Moment) -> TokenStream {
+        let (p, on) = (&self.p, blink.on);
+        let (reached, reached_before) = self.phases_of_blink(blink);
+        let (active, reached) = match blink.of {
+            Blinker::Step(step) => {
+                (self.is_active(step, moment), self.reached(step, moment, &quote!(self.#reached), &reached_before))
+            }
+            Blinker::Macro(id) => (self.macro_active(id, moment), quote!(self.#reached)),
+        };
+        quote!((#active && #reached < #p::Ticks::new(#on)))
+    }
+
+    /// How far a blink is in its period: the field, and what it was before the evolution.
+    pub(super) fn phases_of_blink(&self, blink: Blink) -> (Ident, Ident) {
+        let phase = Phase::of(&self.plan.regions, Read::Blink(blink));
+        // All that expressions read is planned for.
+        let index = self.plan.memory.phases.iter().position(|other| Some(*other) == phase).unwrap_or_default();
+        (names::phase(index), names::phase_before(index))
     }
 
     /// `t/Step`: active for at least `t`.
@@ -251,11 +275,14 @@ impl Cx<'_> {
 
     /// The time of a step (A34): zero when it is not active, what it had reached where it has just been left.
     fn since(&self, step: StepId, moment: Moment) -> TokenStream {
-        let p = &self.p;
         let region = self.plan.regions.of_step(step);
-        let since = self.counted(region);
+        self.reached(step, moment, &self.counted(region), &names::step_time_before(region, self.plan))
+    }
+
+    /// The same of anything that counts since the activation: `since` is its count, `reached` what that was before the evolution.
+    fn reached(&self, step: StepId, moment: Moment, since: &TokenStream, reached: &Ident) -> TokenStream {
+        let p = &self.p;
         let (before, after) = (self.in_step(At::Before, step), self.in_step(At::After, step));
-        let reached = names::step_time_before(region, self.plan);
         match moment {
             Moment::Start => quote!(#p::Ticks::ZERO),
             Moment::Sample | Moment::Condition | Moment::Stored => {

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::{Binary, Effect, Expr, MacroId, Name, Qualifier, Read, StepId, TimeRef, Tree};
+use crate::model::{Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Qualifier, Read, StepId, TimeRef, Tree};
 use crate::sorted::Set;
 
 /// At which times of a step something changes.
@@ -15,6 +15,8 @@ enum Threshold {
     At(TimeRef),
     /// One tick behind it.
     Behind(TimeRef),
+    /// At the ends of both parts of a period.
+    Blinks(Blink),
     /// At every tick: the time is used in another way than in a comparison.
     Always,
 }
@@ -96,6 +98,11 @@ impl Cx<'_> {
             Threshold::Behind(time) => {
                 let time = self.time(time);
                 quote!(#p::until(#since, #time + #tick))
+            }
+            Threshold::Blinks(blink) => {
+                let (phase, _) = self.phases_of_blink(blink);
+                let (on, period) = (blink.on, blink.period());
+                quote!(#p::Option::Some(#p::until_change(self.#phase, #p::Ticks::new(#on), #p::Ticks::new(#period))))
             }
             Threshold::Always => quote!(#p::Option::Some(#tick)),
         };
@@ -179,6 +186,10 @@ fn always(read: Read, found: &mut Set<(Clock, Threshold)>) {
         Read::MacroSince(id) => (Clock::Macro(id), Threshold::Always),
         Read::Elapsed(time, step) => (Clock::Step(step), Threshold::At(time)),
         Read::MacroElapsed(time, id) => (Clock::Macro(id), Threshold::At(time)),
+        Read::Blink(blink) => match blink.of {
+            Blinker::Step(step) => (Clock::Step(step), Threshold::Blinks(blink)),
+            Blinker::Macro(id) => (Clock::Macro(id), Threshold::Blinks(blink)),
+        },
         _ => return,
     };
     found.insert(entry);

@@ -168,6 +168,16 @@ pub(super) fn macro_time(id: MacroId) -> Ident {
     local(&format!("macro_since_{}", id.index()))
 }
 
+/// The field that counts how far something that blinks is in its period.
+pub(super) fn phase(index: usize) -> Ident {
+    local(&format!("phase_{index}"))
+}
+
+/// What it was before the evolution.
+pub(super) fn phase_before(index: usize) -> Ident {
+    local(&format!("phase_before_{index}"))
+}
+
 /// The field that remembers the expression of an edge.
 pub(super) fn edge_field(id: EdgeId) -> Ident {
     local(&format!("edge_{}", id.index()))

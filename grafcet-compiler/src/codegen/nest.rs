@@ -51,8 +51,8 @@ impl Cx<'_> {
     /// The fields that an evolution in place changes where a transition clears.
     fn changed_in_place(&self) -> Vec<Ident> {
         let states = (0..self.plan.regions.all().len()).map(|region| names::region_field(region, self.plan));
-        let times = self.timed_regions().filter(|_| self.begins_on_entry());
-        let times = times.map(|region| names::step_time(region, self.plan));
+        let times = self.counted_regions().filter(|_| self.begins_on_entry());
+        let times = times.flat_map(|region| self.counters_of(region));
         let places = self.written_at_once();
         let places = places.iter().map(|place| names::place_field(self.model, *place));
         states.chain(times).chain(places).collect()

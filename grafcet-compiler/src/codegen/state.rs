@@ -223,6 +223,7 @@ impl Cx<'_> {
             Field { name, initial: quote!(#time::ZERO), ty: time }
         }));
         fields.extend(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
+        fields.extend((0..self.plan.memory.phases.len()).map(|index| ticks(names::phase(index))));
         fields.extend(self.model.delays.ids().map(|id| Field {
             name: names::delay_field(id),
             ty: quote!(#p::Delay),

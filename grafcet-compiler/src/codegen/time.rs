@@ -8,7 +8,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
 use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
-use crate::plan::RegionId;
+use crate::plan::{Counted, Phase, RegionId};
 
 /// Something that is sampled at the begin of a cycle or an evolution.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -33,6 +33,10 @@ impl Cx<'_> {
             let since = names::macro_time(*id);
             quote!(self.#since = self.#since + elapsed;)
         });
+        let phases = self.plan.memory.phases.iter().enumerate().map(|(index, phase)| {
+            let (field, period) = (names::phase(index), phase.period);
+            quote!(self.#field = #p::phase(self.#field, elapsed, #p::Ticks::new(#period));)
+        });
         let since = quote!(now.since(self.now));
         let elapsed = if self.counts_in_first() {
             let first = self.first();
@@ -43,14 +47,33 @@ impl Cx<'_> {
         quote! {
             let elapsed = #elapsed;
             self.now = now;
-            #(#regions)* #(#macros)*
+            #(#regions)* #(#macros)* #(#phases)*
         }
     }
 
     /// Whether something that is not a step counts time, also in the first cycle, which has none. The times of the initial steps
     /// begin in it.
     fn counts_in_first(&self) -> bool {
-        !self.plan.memory.macro_times.is_empty() || !self.model.delays.is_empty()
+        let memory = &self.plan.memory;
+        let of_macro = |phase: &Phase| matches!(phase.of, Counted::Macro(_));
+        !memory.macro_times.is_empty() || !self.model.delays.is_empty() || memory.phases.iter().any(of_macro)
+    }
+
+    /// What blinks since the activation of this.
+    fn phases_of(&self, of: Counted) -> Vec<Ident> {
+        let phases = self.plan.memory.phases.iter().enumerate();
+        phases.filter(|(_, phase)| phase.of == of).map(|(index, _)| names::phase(index)).collect()
+    }
+
+    /// Everything that counts since the activation of a region's active step.
+    pub(super) fn counters_of(&self, region: RegionId) -> Vec<Ident> {
+        let since = self.plan.memory.step_times[region].then(|| names::step_time(region, self.plan));
+        since.into_iter().chain(self.phases_of(Counted::Region(region))).collect()
+    }
+
+    /// Regions of which something is counted since the activation of their active step.
+    pub(super) fn counted_regions(&self) -> impl Iterator<Item = RegionId> + '_ {
+        (0..self.plan.regions.all().len()).filter(|region| !self.counters_of(*region).is_empty())
     }
 
     /// Regions whose active step's time is counted.
@@ -61,14 +84,18 @@ impl Cx<'_> {
     /// A step that has been entered begins its time; one that stays (A4g) goes on.
     pub(super) fn restart_times(&self) -> TokenStream {
         let p = &self.p;
-        let regions = self.timed_regions().filter(|_| !self.begins_on_entry()).map(|region| {
+        let regions = self.counted_regions().filter(|_| !self.begins_on_entry()).map(|region| {
             let (changed, again, begin) = (self.is_changed(region), self.or_again(region), self.begin_region(region));
             quote!(if #changed #again { #begin })
         });
-        let macros = self.plan.memory.macro_times.iter().map(|id| {
-            let since = names::macro_time(*id);
-            let (was, is) = (self.macro_active(*id, Moment::Condition), self.macro_active(*id, Moment::Stable));
-            quote!(if #is && !#was { self.#since = #p::Ticks::ZERO; })
+        let macros = self.model.macros.ids().filter_map(|id| {
+            let timed = self.plan.memory.macro_times.contains(&id).then(|| names::macro_time(id));
+            let counters: Vec<_> = timed.into_iter().chain(self.phases_of(Counted::Macro(id))).collect();
+            if counters.is_empty() {
+                return None;
+            }
+            let (was, is) = (self.macro_active(id, Moment::Condition), self.macro_active(id, Moment::Stable));
+            Some(quote!(if #is && !#was { #(self.#counters = #p::Ticks::ZERO;)* }))
         });
         quote!(#(#regions)* #(#macros)*)
     }
@@ -98,19 +125,28 @@ impl Cx<'_> {
     /// (A4s).
     pub(super) fn begin_time(&self, step: StepId, transition: &Transition) -> Option<TokenStream> {
         let stays = self.model.is_grafcet() && transition.sources.contains(&step);
-        let begins = self.begins_on_entry() && self.plan.memory.timed.contains(&step) && !stays;
+        let begins = self.begins_on_entry() && self.is_counted(step) && !stays;
         begins.then(|| self.begin_region(self.plan.regions.of_step(step)))
     }
 
     /// The times of the initial steps begin in the first cycle.
     pub(super) fn begin_initial(&self) -> TokenStream {
-        let timed = self.plan.initial.iter().filter(|step| self.plan.memory.timed.contains(step));
-        timed.map(|step| self.begin_region(self.plan.regions.of_step(*step))).collect()
+        let counted = self.plan.initial.iter().filter(|step| self.is_counted(**step));
+        counted.map(|step| self.begin_region(self.plan.regions.of_step(*step))).collect()
+    }
+
+    /// Whether something is counted since the activation of the step.
+    fn is_counted(&self, step: StepId) -> bool {
+        self.plan.memory.timed.contains(&step) || self.plan.memory.blinking.contains(&step)
     }
 
     fn begin_region(&self, region: RegionId) -> TokenStream {
-        let (since, time) = (names::step_time(region, self.plan), self.time_type(region));
-        quote!(self.#since = #time::ZERO;)
+        let since = self.plan.memory.step_times[region].then(|| {
+            let (since, time) = (names::step_time(region, self.plan), self.time_type(region));
+            quote!(self.#since = #time::ZERO;)
+        });
+        let (phases, p) = (self.phases_of(Counted::Region(region)), &self.p);
+        quote!(#since #(self.#phases = #p::Ticks::ZERO;)*)
     }
 
     /// The time the active steps had reached, for the actions on leaving them (A34).
@@ -119,7 +155,11 @@ impl Cx<'_> {
             let (reached, since) = (names::step_time_before(region, self.plan), self.counted(region));
             quote!(let #reached = #since;)
         });
-        quote!(#(#regions)*)
+        let phases = self.plan.memory.phases.iter().enumerate().map(|(index, _)| {
+            let (reached, phase) = (names::phase_before(index), names::phase(index));
+            quote!(let #reached = self.#phase;)
+        });
+        quote!(#(#regions)* #(#phases)*)
     }
 
     /// The general delays of a `grafcet`, sampled once per cycle on the situation it starts from (A36), with the edges

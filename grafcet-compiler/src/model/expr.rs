@@ -70,6 +70,69 @@ pub enum Read {
     Elapsed(TimeRef, StepId),
     /// `5s/M`, as [`Tree::MacroElapsed`].
     MacroElapsed(TimeRef, MacroId),
+    /// `blink(700ms/300ms)`
+    Blink(Blink),
+}
+
+/// `blink(700ms/300ms, Step)`: as long as the step is active, true for the first part of each period since its activation,
+/// false for the second. Neither part is zero, and a period can be counted as a time.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Blink {
+    /// The one that is named, or to which the condition belongs.
+    pub of: Blinker,
+    /// In ticks.
+    pub on: u32,
+    /// In ticks.
+    pub off: u32,
+}
+
+/// Since whose activation something blinks.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Blinker {
+    Step(StepId),
+    Macro(MacroId),
+}
+
+impl Read {
+    /// The step or macro-step whose activity or time it is.
+    #[must_use]
+    pub fn about(&self) -> Option<Blinker> {
+        match *self {
+            Self::Active(step) | Self::Since(step) | Self::Elapsed(_, step) => Some(Blinker::Step(step)),
+            Self::MacroActive(id) | Self::MacroSince(id) | Self::MacroElapsed(_, id) => Some(Blinker::Macro(id)),
+            Self::Blink(blink) => Some(blink.of),
+            Self::Name(_) | Self::Rising(_) | Self::Falling(_) | Self::Delay(_) | Self::Ticks(_) => None,
+        }
+    }
+}
+
+impl Blink {
+    /// From one rise to the next.
+    #[must_use]
+    pub fn period(&self) -> u32 {
+        // Resolving refuses a longer one.
+        self.on.saturating_add(self.off)
+    }
+}
+
+impl Blinker {
+    /// Its step variable.
+    #[must_use]
+    pub fn active(self) -> Read {
+        match self {
+            Self::Step(step) => Read::Active(step),
+            Self::Macro(id) => Read::MacroActive(id),
+        }
+    }
+
+    /// Its time.
+    #[must_use]
+    pub fn since(self) -> Read {
+        match self {
+            Self::Step(step) => Read::Since(step),
+            Self::Macro(id) => Read::MacroSince(id),
+        }
+    }
 }
 
 /// A declared name that holds a value.

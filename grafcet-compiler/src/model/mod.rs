@@ -15,7 +15,7 @@ use syn::{Attribute, Ident, Visibility};
 
 pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier};
 use crate::diagnostic::Mark;
-pub use expr::{Binary, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
+pub use expr::{Binary, Blink, Blinker, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
 pub use ids::{
     ActionId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, MacroId, OutputId, ParamId, PartialId,
     StepId, TransitionId, VarId,

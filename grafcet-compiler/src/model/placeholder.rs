@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, Span};
 
-use super::{Id, Read, TimeRef};
+use super::{Blink, Blinker, Id, Read, TimeRef};
 
 /// The placeholder of `read`, located at the user's tokens and invisible to them.
 /// `None` for a declared name, which stands for itself.
@@ -20,6 +20,10 @@ pub fn ident(read: Read, at: Span) -> Option<Ident> {
         Read::Ticks(ticks) => format!("ticks_{ticks}"),
         Read::Elapsed(time, step) => format!("elapsed_{}_{}", time_name(time), step.index()),
         Read::MacroElapsed(time, id) => format!("macro_elapsed_{}_{}", time_name(time), id.index()),
+        Read::Blink(Blink { of, on, off }) => match of {
+            Blinker::Step(step) => format!("blink_{on}_{off}_{}", step.index()),
+            Blinker::Macro(id) => format!("macro_blink_{on}_{off}_{}", id.index()),
+        },
     };
     Some(Ident::new(&name, Span::mixed_site().located_at(at)))
 }

@@ -3,7 +3,8 @@
 use std::slice;
 
 use super::{
-    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, Tree, Ty, Unary,
+    Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition,
+    Tree, Ty, Unary,
 };
 use crate::diagnostic::rules::Rule;
 
@@ -40,7 +41,12 @@ impl Model {
         let timed = |read: &Read| {
             matches!(
                 read,
-                Read::Since(_) | Read::MacroSince(_) | Read::Elapsed(..) | Read::MacroElapsed(..) | Read::Delay(_)
+                Read::Since(_)
+                    | Read::MacroSince(_)
+                    | Read::Elapsed(..)
+                    | Read::MacroElapsed(..)
+                    | Read::Delay(_)
+                    | Read::Blink(_)
             )
         };
         self.associations.values().any(|a| a.time.is_some())
@@ -152,6 +158,21 @@ impl Model {
         let unit = UNITS.iter().find(|(_, size)| nanos != 0 && nanos % size == 0);
         let (name, size) = unit.copied().unwrap_or(("s", 1_000_000_000));
         format!("{}{name}", nanos / size)
+    }
+
+    /// `blink(700ms/300ms, Step)`
+    #[must_use]
+    pub fn blink_text(&self, Blink { of, on, off }: Blink) -> String {
+        let of = match of {
+            Blinker::Step(step) => &self.steps[step].name,
+            Blinker::Macro(id) => &self.macros[id].name,
+        };
+        let parts = if on == off {
+            self.time_text(i128::from(on))
+        } else {
+            format!("{}/{}", self.time_text(i128::from(on)), self.time_text(i128::from(off)))
+        };
+        format!("blink({parts}, {of})")
     }
 
     /// The type of a place.

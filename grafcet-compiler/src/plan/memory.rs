@@ -1,9 +1,10 @@
 //! What a chart remembers from cycle to cycle beside its situation: only what it uses.
 
-use super::{Control, Drive, Region, Regions, is_stored};
+use super::{Control, Drive, Region, RegionId, Regions, is_stored};
 use crate::analysis::{combinational, is_constant_read};
 use crate::model::{
-    Association, AssociationId, EdgeId, Effect, Id, MacroId, Model, OutputId, Read, StepId, TimeRef, Transition, VarId,
+    Association, AssociationId, Blink, Blinker, EdgeId, Effect, Id, MacroId, Model, OutputId, Read, StepId, TimeRef,
+    Transition, VarId,
 };
 use crate::sorted::Set;
 
@@ -30,10 +31,30 @@ pub struct Memory {
     pub begins_on_entry: bool,
     /// Macro-steps whose time is counted.
     pub macro_times: Vec<MacroId>,
+    /// What blinks, each once.
+    pub phases: Vec<Phase>,
+    /// Steps whose activation something blinks from.
+    pub blinking: Set<StepId>,
     /// Edges, each with whether its rising and its falling side are used.
     pub edges: Vec<(EdgeId, bool, bool)>,
     /// `grafcet`: edges of what stands still in a search, sampled once in front of it: its first evolution sees them (A2).
     pub still_edges: Vec<EdgeId>,
+}
+
+/// How far a period is that began with an activation: a count that neither saturates nor wraps, however long a step stays active.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Phase {
+    pub of: Counted,
+    /// In ticks.
+    pub period: u32,
+}
+
+/// Since whose activation.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Counted {
+    /// The active step of a region.
+    Region(RegionId),
+    Macro(MacroId),
 }
 
 impl Memory {
@@ -56,6 +77,8 @@ impl Memory {
             short_times: short_times(regions, &step_times, &long_steps(model, control, &reads)),
             step_times,
             timed,
+            phases: phases(regions, &reads),
+            blinking: blinking(&reads),
             macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
             still_edges: still_edges(model),
             edges: model
@@ -83,7 +106,7 @@ fn still_edges(model: &Model) -> Vec<EdgeId> {
 /// been active before, and its time goes on (A4g).
 fn begins_on_entry(model: &Model) -> bool {
     let time_of = |read: &Read| match read {
-        Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
+        Read::Since(step) | Read::Elapsed(_, step) | Read::Blink(Blink { of: Blinker::Step(step), .. }) => Some(*step),
         _ => None,
     };
     let own = |transition: &Transition| {
@@ -107,6 +130,34 @@ fn timed_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepI
     let is_limited = |(id, _): &(AssociationId, &Association)| control.step_limit(model, *id).is_some();
     let limited = model.associations.iter().filter(is_limited).map(|(_, association)| association.step);
     read.chain(limited).collect()
+}
+
+/// Steps from whose activation something blinks.
+fn blinking(reads: &Set<Read>) -> Set<StepId> {
+    let steps = reads.iter().filter_map(|read| match read {
+        Read::Blink(Blink { of: Blinker::Step(step), .. }) => Some(*step),
+        _ => None,
+    });
+    steps.collect()
+}
+
+/// Steps of one region share a phase where they share the period.
+fn phases(regions: &Regions, reads: &Set<Read>) -> Vec<Phase> {
+    let phases: Set<Phase> = reads.iter().filter_map(|read| Phase::of(regions, *read)).collect();
+    phases.into_iter().collect()
+}
+
+impl Phase {
+    /// What a `blink` looks at.
+    #[must_use]
+    pub fn of(regions: &Regions, read: Read) -> Option<Self> {
+        let Read::Blink(blink) = read else { return None };
+        let of = match blink.of {
+            Blinker::Step(step) => Counted::Region(regions.of_step(step)),
+            Blinker::Macro(id) => Counted::Macro(id),
+        };
+        Some(Self { of, period: blink.period() })
+    }
 }
 
 /// Steps whose time is used in another way than in a comparison with a literal that fits into 16 bits.

@@ -17,13 +17,13 @@ pub(crate) use below::{Below, directly, is_top};
 pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
 pub use evolution::Evolution;
-pub use memory::Memory;
+pub use memory::{Counted, Memory, Phase};
 pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Concurrency, Ends, Races, Stability, explore, hierarchy};
-use crate::model::{Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
+use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
 /// How many units of work it is worth to find out that the searches of a chart end, where its circles do not tell.
@@ -117,7 +117,7 @@ fn sees_reentry(model: &Model, regions: &Regions, evolution: &Evolution) -> Vec<
         return sees;
     }
     let timed = |read: &Read| match read {
-        Read::Since(step) | Read::Elapsed(_, step) => Some(*step),
+        Read::Since(step) | Read::Elapsed(_, step) | Read::Blink(Blink { of: Blinker::Step(step), .. }) => Some(*step),
         _ => None,
     };
     let timed: Set<StepId> = model.expressions().into_iter().flatten().filter_map(timed).collect();

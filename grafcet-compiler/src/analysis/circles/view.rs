@@ -4,7 +4,9 @@ use super::Circles;
 use super::run::Node;
 use crate::analysis::Condition;
 use crate::analysis::logic::UNKNOWN;
-use crate::model::{Binary, EdgeId, Effect, MacroId, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree};
+use crate::model::{
+    Binary, Blink, Blinker, EdgeId, Effect, MacroId, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree,
+};
 use crate::sorted::Set;
 
 /// The conditions as one evolution sees them.
@@ -48,6 +50,7 @@ impl<'v, 'm> View<'v, 'm> {
             Read::Since(step) => self.since(step),
             Read::Rising(id) => self.edge(id, true).map(Tree::Bool),
             Read::Falling(id) => self.edge(id, false).map(Tree::Bool),
+            Read::Blink(blink) => self.blink(blink),
             read => self.stands_still(read).then_some(Tree::Read(read)),
         };
         known.unwrap_or_else(|| self.unknown())
@@ -99,6 +102,18 @@ impl<'v, 'm> View<'v, 'm> {
     fn since(&self, step: StepId) -> Option<Tree> {
         let goes_on = self.active(step)? && !self.node.fresh.contains(&step);
         Some(Tree::Read(if goes_on { Read::Since(step) } else { Read::Ticks(0) }))
+    }
+
+    /// It shines at the begin of a step's activity; elsewhere it stands still.
+    fn blink(&self, blink: Blink) -> Option<Tree> {
+        match blink.of {
+            Blinker::Step(step) => Some(match self.active(step)? {
+                true if self.node.fresh.contains(&step) => Tree::Bool(true),
+                true => Tree::Read(Read::Blink(blink)),
+                false => Tree::Bool(false),
+            }),
+            Blinker::Macro(id) => self.macro_active(id).filter(|active| !active).map(Tree::Bool),
+        }
     }
 
     /// Edges of inputs are gone (A2); those of a step variable are about this evolution (A36).

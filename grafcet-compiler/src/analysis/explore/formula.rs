@@ -70,7 +70,7 @@ impl Atom {
     /// Whether its value at each moment of a cycle follows from what was chosen at the begin and from what has happened since.
     pub(super) fn is_exact(&self) -> bool {
         match self.kind {
-            Kind::Step(_) | Kind::Macro(_) | Kind::Slot(_) | Kind::Since(_) => true,
+            Kind::Step(_) | Kind::Macro(_) | Kind::Slot(_) | Kind::Since(_) | Kind::Phase(_) => true,
             Kind::MacroSince(_) => false,
             Kind::Free | Kind::Number(..) => {
                 let mut stands_still = true;
@@ -98,4 +98,6 @@ pub(super) enum Kind {
     Since(usize),
     /// The same of a macro-step.
     MacroSince(usize),
+    /// Whether the first part of a period since the activation of the step is under way: true when it is entered.
+    Phase(usize),
 }

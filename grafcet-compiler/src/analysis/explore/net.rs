@@ -193,13 +193,14 @@ impl Net {
             let mut reads_steps: Vec<usize> = Vec::new();
             for atom in &atoms {
                 match self.atoms[*atom].kind {
-                    Kind::Step(step) | Kind::Since(step) => reads_steps.push(step),
+                    Kind::Step(step) | Kind::Since(step) | Kind::Phase(step) => reads_steps.push(step),
                     Kind::Macro(id) | Kind::MacroSince(id) => reads_steps.extend(&self.macros[id]),
                     Kind::Free | Kind::Number(..) | Kind::Slot(_) => {}
                 }
             }
             // Its own sources are active when it is asked; an edge of them is another matter.
-            let is_step = |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_));
+            let is_step =
+                |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
             reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
             let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
             let targets = transition.targets.iter().map(|step| step.index()).collect();

@@ -250,6 +250,7 @@ fn read_text(model: &Model, read: Read) -> String {
         Read::Ticks(ticks) => model.time_text(i128::from(ticks)),
         Read::Elapsed(at, id) => format!("{}/{}", time(model, at), step(id)),
         Read::MacroElapsed(at, id) => format!("{}/{}", time(model, at), model.macros[id].name),
+        Read::Blink(blink) => model.blink_text(blink),
     }
 }
 

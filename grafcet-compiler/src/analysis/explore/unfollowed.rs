@@ -22,7 +22,7 @@ pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
 fn is_free(atom: &Atom) -> bool {
     let free = matches!(
         atom.what,
-        Tree::Read(Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_))
+        Tree::Read(Read::Name(Name::Input(_) | Name::Param(_)) | Read::Delay(_) | Read::Blink(_))
             | Tree::Elapsed(..)
             | Tree::MacroElapsed(..)
     );

@@ -283,6 +283,7 @@ impl<'m> Logic<'m> {
         // Of plain values it is known how they compare; but of two params one may be meant to be the greater one.
         let is_open = |id: &AtomId| match atoms.get(*id).map(|atom| &atom.key) {
             Some(Key::Order(a, b)) => !is_plain(a) || !is_plain(b) || is_param(a) || is_param(b),
+            Some(Key::Boolean(Tree::Read(Read::Blink(_)))) => true,
             _ => false,
         };
         let reads = |id: &AtomId| {
@@ -292,6 +293,8 @@ impl<'m> Logic<'m> {
                     [a, b].into_iter().for_each(|tree| tree.each_read(&mut |read| reads.push(read)))
                 }
                 Some(Key::Number(a)) => a.each_read(&mut |read| reads.push(read)),
+                // What blinks follows the time of its step.
+                Some(Key::Boolean(Tree::Read(Read::Blink(blink)))) => reads.push(blink.of.since()),
                 _ => {}
             }
             reads

@@ -30,6 +30,8 @@ impl Reader<'_> {
                 }
             }
             Tree::Binary(operator, a, b) if is_comparison(*operator) => self.compare(*operator, a, b),
+            // When it does so is not known, but it only shines while its step is active.
+            Tree::Read(Read::Blink(blink)) => self.read(blink.of.active()).and(self.read(Read::Blink(*blink))),
             other => Formula::is_true(self.atoms.boolean(other)),
         }
     }

@@ -118,6 +118,7 @@ fn read_text(model: &Model, read: Read) -> String {
         Read::Ticks(ticks) => model.time_text(i128::from(ticks)),
         Read::Elapsed(time, step) => format!("{}/{}", time_text(model, time), model.steps[step].name),
         Read::MacroElapsed(time, id) => format!("{}/{}", time_text(model, time), model.macros[id].name),
+        Read::Blink(blink) => model.blink_text(blink),
     }
 }
 

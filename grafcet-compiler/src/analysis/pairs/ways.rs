@@ -31,6 +31,7 @@ pub(super) fn holds(model: &Model, tree: &Tree, value: bool) -> Vec<Demand> {
         Tree::Read(Read::MacroActive(id)) => any_of(&model.macros[*id].steps, value),
         Tree::Elapsed(_, step) if value => any_of(&[*step], true),
         Tree::MacroElapsed(_, id) if value => any_of(&model.macros[*id].steps, true),
+        Tree::Read(Read::Blink(blink)) if value => holds(model, &Tree::Read(blink.of.active()), true),
         Tree::Read(Read::Rising(edge)) if value => holds(model, &model.edges[*edge].of.tree, true),
         Tree::Read(Read::Falling(edge)) if value => holds(model, &model.edges[*edge].of.tree, false),
         Tree::Unary(Unary::Not, inner) => holds(model, inner, !value),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Candidates, is_constant_read};
 use crate::analysis::{Condition, Logic};
-use crate::model::{Binary, ForceOrder, Id, Model, Read, StepId, TimeRef, TransitionId, Tree, Unary};
+use crate::model::{Binary, Blink, Blinker, ForceOrder, Id, Model, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
 /// In larger circles no choice is looked for: it would take a comparison of all pairs.
@@ -158,6 +158,7 @@ fn just_entered(model: &Model, tree: &Tree, steps: &[StepId]) -> Tree {
     let inner = |tree: &Tree| Box::new(just_entered(model, tree, steps));
     match tree {
         Tree::Elapsed(TimeRef::Ticks(1..), step) if steps.contains(step) => Tree::Bool(false),
+        Tree::Read(Read::Blink(Blink { of: Blinker::Step(step), .. })) if steps.contains(step) => Tree::Bool(true),
         Tree::Read(Read::Rising(id) | Read::Falling(id)) if model.edges[*id].of.reads.iter().all(is_constant_read) => {
             Tree::Bool(false)
         }

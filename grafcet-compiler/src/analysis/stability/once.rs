@@ -2,7 +2,7 @@
 
 use super::is_constant_read;
 use crate::analysis::Concurrency;
-use crate::model::{Binary, Model, Read, StepId, TimeRef, Transition, TransitionId, Tree};
+use crate::model::{Binary, Blink, Blinker, Model, Read, StepId, TimeRef, Transition, TransitionId, Tree, Unary};
 
 /// Whether a transition asks for an edge of inputs, which only the first evolution of a cycle sees (A2), or for a time of its
 /// own source step, which begins anew with the step (A23).
@@ -12,6 +12,11 @@ pub(super) fn clears_once(model: &Model, concurrency: &Concurrency, id: Transiti
     asks(&transition.condition.tree, &|tree| match tree {
         Tree::Read(Read::Rising(id) | Read::Falling(id)) => model.edges[*id].of.reads.iter().all(is_constant_read),
         Tree::Elapsed(TimeRef::Ticks(ticks), step) => *ticks > 0 && timed(*step),
+        // A period begins with the part in which it is true.
+        Tree::Unary(Unary::Not, of) => match **of {
+            Tree::Read(Read::Blink(Blink { of: Blinker::Step(step), .. })) => timed(step),
+            _ => false,
+        },
         _ => false,
     })
 }

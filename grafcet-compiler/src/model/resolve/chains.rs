@@ -2,11 +2,12 @@
 
 use proc_macro2::Ident;
 
+use super::blink::Owner;
 use super::scope::Meaning;
 use super::{Resolver, expr};
 use crate::ast::{self, Arrow, Node};
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Dialect, Effect, MacroId, PartialId, StepId, Transition};
+use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
 
 /// At which end of an arrow a node stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -47,6 +48,7 @@ impl Resolver<'_> {
         let sources = self.node(before, End::Source, partial);
         let targets = self.node(after, End::Target, partial);
         self.crossing(before, after);
+        self.owner = self.owner_of(before);
         let condition = expr::resolve_condition(&transition.condition, self);
         if let Some(name) = &transition.name {
             self.scope.declare_transition(name, self.sink);
@@ -54,6 +56,7 @@ impl Resolver<'_> {
         self.forgotten(before, End::Source);
         self.forgotten(after, End::Target);
         let clearing = self.clearing(transition);
+        self.owner = Owner::Chart;
         if let Node::Missing(mark) = after {
             let message = "between two transitions there is always a step; \
                            put an empty step between them, or write one condition with `&&`";
@@ -73,6 +76,20 @@ impl Resolver<'_> {
             mark: transition.mark,
         });
         self.model.partials[partial].transitions.push(id);
+    }
+
+    /// To which step the condition of a transition belongs.
+    fn owner_of(&self, before: &Node) -> Owner {
+        match names(before) {
+            [] => Owner::Sourceless,
+            [name] => match self.scope.get(name) {
+                Some(Meaning::Macro(id)) => Owner::One(Blinker::Macro(id)),
+                Some(Meaning::Step(step)) => Owner::One(Blinker::Step(step)),
+                // It has been reported.
+                _ => Owner::Several(name.clone()),
+            },
+            [first, ..] => Owner::Several(first.clone()),
+        }
     }
 
     /// `A -> B`

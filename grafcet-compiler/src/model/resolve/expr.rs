@@ -242,6 +242,9 @@ impl<'r, 's> Lower<'r, 's> {
         if let (false, Some(Meaning::Action(_))) = (local, self.resolver.scope.get(&function)) {
             return self.path(&mut call.func);
         }
+        if !local && function == "blink" {
+            return self.blink(expr);
+        }
         if local || function != "rising" && function != "falling" {
             let text = super::text::of(&*call);
             let outside = std::mem::take(&mut self.reads);
@@ -312,7 +315,7 @@ pub(super) fn single_name(expr: &syn::Expr) -> Option<Ident> {
 }
 
 /// `Feed` or `Production::Feed` in front of `.X`.
-fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
+pub(super) fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
     let syn::Expr::Path(path) = expr else { return None };
     let segments = &path.path.segments;
     let plain = path.qself.is_none() && segments.iter().all(|s| s.arguments.is_none());

@@ -3,6 +3,7 @@
 //! What cannot be resolved is reported and left out, so that the rest of the chart can still be checked.
 
 mod actions;
+mod blink;
 mod chains;
 mod code;
 mod declare;
@@ -17,10 +18,11 @@ mod time;
 
 use proc_macro2::Ident;
 
+use self::blink::Owner;
 use self::scope::Scope;
 use super::{
-    Arena, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Mention, Model, Name, PartialId,
-    Step, StepId, Ty,
+    Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Mention, Model, Name,
+    PartialId, Step, StepId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -35,6 +37,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         partials: Vec::new(),
         broken_macros: Vec::new(),
         settings: Vec::new(),
+        owner: Owner::Chart,
     };
     resolver.declare_chart(&chart.body);
     let mut cursor = Cursor::default();
@@ -54,6 +57,8 @@ pub(super) struct Resolver<'s> {
     broken_macros: Vec<MacroId>,
     /// `clock` and its like, where they stand first.
     settings: Vec<(&'static str, Mark)>,
+    /// To which step the expression belongs that is being resolved.
+    owner: Owner,
 }
 
 /// How far resolving has come in the ids given while declaring.
@@ -142,9 +147,11 @@ impl Resolver<'_> {
     }
 
     fn step_body(&mut self, step: StepId, body: &ast::StepBody) {
+        self.owner = Owner::One(Blinker::Step(step));
         for association in &body.associations {
             self.association(step, association);
         }
+        self.owner = Owner::Chart;
         for force in &body.forces {
             self.force(step, force);
         }

@@ -31,9 +31,12 @@ impl Resolver<'_> {
                 Read::Name(value @ Name::Output(_)) => format!("{} is an output", name(self, value)),
                 Read::Name(value @ Name::Var(_)) => format!("{} is a variable", name(self, value)),
                 Read::Name(value @ Name::Param(_)) => format!("{} is a param", name(self, value)),
-                Read::Since(_) | Read::MacroSince(_) | Read::Delay(_) | Read::Elapsed(..) | Read::MacroElapsed(..) => {
-                    "this is a time".to_owned()
-                }
+                Read::Since(_)
+                | Read::MacroSince(_)
+                | Read::Delay(_)
+                | Read::Elapsed(..)
+                | Read::MacroElapsed(..)
+                | Read::Blink(_) => "this is a time".to_owned(),
             };
             self.sink.notation(mark, format!("{why}, and {what}"));
         }
@@ -81,7 +84,12 @@ impl Resolver<'_> {
                     format!("`{}` is a variable; name the steps or outputs that matter", self.model.vars[id].name)
                 }
                 Read::Rising(_) | Read::Falling(_) => "an edge takes two; name what holds at the end of one".to_owned(),
-                Read::Since(_) | Read::MacroSince(_) | Read::Delay(_) | Read::Elapsed(..) | Read::MacroElapsed(..) => {
+                Read::Since(_)
+                | Read::MacroSince(_)
+                | Read::Delay(_)
+                | Read::Elapsed(..)
+                | Read::MacroElapsed(..)
+                | Read::Blink(_) => {
                     "this is a time, which counts as unknown; name the steps or outputs that matter".to_owned()
                 }
                 Read::Name(_) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => continue,

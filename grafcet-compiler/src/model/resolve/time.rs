@@ -41,19 +41,32 @@ impl Resolver<'_> {
             }
             Ok(ticks) => return ticks,
             Err(_) => {
-                let longest = u64::from(u32::MAX).saturating_mul(clock) / HOUR;
-                let mend = [10 * MILLISECOND, 100 * MILLISECOND, 1_000_000_000, 60_000_000_000, HOUR]
-                    .into_iter()
-                    .find(|unit| u32::try_from(time.nanos / unit).is_ok());
-                let mend = mend.map_or(String::new(), |coarser| format!(": `clock {};`", unit(coarser)));
-                format!(
-                    "the chart's clock of {} counts up to {longest}h, this time is longer; state a coarser one{mend}",
-                    unit(clock)
-                )
+                self.longer_than_clock(time.span.into(), time.nanos, "time");
+                return 0;
             }
         };
         self.sink.rule(&rules::BAD_TIME, &[], vec![(time.span.into(), message)]);
         0
+    }
+
+    /// A sum of times that the clock cannot count, in ticks; `what` is too long.
+    pub(super) fn too_long(&mut self, mark: Mark, ticks: u64, what: &str) {
+        let clock = self.model.clock_nanos.max(1);
+        self.longer_than_clock(mark, ticks.saturating_mul(clock), what);
+    }
+
+    fn longer_than_clock(&mut self, mark: Mark, nanos: u64, what: &str) {
+        let clock = self.model.clock_nanos.max(1);
+        let longest = u64::from(u32::MAX).saturating_mul(clock) / HOUR;
+        let mend = [10 * MILLISECOND, 100 * MILLISECOND, 1_000_000_000, 60_000_000_000, HOUR]
+            .into_iter()
+            .find(|unit| u32::try_from(nanos / unit).is_ok());
+        let mend = mend.map_or(String::new(), |coarser| format!(": `clock {};`", unit(coarser)));
+        let message = format!(
+            "the chart's clock of {} counts up to {longest}h, this {what} is longer; state a coarser one{mend}",
+            unit(clock)
+        );
+        self.sink.rule(&rules::BAD_TIME, &[], vec![(mark, message)]);
     }
 
     /// A bare number where a time stands.

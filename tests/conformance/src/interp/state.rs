@@ -52,7 +52,7 @@ impl State {
         let elapsed = if self.first { 0 } else { now.wrapping_sub(self.now) };
         self.now = now;
         let times = self.times.steps.values_mut().chain(self.times.macros.values_mut());
-        times.for_each(|time| *time = time.saturating_add(elapsed));
+        times.for_each(|time| *time = time.saturating_add(u64::from(elapsed)));
         elapsed
     }
 
@@ -103,7 +103,7 @@ impl Times {
         self.macros = active.map(|(id, _)| (id, self.macros.get(&id).copied().unwrap_or(0))).collect();
     }
 
-    fn time_of_step(&self, step: grafcet_compiler::model::StepId) -> u32 {
+    fn time_of_step(&self, step: grafcet_compiler::model::StepId) -> u64 {
         self.steps.get(&step).copied().unwrap_or(0)
     }
 }

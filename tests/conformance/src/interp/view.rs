@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::continuous;
 use super::value::{Error, Term, Value, binary, unary};
 use grafcet_compiler::model::{
-    Binary, DelayId, EdgeId, Id, MacroId, Model, Name, OutputId, Place, Read, Statement, StepId, TimeRef, Tree, VarId,
+    Binary, Blinker, DelayId, EdgeId, Id, MacroId, Model, Name, OutputId, Place, Read, Statement, StepId, TimeRef,
+    Tree, VarId,
 };
 
 /// A set of active steps.
@@ -14,8 +15,8 @@ pub type Situation = BTreeSet<StepId>;
 /// How long the active steps and macro-steps have been active; the others are missing and count as zero.
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Times {
-    pub(super) steps: BTreeMap<StepId, u32>,
-    pub(super) macros: BTreeMap<MacroId, u32>,
+    pub(super) steps: BTreeMap<StepId, u64>,
+    pub(super) macros: BTreeMap<MacroId, u64>,
 }
 
 /// The edges of one snapshot.
@@ -72,7 +73,7 @@ impl View<'_> {
             Read::Active(step) => Term::Bool(self.situation.contains(&step)),
             Read::Since(step) => Term::Ticks(self.time_of(step)),
             Read::MacroActive(id) => Term::Bool(self.macro_active(id)),
-            Read::MacroSince(id) => Term::Ticks(self.times.macros.get(&id).copied().unwrap_or(0)),
+            Read::MacroSince(id) => Term::Ticks(saturated(self.times.macros.get(&id))),
             Read::Rising(edge) => {
                 let (before, now) = self.edge(edge)?;
                 Term::Bool(!before && now)
@@ -85,15 +86,23 @@ impl View<'_> {
             Read::Ticks(ticks) => Term::Ticks(ticks),
             Read::Elapsed(time, step) => Term::Bool(self.elapsed(time, step)?),
             Read::MacroElapsed(time, id) => {
-                let since = self.times.macros.get(&id).copied().unwrap_or(0);
+                let since = saturated(self.times.macros.get(&id));
                 Term::Bool(self.macro_active(id) && since >= self.ticks(time)?)
+            }
+            Read::Blink(blink) => {
+                let (active, since) = match blink.of {
+                    Blinker::Step(step) => (self.situation.contains(&step), self.times.steps.get(&step)),
+                    Blinker::Macro(id) => (self.macro_active(id), self.times.macros.get(&id)),
+                };
+                let period = u64::from(blink.period());
+                Term::Bool(active && since.is_some_and(|since| since % period < u64::from(blink.on)))
             }
         })
     }
 
     /// `Step.T`: zero for a step that is not active, unless A34 lets the actions see the time it had reached.
     pub(super) fn time_of(&self, step: StepId) -> u32 {
-        self.times.steps.get(&step).copied().unwrap_or(0)
+        saturated(self.times.steps.get(&step))
     }
 
     /// `t/Step` is `Step.X && Step.T >= t`; `0s/Step` is `Step.X` (A23).
@@ -191,4 +200,9 @@ impl View<'_> {
         }
         Ok(())
     }
+}
+
+/// A time as `T` counts it.
+fn saturated(time: Option<&u64>) -> u32 {
+    time.map_or(0, |time| u32::try_from(*time).unwrap_or(u32::MAX))
 }

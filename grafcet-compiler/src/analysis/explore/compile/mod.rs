@@ -6,7 +6,8 @@ use super::formula::{Atom, Formula, Kind};
 use super::links::Difference;
 use crate::analysis::combinational;
 use crate::model::{
-    Binary, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary, VarId,
+    Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary,
+    VarId,
 };
 use crate::sorted::Map;
 
@@ -115,6 +116,15 @@ impl<'m> Compiler<'m> {
             Read::Rising(id) => self.edge(tree, id, Formula::Rising),
             Read::Falling(id) => self.edge(tree, id, Formula::Falling),
             Read::Delay(id) => self.delay(tree, id),
+            Read::Blink(blink) => {
+                self.approximate = true;
+                let phase = match blink.of {
+                    Blinker::Step(step) => Kind::Phase(step.index()),
+                    Blinker::Macro(_) => Kind::Free,
+                };
+                let active = self.formula(&Tree::Read(blink.of.active()));
+                active.and(Formula::Is(self.atom(tree, phase)))
+            }
             _ => self.unknown(tree),
         }
     }

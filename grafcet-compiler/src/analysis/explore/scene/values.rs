@@ -32,7 +32,8 @@ impl Scene<'_> {
             },
             Kind::Step(step) if self.is_own(step) => Known::Bool(self.at(when).active.binary_search(&step).is_ok()),
             Kind::Macro(id) if self.owns(id) => Known::Bool(self.any_active(id, when)),
-            Kind::Free | Kind::Step(_) | Kind::Macro(_) => self.given.get(atom),
+            Kind::Phase(step) if self.is_own(step) && self.begins(step, when) => Known::Bool(true),
+            Kind::Free | Kind::Step(_) | Kind::Macro(_) | Kind::Phase(_) => self.given.get(atom),
             Kind::Slot(slot) => self.slot(slot, when),
             Kind::Since(step) => {
                 let active = self.at(when).active.binary_search(&step).is_ok();
