@@ -6,10 +6,11 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
-use crate::command::Result;
+use crate::command::{Result, capture};
 use crate::toolchain::BareMetal;
-use crate::{firmware, project};
+use crate::{firmware, processor, project};
 
 const PAGE: &str = include_str!("../../docs/first-chart.md");
 
@@ -21,6 +22,12 @@ const TARGET: &str = "--target ";
 
 /// What a command has behind it that has to fail.
 const FAILS: &str = "# fails";
+
+/// What cargo says when it builds what takes longest.
+const BUILDS_COMPILER: &str = "Compiling grafcet-compiler";
+
+/// Where the reader's crates are built.
+const BUILD: &str = "first-chart-build";
 
 /// A block of the page.
 #[derive(Debug, PartialEq, Eq)]
@@ -42,9 +49,20 @@ pub(crate) fn run() -> Result {
         fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let mut reader = Reader { folder, printed: None, commands: 0 };
+    // As on the reader's machine: nothing has been built yet.
+    let built = project::target(BUILD);
+    if built.exists() {
+        fs::remove_dir_all(&built).map_err(|error| format!("{}: {error}", built.display()))?;
+    }
+    let mut reader = Reader { folder, printed: None, commands: 0, compilers: 0 };
     let blocks = blocks(PAGE)?;
     blocks.iter().try_for_each(|block| reader.follow(block))?;
+    if reader.compilers != 1 {
+        return Err(format!(
+            "the compiler of charts was built {} times for what the page does, not once",
+            reader.compilers
+        ));
+    }
     let made = std::env::temp_dir().join("grafcet-first-chart");
     fs::remove_dir_all(&made).map_err(|error| format!("{}: {error}", made.display()))?;
     println!("first-chart: {} commands did what the page says", reader.commands);
@@ -72,6 +90,8 @@ struct Reader {
     /// What the last block of commands has printed, where nothing has been read behind it.
     printed: Option<String>,
     commands: usize,
+    /// How often the compiler of charts was built, with the toolchain in use.
+    compilers: usize,
 }
 
 impl Reader {
@@ -112,30 +132,48 @@ impl Reader {
         }
     }
 
-    fn cargo(&self, arguments: &[&str], fails: bool) -> Result<String> {
-        let typed = arguments.join(" ");
-        let mut command = match typed.split_once(TARGET) {
-            Some((_, target)) => {
-                self.lock("examples/firmware/Cargo.lock")?;
-                let toolchain = BareMetal::find(target)?;
-                let mut command = toolchain.cargo(arguments[0], target);
-                command.args(arguments[1..].iter().filter(|word| !TARGET.contains(**word) && **word != target));
-                command.env("CARGO_TARGET_DIR", project::target(firmware::FOLDER));
-                command
+    fn cargo(&mut self, arguments: &[&str], fails: bool) -> Result<String> {
+        let Some((_, target)) = arguments.join(" ").split_once(TARGET).map(|(a, b)| (a.to_owned(), b.to_owned()))
+        else {
+            if matches!(arguments[..], ["check" | "test" | "run", ..]) {
+                self.lock("Cargo.lock")?;
             }
-            None => {
-                if matches!(arguments[..], ["check" | "test" | "run", ..]) {
-                    self.lock("Cargo.lock")?;
-                }
-                let mut command = project::cargo(arguments);
-                command.env("CARGO_TARGET_DIR", project::target("first-chart-build"));
-                command
-            }
+            return self.here(&mut project::cargo(arguments), fails);
         };
-        let output = command.current_dir(&self.folder).output().map_err(|error| format!("cargo {typed}: {error}"))?;
+        let toolchain = BareMetal::find(&target)?;
+        let mut command = toolchain.cargo(arguments[0], &target);
+        command.args(arguments[1..].iter().filter(|word| !TARGET.contains(**word) && **word != target));
+        if matches!(toolchain, BareMetal::Installed) {
+            self.lock("Cargo.lock")?;
+            return self.here(&mut command, fails);
+        }
+        // Another compiler builds everything anew. What the reader's would have to build is what it has to for any other target
+        // than the one it takes without being told, be it this very machine.
+        let host = capture(Command::new("rustc").arg("-vV"))?;
+        let host = host.lines().find_map(|line| line.strip_prefix("host: ")).ok_or("rustc does not say its host")?;
+        self.here(project::cargo(&["check", "--target", host]).arg("--manifest-path=../door/Cargo.toml"), false)?;
+        self.lock("examples/firmware/Cargo.lock")?;
+        self.run(command.env("CARGO_TARGET_DIR", project::target(firmware::FOLDER)), fails)
+    }
+
+    /// Runs cargo as the reader does, who has set none of what CI sets.
+    fn here(&mut self, command: &mut Command, fails: bool) -> Result<String> {
+        command.env_remove("CARGO_PROFILE_DEV_DEBUG").env_remove("CARGO_INCREMENTAL");
+        let text = self.run(command.env("CARGO_TARGET_DIR", project::target(BUILD)), fails)?;
+        self.compilers += text.matches(BUILDS_COMPILER).count();
+        Ok(text)
+    }
+
+    /// Answers with all that it printed.
+    fn run(&self, command: &mut Command, fails: bool) -> Result<String> {
+        let before = processor::children();
+        let output = command.current_dir(&self.folder).output().map_err(|error| format!("cargo: {error}"))?;
         let text = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
         if output.status.success() == fails {
-            return Err(format!("cargo {typed}: {}\n{text}", output.status));
+            return Err(format!("cargo: {}\n{text}", output.status));
+        }
+        if let (Ok(before), Ok(after)) = (before, processor::children()) {
+            println!("first-chart: that took {:.1} s of processor time", after - before);
         }
         Ok(text.into_owned())
     }

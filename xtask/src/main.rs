@@ -12,6 +12,7 @@ mod image;
 mod interface;
 mod msrv;
 mod packages;
+mod processor;
 mod project;
 mod release;
 mod screenshots;

@@ -134,7 +134,9 @@ pub(crate) fn published() -> Result<Vec<Package>> {
 /// The package, where it may be published: `publish` is then null, not an empty list.
 fn package(package: &Value) -> Option<Package> {
     let name = package["name"].as_str().filter(|_| package["publish"].is_null())?.to_owned();
-    let features = package["features"].as_object()?.keys().filter(|name| *name != "default").cloned().collect();
+    // What begins with `_` is between the crates of the project.
+    let named = |name: &&String| *name != "default" && !name.starts_with('_');
+    let features = package["features"].as_object()?.keys().filter(named).cloned().collect();
     let kinds = package["targets"].as_array()?.iter().filter_map(|target| target["kind"].as_array()).flatten();
     let is_library = kinds.into_iter().any(|kind| kind == "lib");
     Some(Package { name, is_library, features })
@@ -166,7 +168,7 @@ mod tests {
 
     #[test]
     fn what_is_not_published_is_left_out() {
-        let features = json!({ "default": [], "std": [] });
+        let features = json!({ "default": [], "std": [], "_host": [] });
         let targets = json!([{ "kind": ["test"] }, { "kind": ["lib"] }]);
         let crate_ = package(&json!({ "name": "a", "publish": null, "features": features, "targets": targets }));
         assert!(crate_.is_some_and(|crate_| crate_.name == "a" && crate_.features == ["std"] && crate_.is_library));
