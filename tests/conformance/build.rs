@@ -13,6 +13,9 @@ mod chart;
 #[path = "src/emit.rs"]
 #[allow(unreachable_pub, reason = "public in the library")]
 mod emit;
+#[path = "src/fragments.rs"]
+#[allow(unreachable_pub, reason = "public in the library")]
+mod fragments;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = env::var("CARGO_MANIFEST_DIR")?;

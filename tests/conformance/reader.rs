@@ -35,6 +35,7 @@ impl Line {
             Kind::Shows(_) => "shows".to_owned(),
             Kind::Init => "init".to_owned(),
             Kind::Params(changed) => format!("params {}", named(changed)),
+            Kind::Wakes(deadline) => format!("wakes {deadline:?}"),
         }
     }
 }
@@ -57,6 +58,8 @@ pub enum Kind {
     Init,
     /// Parameters that change; the others keep their values.
     Params(BTreeMap<String, i128>),
+    /// What `next_deadline` says now.
+    Wakes(Option<u32>),
 }
 
 /// What a cycle has to show. Values are numbers; `true` is 1, times are in ticks.
@@ -115,7 +118,14 @@ fn kind(line: &str, now: &mut u32) -> Result<Kind, String> {
         return match words.next() {
             Some("init") => Ok(Kind::Init),
             Some("params") => Ok(Kind::Params(values(words)?)),
-            _ => Err(format!("`{directive}` is neither a cycle nor `init` nor `params`")),
+            Some("wakes") => match words.next() {
+                Some("-") => Ok(Kind::Wakes(None)),
+                time => {
+                    let number = time.and_then(|time| time.strip_prefix('@')?.parse().ok());
+                    Ok(Kind::Wakes(Some(number.ok_or_else(|| format!("`{directive}`: `wakes @20` or `wakes -`"))?)))
+                }
+            },
+            _ => Err(format!("`{directive}` is neither a cycle nor `init` nor `params` nor `wakes`")),
         };
     }
     let (steps, outputs, calls) = match columns[1..] {

@@ -4,8 +4,11 @@ use crate::play::Difference;
 use crate::reader::{Kind, Line};
 use crate::{Shown, Subject, Values};
 
-/// The longest time between two lines of a timeline that is played tick by tick; more shows nothing new.
+/// The longest time between two lines of a timeline that is played tick by tick.
 const LONGEST: u32 = 45;
+
+/// A longer time than this is played as if it were the longest one: it is there for clocks that wrap.
+const FAR: u32 = 1_000_000;
 
 /// The lines played; a timeline of ticks is many times as long as one of cycles.
 const LINES: usize = 120;
@@ -22,7 +25,7 @@ pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]
     for line in lines.iter().take(LINES) {
         let (inputs, then) = match &line.kind {
             Kind::Cycle { inputs, now, .. } => (inputs, *now),
-            Kind::Shows(_) => continue,
+            Kind::Shows(_) | Kind::Wakes(_) => continue,
             Kind::Init => {
                 awake.init().and_then(|()| asleep.init()).map_err(|error| failure(line, 0, &error, ""))?;
                 last = None;
@@ -36,20 +39,60 @@ pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]
             }
         };
         let from = now.unwrap_or(then);
-        let ticks = then.wrapping_sub(from).min(LONGEST);
         // An input changes in the instant of the line; until then the old ones hold.
-        for tick in 0..=ticks {
-            let time = from.wrapping_add(tick);
-            let held = last.as_ref().map(|(inputs, _)| inputs.clone()).filter(|_| tick < ticks);
-            let inputs = held.unwrap_or_else(|| inputs.clone());
-            if now == Some(time) && tick < ticks {
-                continue;
+        let mut held = last.as_ref().map_or_else(|| inputs.clone(), |(inputs, _)| inputs.clone());
+        let mut moments = Moments::new(then.wrapping_sub(from), now.is_none());
+        while let Some(moment) = moments.next(asleep.next_deadline().map(|deadline| deadline.wrapping_sub(from))) {
+            let time = from.wrapping_add(moment);
+            if moments.is_last(moment) {
+                held.clone_from(inputs);
             }
-            scan(awake, asleep, &inputs, time, &mut last, line)?;
+            scan(awake, asleep, &held, time, &mut last, line)?;
             now = Some(time);
         }
     }
     Ok(())
+}
+
+/// When the one that is awake is scanned between two lines, in ticks since the first: at every tick, or, where the time is
+/// long, in its first ticks and about each deadline.
+struct Moments {
+    /// The next one, if every tick is one.
+    next: u32,
+    last: u32,
+    done: bool,
+}
+
+impl Moments {
+    fn new(ticks: u32, at_once: bool) -> Self {
+        let last = if ticks > FAR { LONGEST } else { ticks };
+        // The instant of the line before has been scanned then.
+        Self { next: u32::from(!at_once && last > 0), last, done: false }
+    }
+
+    fn is_last(&self, moment: u32) -> bool {
+        moment == self.last
+    }
+
+    fn next(&mut self, deadline: Option<u32>) -> Option<u32> {
+        if self.done {
+            return None;
+        }
+        let mut moment = self.next.min(self.last);
+        if moment > LONGEST / 2 && self.last > LONGEST {
+            // Nothing changes until just before the deadline; a deadline that has passed is far away.
+            let near = deadline.filter(|deadline| (moment..self.last).contains(&deadline.wrapping_sub(1)));
+            let here = deadline.is_some_and(|deadline| moment.wrapping_sub(deadline) <= 1);
+            moment = match near {
+                _ if here => moment,
+                Some(deadline) => deadline - 1,
+                None => self.last,
+            };
+        }
+        self.next = moment.saturating_add(1);
+        self.done = moment == self.last;
+        Some(moment)
+    }
 }
 
 fn scan(

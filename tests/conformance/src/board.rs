@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use grafcet_compiler::model::{Model, Ty};
 
 use crate::reader::{self, Expected, Kind, Line};
-use crate::{Values, chart};
+use crate::{Values, chart, fragments};
 
 /// The items of a module: `play` answers with the first line that shows something else.
 ///
@@ -23,9 +23,9 @@ pub fn module(text: &str) -> Result<String, String> {
     let params =
         if model.params.is_empty() { String::new() } else { format!("let mut params = {name}Params::default();") };
     Ok(format!(
-        "use crate::check::*;\ngrafcet::grafcet! {{\n{}\n}}\n{}\npub(crate) fn play() -> Result<(), u32> {{\n\
+        "use crate::check::*;\n{}\n{}\npub(crate) fn play() -> Result<(), u32> {{\n\
          let mut chart = {name}::new();\nlet mut outputs = {name}Outputs::default();\n{params}\n{body}Ok(())\n}}\n",
-        case.chart,
+        fragments::call(&case.chart),
         actions(&model),
     ))
 }
@@ -60,6 +60,9 @@ fn play(model: &Model, line: &Line) -> Result<String, String> {
             let set = params.filter_map(|(param, ty)| Some((value(*changed.get(&param)?, ty), param)));
             let set: String = set.map(|(value, param)| format!("params.{param} = {value};\n")).collect();
             format!("{set}chart.set_params(params);\n")
+        }
+        Kind::Wakes(deadline) => {
+            format!("if chart.next_deadline().map(|time| time.get()) != {deadline:?} {{ return Err({number}); }}\n")
         }
         Kind::Shows(expected) => format!("if !({}) {{ return Err({number}); }}\n", shows(model, expected)),
         Kind::Cycle { inputs, now, expected } => {

@@ -6,12 +6,12 @@ use grafcet_compiler::{compile, model, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The model of a chart that the macro compiles.
+/// The model of a chart that the macro compiles, with fragments as they are meant.
 ///
 /// # Errors
 /// What the compiler says about the chart.
 pub fn resolve(text: &str) -> Result<Model, String> {
-    let tokens: TokenStream = text.parse().map_err(|error| format!("tokens: {error}"))?;
+    let tokens: TokenStream = super::fragments::plain(text).parse().map_err(|error| format!("tokens: {error}"))?;
     let messages = errors(&compile(&quote!(::grafcet), tokens.clone()).to_string());
     if !messages.is_empty() {
         return Err(messages.join("\n  "));

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use grafcet_compiler::model::{Model, Ty};
 use proc_macro2::Ident;
 
-use super::chart;
+use super::{chart, fragments};
 
 /// The items of a module for one chart: its type is `Compiled`.
 ///
@@ -13,6 +13,7 @@ use super::chart;
 /// What the compiler says about the chart.
 pub fn module(text: &str) -> Result<String, String> {
     let model = chart::resolve(text)?;
+    let macro_call = fragments::call(text);
     let name = &model.name;
     let inputs: String = model.inputs.values().map(|i| take(&i.name, "inputs")).collect();
     let outputs: Vec<_> = model.outputs.values().map(|o| o.name.to_string()).collect();
@@ -23,9 +24,7 @@ pub fn module(text: &str) -> Result<String, String> {
     let (declare, params) = params(&model);
     Ok(format!(
         "use grafcet_conformance::generated::*;
-grafcet::grafcet! {{
-{text}
-}}
+{macro_call}
 {calls}
 pub(super) struct Compiled {{ chart: {name}, shown: Shown, {declare} }}
 fn shown(chart: &{name}, o: &{name}Outputs, calls: Vec<String>) -> Shown {{

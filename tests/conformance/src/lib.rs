@@ -11,6 +11,7 @@ pub mod board;
 pub mod brute;
 pub mod chart;
 pub mod emit;
+pub mod fragments;
 pub mod generated;
 pub mod interp;
 pub mod oracle;

@@ -39,6 +39,13 @@ pub fn against_the_file(subject: &mut dyn Subject, lines: &[Line]) -> Result<(),
                 subject.set_params(changed).map_err(|error| failure(line, "", &error))?;
                 continue;
             }
+            Kind::Wakes(expected) => {
+                let found = subject.next_deadline();
+                if found == *expected {
+                    continue;
+                }
+                return Err(failure(line, &format!("{expected:?}"), &format!("{found:?}")));
+            }
         };
         let expected = normal(expected);
         match found {
@@ -68,7 +75,7 @@ pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &
                 let set = oracle.set_params(changed).and_then(|()| subject.set_params(changed));
                 set.map(|()| (subject.shown(), subject.shown()))
             }
-            Kind::Shows(_) => Ok((oracle.shown(), subject.shown())),
+            Kind::Shows(_) | Kind::Wakes(_) => Ok((oracle.shown(), subject.shown())),
         };
         match both {
             Ok((expected, found)) if found == expected => {}

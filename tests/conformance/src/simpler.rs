@@ -80,6 +80,10 @@ fn simpler_line(line: &str) -> Vec<String> {
     if let Some(start) = line.find(" if ").filter(|_| !line.contains('{')) {
         found.push(format!("{};", &line[..start]));
     }
+    for (start, _) in line.match_indices("frag_") {
+        // What is meant, without the macro.
+        found.push(format!("{}{}", &line[..start], &line[start + "frag_e!".len()..]));
+    }
     for (start, _) in line.match_indices('(') {
         let Some(end) = closing(line, start) else { continue };
         let inside = &line[start + 1..end];

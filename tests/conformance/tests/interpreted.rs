@@ -8,6 +8,7 @@ use grafcet_compiler::check;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model, Ty};
 use grafcet_compiler::parse;
+use grafcet_conformance::fragments;
 use grafcet_conformance::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_conformance::reader::{self, Expected, Kind, Line};
 
@@ -56,6 +57,8 @@ fn run(text: &str) -> Result<(), String> {
     for Line { number, kind } in &case.lines {
         let found = match kind {
             Kind::Init => machine.init().map(|()| None),
+            // How long one may sleep is no question for an interpreter.
+            Kind::Wakes(_) => Ok(None),
             Kind::Params(changed) => {
                 params.extend(changed.clone());
                 let declared = model.params.values().map(|p| (p.name.to_string(), &p.ty));
@@ -83,7 +86,7 @@ fn run(text: &str) -> Result<(), String> {
 }
 
 fn resolve(chart: &str) -> Result<Model, String> {
-    let tokens = chart.parse().map_err(|error| format!("tokens: {error}"))?;
+    let tokens = fragments::plain(chart).parse().map_err(|error| format!("tokens: {error}"))?;
     let mut sink = Sink::new();
     let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
     if let Some(model) = &model {

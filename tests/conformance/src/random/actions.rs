@@ -193,12 +193,13 @@ impl Gen {
         }
         let one = self.statement(&first);
         let two = self.statement(&second);
-        Some(match self.rng.below(4) {
+        let block = match self.rng.below(4) {
             0 => format!("{{ {one} }}"),
             1 => format!("{{ {one} {two} }}"),
             2 => format!("{{ if {} {{ {one} }} else {{ {two} }} }}", self.condition(1, ALL)),
             _ => format!("{{ {one} if {} {{ {two} }} }}", self.condition(1, ALL)),
-        })
+        };
+        Some(self.fragment('b', block))
     }
 
     fn statement(&mut self, value: &Value) -> String {

@@ -24,10 +24,15 @@ impl Gen {
             let operator = *self.rng.pick(&["&&", "&&", "||", "||", "^", "!="]);
             let (left, right) = (self.condition(depth - 1, reads), self.condition(depth - 1, reads));
             return match operator {
-                "&&" | "||" => format!("({left} {operator} {right})"),
-                _ => format!("(({left}) {operator} ({right}))"),
+                "&&" | "||" => self.whole(format!("{left} {operator} {right}")),
+                _ => self.whole(format!("({left}) {operator} ({right})")),
             };
         }
+        let leaf = self.leaf(depth, reads);
+        self.fragment('e', leaf)
+    }
+
+    fn leaf(&mut self, depth: usize, reads: Reads) -> String {
         match self.rng.below(24) {
             8..=10 => format!("!{}", self.boolean(reads)),
             11..=13 => self.comparison(reads),
@@ -36,7 +41,10 @@ impl Gen {
             17..=19 => self.elapsed(),
             20 | 21 if reads.edges => self.edge(reads),
             22 if reads.delays => self.delay(reads),
-            23 => format!("!({})", self.condition(depth.saturating_sub(1), reads)),
+            23 => {
+                let negated = self.condition(depth.saturating_sub(1), reads);
+                format!("!{}", self.whole(negated))
+            }
             _ => self.boolean(reads),
         }
     }
@@ -72,7 +80,8 @@ impl Gen {
         let Some(name) = self.rng.maybe(&names).cloned() else { return self.boolean(reads) };
         let operator = *self.rng.pick(&["==", "!=", "<", "<=", ">", ">="]);
         self.note("comparison of numbers");
-        format!("({name} {operator} {})", self.int(ty, 0))
+        let other = self.int(ty, 0);
+        self.whole(format!("{name} {operator} {other}"))
     }
 
     fn time_of_step(&mut self) -> String {
@@ -80,16 +89,17 @@ impl Gen {
         self.note("Step.T");
         let (step, time) = (self.step_path(), self.time());
         if self.rng.chance(20) {
-            format!("({time} {operator} {step}.T)")
+            self.whole(format!("{time} {operator} {step}.T"))
         } else {
-            format!("({step}.T {operator} {time})")
+            self.whole(format!("{step}.T {operator} {time}"))
         }
     }
 
     fn elapsed(&mut self) -> String {
         self.note("t/Step");
         let time = if self.rng.chance(5) { self.ticks(0) } else { self.time() };
-        format!("({time}/{})", self.step_name())
+        let step = self.step_name();
+        self.whole(format!("{time}/{step}"))
     }
 
     /// `rising(e)`
@@ -119,10 +129,11 @@ impl Gen {
             5 | 6 => return format!("({on}/{}/{off})", self.step_name()),
             _ => {
                 let delays = reads.delays && self.rng.chance(10);
-                format!("({})", self.condition(1, Reads { delays, ..reads }))
+                let of = self.condition(1, Reads { delays, ..reads });
+                self.whole(of)
             }
         };
-        if self.rng.chance(30) { format!("({on}/{of})") } else { format!("({on}/{of}/{off})") }
+        if self.rng.chance(30) { self.whole(format!("{on}/{of}")) } else { self.whole(format!("{on}/{of}/{off}")) }
     }
 
     /// A time: a literal, a param or a variable.
@@ -159,19 +170,31 @@ impl Gen {
         let names = self.numbers(ty);
         let name = match self.rng.maybe(&names) {
             Some(name) if self.rng.chance(75) => name.clone(),
-            _ => self.rng.below(9).to_string(),
+            _ => {
+                let literal = self.rng.below(9).to_string();
+                self.fragment('l', literal)
+            }
         };
         if depth == 0 {
             return name;
         }
         let other = self.int(ty, depth - 1);
         match self.rng.below(7) {
-            0 | 1 => format!("(({name} + {other}) % 50)"),
-            2 => format!("(({name} * 3) % 50)"),
-            3 if ty == Ty::I16 => format!("(({name} - {other}) % 50)"),
-            4 => format!("({name} & 7)"),
-            5 => format!("({other} / 3)"),
-            _ => name,
+            0 | 1 => {
+                let sum = self.whole(format!("{name} + {other}"));
+                self.whole(format!("{sum} % 50"))
+            }
+            2 => {
+                let product = self.whole(format!("{name} * 3"));
+                self.whole(format!("{product} % 50"))
+            }
+            3 if ty == Ty::I16 => {
+                let difference = self.whole(format!("{name} - {other}"));
+                self.whole(format!("{difference} % 50"))
+            }
+            4 => self.whole(format!("{name} & 7")),
+            5 => self.whole(format!("{other} / 3")),
+            _ => self.fragment('e', name),
         }
     }
 

@@ -8,6 +8,7 @@ mod expr;
 mod hierarchy;
 mod names;
 mod rng;
+mod small;
 mod structure;
 mod timed;
 mod timeline;
@@ -37,6 +38,9 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     if grafcet && seed % 8 == 3 {
         return hierarchy::chart(seed, cycles);
     }
+    if seed % 4 == 2 {
+        return small::chart(seed, grafcet, cycles);
+    }
     if seed % 8 == 5 {
         return timed::chart(seed, grafcet, cycles);
     }
@@ -47,10 +51,12 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         steps: Vec::new(),
         count: 0,
         crowded: false,
+        fragments: false,
         writers: BTreeMap::new(),
         features: BTreeSet::new(),
     };
     generator.crowded = generator.rng.chance(30);
+    generator.fragments = generator.rng.chance(0);
     generator.declare();
     let parts = generator.structure();
     let chart = generator.write(&parts);
@@ -69,6 +75,8 @@ struct Gen {
     count: usize,
     /// Several actions write a place; where they race, the compiler refuses the chart.
     crowded: bool,
+    /// Parts of it come from fragments of `macro_rules!`.
+    fragments: bool,
     /// How many stored actions of a `grafcet` write a place.
     writers: BTreeMap<String, usize>,
     features: BTreeSet<&'static str>,
@@ -77,6 +85,29 @@ struct Gen {
 impl Gen {
     fn note(&mut self, feature: &'static str) {
         self.features.insert(feature);
+    }
+
+    /// The text itself, or a fragment that holds it: `e` an expression, `t` a type, `l` a literal, `b` a block.
+    fn fragment(&mut self, kind: char, text: String) -> String {
+        if !self.fragments || !self.rng.chance(30) {
+            return text;
+        }
+        self.note(match kind {
+            'e' => "fragment: expression",
+            't' => "fragment: type",
+            'l' => "fragment: literal",
+            _ => "fragment: block",
+        });
+        format!("frag_{kind}!({text})")
+    }
+
+    /// An expression that is a whole: in parentheses, or a fragment.
+    fn whole(&mut self, text: String) -> String {
+        let parenthesised = format!("({text})");
+        match self.fragment('e', text) {
+            fragment if fragment.starts_with("frag_") => fragment,
+            _ => parenthesised,
+        }
     }
 
     /// Whether one more stored action may write a place: two that could do it in one evolution are a mistake (A7).

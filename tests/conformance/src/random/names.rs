@@ -182,6 +182,7 @@ impl Gen {
     /// A short time as a literal.
     pub(super) fn short(&mut self) -> String {
         let ticks = *self.rng.pick(&[1, 2, 3, 4, 5, 6, 8, 12, 20]);
-        self.ticks(ticks)
+        let literal = self.ticks(ticks);
+        self.fragment('l', literal)
     }
 }

@@ -37,7 +37,9 @@ impl Gen {
         let mut lines = vec![format!("{} C {{", if self.grafcet { "grafcet" } else { "sfc" })];
         let allowed = ALLOWED.map(|rule| format!("grafcet::{rule}")).join(", ");
         lines.push(format!("#![allow({allowed}, grafcet::unused_param)]"));
-        lines.append(&mut self.names.lines.clone());
+        for line in self.names.lines.clone() {
+            lines.push(self.declaration(line));
+        }
         let long = parts.iter().any(|part| part.steps.len() >= 20);
         if self.rng.chance(if long { 50 } else { 10 }) {
             self.note("optimize size");
@@ -60,6 +62,16 @@ impl Gen {
             _ = writeln!(text, "{line}");
         }
         text
+    }
+
+    /// A declaration, its type now and then a fragment.
+    fn declaration(&mut self, line: String) -> String {
+        let Some((before, ty)) = line.split_once(": ") else { return line };
+        let end = ty.find([' ', ';']).unwrap_or(ty.len());
+        if !self.fragments || !["bool", "i16", "u8"].contains(&&ty[..end]) {
+            return line;
+        }
+        format!("{before}: {}{}", self.fragment('t', ty[..end].to_owned()), &ty[end..])
     }
 
     fn collect(&mut self, part: &Part, partial: Option<&str>) {
