@@ -36,12 +36,12 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     let races = (complete && !sink.has_errors()).then(|| check::evolution(&model, &mut sink));
-    let plan = races.filter(|_| !sink.has_errors()).map(|races| Plan::of(&model, &races));
+    let plan = races.filter(|_| !sink.has_more_than_claims()).map(|races| Plan::of(&model, &races));
     if let Some(plan) = &plan {
         check::initial_values(&model, plan, &mut sink);
     }
     let items = match plan {
-        Some(plan) if !sink.has_errors() => codegen::generate(&model, &plan, root),
+        Some(plan) if !sink.has_more_than_claims() => codegen::generate(&model, &plan, root),
         // What could not be read may be where the time is used.
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };

@@ -426,3 +426,109 @@ fn times_that_pass() {
     let table = fails(&chart("never late && A.X;"), "property_violated", "cycle 3");
     assert_eq!(table[3], "3     | !a, A.T >= 5s | -       | A");
 }
+
+/// Two partial grafcets: what is asked of the first has nothing to do with the second.
+fn beside(first: &str, second: &str, rest: &str) -> String {
+    format!(
+        "grafcet C {{ #![allow(grafcet::unused_input, grafcet::undriven_output, grafcet::unused_variable)] \
+         input a, b, c, d, e: bool; input level: u16; input text: Text; output q, r, s: bool; var n: u16 = 0; \
+         partial One {{ {first} }} partial Two {{ {second} }} {rest} }}"
+    )
+}
+
+#[test]
+fn home_speaks_of_the_partial_grafcets_that_hold_its_steps() {
+    let (first, second) =
+        ("initial step A; step B; A -[a]-> B -[!a]-> A;", "initial step U; step V; U -[rising(c)]-> V -[d]-> U;");
+    for rest in ["home A;", "home U;", "home (A, U);", "home (B, V);", "home V;"] {
+        holds(&beside(first, second, rest));
+    }
+    // The second never comes back, which is nothing to the first.
+    let once = "initial step U; final step V; U -[c]-> V;";
+    holds(&beside(first, once, "home A;"));
+    fails(&beside(first, once, "home (A, U);"), "not_home", "exactly `(A, U)` in `One` and `Two`");
+    let lost = "initial step A; step B; final step E; A -[a]-> B -[!a]-> A; B -[c && a]-> E;";
+    let table = fails(
+        &beside(lost, second, "home A;"),
+        "not_home",
+        "from `E`, reached so, there is no way back to exactly `A` in `One`",
+    );
+    assert_eq!(table.last().map(String::as_str), Some("1     | a, c   | A → B, B → E | E"));
+    // Parallel branches: exactly these in their partial grafcet.
+    let parallel = "initial step A; step B; step E; A -[a]-> (B, E) -[!a]-> A;";
+    holds(&beside(parallel, second, "home (B, E);"));
+    fails(&beside(parallel, second, "home B;"), "not_home", "exactly `B` in `One` is never reached");
+}
+
+#[test]
+fn home_within_what_is_commanded() {
+    // What commands the partial grafcet, or what it waits for, decides about it.
+    let slave = "initial step U; step V; U -[c]-> V -[!c]-> U;";
+    let stops = "initial step A; final step B { force Two {V}; } A -[a]-> B;";
+    fails(&beside(stops, slave, "home U;"), "not_home", "exactly `U` in `Two`");
+    let frees = "initial step A; step B { force Two {V}; } A -[a]-> B -[!a]-> A;";
+    holds(&beside(frees, slave, "home U;"));
+    let waits = "initial step U; step V; U -[A.X]-> V -[B.X]-> U;";
+    let said = said(&beside("initial step A; final step B; A -[a]-> B;", waits, "home V;"));
+    assert!(said.iter().any(|one| one.starts_with("not_home") && one.contains("exactly `V` in `Two`")), "{said:#?}");
+    let chart = "grafcet C { input a, b, c: bool; initial step Off; enclosing step Auto { partial In { linked step I; \
+        step J; I -[b]-> J -[c]-> I; } } Off -[a]-> Auto -[!a]-> Off; home Off; home I; home Auto; home (Auto, J); }";
+    holds(chart);
+    // A variable that the other one writes.
+    let writes = "initial step A { P1 n = 1; } step B; A -[a]-> B -[!a]-> A;";
+    let reads = "initial step U; step V; U -[n > 3]-> V -[d]-> U;";
+    let said = self::said(&beside(writes, reads, "home U; home V;"));
+    assert!(
+        said.iter().any(|one| one.contains("it depends on `n`") && one.starts_with("property_undecided")),
+        "{said:#?}"
+    );
+}
+
+#[test]
+fn home_beside_much() {
+    // Thirty partial grafcets have more situations than anybody explores.
+    let mut rest = String::new();
+    for number in 0..30 {
+        let _ = write!(
+            rest,
+            "partial Q{number} {{ initial step A{number}; step B{number}; A{number} -[rising(level > {number})]-> B{number} -[rising(b)]-> A{number}; }} "
+        );
+    }
+    let (first, second) =
+        ("initial step A; step B; A -[a]-> B -[!a]-> A;", "initial step U; step V; U -[c]-> V -[!c]-> U;");
+    holds(&beside(first, second, &format!("{rest} home A; home (B, U); home A17;")));
+    let table = fails(&beside(first, second, &format!("{rest} never B.X && a && b;")), "property_violated", "");
+    assert_eq!(table.last().map(|line| line.ends_with("| B")), Some(true), "{table:#?}");
+}
+
+#[test]
+fn what_is_not_touched_does_not_decide() {
+    let flash = "initial step U; step V { q if text.is_odd(n); } U -[c]-> V { P1 n = n + 1; } V -[d]-> U;"
+        .replace(" { P1 n = n + 1; } V", "");
+    let first = "initial step A; step B { r; } A -[a]-> B -[!a]-> A;";
+    let chart = beside(first, &flash, "home A; never q && s; never r && A.X;");
+    let said = said(&chart);
+    assert!(!said.iter().any(|one| one.contains("property_undecided") && !one.contains("text")), "{said:#?}");
+    let one = "sfc C { input on, off: bool; output q, r: bool; initial step A; step B { N q if foo(B.T, off); N r; } \
+        A -[on]-> B -[off]-> A; home A; never r && A.X; never q && r; }";
+    let said = self::said(one);
+    assert_eq!(said.len(), 1, "{said:#?}");
+    assert!(said[0].contains("property_undecided") && said[0].contains("`foo(B.T, off)`"), "{said:#?}");
+}
+
+#[test]
+fn too_many_inputs() {
+    let names: Vec<String> = (0..24).map(|number| format!("i{number}")).collect();
+    let any: Vec<String> = names.chunks(2).map(|pair| format!("({} ^ {})", pair[0], pair[1])).collect();
+    let chart = |condition: &str, property: &str| {
+        format!(
+            "sfc C {{ input {}: bool; output q: bool; initial step A; step B {{ N q; }} step E; A -[{condition}]-> B; \
+             A -[!i0 && i1]-> E; B -[i0]-> A; E -[i1]-> A; {property} }}",
+            names.join(", ")
+        )
+    };
+    let said = said(&chart(&any.join(" ^ "), "never q && E.X; never q && i2 && i3; home A;"));
+    let undecided: Vec<&String> = said.iter().filter(|one| one.starts_with("property_undecided")).collect();
+    assert!(undecided.iter().all(|one| one.contains("asks for 24 inputs, `i0`, `i1`")), "{said:#?}");
+    assert!(!undecided.is_empty(), "{said:#?}");
+}

@@ -2,7 +2,7 @@
 //!
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
-use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, situation, text};
+use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation, text};
 use crate::analysis::{Logic, Nesting, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{Claim, LevelAttr, Model, Property, Read, StepId, Tree};
@@ -19,10 +19,13 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&
     let exploration = Exploration::assuming(model, &limits, &watched, never);
     let report = Report { model, limits };
     for (index, (property, _)) in open.iter().enumerate() {
-        match exploration.watched(index) {
+        let answer = exploration.watched(index);
+        let alone = matches!(answer, Answer::Unknown(_))
+            .then(|| alone::watched(model, &limits, &open[index].1, never, open.len() == 1));
+        match alone.flatten().unwrap_or(answer) {
             Answer::Never => {}
             Answer::Possible(path) => report.violated(property, &path, sink),
-            Answer::Unknown(doubt) => report.undecided(property, &exploration, &doubt, sink),
+            Answer::Unknown(doubt) => report.undecided(property, &doubt, sink),
         }
     }
     let has_home = model.properties.iter().any(|property| matches!(property.claim, Claim::Home(..)));
@@ -32,10 +35,16 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&
         if nesting.as_ref().is_some_and(|nesting| nesting.returns_to(home, never)) {
             continue;
         }
-        match exploration.away_from(home) {
+        // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
+        let answer = alone::away_from(model, &limits, home, never, true).unwrap_or_else(|| {
+            let answer = exploration.away_from(home);
+            let again = matches!(answer, Answer::Unknown(_)) && !watched.is_empty();
+            again.then(|| alone::away_from(model, &limits, home, never, false)).flatten().unwrap_or(answer)
+        });
+        match answer {
             Answer::Never => {}
             Answer::Possible(path) => report.not_home(property, (home, *mark), &path, sink),
-            Answer::Unknown(doubt) => report.undecided(property, &exploration, &doubt, sink),
+            Answer::Unknown(doubt) => report.undecided(property, &doubt, sink),
         }
     }
     if watched.is_empty() || exploration.is_complete() {
@@ -75,14 +84,14 @@ impl Report<'_> {
         self.say(&rules::PROPERTY_VIOLATED, property, vec![(property.mark, message)], sink);
     }
 
-    fn undecided(&self, property: &Property, exploration: &Exploration, doubt: &Doubt, sink: &mut Sink) {
+    fn undecided(&self, property: &Property, doubt: &Doubt, sink: &mut Sink) {
         let message = match doubt {
-            Doubt::Budget => format!(
-                "whether this holds is not decided: the budget ran out after {} situations; let more be explored, \
+            Doubt::Budget(situations) => format!(
+                "whether this holds is not decided: the budget ran out after {situations} situations; let more be explored, \
                  `budget {};`, or divide the chart",
-                exploration.states(),
                 grouped(self.limits.more())
             ),
+            Doubt::Inputs { at, inputs } => self.too_many(at, inputs),
             Doubt::Unfollowed(values) => {
                 let values: Vec<String> = values.iter().map(|tree| format!("`{}`", text(self.model, tree))).collect();
                 let what = if values.is_empty() { "values".to_owned() } else { values.join(", ") };
@@ -95,12 +104,29 @@ impl Report<'_> {
         self.say(&rules::PROPERTY_UNDECIDED, property, vec![(property.mark, message)], sink);
     }
 
+    fn too_many(&self, at: &[StepId], inputs: &[Tree]) -> String {
+        const SHOWN: usize = 8;
+        let names: Vec<String> =
+            inputs.iter().take(SHOWN).map(|input| format!("`{}`", text(self.model, input))).collect();
+        let rest = inputs.len().saturating_sub(SHOWN);
+        let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+        format!(
+            "whether this holds is not decided: in `{}` one cycle asks for {} inputs, {}{more}, and the budget ran out over \
+             their combinations; exclude those that the plant excludes, `assume never …;`, let fewer decide in one situation, \
+             or let more be tried, `budget {};`",
+            situation(self.model, at),
+            inputs.len(),
+            names.join(", "),
+            grouped(self.limits.more())
+        )
+    }
+
     fn too_late(&self, property: &Property, home: (&str, Mark), times: &[&Given], path: &Path, sink: &mut Sink) {
         let (model, (home, mark)) = (self.model, home);
         let texts: Vec<String> = times.iter().map(|given| given.text(model)).collect();
         let (late, lost) = (texts.join(" && "), situation(model, path.end()));
         let message = format!(
-            "who waits in `{lost}` until `{late}` has no way back to exactly `{home}`; draw one, or correct the property\n{}",
+            "who waits in `{lost}` until `{late}` has no way back to exactly {home}; draw one, or correct the property\n{}",
             path.table(model)
         );
         let mut notes = vec![(mark, message)];
@@ -120,29 +146,42 @@ impl Report<'_> {
 
     fn not_home(&self, property: &Property, (home, mark): (&[StepId], Mark), path: &Path, sink: &mut Sink) {
         let model = self.model;
-        let (home, lost, table) = (situation(model, home), situation(model, path.end()), path.table(model));
+        let (home, lost, table) = (place(model, home), situation(model, path.end()), path.table(model));
         let Some(end) = path.cycles.last().filter(|end| !end.cleared.is_empty()) else {
             let times = times(path);
             if !times.is_empty() {
                 return self.too_late(property, (&home, mark), &times, path, sink);
             }
             let message = format!(
-                "exactly `{home}` is never reached: from `{lost}` on there is no way to it; draw one, or correct the property\n{table}"
+                "exactly {home} is never reached: from `{lost}` on there is no way to it; draw one, or correct the property\n{table}"
             );
             return self.say(&rules::NOT_HOME, property, vec![(mark, message)], sink);
         };
         let message = format!(
-            "from `{lost}`, reached so, there is no way back to exactly `{home}`; draw one, or correct the property\n{table}"
+            "from `{lost}`, reached so, there is no way back to exactly {home}; draw one, or correct the property\n{table}"
         );
         let mut notes = vec![(mark, message)];
         for id in &end.cleared {
             let transition = &model.transitions[*id];
             let message =
-                format!("once this transition has cleared on the way to `{lost}`, there is no way back to `{home}`");
+                format!("once this transition has cleared on the way to `{lost}`, there is no way back to {home}");
             notes.push((transition.mark, message));
         }
         self.say(&rules::NOT_HOME, property, notes, sink);
     }
+}
+
+/// `` `(A, B)` ``, beside other partial grafcets with the one that it speaks of.
+fn place(model: &Model, steps: &[StepId]) -> String {
+    let text = format!("`{}`", situation(model, steps));
+    let mut names: Vec<String> = Vec::new();
+    for name in steps.iter().filter_map(|step| model.partials[model.steps[*step].partial].name.as_ref()) {
+        let name = format!("`{name}`");
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    if names.is_empty() { text } else { format!("{text} in {}", names.join(" and ")) }
 }
 
 /// `1_000_000`

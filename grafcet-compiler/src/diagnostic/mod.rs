@@ -83,6 +83,15 @@ impl Sink {
         self.diagnostics.iter().any(|d| d.severity == Severity::Deny)
     }
 
+    /// Whether one of the errors so far is about more than what the chart claims of itself: about what it does there is code,
+    /// in which rustc may find more.
+    #[must_use]
+    pub fn has_more_than_claims(&self) -> bool {
+        let claims = [&rules::PROPERTY_VIOLATED, &rules::PROPERTY_UNDECIDED, &rules::NOT_HOME].map(|rule| rule.name);
+        let is_claim = |one: &Diagnostic| one.rule.is_some_and(|rule| claims.contains(&rule.name));
+        self.diagnostics.iter().any(|d| d.severity == Severity::Deny && !is_claim(d))
+    }
+
     /// How much was collected so far.
     pub(crate) fn count(&self) -> usize {
         self.diagnostics.len()

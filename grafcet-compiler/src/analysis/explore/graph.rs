@@ -83,6 +83,16 @@ pub(super) struct Doubled {
     pub(super) end: Box<[usize]>,
 }
 
+/// Where an exploration was given up.
+#[derive(Debug)]
+pub(super) struct End {
+    /// The state whose cycles were being run, which are explored in their order.
+    pub(super) state: usize,
+    pub(super) work: u64,
+    /// The atoms that its cycles asked for last.
+    pub(super) asked: Vec<usize>,
+}
+
 /// The states of a chart, or of a piece of it.
 #[derive(Debug)]
 pub(super) struct Graph {
@@ -98,6 +108,8 @@ pub(super) struct Graph {
     pub(super) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
     /// All of it was explored.
     pub(super) complete: bool,
+    /// Where the budget ran out.
+    pub(super) end: Option<End>,
     /// Not everything was tried in all combinations, and a search for stability did not come to its end: it stops elsewhere
     /// when more clears at once.
     pub(super) cut_off: bool,
@@ -117,6 +129,7 @@ impl Graph {
             doubled: Map::new(),
             watched: vec![None; if unit.is_none() { net.watched.len() } else { 0 }],
             complete: false,
+            end: None,
             cut_off: false,
             unstable: false,
         }

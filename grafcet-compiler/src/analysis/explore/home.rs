@@ -1,12 +1,13 @@
 //! Whether there is always a way back to a situation.
 
+use super::formula::Kind;
 use super::future::backwards;
 use super::graph::{Edge, Graph, Seen};
 use super::knowledge::Known;
 use super::net::Net;
 use super::slots::Bit;
 use super::verdicts::Report;
-use super::{Answer, Budget, Detail, Doubt, Exploration, explore_whole};
+use super::{Answer, Budget, Detail, Doubt, Exploration, budget_doubt, explore_whole};
 use crate::model::{Id, StepId, Tree};
 
 /// In how many cases it is looked whether one of several ways exists.
@@ -19,35 +20,8 @@ impl Exploration {
     /// Inputs and times may be chosen on the way back, but for a time that is over; values that are not followed may not.
     #[must_use]
     pub fn away_from(&self, home: &[StepId]) -> Answer {
-        let explored = if self.is_plain() { None } else { Some(self.explored_thoroughly()) };
-        let graph = explored.as_ref().unwrap_or(&self.whole);
-        if !graph.complete || graph.cut_off {
-            return Answer::Unknown(Doubt::Budget);
-        }
-        let home = At::of(graph, home);
-        let lost = home.lost(graph);
-        let report = Report { net: &self.net, graph };
-        let mut doubtful = None;
-        for state in lost {
-            let path = report.path_to_age(state);
-            if path.granted.is_empty() {
-                return Answer::Possible(path);
-            }
-            doubtful.get_or_insert(path.granted);
-        }
-        match doubtful.or_else(|| home.doubt(&self.net, graph)) {
-            Some(granted) => Answer::Unknown(Doubt::Unfollowed(granted)),
-            None => Answer::Never,
-        }
-    }
-
-    /// Whether what can be done from a state can be done from each situation that it stands for.
-    fn is_plain(&self) -> bool {
-        let net = &self.net;
-        net.edges.iter().all(Option::is_none)
-            && net.clocks.is_empty()
-            && !net.unfollowed.contains(&true)
-            && !net.initial_slots.contains(&Bit::Any)
+        let explored = if is_plain(&self.net) { None } else { Some(self.explored_thoroughly()) };
+        away(&self.net, explored.as_ref().unwrap_or(&self.whole), home)
     }
 
     fn explored_thoroughly(&self) -> Graph {
@@ -56,7 +30,37 @@ impl Exploration {
     }
 }
 
-/// The states in which exactly the home situation is active.
+/// Whether what can be done from a state can be done from each situation that it stands for.
+pub(super) fn is_plain(net: &Net) -> bool {
+    net.edges.iter().all(Option::is_none)
+        && net.clocks.is_empty()
+        && !net.unfollowed.contains(&true)
+        && !net.initial_slots.contains(&Bit::Any)
+}
+
+/// Whether from some state of the graph there is no way to `home`.
+pub(super) fn away(net: &Net, graph: &Graph, home: &[StepId]) -> Answer {
+    if !graph.complete || graph.cut_off {
+        return Answer::Unknown(budget_doubt(net, graph));
+    }
+    let home = At::of(net, graph, home);
+    let lost = home.lost(graph);
+    let report = Report { net, graph };
+    let mut doubtful = None;
+    for state in lost {
+        let path = report.path_to_age(state);
+        if path.granted.is_empty() {
+            return Answer::Possible(path);
+        }
+        doubtful.get_or_insert(path.granted);
+    }
+    match doubtful.or_else(|| home.doubt(net, graph)) {
+        Some(granted) => Answer::Unknown(Doubt::Unfollowed(granted)),
+        None => Answer::Never,
+    }
+}
+
+/// The states in which exactly the home situation is active, in the partial grafcets that hold its steps.
 struct At {
     home: Vec<usize>,
     /// Per state those from which a cycle leads to it.
@@ -64,11 +68,14 @@ struct At {
 }
 
 impl At {
-    fn of(graph: &Graph, home: &[StepId]) -> Self {
+    fn of(net: &Net, graph: &Graph, home: &[StepId]) -> Self {
         let mut steps: Vec<usize> = home.iter().map(|step| step.index()).collect();
         steps.sort_unstable();
+        let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).collect();
+        parts.sort_unstable();
+        let is_concerned = |step: &&usize| parts.binary_search(&net.part_of[**step]).is_ok();
         let states = graph.states.iter().enumerate();
-        let at_home = states.filter(|(_, state)| !state.first && *state.active == steps[..]);
+        let at_home = states.filter(|(_, state)| !state.first && state.active.iter().filter(is_concerned).eq(&steps));
         Self { home: at_home.map(|(number, _)| number).collect(), back: backwards(graph) }
     }
 
@@ -109,8 +116,25 @@ impl At {
                 what.push(tree.clone());
             }
         }
-        Some(what)
+        Some(if what.is_empty() { unfollowed(net) } else { what })
     }
+}
+
+/// What conditions of transitions read that is not followed, where no more is known of it.
+fn unfollowed(net: &Net) -> Vec<Tree> {
+    let is_any = |slot: usize| net.initial_slots[slot] == Bit::Any;
+    let open = |atom: &&usize| match net.atoms[**atom].kind {
+        Kind::Slot(slot) => is_any(slot),
+        _ => net.unfollowed[**atom],
+    };
+    let mut atoms: Vec<usize> = net.arcs.iter().flat_map(|arc| &arc.atoms).filter(open).copied().collect();
+    if atoms.is_empty() {
+        let all: Vec<usize> = (0..net.atoms.len()).collect();
+        atoms.extend(all.iter().filter(open));
+    }
+    atoms.sort_unstable();
+    atoms.dedup();
+    atoms.into_iter().map(|atom| net.atoms[atom].what.clone()).collect()
 }
 
 /// Whether one of the cycles can be taken whatever the values are that they take for granted.

@@ -12,6 +12,7 @@
 //! - `future`, `verdicts`, `home`: what follows
 
 mod actions;
+pub mod alone;
 mod clocks;
 mod compile;
 mod cycle;
@@ -31,6 +32,7 @@ mod scene;
 mod search;
 mod settles;
 mod sfc;
+mod slice;
 mod slots;
 mod table;
 mod tokens;
@@ -54,7 +56,7 @@ use self::verdicts::Report;
 use self::ways::Ways;
 use self::whole::{Budget, Detail, explore_whole};
 use super::{Concurrency, Nesting};
-use crate::model::{Id, Model, StepId, TransitionId, Tree};
+use crate::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
 /// How much is explored before the search gives up.
@@ -100,8 +102,15 @@ pub enum Answer {
 /// Why something could not be decided.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Doubt {
-    /// The budget ran out.
-    Budget,
+    /// The budget ran out after so many situations.
+    Budget(usize),
+    /// It ran out in a situation whose next cycle asks for many inputs, in all combinations.
+    Inputs {
+        /// The situation.
+        at: Vec<StepId>,
+        /// What it asks for.
+        inputs: Vec<Tree>,
+    },
     /// It depends on these values, which are not followed from cycle to cycle, or on Rust that is not looked into.
     Unfollowed(Vec<Tree>),
 }
@@ -147,10 +156,7 @@ impl Exploration {
     pub fn assuming(model: &Model, limits: &Limits, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
         let mut net = Net::of(model, watched, assumed_never);
         let mut seen = Seen::nothing(&net);
-        // A long chart has many situations without being complicated.
-        let length = 60 * (net.leaving.len() + net.arcs.len()) as u64;
-        let limit = limits.work.saturating_add(length);
-        let several = net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1);
+        let (limit, several) = (limit(&net, limits), several(&net));
         // Each situation takes more than one unit.
         let nesting = Nesting::of(model).filter(|nesting| nesting.situations() > limit && watched.is_empty());
         let is_told = nesting.is_some_and(|nesting| nesting.tells_all(assumed_never));
@@ -177,7 +183,7 @@ impl Exploration {
                 pieces.push(graph);
             }
         }
-        let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length, &mut seen));
+        let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
             settles: sooner.is_none() && settles::settled(&net, &whole),
             sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
@@ -354,8 +360,51 @@ fn answers(net: &Net, sooner: Option<&Graph>, whole: &Graph) -> Vec<Answer> {
             Some(path) if path.granted.is_empty() => Answer::Possible(path),
             Some(path) => Answer::Unknown(Doubt::Unfollowed(path.granted)),
             None if whole.complete && !whole.cut_off => Answer::Never,
-            None => Answer::Unknown(Doubt::Budget),
+            None => Answer::Unknown(budget_doubt(net, whole)),
         }
     };
     (0..net.watched.len()).map(answer).collect()
+}
+
+/// Why the budget did not suffice.
+fn budget_doubt(net: &Net, graph: &Graph) -> Doubt {
+    let Some(end) = &graph.end else { return Doubt::Budget(graph.states.len()) };
+    if end.work / (end.state as u64 + 1) < MANY {
+        return Doubt::Budget(graph.states.len());
+    }
+    let mut inputs = Vec::new();
+    for atom in &end.asked {
+        net.atoms[*atom].what.each_read(&mut |read| {
+            let input = Tree::Read(read);
+            if matches!(read, Read::Name(Name::Input(_))) && !inputs.contains(&input) {
+                inputs.push(input);
+            }
+        });
+    }
+    if inputs.len() < FEW {
+        return Doubt::Budget(graph.states.len());
+    }
+    let at = graph.states[end.state].active.iter().map(|step| StepId::new(*step)).collect();
+    Doubt::Inputs { at, inputs }
+}
+
+/// So few are not what it takes long with.
+const FEW: usize = 8;
+
+/// A situation that takes so many units of work has too many combinations of inputs.
+const MANY: u64 = 1000;
+
+/// A long chart has many situations without being complicated.
+fn length(net: &Net) -> u64 {
+    60 * (net.leaving.len() + net.arcs.len()) as u64
+}
+
+/// The units of work for a chart.
+fn limit(net: &Net, limits: &Limits) -> u64 {
+    limits.work.saturating_add(length(net))
+}
+
+/// Whether the chart has pieces that can be explored for themselves.
+fn several(net: &Net) -> bool {
+    net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1)
 }

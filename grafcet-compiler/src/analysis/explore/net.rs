@@ -6,10 +6,11 @@ use super::compile::Compiler;
 use super::formula::{Atom, Formula, Kind};
 use super::links::Links;
 use super::rivals::Rival;
+use super::slice::Slice;
 use super::slots::{Bit, Slots};
 use super::{unfollowed, units};
 use crate::analysis::Concurrency;
-use crate::model::{ForceOrder, Id, Model, Step, StepId, Tree};
+use crate::model::{ForceOrder, Id, Model, PartialId, Step, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
 /// A transition.
@@ -35,6 +36,16 @@ pub(super) struct Part {
     /// The orders it may get: from which step, and which.
     pub(super) orders: Vec<(usize, Order)>,
 }
+
+/// What a chart is explored for.
+struct Subject<'a, 'm> {
+    watched: &'a [&'a Tree],
+    rivals: &'a [(Rival<'m>, Rival<'m>)],
+    slice: Option<&'a Slice>,
+}
+
+/// The condition of what is left out.
+const FALSE: Tree = Tree::Bool(false);
 
 /// A forcing order.
 pub(super) enum Order {
@@ -101,21 +112,31 @@ pub(super) struct Net {
 
 impl Net {
     pub(super) fn of(model: &Model, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
-        Self::with(model, watched, &[], assumed_never)
+        Self::with(model, &Subject { watched, rivals: &[], slice: None }, assumed_never)
+    }
+
+    /// Only what decides about the watched expressions, or about where some steps are.
+    pub(super) fn sliced(model: &Model, slice: &Slice, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        Self::with(model, &Subject { watched, rivals: &[], slice: Some(slice) }, assumed_never)
     }
 
     /// A chart of which pairs of stored actions are watched.
     pub(super) fn beside(model: &Model, rivals: &[(Rival<'_>, Rival<'_>)], assumed_never: &[&Tree]) -> Self {
-        Self::with(model, &[], rivals, assumed_never)
+        Self::with(model, &Subject { watched: &[], rivals, slice: None }, assumed_never)
     }
 
-    fn with(model: &Model, watched: &[&Tree], rivals: &[(Rival<'_>, Rival<'_>)], assumed_never: &[&Tree]) -> Self {
+    fn with(model: &Model, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
+        let Subject { watched, rivals, slice } = *subject;
+        let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
         let asked = rivals.iter().flat_map(|(a, b)| a.conditions().chain(b.conditions()));
         let asked: Vec<&Tree> = watched.iter().copied().chain(asked).collect();
-        let slots = Slots::of(model, &asked);
+        let slots = Slots::of(model, &asked, &kept);
         let mut compiler = Compiler::new(model, &slots.numbers);
-        let conditions: Vec<Formula> =
-            model.transitions.values().map(|t| compiler.formula(&t.condition.tree)).collect();
+        let conditions: Vec<Formula> = model
+            .transitions
+            .iter()
+            .map(|(id, t)| compiler.formula(if kept(id) { &t.condition.tree } else { &FALSE }))
+            .collect();
         let mut actions = actions::compile(model, &slots, &mut compiler);
         let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
         actions.rivals = rivals.collect();
@@ -139,8 +160,12 @@ impl Net {
             actions,
             initial_slots: slots.initial.clone(),
             shown_slots: slots.shown.clone(),
-            initial: super::super::hierarchy::initial_situation(model).iter().map(|step| step.index()).collect(),
-            parts: parts(model),
+            initial: super::super::hierarchy::initial_situation(model)
+                .iter()
+                .filter(|step| slice.is_none_or(|slice| slice.has_step(model, **step)))
+                .map(|step| step.index())
+                .collect(),
+            parts: parts(model, slice),
             commands: model.steps.values().map(|step| !step.forces.is_empty()).collect(),
             governs: model.steps.values().map(|step| !step.forces.is_empty() || !step.encloses.is_empty()).collect(),
             hierarchy: Vec::new(),
@@ -373,7 +398,7 @@ fn add(atoms: &mut Vec<usize>, atom: usize) {
     }
 }
 
-fn parts(model: &Model) -> Vec<Part> {
+fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
     let mut orders: Map<usize, Vec<(usize, Order)>> = Map::new();
     let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<usize> {
         let mut steps: Vec<usize> =
@@ -381,7 +406,8 @@ fn parts(model: &Model) -> Vec<Part> {
         steps.sort_unstable();
         steps
     };
-    for force in model.forces.values() {
+    let is_left_out = |id: PartialId| slice.is_some_and(|slice| !slice.has_partial(id));
+    for force in model.forces.values().filter(|force| !is_left_out(force.target)) {
         let order = match &force.order {
             ForceOrder::Steps(steps) => {
                 let mut steps: Vec<usize> = steps.iter().map(|step| step.index()).collect();
@@ -393,9 +419,9 @@ fn parts(model: &Model) -> Vec<Part> {
         };
         orders.or_default(force.target.index()).push((force.step.index(), order));
     }
-    let part = |(id, partial): (crate::model::PartialId, &crate::model::Partial)| Part {
+    let part = |(id, partial): (PartialId, &crate::model::Partial)| Part {
         enclosed_by: partial.enclosed_by.map(Id::index),
-        linked: pick(partial, |step| step.linked),
+        linked: if is_left_out(id) { Vec::new() } else { pick(partial, |step| step.linked) },
         orders: orders.remove(&id.index()).unwrap_or_default(),
     };
     model.partials.iter().map(part).collect()

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::cycle;
-use super::graph::{Cycle, Doubled, Edge, Graph, Origin, Seen};
+use super::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
 use super::leaf::Leaf;
 use super::net::Net;
 use super::scene::{Scene, State, When};
@@ -93,6 +93,8 @@ impl<'n, 's> Search<'n, 's> {
         let mut next = 0;
         while next < self.graph.states.len() {
             if !self.expand(next) {
+                let (work, asked) = (self.scene.work, self.scene.asked());
+                self.graph.end = Some(End { state: next, work, asked });
                 return;
             }
             next += 1;

@@ -1,7 +1,9 @@
 //! Which boolean variables and outputs are followed from cycle to cycle: those that conditions read and whose writes are
 //! all understood.
 
-use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Tree, Ty};
+use crate::model::{
+    Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, TransitionId, Tree, Ty,
+};
 use crate::sorted::{Map, Set};
 
 /// A value that is followed.
@@ -30,10 +32,11 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    pub(super) fn of(model: &Model, watched: &[&Tree]) -> Self {
+    /// Of a chart of which only these transitions are looked at.
+    pub(super) fn of(model: &Model, watched: &[&Tree], kept: &dyn Fn(TransitionId) -> bool) -> Self {
         let mut slots = Self { numbers: Map::new(), flip_flops: Map::new(), initial: Vec::new(), shown: Vec::new() };
         let writers = Writers::of(model);
-        for place in needed(model, &writers, watched) {
+        for place in needed(model, &writers, watched, kept) {
             if !writers.can_be_followed(model, place) {
                 continue;
             }
@@ -68,9 +71,10 @@ fn initial(model: &Model, place: Place) -> Bit {
 }
 
 /// The places that conditions read, directly or because a place that they read depends on them.
-fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree]) -> Set<Place> {
+fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree], kept: &dyn Fn(TransitionId) -> bool) -> Set<Place> {
     let mut needed = Set::new();
-    let mut reads: Vec<Read> = model.transitions.values().flat_map(|t| t.condition.reads.iter().copied()).collect();
+    let transitions = model.transitions.iter().filter(|(id, _)| kept(*id));
+    let mut reads: Vec<Read> = transitions.flat_map(|(_, t)| t.condition.reads.iter().copied()).collect();
     for tree in watched {
         reads_of(tree, &mut reads);
     }

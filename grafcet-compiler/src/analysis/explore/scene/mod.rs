@@ -232,6 +232,14 @@ impl<'n> Scene<'n> {
         }
     }
 
+    /// The atoms of which something is known in this run.
+    pub(super) fn asked(&self) -> Vec<usize> {
+        let mut asked: Vec<usize> = self.given.learnt().iter().chain(self.recorded.learnt()).copied().collect();
+        asked.sort_unstable();
+        asked.dedup();
+        asked
+    }
+
     /// Whether the transition waits in this cycle.
     pub(super) fn is_still(&self, transition: usize) -> bool {
         self.is_still[transition]
