@@ -65,6 +65,28 @@ fn equal_conditions_turn() {
 }
 
 #[test]
+fn what_is_held_at_power_up() {
+    // `A` is never left in peace: the circle is entered in the very first cycle alone.
+    certain("initial step A; step B; final step E; A -[a]-> B -[a]-> A; A -[!a]-> E;", "A B");
+    certain("initial step A; step B; step E; A -[a]-> B -[a || b]-> A; A -[!a]-> E -[rising(a)]-> A;", "A B");
+    certain("initial step A; step B; final step E; A -[a]-> B -[b]-> A; A -[!a]-> E;", "");
+    // There is no edge in the first cycle.
+    certain("initial step A; step B; final step E; A -[rising(a)]-> B -[a]-> A; A -[true]-> E;", "");
+    certain("initial step A; step B; final step E; A -[5s/A]-> B -[true]-> A; A -[!(5s/A)]-> E;", "");
+}
+
+#[test]
+fn combinational_variables_are_what_their_steps_assert() {
+    certain("var v: bool; initial step A; step B { v; } A -[a]-> B -[v]-> A;", "A B");
+    certain("var v: bool; initial step A { v if a; } step B; A -[v]-> B -[!v && a]-> A;", "A B");
+    certain("var v, w: bool; initial step A; step B { v if b; w if v; } A -[a && b]-> B -[w]-> A;", "A B");
+    certain("var v: bool; initial step A; step B { L 3s v; } A -[a]-> B -[v]-> A;", "A B");
+    certain("var v: bool; initial step A; step B { D 3s v; } A -[a]-> B -[v]-> A;", "");
+    certain("var v: bool; initial step A; step B { v if b; } A -[a]-> B -[v]-> A;", "");
+    certain("var v: bool; initial step A; step B { v; } A -[a]-> B -[!v]-> A; B -[v]-> K; step K; K -[b]-> A;", "");
+}
+
+#[test]
 fn further_inputs_have_to_coincide() {
     for chart in [
         "A -[a]-> B -[b]-> A;",

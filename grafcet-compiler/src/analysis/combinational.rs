@@ -1,6 +1,6 @@
 //! Boolean variables of a `grafcet` that continuous actions assert: they hold no value of their own (A22).
 
-use crate::model::{Association, Effect, Model, Name, Place, Qualifier, Read, VarId};
+use crate::model::{Association, Binary, Effect, Model, Name, Place, Qualifier, Read, Tree, Unary, VarId};
 use crate::sorted::Set;
 
 /// The combinational variables, each behind those it reads; those on a circle, which is refused, come last.
@@ -40,4 +40,57 @@ pub fn reads(model: &Model, var: VarId) -> Set<VarId> {
         }
     }
     found
+}
+
+/// More than this is not written out.
+const PARTS: usize = 2000;
+
+/// How deep definitions may lie in each other; a circle of them is refused elsewhere.
+const DEPTH: usize = 8;
+
+/// The tree with such variables replaced by what they are in the same evolution: one of their steps is active, and its
+/// condition holds. None where that gets too long.
+#[must_use]
+pub fn written_out(model: &Model, tree: &Tree) -> Option<Tree> {
+    let mut left = PARTS;
+    written(model, tree, DEPTH, &mut left)
+}
+
+fn written(model: &Model, tree: &Tree, depth: usize, left: &mut usize) -> Option<Tree> {
+    *left = left.checked_sub(1)?;
+    Some(match tree {
+        Tree::Read(Read::Name(Name::Var(var))) if asserted(model, *var).next().is_some() => {
+            let depth = depth.checked_sub(1)?;
+            let initially = model.vars[*var].init.as_ref().map(|init| &init.tree);
+            let mut any = initially.cloned().unwrap_or(Tree::Bool(false));
+            for association in asserted(model, *var) {
+                let mut asserts = Tree::Read(Read::Active(association.step));
+                if let Some(time) = association.time {
+                    let elapsed = Tree::Elapsed(time, association.step);
+                    let limit = association.qualifier == Qualifier::L;
+                    asserts = both(asserts, if limit { Tree::Unary(Unary::Not, Box::new(elapsed)) } else { elapsed });
+                }
+                if let Some(condition) = &association.condition {
+                    asserts = both(asserts, written(model, &condition.tree, depth, left)?);
+                }
+                *left = left.checked_sub(1)?;
+                any = if any == Tree::Bool(false) {
+                    asserts
+                } else {
+                    Tree::Binary(Binary::Or, Box::new(any), Box::new(asserts))
+                };
+            }
+            any
+        }
+        Tree::Unary(operator, inner) => Tree::Unary(*operator, Box::new(written(model, inner, depth, left)?)),
+        Tree::Binary(operator, a, b) => {
+            let (a, b) = (written(model, a, depth, left)?, written(model, b, depth, left)?);
+            Tree::Binary(*operator, Box::new(a), Box::new(b))
+        }
+        other => other.clone(),
+    })
+}
+
+fn both(a: Tree, b: Tree) -> Tree {
+    Tree::Binary(Binary::And, Box::new(a), Box::new(b))
 }

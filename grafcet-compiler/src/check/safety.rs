@@ -30,7 +30,7 @@ pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
 
 fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activation, sink: &mut Sink) {
     let name = &model.steps[step].name;
-    let way = activation.path.before_last().text(model);
+    let way = activation.path.table(model);
     let by = &model.transitions[activation.by];
     let mend = match divergence(model, meeting) {
         Some(step) => {
@@ -43,7 +43,7 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
         }
     };
     let mut notes = vec![
-        (by.mark, format!("`{way}`: this transition can activate `{name}` while it is active; {mend}")),
+        (by.mark, format!("this transition can activate `{name}` while it is active; {mend}\n{way}")),
         (Mark::from(name), format!("`{name}` can be activated while it is active")),
     ];
     if let Some(back) = meeting.back.filter(|back| *back != activation.by) {

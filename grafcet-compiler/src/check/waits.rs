@@ -69,7 +69,7 @@ fn is_contended(model: &Model, exploration: &Exploration, deadlock: &Deadlock) -
 
 /// A deadlock in which steps wait for what others have taken.
 fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sink: &mut Sink) {
-    let way = deadlock.path.text(model);
+    let here = situation(model, &deadlock.steps);
     let note = |step: &StepId| {
         let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
         let missing = joins.flat_map(|stuck| &model.transitions[stuck.join].sources);
@@ -78,8 +78,8 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
         missing.dedup();
         let name = &model.steps[*step].name;
         let message = format!(
-            "`{way}`: here the chart never goes on, `{name}` waits for `{}`, which was taken and is never given back; take what \
-             several branches need in the same order, and give it back in the end, `… -[x]-> (…, …)`",
+            "from `{here}`, reached so, the chart never goes on: `{name}` waits for `{}`, which was taken and is never given back; \
+             take what several branches need in the same order, and give it back in the end, `… -[x]-> (…, …)`",
             situation(model, &missing)
         );
         (Mark::from(name), message)
@@ -89,7 +89,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
 
 fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
     let join = &model.transitions[stuck.join];
-    let (name, way) = (&model.steps[stuck.waiting].name, stuck.path.text(model));
+    let (name, way) = (&model.steps[stuck.waiting].name, stuck.path.table(model));
     let sources = situation(model, &join.sources);
     let mut notes = Vec::new();
     match stuck.culprit {
@@ -99,9 +99,9 @@ fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
             notes.push((
                 join.mark,
                 format!(
-                    "`{way}`: `{name}` waits forever for this convergence of `{sources}`, because the branch it waits for can be \
-                     left from `{from}` to `{to}`; let both branches be left together, `(…, …) -[x]-> …`, or lead the other \
-                     one here, too"
+                    "`{name}` waits forever for this convergence of `{sources}`, because the branch it waits for can be left \
+                     from `{from}` to `{to}`; let both branches be left together, `(…, …) -[x]-> …`, or lead the other one \
+                     here, too\n{way}"
                 ),
             ));
             notes.push((by.mark, format!("with this transition a branch leaves for which `{name}` then waits forever")));
@@ -109,8 +109,8 @@ fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
         None => notes.push((
             join.mark,
             format!(
-                "`{way}`: `{name}` waits forever: `{sources}` are never all active, for their branches are alternatives; start \
-                 them together, `… -[x]-> (…, …)`, or let each of them go on by a transition of its own"
+                "`{name}` waits forever: `{sources}` are never all active, for their branches are alternatives; start them \
+                 together, `… -[x]-> (…, …)`, or let each of them go on by a transition of its own\n{way}"
             ),
         )),
     }
@@ -121,18 +121,18 @@ fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
 }
 
 fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sink: &mut Sink) {
-    let way = deadlock.path.text(model);
+    let here = situation(model, &deadlock.steps);
     let note = |step: &StepId| {
         let name = &model.steps[*step].name;
         let message = if leaving[step.index()].is_empty() {
             format!(
-                "`{way}`: here the chart ends, no transition leads on from `{name}`; draw one, or write `final step {name}` if \
-                 that is meant"
+                "in `{here}`, reached so, the chart ends: no transition leads on from `{name}`; draw one, or write \
+                 `final step {name}` if that is meant"
             )
         } else {
             format!(
-                "`{way}`: here the chart never goes on, no transition that leaves `{name}` can clear any more; draw another way \
-                 on, or write `final step {name}` if it may end here"
+                "from `{here}`, reached so, the chart never goes on: no transition that leaves `{name}` can clear any more; draw \
+                 another way on, or write `final step {name}` if it may end here"
             )
         };
         (Mark::from(name), message)
@@ -140,7 +140,12 @@ fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sin
     deadlocked(model, deadlock, deadlock.steps.iter().map(note).collect(), sink);
 }
 
-fn deadlocked(model: &Model, deadlock: &Deadlock, notes: Vec<(Mark, String)>, sink: &mut Sink) {
+fn deadlocked(model: &Model, deadlock: &Deadlock, mut notes: Vec<(Mark, String)>, sink: &mut Sink) {
+    // The way there stands once.
+    if let Some((_, first)) = notes.first_mut() {
+        first.push('\n');
+        first.push_str(&deadlock.path.table(model));
+    }
     let mut scopes: Vec<&[LevelAttr]> = deadlock.steps.iter().map(|step| &model.steps[*step].levels[..]).collect();
     scopes.extend([&model.partials[deadlock.partial].levels[..], &model.levels]);
     sink.rule(&rules::DEADLOCK, &scopes, notes);

@@ -15,7 +15,8 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use self::run::{Node, Outcome, Run};
-use super::{Answer, Concurrency, Condition, Logic, hierarchy};
+use self::view::View;
+use super::{Answer, Concurrency, Condition, Logic, combinational, hierarchy};
 use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
@@ -41,6 +42,8 @@ pub struct Circles<'m> {
     logic: &'m Logic<'m>,
     leaving: Vec<Vec<TransitionId>>,
     entering: Vec<Vec<TransitionId>>,
+    /// By transition, its condition, with what combinational variables stand for.
+    trees: Vec<Tree>,
     /// By transition, its condition in the first evolution of a cycle.
     conditions: Vec<Rc<Condition>>,
     /// By transition, whether that always holds.
@@ -69,13 +72,30 @@ impl<'m> Circles<'m> {
                 entering[step.index()].push(id);
             }
         }
-        let read = |transition: &Transition| Rc::new(logic.condition(&transition.condition.tree));
-        let conditions: Vec<_> = model.transitions.values().map(read).collect();
+        let tree = |transition: &Transition| {
+            let tree = &transition.condition.tree;
+            combinational::written_out(model, tree).unwrap_or_else(|| tree.clone())
+        };
+        let trees: Vec<Tree> = model.transitions.values().map(tree).collect();
+        let conditions: Vec<_> = trees.iter().map(|tree| Rc::new(logic.condition(tree))).collect();
         let always = conditions.iter().map(|condition| logic.always(condition)).collect();
         let reachable = rest::reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
         let (written, unknown) = (view::written(model), Cell::new(0));
         let parallel = Concurrency::of_exclusive_branches(model);
-        Self { model, concurrency, logic, leaving, entering, conditions, always, reachable, written, parallel, unknown }
+        Self {
+            model,
+            concurrency,
+            logic,
+            leaving,
+            entering,
+            trees,
+            conditions,
+            always,
+            reachable,
+            written,
+            parallel,
+            unknown,
+        }
     }
 
     /// Circles that turn under every valuation by which they can be entered: once one of their transitions clears in a
@@ -96,8 +116,8 @@ impl<'m> Circles<'m> {
             }
             endless.insert(id, rings);
         }
-        let at_start = self.endless(Some(self.start()));
-        if endless.is_empty() && at_start.is_none() {
+        let at_start = self.endless_at_start();
+        if endless.is_empty() && at_start.is_empty() {
             return Vec::new();
         }
         // Only now is it worth the work to find out which situations are ever stable.
@@ -105,7 +125,7 @@ impl<'m> Circles<'m> {
         let enters = |id: &TransitionId| self.can_enter(*id, resting.as_ref());
         let turns = |id: &TransitionId| endless.contains_key(id) || !enters(id);
         let entered = endless.iter().filter(|(id, _)| enters(id)).flat_map(|(_, rings)| rings.clone());
-        let mut found: Vec<Ring> = at_start.into_iter().flatten().chain(entered).collect();
+        let mut found: Vec<Ring> = at_start.into_iter().chain(entered).collect();
         let mut known = Set::new();
         // What enters the circle in a stable situation, has to lead to no end, too. A search that goes on without a
         // transition, by stored values alone, is no circle of the chart.
@@ -152,6 +172,28 @@ impl<'m> Circles<'m> {
                 && transition.condition.reads.iter().all(still)
         };
         circle.contains(&a) && first.condition.tree == second.condition.tree && circle.iter().all(plain)
+    }
+
+    /// The circles in which the searches of the very first cycle end: whatever the inputs are, or where they let a
+    /// transition clear at once, as a button that is held down at power-up does.
+    fn endless_at_start(&self) -> Vec<Ring> {
+        if let Some(rings) = self.endless(Some(self.start())) {
+            return rings;
+        }
+        let start = self.start();
+        let enabled = |id: &TransitionId| {
+            let sources = &self.model.transitions[*id].sources;
+            !sources.is_empty() && !self.surely_rests(*id) && sources.iter().all(|step| start.active.contains(step))
+        };
+        let mut found = Vec::new();
+        for id in self.model.transitions.ids().filter(enabled) {
+            let condition = Rc::new(View::new(self, &start).condition(id));
+            if !self.logic.never(&condition) {
+                let held = Node { goals: vec![(condition, true)], ..self.start() };
+                found.extend(self.endless(Some(held)).into_iter().flatten());
+            }
+        }
+        found
     }
 
     /// The circles in which the searches from here end, if none of them comes to rest.

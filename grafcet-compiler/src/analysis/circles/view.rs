@@ -5,7 +5,7 @@ use super::run::Node;
 use crate::analysis::Condition;
 use crate::analysis::logic::UNKNOWN;
 use crate::model::{
-    Binary, Blink, Blinker, EdgeId, Effect, MacroId, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree,
+    Binary, Blink, Blinker, EdgeId, Effect, Id, MacroId, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree,
 };
 use crate::sorted::Set;
 
@@ -22,7 +22,7 @@ impl<'v, 'm> View<'v, 'm> {
 
     /// The condition of a transition.
     pub(super) fn condition(&self, id: TransitionId) -> Condition {
-        self.circles.logic.condition(&self.tree(&self.circles.model.transitions[id].condition.tree))
+        self.circles.logic.condition(&self.tree(&self.circles.trees[id.index()]))
     }
 
     fn tree(&self, tree: &Tree) -> Tree {

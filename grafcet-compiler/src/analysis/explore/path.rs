@@ -98,13 +98,6 @@ impl Path {
         self.cycles.iter().map(|cycle| &cycle.active)
     }
 
-    /// The way without its last cycle.
-    #[must_use]
-    pub fn before_last(&self) -> Self {
-        let count = self.cycles.len().saturating_sub(1);
-        Self { cycles: self.cycles[..count].to_vec(), ..self.clone() }
-    }
-
     /// The active steps at its end.
     #[must_use]
     pub fn end(&self) -> &[StepId] {
