@@ -54,10 +54,10 @@ fn note(tokens: TokenStream) -> Option<String> {
     })
 }
 
-/// The rule that ends a message.
+/// The rule at the end of a message's first line; a table may stand below.
 fn rule(message: &str) -> String {
-    let name = message.rsplit_once("[grafcet::").map(|(_, name)| name.trim_end_matches(']'));
-    name.unwrap_or("notation").to_owned()
+    let named = message.rsplit_once("[grafcet::").and_then(|(_, rest)| rest.split_once(']'));
+    named.map_or("notation", |(name, _)| name).to_owned()
 }
 
 /// The rules and marked texts in what the compiler makes of `text`.
