@@ -298,9 +298,17 @@ pub struct Transition {
     pub mark: Mark,
     /// `go`
     pub name: Option<Ident>,
-    pub condition: Expr,
+    pub condition: Condition,
     /// Behind `=>`.
     pub clearing: Vec<Clearing>,
+}
+
+/// When a transition clears.
+pub enum Condition {
+    /// `x && y`
+    Holds(Expr),
+    /// `else`: where none of the other branches of the same steps does.
+    Else(Span),
 }
 
 /// `n = 0`, an action on clearing.

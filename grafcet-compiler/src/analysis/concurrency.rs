@@ -212,7 +212,8 @@ impl<'m> Search<'m> {
             let conditions: Vec<_> = leaving.iter().filter(|_| leaving.len() > 1).map(read).collect();
             for (i, (a, first)) in conditions.iter().enumerate() {
                 for (b, second) in &conditions[i + 1..] {
-                    if !logic.exclusive(first, second) {
+                    let ids = [*a, *b].map(TransitionId::new);
+                    if !self.model.is_else_of(ids[0], ids[1]) && !logic.exclusive(first, second) {
                         self.enter_together_with(&transitions[*a].targets, &transitions[*b].targets);
                     }
                 }

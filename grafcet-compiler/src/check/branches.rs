@@ -3,7 +3,7 @@
 use super::drawing;
 use crate::analysis::{Answer, Concurrency, Condition, Logic};
 use crate::diagnostic::{Sink, rules};
-use crate::model::{Binary, Id, LevelAttr, Model, Name, Read, StepId, TransitionId, Tree};
+use crate::model::{Binary, Id, LevelAttr, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
 /// More pairs of branches than this are not told to the exploration.
@@ -78,6 +78,9 @@ impl Branches<'_> {
     }
 
     fn is_undecided(&self, a: TransitionId, b: TransitionId) -> bool {
+        if self.model.is_else_of(a, b) {
+            return false;
+        }
         let (first, second) = (self.condition(a), self.condition(b));
         // The exploration does not know what Rust means.
         let is_rust = |id: TransitionId| has_rust(&self.model.transitions[id].condition.tree);
@@ -141,6 +144,7 @@ impl Branches<'_> {
             "{own} never clears: whenever `{text}` holds, so does {who} before it; put it first, or correct one of the \
              conditions"
         );
+        let message = if transition.otherwise.is_some() { never_else(self.model, transition) } else { message };
         let mut notes = vec![(transition.condition.mark, message)];
         for other in shadowing {
             let first = &self.model.transitions[*other];
@@ -160,7 +164,7 @@ impl Branches<'_> {
     /// Rule 4 of IEC 60848: branches whose conditions hold together all clear. Each is reported beside the first such one.
     fn overlapping(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
         let own = self.condition(id);
-        for other in before {
+        for other in before.iter().filter(|other| !self.model.is_else_of(**other, id)) {
             if self.is_duplicate(*other, id) {
                 return drawing::duplicate_transition(self.model, *other, id, sink);
             }
@@ -211,6 +215,14 @@ impl Branches<'_> {
         let (a, b) = (&self.model.transitions[a], &self.model.transitions[b]);
         a.sources.iter().all(|x| b.sources.iter().all(|y| x == y || self.concurrency.together(*x, *y)))
     }
+}
+
+/// Why an `else` is never taken.
+pub(super) fn never_else(model: &Model, transition: &Transition) -> String {
+    format!(
+        "{} never clears: one of the other branches always does; delete it, or correct one of their conditions",
+        model.transition_text(transition)
+    )
 }
 
 /// Whether a condition holds Rust that is not looked into.

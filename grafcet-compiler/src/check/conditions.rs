@@ -1,5 +1,6 @@
 //! `never_true`, `always_true`, `level_source_transition`, `event_without_edge`: what is wrong with a condition by itself.
 
+use super::branches::never_else;
 use crate::analysis::explore::situation;
 use crate::analysis::{Answer, Condition, Logic};
 use crate::diagnostic::{Rule, Severity, Sink, rules};
@@ -29,11 +30,18 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], 
         };
         if rule.name == rules::NEVER_TRUE.name {
             said.never.insert(id);
+        } else if transition.otherwise.is_some() {
+            // The other branches never clear, as was said of each.
+            continue;
         } else if rule.severity_in(model.dialect, &scopes) != Severity::Allow {
             said.always.insert(id);
         }
         let what = format!("{} never clears", model.transition_text(transition));
         let expr = &transition.condition;
+        if transition.otherwise.is_some() {
+            sink.rule(rule, &scopes, vec![(expr.mark, never_else(model, transition))]);
+            continue;
+        }
         report(rule, (expr, apart(model, logic, &expr.tree)), &what, &scopes, sink);
     }
     for association in model.associations.values() {
@@ -55,7 +63,7 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], 
 /// then, as in `!Other.X`, may be said to be safe.
 fn holds_while_enabled(logic: &Logic<'_>, transition: &Transition) -> bool {
     let own = |read: &Read| matches!(read, Read::Active(step) if transition.sources.contains(step));
-    if !transition.condition.reads.iter().any(own) {
+    if transition.otherwise.is_some() || !transition.condition.reads.iter().any(own) {
         return false;
     }
     let condition = &logic.condition(&transition.condition.tree);

@@ -160,10 +160,11 @@ impl Cx<'_> {
         self.branches(branches.collect(), stay)
     }
 
-    /// The condition of a transition, `None` for `true`.
-    fn condition(&self, id: TransitionId) -> Option<Expr> {
-        let condition = &self.model.transitions[id].condition;
-        (condition.tree != Tree::Bool(true)).then(|| condition.clone())
+    /// The condition of a transition behind the other branches of its steps, `None` for `true` and for `else`.
+    pub(super) fn condition(&self, id: TransitionId) -> Option<Expr> {
+        let transition = &self.model.transitions[id];
+        let always = transition.condition.tree == Tree::Bool(true) || transition.otherwise.is_some();
+        (!always).then(|| transition.condition.clone())
     }
 
     /// A path on which nothing clears: in a search it is the end of it.
@@ -222,12 +223,29 @@ impl Cx<'_> {
         if leaving.is_empty() {
             return None;
         }
-        Some(if self.plan.evolution.exclusive[step.index()] {
-            self.first_of(leaving)
-        } else {
-            // IEC 60848 rule 4: all that can clear do so together.
-            leaving.iter().map(|id| self.if_enabled(*id, &self.clear(*id))).collect()
-        })
+        Some(if self.plan.evolution.exclusive[step.index()] { self.first_of(leaving) } else { self.all_of(leaving) })
+    }
+
+    /// IEC 60848 rule 4: all that can clear do so together. An `else` asks whether another branch has cleared: each condition is
+    /// evaluated once.
+    fn all_of(&self, leaving: &[TransitionId]) -> TokenStream {
+        let otherwise = |id: &TransitionId| self.model.transitions[*id].otherwise.as_ref();
+        let elses: Vec<_> = leaving.iter().filter_map(|id| Some((id, otherwise(id)?))).collect();
+        let declare = elses.iter().map(|(id, _)| {
+            let other = names::other_branch(**id);
+            quote!(let mut #other = false;)
+        });
+        let declare: TokenStream = declare.collect();
+        let transitions = leaving.iter().map(|id| {
+            let clear = self.clear(*id);
+            if otherwise(id).is_some() {
+                let (other, sources) = (names::other_branch(*id), self.other_sources(&self.model.transitions[*id]));
+                return quote!(if #(#sources &&)* !#other { #clear });
+            }
+            let notes = elses.iter().filter(|(_, others)| others.contains(id)).map(|(id, _)| names::other_branch(**id));
+            self.if_enabled(*id, &quote!(#(#notes = true;)* #clear))
+        });
+        quote!(#declare #(#transitions)*)
     }
 
     /// `if … { … } else if … { … }`: in an `sfc` the order is the priority, in a `grafcet` the conditions exclude each
@@ -240,7 +258,7 @@ impl Cx<'_> {
         let mut chain = TokenStream::new();
         for (i, id) in leaving.iter().enumerate() {
             let clear = self.clear(*id);
-            let Some(condition) = self.enabled(&self.model.transitions[*id]) else {
+            let Some(condition) = self.enabled(*id) else {
                 // Always fireable: nothing behind it in the chain can clear.
                 chain.extend(if i == 0 { clear } else { quote!({ #clear }) });
                 return chain;
@@ -253,17 +271,21 @@ impl Cx<'_> {
         chain
     }
 
-    /// The condition of a transition whose first source step is active, with the other sources; `None` is "always".
-    fn enabled(&self, transition: &Transition) -> Option<TokenStream> {
-        let others = transition.sources.iter().skip(1).map(|step| self.is_active(*step, Moment::Condition));
-        let condition = (transition.condition.tree != Tree::Bool(true))
-            .then(|| self.value(&transition.condition, Moment::Condition));
-        let terms: Vec<_> = others.chain(condition).collect();
+    /// The condition of a transition whose first source step is active, behind the other branches, with the other sources;
+    /// `None` is "always".
+    fn enabled(&self, id: TransitionId) -> Option<TokenStream> {
+        let condition = self.condition(id).map(|condition| self.value(&condition, Moment::Condition));
+        let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().chain(condition).collect();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
+    /// Whether the sources of a transition behind its first one are active.
+    fn other_sources(&self, transition: &Transition) -> Vec<TokenStream> {
+        transition.sources.iter().skip(1).map(|step| self.is_active(*step, Moment::Condition)).collect()
+    }
+
     fn if_enabled(&self, id: TransitionId, then: &TokenStream) -> TokenStream {
-        match self.enabled(&self.model.transitions[id]) {
+        match self.enabled(id) {
             Some(condition) => quote!(if #condition { #then }),
             None => quote!({ #then }),
         }
@@ -280,9 +302,12 @@ impl Cx<'_> {
             let transition = &self.model.transitions[*id];
             let active = transition.sources.iter().map(|step| self.is_active(*step, Moment::Condition));
             let left: Vec<_> = transition.sources.iter().map(|step| names::left_local(*step)).collect();
-            let condition = self.value(&transition.condition, Moment::Condition);
+            // Nothing has left the sources of an `else`: none of the other branches could clear.
+            let condition =
+                transition.otherwise.is_none().then(|| self.value(&transition.condition, Moment::Condition));
+            let terms = active.chain(left.iter().map(|left| quote!(!#left))).chain(condition);
             let clear = self.clear(*id);
-            quote!(if #(#active &&)* #(!#left &&)* #condition { #(#left = true;)* #clear })
+            quote!(if #(#terms)&&* { #(#left = true;)* #clear })
         });
         quote!(#(#declare)* #(#transitions)*)
     }

@@ -208,6 +208,11 @@ pub(super) fn left_local(step: StepId) -> Ident {
     local(&format!("left_{}", step.index()))
 }
 
+/// The local that says that one of the branches beside an `else` has cleared.
+pub(super) fn other_branch(otherwise: TransitionId) -> Ident {
+    local(&format!("other_branch_{}", otherwise.index()))
+}
+
 /// The local that collects the value of a stored place during an evolution.
 pub(super) fn collected(model: &Model, place: Place) -> Ident {
     prefixed("next_", model.place_name(place))

@@ -7,7 +7,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::{PartialId, TransitionId, Tree};
+use crate::model::{PartialId, TransitionId};
 use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
 
@@ -167,12 +167,11 @@ impl Cx<'_> {
         Some(self.set_state(nest.head, &quote!(match #head { #(#arms)* #rest })))
     }
 
-    /// The condition of a transition whose regions have not been changed yet.
+    /// The condition of a transition whose regions have not been changed yet, behind the other branches of its steps.
     fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
-        let condition = (transition.condition.tree != Tree::Bool(true))
-            .then(|| self.value(&transition.condition, Moment::Condition));
+        let condition = self.condition(id).map(|condition| self.value(&condition, Moment::Condition));
         let terms: Vec<_> = sources.chain(condition).collect();
         quote!(#(#terms)&&*)
     }

@@ -224,6 +224,9 @@ pub struct Transition {
     /// Each step once; empty for a sink transition.
     pub targets: Vec<StepId>,
     pub condition: Expr,
+    /// `else`: the other branches of the same steps, in source order. None of their conditions holds where this one, which
+    /// is made of them, does.
+    pub otherwise: Option<Vec<TransitionId>>,
     /// `grafcet`: what is done when it clears, in source order.
     pub clearing: Vec<Effect>,
     /// From `-[` to `]->`.

@@ -4,7 +4,7 @@ use std::slice;
 
 use super::{
     Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition,
-    Tree, Ty, Unary,
+    TransitionId, Tree, Ty, Unary,
 };
 use crate::diagnostic::rules::Rule;
 
@@ -69,6 +69,16 @@ impl Model {
         let vars = self.vars.values().map(|var| &var.levels);
         let inside = partials.chain(steps).chain(transitions).chain(outputs).chain(vars);
         inside.chain([&self.levels]).flatten().any(|level| level.rule == rule.name)
+    }
+
+    /// Whether one of two transitions is the `else` of the other, so that they never clear together.
+    #[must_use]
+    pub fn is_else_of(&self, a: TransitionId, b: TransitionId) -> bool {
+        let is_other = |id: TransitionId, other: TransitionId| {
+            // In source order.
+            self.transitions[id].otherwise.as_ref().is_some_and(|others| others.binary_search(&other).is_ok())
+        };
+        is_other(a, b) || is_other(b, a)
     }
 
     /// A transition in a sentence: `` `A → B` ``, or its name.

@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::{Error, Input, Result, condition, target};
-use crate::ast::{Clearing, Transition};
+use crate::ast::{Clearing, Condition, Transition};
 use crate::diagnostic::Mark;
 
 /// The inside of the brackets; `mark` covers the whole arrow once its end is known.
@@ -12,16 +12,22 @@ pub(super) fn parse(mut inside: Input, mark: Mark) -> Result<Transition> {
         return Err(Error::new(mark, "a transition has a condition; for one that is always true write `-[true]->`"));
     }
     let name = name(&mut inside);
-    if inside.at_word("else") {
-        return Err(inside.error("there is no `else`; write the condition of this branch"));
-    }
-    let condition = condition::parse(&mut inside, "a condition, such as `true`")?;
+    let condition = if inside.eat_word("else") {
+        Condition::Else(inside.last())
+    } else {
+        Condition::Holds(condition::parse(&mut inside, "a condition, such as `true`")?)
+    };
     let mut clearing = Vec::new();
     if inside.eat("=>") {
         clearing = self::clearing(&mut inside)?;
     }
     if !inside.is_empty() {
-        return Err(leftover(&inside));
+        return Err(match condition {
+            Condition::Else(_) => {
+                inside.error("`else` has no condition of its own; draw a branch with this condition in front of it")
+            }
+            Condition::Holds(_) => leftover(&inside),
+        });
     }
     Ok(Transition { mark, name, condition, clearing })
 }

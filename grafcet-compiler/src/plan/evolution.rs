@@ -1,7 +1,7 @@
 //! How one evolution is computed: which transitions are looked at together, and where.
 
 use crate::analysis::{Concurrency, Logic, hierarchy};
-use crate::model::{Id, Model, PartialId, StepId, Transition, TransitionId};
+use crate::model::{Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
 
 /// The order and grouping of the transitions.
@@ -38,14 +38,18 @@ impl Evolution {
 
 /// Whether all transitions that leave a step exclude each other.
 fn exclusive(model: &Model) -> Vec<bool> {
-    let mut leaving: Vec<Vec<&Transition>> = vec![Vec::new(); model.steps.len()];
-    for transition in model.transitions.values() {
-        transition.sources.iter().for_each(|step| leaving[step.index()].push(transition));
+    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
+    for (id, transition) in model.transitions.iter() {
+        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
     }
     let logic = Logic::new(model);
-    let all_exclude = |transitions: &Vec<&Transition>| {
-        let conditions: Vec<_> = transitions.iter().map(|t| logic.condition(&t.condition.tree)).collect();
-        conditions.iter().enumerate().all(|(i, a)| conditions[i + 1..].iter().all(|b| logic.exclusive(a, b)))
+    let all_exclude = |ids: &Vec<TransitionId>| {
+        let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).collect();
+        let all: Vec<_> = ids.iter().zip(&conditions).collect();
+        let apart = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
+            model.is_else_of(*a, *b) || logic.exclusive(first, second)
+        };
+        all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
     };
     leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).collect()
 }

@@ -262,7 +262,10 @@ fn item(bytes: &mut Bytes, depth: usize) -> TokenStream {
             &other,
             depth,
         ),
-        5..=7 => fill("NAME -[EXPR]-> OTHER -[go: EXPR => count = EXPR]-> (A, NAME);", bytes, &word, &other, depth),
+        7 => {
+            fill("A -[EXPR]-> OTHER; A -[else]-> NAME; (A, NAME) -[r: else => EXPR]-> A;", bytes, &word, &other, depth)
+        }
+        5..=6 => fill("NAME -[EXPR]-> OTHER -[go: EXPR => count = EXPR]-> (A, NAME);", bytes, &word, &other, depth),
         8 => fill("never EXPR; always EXPR => EXPR; home NAME; clock LITERAL;", bytes, &word, &other, depth),
         9 => fill("initial NAME step OTHER; force NAME { OTHER };", bytes, &word, &other, depth),
         10 if depth < 8 => {

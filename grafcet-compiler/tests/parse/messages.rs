@@ -269,7 +269,7 @@ fn conditions() {
         ("x := 1", ":", "compares with `==`"),
         ("x <> y", "<", "`<>` is written `!=`"),
         ("/x", "/", "a negation is written `!a`"),
-        ("else", "else", "there is no `else`"),
+        ("else if x", "if", "`else` has no condition of its own"),
         ("go:", "]", "expected a condition"),
         ("=> x = 1", "=", "expected a condition"),
         ("x =>", "]", "expected a name, an assignment, a call or a block"),

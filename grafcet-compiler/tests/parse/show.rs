@@ -1,8 +1,8 @@
 //! The syntax tree as a line of text, so that a test can say what it expects.
 
 use grafcet_compiler::ast::{
-    ActionDecl, Arrow, Association, Attrs, Body, Chain, Chart, Clearing, Decl, Force, ForceOrder, Item, Node, Partial,
-    Property, Setting, Step, StepBody, StepKind, Target, Time, TimeArg, Transition, Ty,
+    ActionDecl, Arrow, Association, Attrs, Body, Chain, Chart, Clearing, Condition, Decl, Force, ForceOrder, Item,
+    Node, Partial, Property, Setting, Step, StepBody, StepKind, Target, Time, TimeArg, Transition, Ty,
 };
 use quote::ToTokens;
 
@@ -181,7 +181,11 @@ fn arrow(arrow: &Arrow) -> String {
                 [] => String::new(),
                 some => format!(" => {}", list(some, |Clearing { target: it, .. }| target(it))),
             };
-            format!("-[{name}{}{clearing}]->", tokens(condition))
+            let condition = match condition {
+                Condition::Holds(expr) => tokens(expr),
+                Condition::Else(_) => "ELSE".to_owned(),
+            };
+            format!("-[{name}{condition}{clearing}]->")
         }
     }
 }

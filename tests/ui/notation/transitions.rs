@@ -15,7 +15,7 @@ grafcet! {
         One -[a, b]-> Two;
         One -[not a]-> Two;
         One -[n := 1]-> Two;
-        One -[else]-> Two;
+        One -[else if a]-> Two;
         One --> Two;
         One -(a)-> Two;
         One -[b]- Two;

@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 
 use super::blink::Owner;
 use super::scope::Meaning;
-use super::{Resolver, expr};
-use crate::ast::{self, Arrow, Node};
+use super::{Resolver, expr, otherwise};
+use crate::ast::{self, Arrow, Condition, Node};
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
 
@@ -49,7 +49,10 @@ impl Resolver<'_> {
         let targets = self.node(after, End::Target, partial);
         self.crossing(before, after);
         self.owner = self.owner_of(before);
-        let condition = expr::resolve_condition(&transition.condition, self);
+        let condition = match &transition.condition {
+            Condition::Holds(condition) => expr::resolve_condition(condition, self),
+            Condition::Else(word) => otherwise::always(*word),
+        };
         if let Some(name) = &transition.name {
             self.scope.declare_transition(name, self.sink);
         }
@@ -72,9 +75,13 @@ impl Resolver<'_> {
             sources,
             targets,
             condition,
+            otherwise: None,
             clearing,
             mark: transition.mark,
         });
+        if matches!(transition.condition, Condition::Else(_)) {
+            self.elses.push(id);
+        }
         self.model.partials[partial].transitions.push(id);
     }
 

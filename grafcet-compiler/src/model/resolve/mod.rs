@@ -11,6 +11,7 @@ mod delay;
 mod expr;
 mod foreign;
 mod misplaced;
+mod otherwise;
 mod properties;
 mod scope;
 mod text;
@@ -22,7 +23,7 @@ use self::blink::Owner;
 use self::scope::Scope;
 use super::{
     Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Mention, Model, Name,
-    PartialId, Step, StepId, Ty,
+    PartialId, Step, StepId, TransitionId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -38,10 +39,13 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         broken_macros: Vec::new(),
         settings: Vec::new(),
         owner: Owner::Chart,
+        elses: Vec::new(),
+        unread: chart.incomplete,
     };
     resolver.declare_chart(&chart.body);
     let mut cursor = Cursor::default();
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
+    resolver.otherwise();
     resolver.model
 }
 
@@ -59,6 +63,10 @@ pub(super) struct Resolver<'s> {
     settings: Vec<(&'static str, Mark)>,
     /// To which step the expression belongs that is being resolved.
     owner: Owner,
+    /// The transitions whose condition is `else`.
+    elses: Vec<TransitionId>,
+    /// Something of the source could not be parsed, and is missing.
+    unread: bool,
 }
 
 /// How far resolving has come in the ids given while declaring.

@@ -1,0 +1,162 @@
+//! `else`: the condition of a branch is that none of the other branches of the same steps clears.
+
+use proc_macro2::Span;
+
+use super::Resolver;
+use crate::model::{Binary, Expr, Read, StepId, TransitionId, Tree, Unary};
+use crate::sorted::{Map, Set};
+
+/// What stands for the condition as long as the other branches are not known.
+pub(super) fn always(word: Span) -> Expr {
+    let tokens = literal_true(Span::mixed_site().located_at(word));
+    Expr { tree: Tree::Bool(true), tokens, reads: Vec::new(), text: "else".to_owned(), mark: word.into() }
+}
+
+impl Resolver<'_> {
+    /// The conditions of all transitions with `else`, once all others are known.
+    pub(super) fn otherwise(&mut self) {
+        if self.elses.is_empty() {
+            return;
+        }
+        let branches = self.branches();
+        for id in self.elses.clone() {
+            let sources = in_order(&self.model.transitions[id].sources);
+            let others = branches.get(&sources).into_iter().flatten().copied();
+            let others: Vec<TransitionId> = others.filter(|other| *other != id).collect();
+            if sources.is_empty() {
+                let message = "`else` stands at a branch of a step, and nothing stands in front of this transition; \
+                               write its condition";
+                self.sink.notation(self.model.transitions[id].condition.mark, message);
+            } else if self.is_last(id, &others) {
+                self.model.transitions[id].condition = self.none_of(id, &others);
+                // As all of them are enabled together, they stand at the same step in the generated code.
+                let sources = self.model.transitions[others[0]].sources.clone();
+                others.iter().chain([&id]).for_each(|one| self.model.transitions[*one].sources.clone_from(&sources));
+                self.model.transitions[id].otherwise = Some(others);
+            }
+        }
+    }
+
+    /// The transitions that leave the same steps, in source order.
+    fn branches(&self) -> Map<Vec<StepId>, Vec<TransitionId>> {
+        let mut branches: Map<Vec<StepId>, Vec<TransitionId>> = Map::new();
+        for (id, transition) in self.model.transitions.iter() {
+            branches.or_default(in_order(&transition.sources)).push(id);
+        }
+        branches
+    }
+
+    /// Whether an `else` stands behind other branches and in front of none; else it is reported.
+    fn is_last(&mut self, id: TransitionId, others: &[TransitionId]) -> bool {
+        let mark = self.model.transitions[id].condition.mark;
+        let steps = self.steps_text(id);
+        let behind = others.iter().find(|other| **other > id);
+        match behind {
+            None if !others.is_empty() => return true,
+            None if self.unread || self.model.incomplete => {}
+            None => {
+                let message = format!(
+                    "`else` has nothing to be the other case of: no other branch leaves {steps}; write `true`, or draw \
+                     the other branches in front of it"
+                );
+                self.sink.notation(mark, message);
+            }
+            Some(other) if self.is_else(*other) => {
+                let second = self.model.transitions[*other].condition.mark;
+                self.sink.notation(mark, format!("{steps} has an `else` here and another one further down; keep one"));
+                self.sink.notation(second, format!("{steps} has a second `else` here; keep one of them"));
+            }
+            Some(other) => {
+                let other = self.model.transition_text(&self.model.transitions[*other]);
+                let message = format!(
+                    "`else` is the last branch of {steps}, and {other} stands behind it; move this one to the end"
+                );
+                self.sink.notation(mark, message);
+            }
+        }
+        false
+    }
+
+    fn is_else(&self, id: TransitionId) -> bool {
+        self.elses.contains(&id)
+    }
+
+    fn steps_text(&self, id: TransitionId) -> String {
+        let names = self.model.transitions[id].sources.iter().map(|step| self.model.steps[*step].name.to_string());
+        match &names.collect::<Vec<_>>()[..] {
+            [one] => format!("`{one}`"),
+            several => format!("`({})`", several.join(", ")),
+        }
+    }
+
+    /// `!(a) && !(b)`
+    fn none_of(&self, id: TransitionId, others: &[TransitionId]) -> Expr {
+        let Expr { text, mark, .. } = &self.model.transitions[id].condition;
+        let conditions: Vec<&Expr> = others.iter().map(|other| &self.model.transitions[*other].condition).collect();
+        let mut reads: Vec<Read> = Vec::new();
+        let mut known: Set<Read> = Set::new();
+        for read in conditions.iter().flat_map(|condition| &condition.reads) {
+            if known.insert(*read) {
+                reads.push(*read);
+            }
+        }
+        Expr { tree: none(&conditions), tokens: none_in_rust(&conditions), reads, text: text.clone(), mark: *mark }
+    }
+}
+
+fn in_order(steps: &[StepId]) -> Vec<StepId> {
+    let mut steps = steps.to_vec();
+    steps.sort_unstable();
+    steps
+}
+
+/// No deeper than it has to be: there may be many branches.
+fn none(conditions: &[&Expr]) -> Tree {
+    match conditions {
+        [] => Tree::Bool(true),
+        [one] => Tree::Unary(Unary::Not, Box::new(one.tree.clone())),
+        _ => {
+            let (left, right) = conditions.split_at(conditions.len() / 2);
+            Tree::Binary(Binary::And, Box::new(none(left)), Box::new(none(right)))
+        }
+    }
+}
+
+fn none_in_rust(conditions: &[&Expr]) -> syn::Expr {
+    match conditions {
+        [] => literal_true(Span::mixed_site()),
+        [one] => negated(&one.tokens),
+        _ => {
+            let site = Span::mixed_site();
+            let (left, right) = conditions.split_at(conditions.len() / 2);
+            let side = |part: &[&Expr]| {
+                let inner = none_in_rust(part);
+                Box::new(if part.len() > 1 { in_parentheses(inner) } else { inner })
+            };
+            syn::Expr::Binary(syn::ExprBinary {
+                attrs: Vec::new(),
+                left: side(left),
+                op: syn::BinOp::And(syn::token::AndAnd([site, site])),
+                right: side(right),
+            })
+        }
+    }
+}
+
+/// `!a`, `!(a && b)`
+fn negated(expr: &syn::Expr) -> syn::Expr {
+    let is_term = matches!(expr, syn::Expr::Path(_) | syn::Expr::Paren(_) | syn::Expr::Verbatim(_) | syn::Expr::Lit(_));
+    let operand = if is_term { expr.clone() } else { in_parentheses(expr.clone()) };
+    let not = syn::UnOp::Not(syn::token::Not(Span::mixed_site()));
+    syn::Expr::Unary(syn::ExprUnary { attrs: Vec::new(), op: not, expr: Box::new(operand) })
+}
+
+/// Located nowhere, so that nobody takes the parentheses for the user's.
+pub(super) fn in_parentheses(expr: syn::Expr) -> syn::Expr {
+    let paren_token = syn::token::Paren(Span::mixed_site());
+    syn::Expr::Paren(syn::ExprParen { attrs: Vec::new(), paren_token, expr: Box::new(expr) })
+}
+
+fn literal_true(span: Span) -> syn::Expr {
+    syn::Expr::Lit(syn::ExprLit { attrs: Vec::new(), lit: syn::Lit::Bool(syn::LitBool { value: true, span }) })
+}
