@@ -1,6 +1,6 @@
 //! What a macro of `macro_rules` was given: whatever stands around it, it stays together.
 
-use grafcet_compiler::ast::{Arrow, Item};
+use grafcet_compiler::ast::{Arrow, Condition, Item, Transition};
 use grafcet_compiler::compile;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::parse;
@@ -340,8 +340,8 @@ fn tree(tokens: TokenStream) -> Result<String, String> {
     let body = parsed.ok_or("no chart")?.body;
     let condition = body.items.into_iter().find_map(|item| match item {
         Item::Chain(chain) => chain.rest.into_iter().find_map(|(arrow, _)| match arrow {
-            Arrow::Transition(transition) => Some(transition.condition),
-            Arrow::Bare(_) => None,
+            Arrow::Transition(Transition { condition: Condition::Holds(condition), .. }) => Some(condition),
+            _ => None,
         }),
         _ => None,
     });
