@@ -148,6 +148,7 @@ pub mod __private {
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
+    pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, sooner, until, until_change,
     };

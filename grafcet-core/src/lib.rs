@@ -10,6 +10,8 @@ mod instants;
 mod phase;
 mod ticks;
 mod time;
+#[doc(hidden)]
+pub mod values;
 
 pub use chart::Chart;
 pub use description::ActiveSteps;

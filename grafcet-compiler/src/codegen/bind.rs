@@ -102,7 +102,7 @@ impl Cx<'_> {
             let (name, target) = (self.model.place_name(*place), commit(*place));
             let note = names::written(name);
             let may_leave = self.is_written_back(*place, moment) && !writes::always(&tokens, name);
-            match may_leave.then(|| writes::noted(&tokens, name, self.model.place_type(*place), &note)).flatten() {
+            match may_leave.then(|| writes::noted(&tokens, name, self.model.place_ty(*place), &note)).flatten() {
                 Some(block) => {
                     tokens = block;
                     notes.extend(quote!(let mut #note = false;));

@@ -6,7 +6,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::situation::{At, shown_in};
 use super::state::step_name;
-use super::{Cx, derives, names, types};
+use super::{Cx, derives, names, requirements, types};
 use crate::model::StepId;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_stable`, `next_deadline`.
@@ -62,6 +62,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
         (0..model.assumptions.len()).map(|index| names::local(&format!("excluded_{index}"))).collect();
     let values = model.assumptions.iter().map(|assumption| cx.value(&assumption.never, Moment::Condition));
     let reads_nothing = model.assumptions.iter().all(|assumption| assumption.never.reads.is_empty());
+    let copied = requirements::copied(model, p);
     let unread = reads_nothing.then(|| quote!(let _ = inputs;));
     (!excluded.is_empty()).then(|| {
         quote! {
@@ -69,6 +70,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
             /// was compiled holds as long as this is true in every cycle.
             #[must_use]
             #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool {
+                #copied
                 #unread
                 #(let #excluded: #p::bool = #values;)*
                 #(!#excluded)&&*
@@ -91,11 +93,13 @@ fn cycle(cx: &Cx<'_>) -> TokenStream {
     // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
     let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
     let evolve = cx.evolve_function();
+    let copied = requirements::copied(model, p);
     quote! {
         #outlined
         /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
         /// situation.
         #vis fn cycle(&mut self, inputs: &#inputs #now #actions) -> #outputs {
+            #copied
             #ticks
             #body
         }
@@ -107,10 +111,12 @@ fn cycle(cx: &Cx<'_>) -> TokenStream {
 fn init(cx: &Cx<'_>) -> TokenStream {
     let vis = &cx.model.vis;
     let new = if cx.model.params.is_empty() { quote!(Self::new()) } else { quote!(Self::with_params(self.params)) };
+    let copied = (!cx.model.params.is_empty()).then(|| requirements::copied(cx.model, &cx.p));
     quote! {
         /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
         /// first one.
         #vis fn init(&mut self) {
+            #copied
             *self = #new;
         }
     }

@@ -1,17 +1,24 @@
 //! What the generated types derive: on their own, and because the chart asks for it.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::Path;
+use syn::{Path, Type};
 
+use super::requirements;
 use crate::model::{Model, Ty};
 
 /// The traits that a type derives on its own.
-pub(super) struct Derives(Vec<&'static str>);
+pub(super) struct Derives {
+    names: Vec<&'static str>,
+    /// Types of fields of which nobody knows whether they are `Copy`. A derive would report that at the whole chart, so `Clone`
+    /// and `Copy` are written out under the condition that they are; [`requirements`](super::requirements) asks for it.
+    foreign: Vec<Type>,
+}
 
 /// Of a struct with fields of these types. Of a user's own type only what a chart needs is asked for.
 pub(super) fn of<'t>(types: impl Iterator<Item = &'t Ty>) -> Derives {
     let types: Vec<_> = types.collect();
+    let foreign = requirements::distinct(types.iter().copied(), requirements::is_copy);
     let mut derives = vec!["Clone", "Copy"];
     if types.iter().all(|ty| !matches!(ty, Ty::Other(_)) || ty.is_float()) {
         derives.extend(["Debug", "PartialEq"]);
@@ -19,40 +26,64 @@ pub(super) fn of<'t>(types: impl Iterator<Item = &'t Ty>) -> Derives {
             derives.push("Eq");
         }
     }
-    Derives(derives)
+    Derives { names: derives, foreign }
 }
 
 /// Of an enum of names.
 pub(super) fn of_names() -> Derives {
-    Derives(vec!["Clone", "Copy", "PartialEq", "Eq", "PartialOrd", "Ord", "Hash", "Debug"])
+    plain(vec!["Clone", "Copy", "PartialEq", "Eq", "PartialOrd", "Ord", "Hash", "Debug"])
 }
 
 /// Of a private enum of states.
 pub(super) fn of_states() -> Derives {
-    Derives(vec!["Clone", "Copy", "PartialEq", "Eq", "Debug"])
+    plain(vec!["Clone", "Copy", "PartialEq", "Eq", "Debug"])
+}
+
+fn plain(names: Vec<&'static str>) -> Derives {
+    Derives { names, foreign: Vec::new() }
 }
 
 impl Derives {
     /// With another one.
     pub(super) fn and(mut self, name: &'static str) -> Self {
-        self.0.push(name);
+        self.names.push(name);
         self
     }
 
     /// The attributes, with what the chart derives beside. A type has its `Default` by itself, or none.
     pub(super) fn attributes(&self, model: &Model, p: &TokenStream) -> TokenStream {
-        let own = self.0.iter().map(|name| {
+        let derived = self.names.iter().filter(|name| self.foreign.is_empty() || !["Clone", "Copy"].contains(name));
+        let own = derived.map(|name| {
             let (module, name) = (format_ident!("{}", module(name)), format_ident!("{name}"));
             quote!(#p::core::#module::#name)
         });
+        let own: Vec<_> = own.collect();
+        let own = (!own.is_empty()).then(|| quote!(#[derive(#(#own),*)]));
         let users = self.users(model, &["Default"]);
-        quote!(#[derive(#(#own),*)] #users)
+        quote!(#own #users)
+    }
+
+    /// What is not derived, for the type `name`.
+    pub(super) fn written_out(&self, name: &Ident, p: &TokenStream) -> Option<TokenStream> {
+        let foreign = &self.foreign;
+        // A condition without anything that can vary is checked on the spot, one over a lifetime is not.
+        let copy = quote!(where #(for<'chart> #foreign: #p::core::marker::Copy),*);
+        (!foreign.is_empty()).then(|| {
+            quote! {
+                impl #p::core::marker::Copy for #name #copy {}
+                impl #p::core::clone::Clone for #name #copy {
+                    fn clone(&self) -> Self {
+                        *self
+                    }
+                }
+            }
+        })
     }
 
     /// What the chart derives beside these and others that the type has already.
     pub(super) fn users(&self, model: &Model, others: &[&str]) -> TokenStream {
         let has =
-            |path: &&Path| !standard(path).is_some_and(|name| self.0.iter().chain(others).any(|own| name == *own));
+            |path: &&Path| !standard(path).is_some_and(|name| self.names.iter().chain(others).any(|own| name == *own));
         let attributes = model.derives.iter().map(|derive| {
             let traits: Vec<&Path> = derive.traits.iter().filter(has).collect();
             match &derive.when {

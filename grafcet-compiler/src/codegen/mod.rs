@@ -19,6 +19,7 @@ mod names;
 mod nest;
 mod outputs;
 mod recipe;
+mod requirements;
 mod segments;
 mod sfc;
 mod situation;

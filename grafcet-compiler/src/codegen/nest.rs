@@ -207,10 +207,12 @@ impl Cx<'_> {
         let evolve = self.evolves_apart().then(|| self.evolve())?;
         let (p, inputs, name) = (&self.p, &self.names.inputs, names::evolve());
         let befores = self.befores_for(&evolve);
+        let copied = super::requirements::copied(self.model, &self.p);
         Some(quote! {
             /// One evolution; whether it has changed the situation.
             #[inline(never)]
             fn #name(&mut self, inputs: &#inputs) -> #p::bool {
+                #copied
                 let mut moved = false;
                 #befores
                 #evolve

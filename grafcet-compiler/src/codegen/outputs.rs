@@ -107,7 +107,8 @@ impl Cx<'_> {
         });
         let remember = self.plan.memory.last.iter().map(|id| {
             let (field, local) = (names::output_last_field(self.model, *id), names::output_local(self.model, *id));
-            let changed = types::compare(&self.model.outputs[*id].ty, &quote!(self.#field), &quote!(!=), &local);
+            let changed =
+                types::compare(&self.model.outputs[*id].ty, &quote!(self.#field), &quote!(!=), &local, &self.p);
             let unsettle = self.unsettle_if(&changed);
             quote!(#unsettle self.#field = #local;)
         });

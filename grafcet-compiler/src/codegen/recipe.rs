@@ -25,8 +25,9 @@ fn params(cx: &Cx<'_>) -> TokenStream {
         let (name, value) = (&param.name, types::initial_value(param.init.as_ref(), &param.ty, p));
         quote!(#name: #value,)
     });
-    let derives = derives::of(model.params.values().map(|param| &param.ty)).attributes(model, p);
+    let derives = derives::of(model.params.values().map(|param| &param.ty));
     let (vis, name, chart) = (&model.vis, &cx.names.params, &model.name);
+    let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let doc = format!("The recipe of [`{chart}`]; `default()` holds the values in the chart.");
     quote! {
@@ -34,6 +35,8 @@ fn params(cx: &Cx<'_>) -> TokenStream {
         #derives
         #levels
         #vis struct #name { #(#fields)* }
+
+        #written_out
 
         #levels
         impl #name {

@@ -322,7 +322,8 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let remembered = cx.plan.memory.stored.iter().chain(&cx.plan.memory.last).map(|id| &model.outputs[*id].ty);
     let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
     let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).collect();
-    let derives = derives::of(types.into_iter()).attributes(model, p);
+    let derives = derives::of(types.into_iter());
+    let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));
     let encoding = cx.encoding().map(|text| format!("\n\n{text}"));
@@ -334,6 +335,8 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
         #drawing
         #derives
         #vis struct #name { #(#declared)* #params_field }
+
+        #written_out
 
         #levels
         impl #name { #new }

@@ -74,7 +74,7 @@ impl Cx<'_> {
     pub(super) fn collected_unchanged(&self) -> Vec<TokenStream> {
         let places = self.plan.stored.collected.iter().map(|place| {
             let (next, field) = (names::collected(self.model, *place), names::place_field(self.model, *place));
-            types::compare(self.model.place_ty(*place), &quote!(#next), &quote!(==), &quote!(self.#field))
+            types::compare(self.model.place_ty(*place), &quote!(#next), &quote!(==), &quote!(self.#field), &self.p)
         });
         let events = self.event_calls().map(|id| names::due("call", id)).map(|due| quote!(!#due));
         let clearings = self.clearing_calls().map(|id| names::due("clearing", id.index())).map(|due| quote!(!#due));

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::names::Names;
-use super::{derives, editor, types};
+use super::{derives, editor, requirements, types};
 use crate::model::{Model, Ty};
 use crate::sorted::Set;
 use syn::{Attribute, Ident};
@@ -18,7 +18,9 @@ pub(crate) fn stub(model: &Model, timed: bool, root: &TokenStream) -> TokenStrea
     let methods = methods(model, timed, &names, &p);
     let uniform = uniform(model, &names, &p);
     let mentions = editor::mentions(model, &names, &p);
-    quote!(#records #enums #methods #uniform #mentions)
+    let copied = requirements::copied(model, &p);
+    let copied = (!copied.is_empty()).then(|| quote!(const _: () = { #copied };));
+    quote!(#records #enums #methods #uniform #mentions #copied)
 }
 
 /// The chart, its inputs, outputs and recipe.
@@ -26,13 +28,15 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, params, .. } = names;
     let record = |name: &Ident, docs: TokenStream, declared: Vec<Declared<'_>>| {
         let vis = &model.vis;
-        let derives = derives::of(declared.iter().map(|(_, _, ty)| *ty)).attributes(model, p);
+        let derives = derives::of(declared.iter().map(|(_, _, ty)| *ty));
+        let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
         let fields = fields(declared.into_iter(), p);
         quote! {
             #docs
             #derives
             #[allow(missing_docs, dead_code, clippy::all, clippy::pedantic)]
             #vis struct #name { #fields }
+            #written_out
             impl #p::core::default::Default for #name { fn default() -> Self { loop {} } }
         }
     };
@@ -51,12 +55,16 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         let declared = model.params.values().filter(|param| seen.insert(param.name.to_string()));
         let values = declared.map(|param| {
             let own = matches!(param.ty, Ty::Other(_)) && !param.ty.is_float();
-            let value = types::initial_value(param.init.as_ref().filter(|_| own), &param.ty, p);
+            let value = match &param.init {
+                // What is missing is reported.
+                None if own => quote!(#p::core::panic!()),
+                init => types::initial_value(init.as_ref().filter(|_| own), &param.ty, p),
+            };
             let name = &param.name;
             quote!(#name: #value,)
         });
         let new = quote!(#vis const fn new() -> Self { Self { #(#values)* } });
-        quote!(#record #[allow(missing_docs, dead_code)] impl #params { #new })
+        quote!(#record #[allow(missing_docs, dead_code, unreachable_code)] impl #params { #new })
     });
     quote!(#chart #inputs #outputs #params)
 }

@@ -5,7 +5,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Attribute, Type};
 
-use super::{Cx, derives};
+use super::{Cx, derives, requirements};
 use crate::model::{Expr, Model, OutputId, Ty};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
@@ -21,14 +21,43 @@ fn inputs(cx: &Cx<'_>) -> TokenStream {
         let docs = docs(&input.attrs, &format!("Input `{name}`."));
         quote!(#docs pub #name: #ty,)
     });
-    let derives = derives::of(model.inputs.values().map(|input| &input.ty)).and("Default").attributes(model, p);
+    let default = default_inputs(cx);
+    let derives = derives::of(model.inputs.values().map(|input| &input.ty));
     let (vis, name, levels) = (&model.vis, &cx.names.inputs, levels(model));
+    let written_out = derives.written_out(name, p);
+    let derives = if default.is_some() { derives } else { derives.and("Default") }.attributes(model, p);
     let doc = format!("The process inputs of [`{}`], sampled once per cycle.", model.name);
     quote! {
         #[doc = #doc]
         #derives
         #levels
         #vis struct #name { #(#fields)* }
+
+        #written_out
+        #default
+    }
+}
+
+/// The inputs of which nothing else is said, where a derive would report a type without a default at the whole chart.
+fn default_inputs(cx: &Cx<'_>) -> Option<TokenStream> {
+    let Cx { model, p, .. } = cx;
+    requirements::distinct(model.inputs.values().map(|input| &input.ty), requirements::has_default).first()?;
+    let initial = model.inputs.values().map(|input| {
+        let (name, value) = (&input.name, initial_value(None, &input.ty, p));
+        quote!(#name: #value,)
+    });
+    Some(default_of(cx, &cx.names.inputs, &initial.collect()))
+}
+
+fn default_of(cx: &Cx<'_>, name: &Ident, initial: &TokenStream) -> TokenStream {
+    let (p, levels) = (&cx.p, levels(cx.model));
+    quote! {
+        #levels
+        impl #p::core::default::Default for #name {
+            fn default() -> Self {
+                Self { #initial }
+            }
+        }
     }
 }
 
@@ -42,6 +71,7 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let derives = derives::of(model.outputs.values().map(|output| &output.ty));
     let (vis, name, levels) = (&model.vis, &cx.names.outputs, levels(model));
     let default = default_outputs(cx);
+    let written_out = derives.written_out(name, p);
     let derives = if default.is_some() { derives } else { derives.and("Default") }.attributes(model, p);
     let doc = format!("The process outputs of [`{}`]; `default()` holds the initial values.", model.name);
     // Processors without unaligned stores clear many single bytes through a call, words at once.
@@ -53,6 +83,7 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
         #align
         #vis struct #name { #(#fields)* }
 
+        #written_out
         #default
     }
 }
@@ -60,22 +91,15 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
 /// The outputs before anything has acted on them, where the chart says what they are.
 fn default_outputs(cx: &Cx<'_>) -> Option<TokenStream> {
     let Cx { model, p, .. } = cx;
-    if model.outputs.values().all(|output| output.init.is_none()) {
+    let foreign = requirements::distinct(model.outputs.values().map(|output| &output.ty), requirements::has_default);
+    if foreign.is_empty() && model.outputs.values().all(|output| output.init.is_none()) {
         return None;
     }
     let initial = model.outputs.iter().map(|(id, output)| {
         let (name, value) = (&output.name, initial_output(model, id, p));
         quote!(#name: #value,)
     });
-    let (name, levels) = (&cx.names.outputs, levels(model));
-    Some(quote! {
-        #levels
-        impl #p::core::default::Default for #name {
-            fn default() -> Self {
-                Self { #(#initial)* }
-            }
-        }
-    })
+    Some(default_of(cx, &cx.names.outputs, &initial.collect()))
 }
 
 fn step_names(cx: &Cx<'_>) -> TokenStream {
@@ -139,7 +163,20 @@ pub(super) fn rust_type(ty: &Ty, p: &TokenStream) -> TokenStream {
 
 /// `one == other` or `one != other`. A float that is no number equals itself here: a search for stability that stores it
 /// would not end.
-pub(super) fn compare(ty: &Ty, one: &TokenStream, operator: &TokenStream, other: &TokenStream) -> TokenStream {
+pub(super) fn compare(
+    ty: &Ty,
+    one: &TokenStream,
+    operator: &TokenStream,
+    other: &TokenStream,
+    p: &TokenStream,
+) -> TokenStream {
+    if let (Ty::Other(rust), false) = (ty, ty.is_float()) {
+        if !requirements::is_copy(rust) {
+            let not = (operator.to_string() == "!=").then(|| quote!(!));
+            let same = requirements::is_same(rust, one, other, p);
+            return quote!(#not #same);
+        }
+    }
     let bits = ty.is_float().then(|| quote!(.to_bits()));
     quote!(#one #bits #operator #other #bits)
 }
@@ -177,6 +214,6 @@ pub(super) fn initial_value(init: Option<&Expr>, ty: &Ty, p: &TokenStream) -> To
         Ty::Int { .. } => quote!(0),
         Ty::Time(_) => quote!(#p::Ticks::ZERO),
         Ty::Other(_) if ty.is_float() => quote!(0.0),
-        Ty::Other(_) => quote!(#p::core::default::Default::default()),
+        Ty::Other(rust) => requirements::default_value(rust, p),
     }
 }

@@ -116,15 +116,6 @@ impl Model {
         }
     }
 
-    /// The declared type of a place.
-    #[must_use]
-    pub fn place_type(&self, place: Place) -> &Ty {
-        match place {
-            Place::Output(id) => &self.outputs[id].ty,
-            Place::Var(id) => &self.vars[id].ty,
-        }
-    }
-
     /// The declared name of a value.
     #[must_use]
     pub fn value_name(&self, name: Name) -> &syn::Ident {

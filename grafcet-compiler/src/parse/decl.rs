@@ -1,11 +1,11 @@
 //! `output speed: u16 = 0;` and `action heat(setpoint: i16);`
 
 use proc_macro2::{Delimiter, Ident};
+use syn::Expr;
 use syn::parse::Parse;
-use syn::{Expr, Type};
 
 use super::recover::{self, Place};
-use super::{Error, Input, Result};
+use super::{Error, Input, Result, types};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
 use crate::diagnostic::Sink;
 
@@ -14,7 +14,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     let keyword = input.eat_ident();
     let names = names(input)?;
     colon(input, &names, keyword.as_ref())?;
-    let ty = ty(input)?;
+    let ty = types::parse(input, sink)?;
     let start = *input;
     let mut init = if input.at_assign() && input.eat("=") { Some(value(input)?) } else { None };
     if kind == DeclKind::Input && init.take().is_some() {
@@ -48,19 +48,6 @@ fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<
     Ok(())
 }
 
-/// A type; the word `time` alone is ours.
-fn ty(input: &mut Input) -> Result<Ty> {
-    let behind = input.next();
-    if input.at_word("time") && !behind.at("::") && !behind.at("<") && !behind.at("!") {
-        input.bump();
-        return Ok(Ty::Time(input.last()));
-    }
-    if input.is_empty() || [";", "=", ",", ":"].iter().any(|sign| input.at(sign)) && !input.at("::") {
-        return Err(input.error(format!("expected a type, such as `bool`, found {}", input.found())));
-    }
-    input.rust(Type::parse).map(Ty::Rust)
-}
-
 /// The expression behind `=`.
 fn value(input: &mut Input) -> Result<Expr> {
     if input.is_empty() || input.at(";") {
@@ -81,7 +68,7 @@ pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result
     };
     let mut params = Vec::new();
     while !inside.is_empty() {
-        params.push(param(&mut inside)?);
+        params.push(param(&mut inside, sink)?);
         if !inside.eat(",") && !inside.is_empty() {
             return Err(inside.error(format!("expected `,`, found {}", inside.found())));
         }
@@ -91,12 +78,12 @@ pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result
     Ok(ActionDecl { attrs, name, params })
 }
 
-fn param(input: &mut Input) -> Result<(Ident, Ty)> {
+fn param(input: &mut Input, sink: &mut Sink) -> Result<(Ident, Ty)> {
     let name = input.name("an argument, as in `setpoint: i16`")?;
     if input.at("::") || !input.eat(":") {
         return Err(input.error(format!("expected `:` and the type of `{name}`, found {}", input.found())));
     }
-    Ok((name, ty(input)?))
+    Ok((name, types::parse(input, sink)?))
 }
 
 fn refuse_result(input: &Input) -> Result<()> {

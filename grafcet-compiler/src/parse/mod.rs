@@ -24,6 +24,7 @@ mod step;
 mod target;
 mod time;
 mod transition;
+mod types;
 mod words;
 
 use proc_macro2::{Span, TokenStream};

@@ -168,7 +168,7 @@ impl<'r, 's> Writes<'r, 's> {
     fn note_call(&mut self, call: &syn::ExprMethodCall) {
         let Some(name) = methods::root(&call.receiver) else { return };
         let Some(place) = self.place(name) else { return };
-        if !methods::only_reads(call, self.resolver.model.place_type(place)) {
+        if !methods::only_reads(call, self.resolver.model.place_ty(place)) {
             self.note_unsure(name, &format!("{}.{}(…)", super::text::of(&call.receiver), call.method));
         }
     }

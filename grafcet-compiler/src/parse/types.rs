@@ -1,0 +1,82 @@
+//! Declared types, with an ear for those of IEC 61131-3.
+
+use proc_macro2::{Delimiter, Ident, Span};
+use syn::Type;
+use syn::parse::Parse;
+
+use super::{Input, Result};
+use crate::ast::Ty;
+use crate::diagnostic::Sink;
+
+/// What IEC 61131-3 and other languages call a type, and what it is here.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("BOOL", "bool"),
+    ("SINT", "i8"),
+    ("INT", "i16"),
+    ("DINT", "i32"),
+    ("LINT", "i64"),
+    ("USINT", "u8"),
+    ("UINT", "u16"),
+    ("UDINT", "u32"),
+    ("ULINT", "u64"),
+    ("REAL", "f32"),
+    ("LREAL", "f64"),
+    ("TIME", "time"),
+    ("LTIME", "time"),
+    ("BYTE", "u8"),
+    ("WORD", "u16"),
+    ("DWORD", "u32"),
+    ("LWORD", "u64"),
+    ("CHAR", "char"),
+    ("WCHAR", "char"),
+    ("STRING", "&'static str"),
+    ("WSTRING", "&'static str"),
+    ("int", "i32"),
+    ("uint", "u32"),
+    ("float", "f32"),
+    ("double", "f64"),
+    ("boolean", "bool"),
+];
+
+/// A type; the word `time` alone is ours.
+pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Ty> {
+    let behind = input.next();
+    let alone = !behind.at("::") && !behind.at("<") && !behind.at("!");
+    if input.at_word("time") && alone {
+        input.bump();
+        return Ok(Ty::Time(input.last()));
+    }
+    if input.is_empty() || [";", "=", ",", ":"].iter().any(|sign| input.at(sign)) && !input.at("::") {
+        return Err(input.error(format!("expected a type, such as `bool`, found {}", input.found())));
+    }
+    if input.at_word("ARRAY") && behind.at_group(Delimiter::Bracket) {
+        return Err(input.error("an array is written with its element and its length: `[i16; 4]`"));
+    }
+    let span = input.span();
+    let word = input.word().filter(|_| alone);
+    if let Some((theirs, ours)) = word.and_then(|word| ELSEWHERE.iter().find(|(name, _)| *name == word)) {
+        sink.notation(
+            span,
+            format!(
+                "`{theirs}` is no type of Rust: write `{ours}`; a type of your own of that name is `self::{theirs}`"
+            ),
+        );
+        input.bump();
+        // `STRING[80]`
+        input.enter(Delimiter::Bracket);
+        return Ok(meant(ours, span));
+    }
+    input.rust(Type::parse).map(Ty::Rust)
+}
+
+/// The type that was meant, so that nothing follows from the mistake.
+fn meant(ours: &str, span: Span) -> Ty {
+    match ours {
+        "time" => Ty::Time(span),
+        "&'static str" => Ty::Rust(syn::parse_quote_spanned!(span=> &'static str)),
+        ours => {
+            let name = Ident::new(ours, span);
+            Ty::Rust(syn::parse_quote!(#name))
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What a chart asks of the types of its values, in words: a type that lacks it is told so where the chart names it.
+
+/// A value that can be copied.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not `Copy`: a chart copies the values of its inputs, outputs, variables and params",
+    label = "not `Copy`",
+    note = "write `#[derive(Clone, Copy)]` where `{Self}` is declared; what cannot be copied stays outside the chart, behind an `action`"
+)]
+pub trait Value: Copy {}
+
+#[diagnostic::do_not_recommend]
+impl<T: Copy> Value for T {}
+
+/// A value that an input or output has before anybody has said which.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no `Default`: that is the value of an input or output of which nothing else is said",
+    label = "no `Default`",
+    note = "write `#[derive(Default)]` where `{Self}` is declared, or `impl Default for {Self}`; an output can state its value: `output name: {Self} = …;`"
+)]
+pub trait DefaultValue: Default {}
+
+#[diagnostic::do_not_recommend]
+impl<T: Default> DefaultValue for T {}
+
+/// A value of which a chart has to know whether it has changed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not `PartialEq`: what a stored action sets is compared with what it was",
+    label = "not `PartialEq`",
+    note = "write `#[derive(PartialEq)]` where `{Self}` is declared"
+)]
+pub trait ComparedValue: PartialEq {}
+
+#[diagnostic::do_not_recommend]
+impl<T: PartialEq> ComparedValue for T {}
+
+/// Asks that values of a type can be copied.
+#[inline]
+pub const fn copied<T: Value>() {}
+
+/// The default of a type.
+#[must_use]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "it is the call behind it, also where nothing is optimized")]
+pub fn default_value<T: DefaultValue>() -> T {
+    T::default()
+}
+
+/// Whether two values are the same.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "it is the comparison, also where nothing is optimized")]
+pub fn is_same<T: ComparedValue>(one: &T, other: &T) -> bool {
+    one == other
+}
