@@ -41,12 +41,14 @@ fn charts_of_such_types_are_values() {
     assert_eq!(ValuesOutputs::default().c.0, 7);
 }
 
-/// A type of one's own that is called as one of IEC 61131-3.
-type INT = i8;
+/// Types of one's own that are called as those of IEC 61131-3.
+mod plc {
+    pub(crate) type INT = i8;
+}
 
 grafcet! {
     grafcet Named {
-        input level: self::INT;
+        input level: plc::INT;
         output q: bool;
         initial step A;
         step B { q; }
