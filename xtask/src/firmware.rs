@@ -1,7 +1,6 @@
 //! The example charts on bare metal: built or checked for every target, run on an emulated board, compared with the host.
 
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
@@ -24,12 +23,26 @@ pub(crate) const EXAMPLES_CRATE: &str = "examples/firmware/Cargo.toml";
 const RTIC_CRATE: &str = "examples/rtic/Cargo.toml";
 const EMBASSY_CRATE: &str = "examples/embassy/Cargo.toml";
 
-/// The programs that live from interrupts and have no counterpart on the host, with what they print.
-const PROGRAMS: [(&str, &str); 3] = [
-    ("messages", include_str!("../../tests/examples/messages.expected")),
-    ("staircase-rtic", include_str!("../../tests/examples/staircase.expected")),
-    ("staircase-embassy", include_str!("../../tests/examples/staircase.expected")),
+/// The programs that live from interrupts and have no counterpart on the host, with their folder, how a reader starts them there, and
+/// what they print.
+const PROGRAMS: [(&str, &str, &str, &str); 3] = [
+    (
+        "messages",
+        "examples/firmware",
+        "cargo run --release --bin messages",
+        include_str!("../../tests/examples/messages.expected"),
+    ),
+    ("staircase-rtic", "examples/rtic", "cargo run --release", include_str!("../../tests/examples/staircase.expected")),
+    (
+        "staircase-embassy",
+        "examples/embassy",
+        "cargo run --release",
+        include_str!("../../tests/examples/staircase.expected"),
+    ),
 ];
+
+/// Where the runner of the board stands for all that has none of its own.
+const RUNNER: &str = "examples/firmware";
 
 /// The manifest of the conformance corpus for the board, and its image.
 const CORPUS: (&str, &str) = ("tests/conformance/board/Cargo.toml", "corpus");
@@ -60,7 +73,7 @@ const SHOWN: usize = 20;
 pub(crate) fn run() -> Result {
     cargo("build", EXAMPLES_CRATE, BOARD, "--bins")?;
     let host = host_lines()?;
-    compare(&host, &board_lines(IMAGE)?)?;
+    compare(&host, &board_lines(IMAGE, RUNNER)?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
     programs()?;
     cargo("build", EXAMPLES_CRATE, LINKED, "--bins")?;
@@ -73,8 +86,12 @@ pub(crate) fn run() -> Result {
 fn programs() -> Result {
     cargo("build", RTIC_CRATE, BOARD, "--bins")?;
     cargo("build", EMBASSY_CRATE, BOARD, "--bins")?;
-    PROGRAMS.iter().try_for_each(|(name, expected)| {
-        compare(expected, &board_lines(name)?).map_err(|error| format!("{name}: {error}"))?;
+    PROGRAMS.iter().try_for_each(|(name, folder, command, expected)| {
+        let readme = read(&format!("{folder}/README.md"))?;
+        if !readme.lines().any(|line| line.split('#').next().is_some_and(|typed| typed.trim_end() == *command)) {
+            return Err(format!("{folder}/README.md does not name `{command}`"));
+        }
+        compare(expected, &board_lines(name, folder)?).map_err(|error| format!("{name}: {error}"))?;
         println!("firmware: {name} prints what it should");
         Ok(())
     })
@@ -103,7 +120,7 @@ fn no_panics() -> Result {
 fn corpus() -> Result {
     let (manifest, image) = CORPUS;
     cargo("build", manifest, BOARD, "--bins")?;
-    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines(image)?)?;
+    compare(&format!("{} charts, 0 failed\n", charts()?), &board_lines(image, RUNNER)?)?;
     println!("firmware: the conformance corpus shows the same on the board");
     Ok(())
 }
@@ -139,19 +156,26 @@ fn host_lines() -> Result<String> {
         .collect()
 }
 
-fn board_lines(image: &str) -> Result<String> {
-    let qemu = tool("qemu-system-arm", "qemu-system-arm")?;
+/// What an image prints, run as `cargo run` does in this folder.
+fn board_lines(image: &str, folder: &str) -> Result<String> {
     let image = project::target(FOLDER).join(BOARD).join("release").join(image);
-    capture_within(&mut emulator(&qemu, &image), LIMIT)
+    let config = format!("{folder}/.cargo/config.toml");
+    let text = read(&config)?;
+    let mut words = runner(&text).ok_or_else(|| format!("{config} names no runner"))?;
+    let emulator = words.next().ok_or_else(|| format!("{config} names an empty runner"))?;
+    let mut command = Command::new(tool(emulator, emulator)?);
+    command.args(words).arg(image);
+    capture_within(&mut command, LIMIT)
 }
 
-fn emulator(qemu: &Path, image: &Path) -> Command {
-    let mut command = Command::new(qemu);
-    command.args(["-cpu", "cortex-m3", "-machine", "lm3s6965evb", "-nographic"]);
-    // An instruction takes 512 ns, and sleeping takes none of our time.
-    command.args(["-icount", "shift=9,sleep=off"]);
-    command.args(["-semihosting-config", "enable=on,target=native", "-kernel"]).arg(image);
-    command
+/// The words of the `runner` in a configuration of cargo.
+fn runner(config: &str) -> Option<impl Iterator<Item = &str>> {
+    let line = config.lines().find_map(|line| line.strip_prefix("runner = \"")?.strip_suffix('"'))?;
+    Some(line.split_whitespace())
+}
+
+fn read(file: &str) -> Result<String> {
+    fs::read_to_string(project::root().join(file)).map_err(|error| format!("{file}: {error}"))
 }
 
 fn compare(expected: &str, board: &str) -> Result {
@@ -177,7 +201,14 @@ fn compare(expected: &str, board: &str) -> Result {
 
 #[cfg(test)]
 mod tests {
-    use super::compare;
+    use super::{compare, runner};
+
+    #[test]
+    fn the_runner_is_what_stands_there() {
+        let words = |config| runner(config).map(Iterator::collect::<Vec<_>>);
+        assert_eq!(words("[target.t]\nrunner = \"a -b c\"\n"), Some(vec!["a", "-b", "c"]));
+        assert_eq!(words("[target.t]\n"), None);
+    }
 
     #[test]
     fn equal_lines_compare_equal() {
