@@ -146,7 +146,7 @@ fn problems(drawing: &Drawing) -> Vec<String> {
         }
     }
     for (square, seen) in &squares {
-        let on_line = |name: &String| ["bar", "arrow"].contains(&name.as_str());
+        let on_line = |name: &String| ["bar", "arrow", "dot"].contains(&name.as_str());
         match &seen.solid[..] {
             [] => {}
             [one] if (seen.lines == 0 || on_line(one)) && seen.edges == 0 => {}
@@ -172,6 +172,7 @@ fn covered(shape: &Shape) -> Vec<(Square, What)> {
         }
         Shape::Bar { at } => row(at.0 - 2, at.1, 5).map(|square| (square, What::Solid("bar".to_owned()))).collect(),
         Shape::Arrow { at, .. } => vec![(*at, What::Solid("arrow".to_owned()))],
+        Shape::Dot { at } => vec![(*at, What::Solid("dot".to_owned()))],
         Shape::Mark { at } => vec![(*at, What::Solid("mark".to_owned()))],
         Shape::Text { at, text, half } => {
             let count = i32::try_from(text.chars().count()).unwrap_or(i32::MAX) + i32::from(*half);

@@ -141,6 +141,23 @@ impl Scene<'_> {
         }
     }
 
+    /// What begins a net comes first: initial steps, then those that are entered with what is around them.
+    pub(crate) fn begins(&self, node: Node) -> u8 {
+        let entered = match node {
+            Node::Step(id) => self.chart.steps.get(id).is_some_and(|step| {
+                let entry = step.expansion.and_then(|id| self.chart.macros.get(id)).is_some_and(|m| m.entry == id);
+                step.linked || entry
+            }),
+            Node::Macro(_) => false,
+        };
+        if self.is_initial(node) { 0 } else { 2 - u8::from(entered) }
+    }
+
+    /// Whether the branches behind a step have an order: in an SFC it is the order of the source (IEC 61131-3).
+    pub(crate) fn ranks(&self) -> bool {
+        self.chart.dialect == Dialect::Sfc
+    }
+
     fn is_active(&self, node: Node) -> bool {
         match node {
             Node::Step(id) => self.active.get(id).copied().unwrap_or(false),

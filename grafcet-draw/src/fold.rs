@@ -14,7 +14,7 @@ const COLUMN: i32 = 60;
 /// The columns of a net whose steps are all connected, in the order of the flow; parallel branches that are cut stand in
 /// columns of their own.
 pub(crate) fn columns(scene: &Scene<'_>, net: Sheet) -> Vec<Sheet> {
-    let graph = layered(&net, |node| scene.is_initial(node));
+    let graph = layered(scene, &net);
     let heights = heights(scene, &graph);
     if heights.iter().sum::<i32>() <= TALL {
         return vec![net];

@@ -2,6 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::figure::Scene;
+use crate::search::{Search, ranks};
+use crate::sequence::{Sequence, sequence};
 use crate::sheets::{Link, Node, Sheet};
 
 /// How many lines go up at the side of a net; other jumps back are written as references.
@@ -57,99 +60,33 @@ pub(crate) struct Graph {
     pub(crate) jumps: Vec<(usize, Node)>,
     /// From left to right.
     pub(crate) layers: Vec<Vec<usize>>,
+    /// The hops of sequences, which are straight if they can be: the number of the sequence, 0 for the main one.
+    pub(crate) straight: BTreeMap<(usize, usize), usize>,
+    /// The hops from a step to its branches where these have an order: which of them comes first, from 1.
+    pub(crate) ranks: BTreeMap<(usize, usize), usize>,
 }
 
-/// The layers of a net; `initial` says where it begins.
-pub(crate) fn layered(net: &Sheet, initial: impl Fn(Node) -> bool) -> Graph {
+/// The layers of a net.
+pub(crate) fn layered(scene: &Scene<'_>, net: &Sheet) -> Graph {
     let mut search = Search::new(net);
-    let (first, others): (Vec<_>, Vec<_>) = (0..net.nodes.len()).partition(|node| initial(net.nodes[*node]));
-    for node in first.into_iter().chain(others) {
-        search.visit(node);
+    let mut entered = vec![false; net.nodes.len()];
+    search.targets.iter().flatten().for_each(|node| entered[*node] = true);
+    let mut roots: Vec<usize> = (0..net.nodes.len()).collect();
+    // What is active first, then what is entered first, then what no transition leads to.
+    roots.sort_by_key(|node| (scene.begins(net.nodes[*node]), entered[*node], *node));
+    let first = roots.first().map_or(0, |node| scene.begins(net.nodes[*node]));
+    search.top = net.nodes.iter().map(|node| scene.begins(*node) == first).collect();
+    search.run(&roots);
+    // Once more with the main branches first: who is named first in the source does not matter.
+    let layers = ranks(&search);
+    let main = sequence(&search, &layers).main;
+    for (links, main) in search.out.iter_mut().zip(main) {
+        links.sort_by_key(|link| Some(*link) != main);
     }
-    search.loose();
-    Builder::of(&search).build()
-}
-
-/// Depth first through a net, which finds the arcs that lead back.
-struct Search<'n> {
-    net: &'n Sheet,
-    sources: Vec<Vec<usize>>,
-    targets: Vec<Vec<usize>>,
-    /// The transitions behind each node.
-    out: Vec<Vec<usize>>,
-    /// The number of each node and transition in the order of finding.
-    node_key: Vec<Option<i64>>,
-    link_key: Vec<Option<i64>>,
-    keys: i64,
-    open: Vec<bool>,
-    /// Finished nodes, the last one first: an order in which arcs lead forward.
-    order: Vec<usize>,
-    /// Arcs from a transition to a node above it.
-    back: Vec<(usize, usize)>,
-}
-
-impl<'n> Search<'n> {
-    fn new(net: &'n Sheet) -> Self {
-        let index: BTreeMap<Node, usize> = net.nodes.iter().enumerate().map(|(i, node)| (*node, i)).collect();
-        let known = |nodes: &[Node]| nodes.iter().filter_map(|node| index.get(node).copied()).collect::<Vec<_>>();
-        let (nodes, links) = (net.nodes.len(), net.links.len());
-        let sources: Vec<_> = net.links.iter().map(|link: &Link| known(&link.sources)).collect();
-        let mut out = vec![Vec::new(); nodes];
-        for (link, sources) in sources.iter().enumerate() {
-            for node in sources {
-                out[*node].push(link);
-            }
-        }
-        Self {
-            net,
-            sources,
-            targets: net.links.iter().map(|link| known(&link.targets)).collect(),
-            out,
-            node_key: vec![None; nodes],
-            link_key: vec![None; links],
-            keys: 0,
-            open: vec![false; nodes],
-            order: Vec::new(),
-            back: Vec::new(),
-        }
-    }
-
-    fn key(&mut self) -> i64 {
-        self.keys += 1;
-        self.keys
-    }
-
-    /// As deep as a net has steps, which is bounded.
-    fn visit(&mut self, node: usize) {
-        if self.node_key[node].is_some() {
-            return;
-        }
-        self.node_key[node] = Some(self.key());
-        self.open[node] = true;
-        for link in self.out[node].clone() {
-            if self.link_key[link].is_none() {
-                self.link_key[link] = Some(self.key());
-            }
-            for target in self.targets[link].clone() {
-                if !self.open[target] {
-                    self.visit(target);
-                } else if !self.back.contains(&(link, target)) {
-                    self.back.push((link, target));
-                }
-            }
-        }
-        self.open[node] = false;
-        self.order.push(node);
-    }
-
-    /// Source transitions come last.
-    fn loose(&mut self) {
-        for link in 0..self.link_key.len() {
-            if self.link_key[link].is_none() {
-                self.link_key[link] = Some(self.key());
-            }
-        }
-    }
+    search.run(&roots);
+    let layers = ranks(&search);
+    let sequence = sequence(&search, &layers);
+    Builder::of(&search, layers).build(&sequence, scene.ranks())
 }
 
 /// A node and the transitions that lead back to it.
@@ -164,8 +101,7 @@ struct Builder<'s> {
 }
 
 impl<'s> Builder<'s> {
-    fn of(search: &'s Search<'s>) -> Self {
-        let (node_layer, link_layer) = ranks(search);
+    fn of(search: &'s Search<'s>, (node_layer, link_layer): (Vec<usize>, Vec<usize>)) -> Self {
         let mut graph = Graph::default();
         let key = |key: Option<i64>| key.unwrap_or_default() * 4;
         let mut item = |kind, layer, key| {
@@ -182,14 +118,22 @@ impl<'s> Builder<'s> {
         Self { search, graph, node_item, link_item }
     }
 
-    fn build(mut self) -> Graph {
+    fn build(mut self, sequence: &Sequence, ranked: bool) -> Graph {
+        let number = |ways: &[(usize, usize, usize)], from: usize, to: usize| {
+            ways.iter().find(|way| (way.0, way.1) == (from, to)).map(|way| way.2)
+        };
+        let mut branches = vec![0; self.node_item.len()];
         for (link, sources) in self.search.sources.iter().enumerate() {
             for source in sources {
-                self.descend(self.node_item[*source], self.link_item[link]);
+                let straight = number(&sequence.down, *source, link);
+                let hop = self.descend(self.node_item[*source], self.link_item[link], straight);
+                branches[*source] += 1;
+                if ranked && self.search.out[*source].len() > 1 {
+                    self.graph.ranks.insert(hop, branches[*source]);
+                }
             }
         }
         let (looped, jumps) = self.split();
-        let rising = self.rising();
         for (target, links) in looped {
             self.raise(target, &links);
         }
@@ -197,8 +141,9 @@ impl<'s> Builder<'s> {
             for target in targets {
                 if jumps.contains(&(link, *target)) {
                     self.jump(link, self.search.net.nodes[*target]);
-                } else if !rising.contains(&(link, *target)) {
-                    self.descend(self.link_item[link], self.node_item[*target]);
+                } else if !self.search.back.contains(&(link, *target)) {
+                    let straight = number(&sequence.on, link, *target);
+                    self.descend(self.link_item[link], self.node_item[*target], straight);
                 }
             }
         }
@@ -222,15 +167,17 @@ impl<'s> Builder<'s> {
         self.graph.items.len() - 1
     }
 
-    /// A line down, through every layer between.
-    fn descend(&mut self, from: usize, to: usize) {
-        let mut upper = from;
+    /// A line down, through every layer between, of a sequence if it has a number; its first hop.
+    fn descend(&mut self, from: usize, to: usize, straight: Option<usize>) -> (usize, usize) {
+        let mut way = vec![from];
         for layer in self.layer(from) + 1..self.layer(to) {
-            let pass = self.item(Kind::Pass, layer, self.graph.items[from].key + 1);
-            self.graph.hops.push((upper, pass));
-            upper = pass;
+            way.push(self.item(Kind::Pass, layer, self.graph.items[from].key + 1));
         }
-        self.graph.hops.push((upper, to));
+        way.push(to);
+        let hops = way.windows(2).map(|pair| (pair[0], pair[1]));
+        self.graph.hops.extend(hops.clone());
+        self.graph.straight.extend(straight.into_iter().flat_map(|number| hops.clone().map(move |hop| (hop, number))));
+        (way[0], way[1])
     }
 
     /// A reference below a transition.
@@ -263,25 +210,12 @@ impl<'s> Builder<'s> {
         self.graph.loops.push(Loop { from, rises, to });
     }
 
-    /// The arcs that lead up on paper. These are the arcs back, as a rule; where a transition has several sources, one that
-    /// leads back from the first may lead down from the last, and the other way round.
-    fn rising(&self) -> Vec<(usize, usize)> {
-        let search = self.search;
-        let leads_up = |arc: &(usize, usize)| self.layer(self.node_item[arc.1]) < self.layer(self.link_item[arc.0]);
-        let mut rising: Vec<_> = search.back.iter().copied().filter(leads_up).collect();
-        for (link, targets) in search.targets.iter().enumerate() {
-            let arcs = targets.iter().map(|target| (link, *target)).filter(leads_up);
-            rising.extend(arcs.filter(|arc| !search.back.contains(arc)));
-        }
-        rising
-    }
-
     /// The steps that a line leads back to, with its transitions; and what is written as a reference.
     fn split(&self) -> (Vec<Returns>, Vec<(usize, usize)>) {
         let search = self.search;
         let mut looped: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        let rising = self.rising();
-        for (link, target) in &rising {
+        let rising = &search.back;
+        for (link, target) in rising {
             if search.targets[*link].len() == 1 {
                 looped.entry(*target).or_default().push(*link);
             }
@@ -302,23 +236,4 @@ impl<'s> Builder<'s> {
         }
         (looped, jumps)
     }
-}
-
-/// The layers of nodes and transitions: each below all that leads to it.
-fn ranks(search: &Search<'_>) -> (Vec<usize>, Vec<usize>) {
-    let mut nodes = vec![0; search.node_key.len()];
-    let mut links = vec![1; search.link_key.len()];
-    let mut before: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
-    for (link, targets) in search.targets.iter().enumerate() {
-        for target in targets.iter().filter(|target| !search.back.contains(&(link, **target))) {
-            before[*target].push(link);
-        }
-    }
-    for node in search.order.iter().rev() {
-        nodes[*node] = before[*node].iter().map(|link| links[*link] + 1).max().unwrap_or(0);
-        for link in &search.out[*node] {
-            links[*link] = links[*link].max(nodes[*node] + 1);
-        }
-    }
-    (nodes, links)
 }

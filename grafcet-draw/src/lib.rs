@@ -13,6 +13,8 @@ mod net;
 mod order;
 mod place;
 mod route;
+mod search;
+mod sequence;
 mod shape;
 mod sheets;
 mod svg;

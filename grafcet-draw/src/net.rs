@@ -2,12 +2,13 @@
 
 use crate::figure::{Density, Extent, Figure, References, Scene};
 use crate::fold::columns;
-use crate::graph::{Graph, layered};
+use crate::graph::{Graph, Kind, layered};
 use crate::order::order;
 use crate::place::place;
 use crate::route::{Channel, channel};
 use crate::shape::{Drawing, Heading, Shape};
 use crate::sheets::{Node, Sheet, pieces};
+use crate::wrap::width;
 
 /// Wider nets are drawn anew densely: what fits a page that is scaled to three fifths.
 const WIDE: i32 = 180;
@@ -16,7 +17,7 @@ const WIDE: i32 = 180;
 pub(crate) fn draw(scene: &Scene<'_>, sheet: &Sheet) -> Vec<Drawing> {
     let columns = pieces(sheet).into_iter().flat_map(|net| columns(scene, net));
     let graphs = columns.map(|net| {
-        let mut graph = layered(&net, |node| scene.is_initial(node));
+        let mut graph = layered(scene, &net);
         order(&mut graph);
         graph
     });
@@ -50,13 +51,17 @@ fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
     let extents: Vec<Extent> = figures.iter().map(Figure::extent).collect();
     let x = place(graph, &extents);
     let mut hops = vec![Vec::new(); graph.layers.len() + 1];
-    let mut leads_on = vec![false; graph.items.len()];
+    let (mut leads_on, mut entered) = (vec![false; graph.items.len()], vec![false; graph.items.len()]);
     for (upper, lower) in &graph.hops {
         hops[graph.items[*lower].layer].push((*upper, *lower));
-        leads_on[*upper] = true;
+        (leads_on[*upper], entered[*lower]) = (true, true);
     }
-    for id in graph.loops.iter().flat_map(|upward| &upward.from) {
-        leads_on[*id] = true;
+    for upward in &graph.loops {
+        upward.from.iter().for_each(|id| leads_on[*id] = true);
+        entered[upward.to] = true;
+    }
+    for (item, entered) in graph.items.iter().zip(&mut entered) {
+        *entered |= matches!(item.kind, Kind::Node(node) if references.contains_key(&node));
     }
     let channels = hops.iter().enumerate().map(|(below, hops)| channel(graph, &x, below, hops));
     let channels: Vec<Channel> = channels.collect();
@@ -72,7 +77,9 @@ fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
         for id in items {
             figures[*id].draw(x[*id], y, last, &mut drawing);
             let (enter, leave) = figures[*id].ports();
-            drawing.line((x[*id], y), (x[*id], y + enter), false);
+            if entered[*id] {
+                drawing.line((x[*id], y), (x[*id], y + enter), false);
+            }
             if leads_on[*id] {
                 drawing.line((x[*id], y + leave), (x[*id], last), false);
             }
@@ -98,13 +105,22 @@ fn arrows(graph: &Graph, x: &[i32], rows: &[(i32, i32)], drawing: &mut Drawing) 
 /// The paper's size, and lines as long as they are.
 fn finish(mut drawing: Drawing, graph: &Graph, x: &[i32], extents: &[Extent], height: i32) -> Drawing {
     drawing.shapes = joined(drawing.shapes);
-    let left = (0..graph.items.len()).map(|id| x[id] - extents[id].left).min().unwrap_or(0);
-    drawing.width = (0..graph.items.len()).map(|id| x[id] + extents[id].right + 1).max().unwrap_or(0) - left;
+    // Lines between the layers may lead around what stands in them.
+    let lines = || {
+        drawing.shapes.iter().filter_map(|shape| match shape {
+            Shape::Line { from, to, .. } => Some((from.0, to.0)),
+            Shape::Text { at, text, .. } => Some((at.0, at.0 + width(text) - 1)),
+            _ => None,
+        })
+    };
+    let items = || (0..graph.items.len()).map(|id| (x[id] - extents[id].left, x[id] + extents[id].right));
+    let left = items().chain(lines()).map(|(left, _)| left).min().unwrap_or(0);
+    drawing.width = items().chain(lines()).map(|(_, right)| right + 1).max().unwrap_or(0) - left;
     drawing.height = height;
     let mut moved = Drawing::default();
-    let (width, height) = (drawing.width, drawing.height);
+    let size = (drawing.width, drawing.height);
     moved.paste(drawing, (-left, 0));
-    (moved.width, moved.height) = (width, height);
+    (moved.width, moved.height) = size;
     moved
 }
 

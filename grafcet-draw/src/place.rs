@@ -118,8 +118,8 @@ impl Blocks {
     }
 }
 
-/// For each item the one below that stands straight under it: passing lines first, then what has no other neighbour, then
-/// the first branch; never two that would cross.
+/// For each item the one below that stands straight under it: the main sequence first, then passing lines and other sequences,
+/// then what has no other neighbour; never two that would cross.
 fn aligned(graph: &Graph) -> Vec<Option<usize>> {
     let places = places(graph);
     let mut degrees = vec![(0_usize, 0_usize); graph.items.len()];
@@ -134,12 +134,15 @@ fn aligned(graph: &Graph) -> Vec<Option<usize>> {
     for mut hops in between {
         hops.sort_by_key(|(upper, lower)| {
             let branches = degrees[*upper].1 + degrees[*lower].0;
+            // The main sequence first, then other lines that pass, then other sequences.
+            let sequence = graph.straight.get(&(*upper, *lower)).copied();
             let passing = match line(*upper) + line(*lower) {
                 0 => 0,
                 1 => 2,
                 _ => 1,
             };
-            (passing, branches, places[*upper], places[*lower])
+            let apart = usize::from(passing > 0 && sequence.is_none());
+            (sequence != Some(0), apart, passing, branches, places[*upper], places[*lower])
         });
         let mut taken: Vec<(usize, usize)> = Vec::new();
         for (upper, lower) in hops {

@@ -4,7 +4,10 @@
 //! that an item below collects (a convergence). Lines of different nets never share a row where they would touch.
 
 use crate::graph::{Graph, Kind};
-use crate::shape::Drawing;
+use crate::shape::{Drawing, Shape};
+
+/// Lines that go down beside each other are so far apart: there is room for a number between them.
+const APART: i32 = 3;
 
 /// What a horizontal line is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -69,6 +72,20 @@ impl Net {
         Some(Self::reach(self.uppers.iter().copied().chain([place]), self.double && !self.doubles_below()))
     }
 
+    /// Where a line goes on across and another goes through, a dot says that they are connected.
+    fn dots(&self, above: i32, to: &mut Drawing) {
+        let mut row = |row: i32, double: bool, arriving: &[i32], leaving: &[i32], (left, right): (i32, i32)| {
+            let joined = arriving.iter().filter(|x| leaving.contains(x) && left < **x && **x < right);
+            if !double {
+                to.shapes.extend(joined.map(|x| Shape::Dot { at: (*x, above + row) }));
+            }
+        };
+        row(self.row, self.double && self.doubles_below(), self.arriving(), &self.lowers, self.span());
+        if let (Some((place, top)), Some(span)) = (self.bend, self.upper_span()) {
+            row(top, self.double && !self.doubles_below(), &self.uppers, &[place], span);
+        }
+    }
+
     /// Of two rows, the double line is the one with the branches.
     fn doubles_below(&self) -> bool {
         self.bend.is_none() || self.kind == Purpose::Spread
@@ -88,6 +105,9 @@ struct Way {
 pub(crate) struct Channel {
     nets: Vec<Net>,
     ways: Vec<Way>,
+    /// The numbers of branches beside their lines: place and number; and their row, in which no line goes across.
+    ranks: Vec<(i32, usize)>,
+    rank_row: i32,
     /// How many rows it takes.
     pub(crate) height: i32,
 }
@@ -99,15 +119,28 @@ pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize, hops: &[(usize, us
     let mut ends: Vec<usize> = hops.iter().map(|hop| hop.1).chain(from_above.iter().map(|l| l.to)).collect();
     ends.sort_by_key(|id| x[*id]);
     ends.dedup();
-    let mut channel = Channel { nets: Vec::new(), ways: Vec::new(), height: 0 };
-    channel.spread(graph, x, hops, &from_above);
+    let mut channel = Channel { nets: Vec::new(), ways: Vec::new(), ranks: Vec::new(), rank_row: 0, height: 0 };
+    // Where a line stands in this channel, whichever it is.
+    let beside = |item: &crate::graph::Item| item.layer + 1 == below || item.layer == below;
+    let taken: Vec<i32> = (0..x.len()).filter(|id| beside(&graph.items[*id])).map(|id| x[id]).collect();
+    let turns: Vec<Vec<i32>> = graph
+        .loops
+        .iter()
+        .filter(|l| l.from.iter().any(|id| graph.items[*id].layer + 1 == below))
+        .map(|l| l.from.iter().chain(l.rises.last()).map(|id| x[*id]).collect())
+        .collect();
+    // What has one line from above, and above it nothing that comes down further than where that line starts.
+    let alone = |end: usize| {
+        let hops = hops.iter().filter(|hop| hop.1 == end).count();
+        hops == 1 && !from_above.iter().any(|l| l.to == end) && !turns.iter().flatten().any(|turn| *turn == x[end])
+    };
+    channel.spread(graph, x, hops, alone, taken);
     let spreads = channel.nets.len();
-    for end in ends {
+    for end in ends.into_iter().filter(|end| !alone(*end)) {
         let rises = from_above.iter().filter(|l| l.to == end).filter_map(|l| l.rises.first());
         channel.collect(graph, x, end, rises.map(|id| x[*id]).collect(), hops);
     }
-    for turning in graph.loops.iter().filter(|l| l.from.iter().any(|id| graph.items[*id].layer + 1 == below)) {
-        let uppers = turning.from.iter().chain(turning.rises.last()).map(|id| x[*id]).collect();
+    for uppers in turns {
         channel.nets.push(Net::new(uppers, Vec::new(), false, Purpose::Turn));
     }
     channel.rows(spreads, below > 0, below < graph.layers.len());
@@ -115,27 +148,38 @@ pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize, hops: &[(usize, us
 }
 
 impl Channel {
-    /// The ways, and the nets of what has several below it or has it aside.
-    fn spread(&mut self, graph: &Graph, x: &[i32], hops: &[(usize, usize)], rising: &[&crate::graph::Loop]) {
+    /// The ways, and the nets of what has several below it or has it aside; `taken` are the places of other lines.
+    fn spread(
+        &mut self,
+        graph: &Graph,
+        x: &[i32],
+        hops: &[(usize, usize)],
+        alone: impl Fn(usize) -> bool,
+        mut taken: Vec<i32>,
+    ) {
         let mut starts: Vec<usize> = hops.iter().map(|hop| hop.0).collect();
         starts.sort_by_key(|id| x[*id]);
         starts.dedup();
-        let mut shared: Vec<i32> = Vec::new();
         for start in starts {
-            let mine: Vec<usize> = hops.iter().filter(|hop| hop.0 == start).map(|hop| hop.1).collect();
+            let mut mine: Vec<usize> = hops.iter().filter(|hop| hop.0 == start).map(|hop| hop.1).collect();
+            mine.sort_by_key(|id| x[*id]);
             let mut ports = Vec::new();
             for end in &mine {
-                let others = hops.iter().filter(|hop| hop.1 == *end).count();
-                let alone = others == 1 && !rising.iter().any(|l| l.to == *end);
-                let port = match (alone, mine.len()) {
+                // Below here, or close to it, something else stands, to which a line comes down from aside.
+                let close = |id: usize| (x[id] - x[start]).abs() < APART;
+                let over = || hops.iter().any(|hop| hop.0 != start && close(hop.1) && alone(hop.1));
+                let port = match (alone(*end), mine.len()) {
                     (true, _) => x[*end],
-                    (false, 1) => x[start],
-                    (false, _) => free(x[*end], &shared),
+                    (false, 1) if !over() => x[start],
+                    // Straight on, or where no other line is: a line of its own between the two it leads to.
+                    (false, _) if x[*end] == x[start] && !over() => x[start],
+                    (false, _) => free(x[*end], &taken),
                 };
-                if !alone && mine.len() > 1 {
-                    shared.push(port);
-                }
+                taken.push(port);
                 ports.push((port, *end));
+                if let Some(rank) = graph.ranks.get(&(start, *end)) {
+                    self.ranks.push((port, *rank));
+                }
             }
             let needed = mine.len() > 1 || ports.iter().any(|(port, _)| *port != x[start]);
             let spread = needed.then_some(self.nets.len());
@@ -158,9 +202,6 @@ impl Channel {
     /// The net of an item with several above it.
     fn collect(&mut self, graph: &Graph, x: &[i32], end: usize, rises: Vec<i32>, hops: &[(usize, usize)]) {
         let count = hops.iter().filter(|hop| hop.1 == end).count();
-        if count < 2 && rises.is_empty() {
-            return;
-        }
         let double = count > 1 && matches!(graph.items[end].kind, Kind::Transition(_));
         let number = self.nets.len();
         let mut uppers = Vec::new();
@@ -178,7 +219,7 @@ impl Channel {
         // A row is left free beside each layer.
         let mut row = 1 + i32::from(above);
         for range in [0..spreads, spreads..self.nets.len()] {
-            let mut waiting: Vec<usize> = range.collect();
+            let mut waiting: Vec<usize> = range.clone().collect();
             waiting.sort_by_key(|id| self.nets[*id].span());
             while !waiting.is_empty() {
                 let chosen = self.choose(&waiting);
@@ -190,6 +231,10 @@ impl Channel {
                 }
                 waiting.retain(|id| !chosen.contains(id));
                 row += 1;
+            }
+            if range.start == 0 && !self.ranks.is_empty() {
+                self.rank_row = row;
+                row += i32::from(spreads < self.nets.len());
             }
         }
         self.height = if self.nets.is_empty() { i32::from(above && beneath) } else { row - i32::from(!beneath) };
@@ -262,19 +307,24 @@ impl Channel {
                 to.line((left, above + top), (right, above + top), net.double && !net.doubles_below());
                 to.line((place, above + top), (place, row), false);
             }
+            net.dots(above, to);
             match net.kind {
                 Purpose::Spread => {}
                 Purpose::Collect => net.lowers.iter().for_each(|x| to.line((*x, row), (*x, below), false)),
                 Purpose::Turn => net.uppers.iter().for_each(|x| to.line((*x, above), (*x, above + net.top()), false)),
             }
         }
+        for (x, rank) in &self.ranks {
+            to.text((x + 1, above + self.rank_row), &rank.to_string());
+        }
     }
 }
 
-/// A place at or beside `x` that no other line uses.
+/// A place beside `x` that is free, with room for a number on its right. There is one, at the latest beyond all lines.
 fn free(x: i32, taken: &[i32]) -> i32 {
-    let beside = (0..).flat_map(|d| [x - 2 * d, x + 2 * d]);
-    beside.take(64).find(|place| !taken.contains(place)).unwrap_or(x)
+    let far = taken.iter().map(|place| (place - x).abs()).max().unwrap_or(0) + APART;
+    let mut beside = (1..=far).flat_map(|d| [x - d, x + d]);
+    beside.find(|place| taken.iter().all(|other| (other - place).abs() >= APART)).unwrap_or(x + far)
 }
 
 #[cfg(test)]
@@ -285,7 +335,7 @@ mod tests {
         let net = |(uppers, lowers)| Net::new(uppers, lowers, false, Purpose::Spread);
         let nets: Vec<Net> = nets.into_iter().map(net).collect();
         let count = nets.len();
-        let mut channel = Channel { nets, ways: Vec::new(), height: 0 };
+        let mut channel = Channel { nets, ways: Vec::new(), ranks: Vec::new(), rank_row: 0, height: 0 };
         channel.rows(count, true, true);
         channel
     }

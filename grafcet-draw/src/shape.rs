@@ -18,6 +18,9 @@ pub struct Drawing {
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Shape {
     /// A horizontal or vertical line between the middles of two squares, both included.
+    ///
+    /// Lines that meet at an end of one of them are connected. What crosses a double line has nothing to do with it: the
+    /// double line has a gap there.
     Line {
         /// The left or upper end.
         from: (i32, i32),
@@ -46,6 +49,11 @@ pub enum Shape {
         at: (i32, i32),
         /// Where it points.
         to: Heading,
+    },
+    /// Lines that cross here are connected; without a dot they are not.
+    Dot {
+        /// Its square.
+        at: (i32, i32),
     },
     /// The mark of an active step.
     Mark {
@@ -113,6 +121,7 @@ impl Drawing {
                 Shape::Bar { at }
                 | Shape::Frame { at, .. }
                 | Shape::Arrow { at, .. }
+                | Shape::Dot { at }
                 | Shape::Mark { at }
                 | Shape::Text { at, .. } => *at = (at.0 + dx, at.1 + dy),
             }

@@ -31,6 +31,9 @@ pub(crate) struct Sheet {
     pub(crate) links: Vec<Link>,
 }
 
+/// How a step at an end of a transition is seen.
+type Seen = fn(&Description<'_>, usize) -> Node;
+
 /// The place of a sheet: its partial grafcet and its macro-step.
 type Room = (usize, Option<usize>);
 
@@ -46,10 +49,19 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
         rooms.entry((partial, macro_step.outer)).or_default().nodes.push(Node::Macro(id));
     }
     for (transition, described) in chart.transitions.iter().enumerate() {
-        let nodes = |steps: &[usize], of: fn(&Description<'_>, usize) -> Node| -> Vec<Node> {
-            steps.iter().filter(|step| **step < chart.steps.len()).map(|step| of(chart, *step)).collect()
+        let known = |steps: &[usize]| -> Vec<usize> {
+            steps.iter().copied().filter(|step| *step < chart.steps.len()).collect()
         };
-        let (sources, targets) = (nodes(described.sources, source), nodes(described.targets, target));
+        let (sources, targets) = (known(described.sources), known(described.targets));
+        let seen = |steps: &[usize], of: Seen| -> Vec<Node> { steps.iter().map(|step| of(chart, *step)).collect() };
+        // From outside an expansion is its macro-step; what stays within it leads from step to step.
+        let views: [[Seen; 2]; 4] = [[source, target], [source, plain], [plain, target], [plain, plain]];
+        let links = views.map(|[from, to]| (seen(&sources, from), seen(&targets, to)));
+        let rooms_of = |(from, to): &(Vec<Node>, Vec<Node>)| -> Vec<Room> {
+            from.iter().chain(to).map(|node| room(chart, *node)).collect()
+        };
+        let one = |link: &&(Vec<Node>, Vec<Node>)| rooms_of(link).windows(2).all(|pair| pair[0] == pair[1]);
+        let (sources, targets) = links.iter().find(one).unwrap_or(&links[0]).clone();
         let Some(first) = sources.first().or(targets.first()).copied() else { continue };
         let link = Link { transition, sources, targets, jumps: Vec::new() };
         rooms.entry(room(chart, first)).or_default().links.push(link);
@@ -58,6 +70,10 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
         sheet.title = title(chart, *room);
     }
     rooms.into_values().collect()
+}
+
+fn plain(_: &Description<'_>, step: usize) -> Node {
+    Node::Step(step)
 }
 
 /// A transition from the exit of an expansion is drawn as one from the macro-step.

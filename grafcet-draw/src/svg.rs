@@ -9,6 +9,8 @@ use crate::wrap::width;
 const SQUARE: (i32, i32) = (8, 16);
 /// From the middle of a double line to each of its lines, in pixels.
 const APART: i32 = 2;
+/// From the middle of what crosses a double line to the ends of the latter, in pixels.
+const GAP: i32 = 5;
 /// Around the drawing.
 const MARGIN: i32 = 4;
 
@@ -30,6 +32,7 @@ pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
         Style::Page => format!("style=\"width:{wide}px;max-width:max(100%,{}px);height:auto\"", wide * 3 / 5),
     };
     let mut layers = Layers { doubles: doubles(drawing), ..Layers::default() };
+    layers.gaps = gaps(drawing, &layers.doubles);
     drawing.shapes.iter().for_each(|shape| layers.add(shape));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {0} {wide} {high}\" {size} role=\"img\" \
@@ -56,6 +59,8 @@ struct Layers {
     texts: String,
     /// The row of each double line, and its ends.
     doubles: Vec<(i32, i32, i32)>,
+    /// Where double lines are crossed, by row and place.
+    gaps: Vec<(i32, i32)>,
 }
 
 fn doubles(drawing: &Drawing) -> Vec<(i32, i32, i32)> {
@@ -64,6 +69,19 @@ fn doubles(drawing: &Drawing) -> Vec<(i32, i32, i32)> {
         _ => None,
     });
     doubles.collect()
+}
+
+/// Where something crosses a double line that has nothing to do with it.
+fn gaps(drawing: &Drawing, doubles: &[(i32, i32, i32)]) -> Vec<(i32, i32)> {
+    let mut gaps = Vec::new();
+    for shape in &drawing.shapes {
+        let Shape::Line { from: (x, top), to: (to, bottom), .. } = shape else { continue };
+        let crossed = |(row, left, right): &&(i32, i32, i32)| top < row && row < bottom && left <= x && x <= right;
+        gaps.extend(doubles.iter().filter(crossed).filter(|_| x == to).map(|(row, ..)| (*row, *x)));
+    }
+    gaps.sort_unstable();
+    gaps.dedup();
+    gaps
 }
 
 /// The middle of a square.
@@ -80,7 +98,11 @@ impl Layers {
                 // What ends at a double line does not reach between its two lines.
                 let [above, below] =
                     [*from, *to].map(|at| if from.0 == to.0 && self.is_double(at) { APART } else { 0 });
-                self.line((x1, y1 + above), (x2, y2 - below), *double);
+                if *double {
+                    self.double(from.1, (from.0, to.0));
+                } else {
+                    self.line((x1, y1 + above), (x2, y2 - below));
+                }
             }
             Shape::Bar { at } => {
                 let (x, y) = middle(*at);
@@ -97,10 +119,8 @@ impl Layers {
                 };
                 let _ = write!(self.marks, "<path d=\"M{x} {y}{head}\"/>");
             }
-            Shape::Mark { at } => {
-                let (x, y) = middle(*at);
-                let _ = write!(self.marks, "<circle cx=\"{x}\" cy=\"{y}\" r=\"3.5\"/>");
-            }
+            Shape::Dot { at } => self.circle(*at, "2.5"),
+            Shape::Mark { at } => self.circle(*at, "3.5"),
             Shape::Text { at, text, half } => {
                 let (x, y) = (at.0 * SQUARE.0 + if *half { SQUARE.0 / 2 } else { 0 }, middle(*at).1);
                 // The squares a text takes it also fills, whatever font the reader has.
@@ -110,18 +130,35 @@ impl Layers {
         }
     }
 
+    fn circle(&mut self, at: (i32, i32), radius: &str) {
+        let (x, y) = middle(at);
+        let _ = write!(self.marks, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>");
+    }
+
     fn is_double(&self, (x, y): (i32, i32)) -> bool {
         self.doubles.iter().any(|(row, left, right)| y == *row && (*left..=*right).contains(&x))
     }
 
-    fn line(&mut self, (x1, y1): (i32, i32), (x2, y2): (i32, i32), double: bool) {
-        if !double {
-            let _ =
-                if y1 == y2 { write!(self.lines, "M{x1} {y1}H{x2}") } else { write!(self.lines, "M{x1} {y1}V{y2}") };
-            return;
+    fn line(&mut self, (x1, y1): (i32, i32), (x2, y2): (i32, i32)) {
+        let _ = if y1 == y2 { write!(self.lines, "M{x1} {y1}H{x2}") } else { write!(self.lines, "M{x1} {y1}V{y2}") };
+    }
+
+    /// A double line with its gaps.
+    fn double(&mut self, row: i32, (left, right): (i32, i32)) {
+        let crossed = self.gaps.iter().filter(|(y, x)| *y == row && left <= *x && *x <= right).map(|(_, x)| *x);
+        let mut starts = vec![middle((left, row)).0];
+        let mut ends = Vec::new();
+        for x in crossed {
+            ends.push(middle((x, row)).0 - GAP);
+            starts.push(middle((x, row)).0 + GAP);
         }
-        for y in [y1 - APART, y1 + APART] {
-            let _ = write!(self.lines, "M{x1} {y}H{x2}");
+        ends.push(middle((right, row)).0);
+        for (start, end) in starts.into_iter().zip(ends) {
+            let y = middle((0, row)).1;
+            if start < end {
+                self.line((start, y - APART), (end, y - APART));
+                self.line((start, y + APART), (end, y + APART));
+            }
         }
     }
 

@@ -4,20 +4,25 @@ use crate::shape::{Drawing, Frame, Heading, Shape};
 use crate::wrap::width;
 
 /// To which sides the lines in a square go.
-const UP: u8 = 1;
-const DOWN: u8 = 2;
-const LEFT: u8 = 4;
-const RIGHT: u8 = 8;
+const UP: u16 = 1;
+const DOWN: u16 = 2;
+const LEFT: u16 = 4;
+const RIGHT: u16 = 8;
 /// Its horizontal or its vertical line is double.
-const DOUBLE_ROW: u8 = 16;
-const DOUBLE_COLUMN: u8 = 32;
+const DOUBLE_ROW: u16 = 16;
+const DOUBLE_COLUMN: u16 = 32;
 /// The bar of a transition.
-const BAR: u8 = 64;
+const BAR: u16 = 64;
+
+/// An upright line that goes through.
+const THROUGH: u16 = 128;
+/// A double line, no frame.
+const PARALLEL: u16 = 256;
 
 /// What stands in a square.
 #[derive(Clone, Copy)]
 enum Square {
-    Lines(u8),
+    Lines(u16),
     Char(char),
     /// The second half of a wide character.
     Covered,
@@ -58,6 +63,7 @@ impl Paper {
                 };
                 self.put(*at, head);
             }
+            Shape::Dot { at } => self.put(*at, '•'),
             Shape::Mark { at } => self.put(*at, '●'),
             Shape::Text { at, text, .. } => {
                 let mut x = at.0;
@@ -88,7 +94,7 @@ impl Paper {
         self.set(at, Square::Char(if c.is_control() { ' ' } else { c }));
     }
 
-    fn mark(&mut self, at: (i32, i32), lines: u8) {
+    fn mark(&mut self, at: (i32, i32), lines: u16) {
         if let Some(Square::Lines(there)) = self.square(at) {
             *there |= lines;
         }
@@ -96,7 +102,7 @@ impl Paper {
 
     fn line(&mut self, from: (i32, i32), to: (i32, i32), double: bool) {
         let (back, ahead, double) =
-            if from.1 == to.1 { (LEFT, RIGHT, if double { DOUBLE_ROW } else { 0 }) } else { (UP, DOWN, 0) };
+            if from.1 == to.1 { (LEFT, RIGHT, if double { DOUBLE_ROW | PARALLEL } else { 0 }) } else { (UP, DOWN, 0) };
         for x in from.0..=to.0 {
             for y in from.1..=to.1 {
                 let mut lines = double;
@@ -105,6 +111,9 @@ impl Paper {
                 }
                 if (x, y) != to {
                     lines |= ahead;
+                }
+                if from.0 == to.0 && (x, y) != from && (x, y) != to {
+                    lines |= THROUGH;
                 }
                 self.mark((x, y), lines);
             }
@@ -147,6 +156,9 @@ fn character(square: Square) -> Option<char> {
     };
     if lines & BAR != 0 {
         return Some(if lines & (UP | DOWN) == 0 { '━' } else { '┿' });
+    }
+    if lines & (PARALLEL | THROUGH) == PARALLEL | THROUGH {
+        return Some('│');
     }
     // What a square with lines to these sides looks like: plain, with a double row, a double column, or both.
     let row = match lines & (UP | DOWN | LEFT | RIGHT) {
