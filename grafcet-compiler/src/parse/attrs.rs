@@ -5,6 +5,7 @@ use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::{AttrStyle, Attribute, Meta, MetaList, Path, Token};
 
+use super::input::Turns;
 use super::{Error, Input, Result};
 use crate::ast::{Attrs, Derive, LevelAttr};
 use crate::diagnostic::{Mark, Severity, Sink, rules};
@@ -60,8 +61,8 @@ pub(super) fn outer(input: &mut Input, sink: &mut Sink) -> Outer {
 }
 
 fn all(input: &mut Input, sink: &mut Sink) -> Outer {
-    let mut outer = Outer::default();
-    while input.at("#") {
+    let (mut outer, mut turns) = (Outer::default(), Turns::default());
+    while turns.more(input) && input.at("#") {
         let start = *input;
         if input.next().at("!") {
             inner_out_of_place(input, sink);
@@ -244,8 +245,8 @@ fn rest(attr: &Attribute, list: &MetaList, others: &[Meta]) -> Attribute {
 
 /// The inner attributes at the beginning of a body.
 pub(super) fn inner(input: &mut Input, sink: &mut Sink) -> Vec<LevelAttr> {
-    let mut attrs = Attrs::default();
-    while input.at("#") && input.next().at("!") {
+    let (mut attrs, mut turns) = (Attrs::default(), Turns::default());
+    while turns.more(input) && input.at("#") && input.next().at("!") {
         let start = *input;
         let read = read(input);
         if read.is_err() && input.is_at(&start) {

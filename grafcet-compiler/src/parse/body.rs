@@ -2,6 +2,7 @@
 
 use proc_macro2::Delimiter;
 
+use super::input::Turns;
 use super::recover::{self, Place};
 use super::{Input, Result, attrs, chain, decl, partial, property, setting, step, words};
 use crate::ast::{Body, DeclKind, Item};
@@ -10,7 +11,8 @@ use crate::diagnostic::Sink;
 /// All of a body. What cannot be parsed is reported and left out.
 pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
     let mut body = Body { levels: attrs::inner(&mut input, sink), ..Body::default() };
-    while !input.is_empty() {
+    let mut turns = Turns::default();
+    while turns.more(&input) {
         let start = input;
         if let Err(error) = item(&mut input, &mut body.items, sink) {
             error.report(sink);
@@ -19,6 +21,7 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
             recover::skip(&mut input, &start, Place::Body);
             body.lost.extend(start.names_until(&input));
         }
+        recover::moved(&mut input, &start, sink);
     }
     body
 }

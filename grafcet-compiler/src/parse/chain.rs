@@ -2,6 +2,7 @@
 
 use proc_macro2::Delimiter;
 
+use super::input::Turns;
 use super::{Error, Input, Result, transition, words};
 use crate::ast::{Arrow, Attrs, Chain, Node};
 use crate::diagnostic::{Mark, Sink};
@@ -49,7 +50,8 @@ pub(super) fn parse(input: &mut Input, attrs: &Attrs, sink: &mut Sink) -> Result
     let mut parts = Vec::new();
     let mut current =
         chain(if at_arrow(input) { Node::Forgotten(input.next().next().since(input)) } else { node(input, sink)? });
-    while at_arrow(input) {
+    let mut turns = Turns::default();
+    while turns.more(input) && at_arrow(input) {
         let start = *input;
         let arrow = arrow(input, sink)?;
         let next = if at_arrow(input) {
@@ -147,9 +149,7 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
 /// `--[x]`
 fn doubled(input: &mut Input, start: &Input, sink: &mut Sink) {
     let first = *input;
-    while input.at("-") && !input.at("->") {
-        input.bump();
-    }
+    while input.at("-") && !input.at("->") && input.bump() {}
     if !input.is_at(&first) && input.at_group(Delimiter::Bracket) {
         sink.notation(input.since(start), "an arrow has single dashes: `-[x]->`");
     }
@@ -166,9 +166,7 @@ fn head(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<()> {
         return Ok(());
     }
     let before = *input;
-    while input.at("-") && !input.at("->") && !input.next().at_group(Delimiter::Bracket) {
-        input.bump();
-    }
+    while input.at("-") && !input.at("->") && !input.next().at_group(Delimiter::Bracket) && input.bump() {}
     if input.at("-") && !input.at("->") {
         return Ok(());
     }
@@ -195,9 +193,7 @@ fn without_brackets(input: &mut Input, start: &Input, sink: &mut Sink) -> Result
     if !head_follows(ahead) {
         return Err(Error::new(input.since(start), "a transition is drawn `-[condition]->`"));
     }
-    while !input.eat("->") {
-        input.bump();
-    }
+    while !input.eat("->") && input.bump() {}
     let message = if ahead.at("->") {
         "between two steps a transition has its condition in brackets: `-[x]->`, or `-[true]->` for always"
     } else {

@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Ident};
 use syn::Expr;
 use syn::parse::Parse;
 
+use super::input::Turns;
 use super::recover::{self, Place};
 use super::{Error, Input, Result, types};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
@@ -66,8 +67,8 @@ pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result
             input.found()
         )));
     };
-    let mut params = Vec::new();
-    while !inside.is_empty() {
+    let (mut params, mut turns) = (Vec::new(), Turns::default());
+    while turns.more(&inside) {
         params.push(param(&mut inside, sink)?);
         if !inside.eat(",") && !inside.is_empty() {
             return Err(inside.error(format!("expected `,`, found {}", inside.found())));

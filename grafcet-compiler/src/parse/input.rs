@@ -19,6 +19,18 @@ pub(super) struct Input<'a> {
     last: Option<usize>,
 }
 
+/// The turns of a loop over tokens, which ends where a turn has not moved the cursor: none can turn for ever.
+#[derive(Default)]
+pub(super) struct Turns(Option<usize>);
+
+impl Turns {
+    /// Whether there are more tokens, and the last turn has moved on.
+    pub(super) fn more(&mut self, input: &Input) -> bool {
+        let last = self.0.replace(input.at);
+        !input.is_empty() && last != Some(input.at)
+    }
+}
+
 impl<'a> Input<'a> {
     /// All of a call.
     pub(super) fn new(buffer: &'a Buffer) -> Self {
@@ -217,8 +229,8 @@ impl<'a> Input<'a> {
 
     /// Names separated by commas, up to the end.
     pub(super) fn names(&mut self, what: &str) -> Result<Vec<Ident>> {
-        let mut names = Vec::new();
-        while !self.is_empty() {
+        let (mut names, mut turns) = (Vec::new(), Turns::default());
+        while turns.more(self) {
             names.push(self.name(what)?);
             if !self.eat(",") && !self.is_empty() {
                 return Err(self.error(format!("expected `,`, found {}", self.found())));

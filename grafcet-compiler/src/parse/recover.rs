@@ -2,6 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident};
 
+use super::input::Turns;
 use super::{Error, Input, association, chain, words};
 use crate::diagnostic::Sink;
 
@@ -31,7 +32,8 @@ pub(super) fn skip(input: &mut Input, start: &Input, place: Place) {
     if input.is_at(start) {
         input.bump();
     }
-    while !input.is_empty() && !place.item_begins(input) {
+    let mut turns = Turns::default();
+    while turns.more(input) && !place.item_begins(input) {
         let brace = input.at_group(Delimiter::Brace);
         if input.eat(";") {
             return;
@@ -41,6 +43,14 @@ pub(super) fn skip(input: &mut Input, start: &Input, place: Place) {
         if brace && !input.at(";") && (input.on_new_line() || input.word().is_some()) {
             return;
         }
+    }
+}
+
+/// Steps over a token that nobody has read and nobody complained about, so that what follows is read.
+pub(super) fn moved(input: &mut Input, start: &Input, sink: &mut Sink) {
+    if input.is_at(start) && !input.is_empty() {
+        unexpected(input).report(sink);
+        input.bump();
     }
 }
 
@@ -90,9 +100,11 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
     }
     let mut word = words::meant(&written).unwrap_or_default();
     // `initial step Off`: the name stands behind the last of the words.
-    while let ("initial" | "final" | "linked" | "entry" | "exit" | "macro" | "enclosing", Some(next)) =
-        (word, start.word())
+    let mut turns = Turns::default();
+    while turns.more(&start)
+        && matches!(word, "initial" | "final" | "linked" | "entry" | "exit" | "macro" | "enclosing")
     {
+        let Some(next) = start.word() else { break };
         word = words::meant(next).unwrap_or("step");
         if words::meant(next).is_some() {
             start.bump();
@@ -112,7 +124,8 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
         }
     }
     // `speed: u32, direction: Direction`: several lists in one.
-    while is_list && !start.is_empty() && !start.at(";") && !start.on_new_line() {
+    let mut turns = Turns::default();
+    while is_list && turns.more(&start) && !start.at(";") && !start.on_new_line() {
         let name = start;
         if start.bump() && start.at(":") && !start.at("::") && !name.at(":") {
             names.extend({ name }.eat_ident());

@@ -2,6 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident, Span};
 
+use super::input::Turns;
 use super::recover::{self, Place};
 use super::{Error, Input, Result, association, attrs, body, force, partial, words};
 use crate::ast::{Attrs, Partial, Step, StepBody, StepKind};
@@ -55,8 +56,9 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
 
 /// Everything up to the name.
 fn words(input: &mut Input, sink: &mut Sink) -> Words {
-    let mut words = Words::default();
-    while let Some(word) = input.word() {
+    let (mut words, mut turns) = (Words::default(), Turns::default());
+    while turns.more(input) {
+        let Some(word) = input.word() else { break };
         let last = input.next().word().is_none();
         let meant = match words::meant(word) {
             Some(meant) if last && meant != "step" => break,
@@ -110,12 +112,14 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
 fn step_body(mut input: Input, encloses: bool, sink: &mut Sink) -> (StepBody, Vec<Partial>) {
     let mut body = StepBody::default();
     let mut partials = Vec::new();
-    while !input.is_empty() {
+    let mut turns = Turns::default();
+    while turns.more(&input) {
         let start = input;
         if let Err(error) = line(&mut input, &mut body, encloses.then_some(&mut partials), sink) {
             error.report(sink);
             recover::skip(&mut input, &start, Place::Step);
         }
+        recover::moved(&mut input, &start, sink);
     }
     (body, partials)
 }

@@ -44,15 +44,17 @@ fn name(inside: &mut Input) -> Option<Ident> {
 }
 
 fn clearing(inside: &mut Input) -> Result<Vec<Clearing>> {
-    let mut actions = Vec::new();
-    loop {
-        let start = *inside;
-        let target = target::parse(inside)?;
-        actions.push(Clearing { mark: inside.since(&start), target });
-        if !inside.eat(",") {
-            return Ok(actions);
-        }
+    let mut actions = vec![one_clearing(inside)?];
+    while inside.eat(",") {
+        actions.push(one_clearing(inside)?);
     }
+    Ok(actions)
+}
+
+fn one_clearing(inside: &mut Input) -> Result<Clearing> {
+    let start = *inside;
+    let target = target::parse(inside)?;
+    Ok(Clearing { mark: inside.since(&start), target })
 }
 
 fn leftover(inside: &Input) -> Error {

@@ -6,6 +6,7 @@ mod generated;
 mod generator;
 mod limits;
 mod messages;
+mod progress;
 mod random;
 mod recovery;
 mod show;
