@@ -38,3 +38,19 @@ grafcet! {
         I -[go && mode == Mode::Auto]-> A -[!go]-> I; I -[go && mode == Mode::Manual]-> B -[!go]-> I;
     }
 }
+
+/// What may be unknown.
+fn known(level: u8) -> Option<u8> {
+    (level > 0).then_some(level)
+}
+
+// What is left by `return`, `?`, `break` and `continue` is the user's own.
+grafcet! {
+    grafcet Leaving {
+        input level: u8; input go: bool; output high: bool; output sum: u8 = 0;
+        initial step I;
+        step A { high if (|| Some(known(level)? > 100))().unwrap_or(false); P1 { 'told: { let Some(n) = known(level) else { break 'told }; sum = n; } } }
+        step B { P1 { sum = 0; for n in 1..level { if n % 2 == 0 { continue; } sum += n; if sum > 9 { break; } } } }
+        I -[go && loop { if level > 3 { break true } else { break level == 1 } }]-> A -[!go]-> B -[go]-> I;
+    }
+}

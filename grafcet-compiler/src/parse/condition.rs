@@ -5,7 +5,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
 
-use super::{Error, Input, Result};
+use super::{Error, Input, Result, leaving};
 use crate::diagnostic::Mark;
 
 /// A condition, up to what cannot belong to it any more. `what` says what it is if it is missing.
@@ -28,6 +28,7 @@ fn with(input: &mut Input, what: &str, parse: fn(ParseStream) -> syn::Result<Exp
     if starts_operand(input) {
         foreign(start).map_or(Ok(()), Err)?;
     }
+    leaving::expr(&start, input, &expr)?;
     let mut notes = Vec::new();
     assignments(&expr, &mut notes);
     match Error::several(notes) {

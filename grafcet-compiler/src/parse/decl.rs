@@ -6,7 +6,7 @@ use syn::parse::Parse;
 
 use super::input::Turns;
 use super::recover::{self, Place};
-use super::{Error, Input, Result, types};
+use super::{Error, Input, Result, leaving, types};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
 use crate::diagnostic::Sink;
 
@@ -54,7 +54,10 @@ fn value(input: &mut Input) -> Result<Expr> {
     if input.is_empty() || input.at(";") {
         return Err(input.error(format!("expected a value behind `=`, found {}", input.found())));
     }
-    input.rust(Expr::parse)
+    let start = *input;
+    let value = input.rust(Expr::parse)?;
+    leaving::expr(&start, input, &value)?;
+    Ok(value)
 }
 
 /// A code action; the keyword is next.

@@ -222,6 +222,15 @@ impl<'a> Input<'a> {
         self.tokens[self.at..end.at].iter().filter_map(names)
     }
 
+    /// Whether a word or sign that leaves a function or a loop stands from here up to `end`, also inside groups.
+    pub(super) fn may_leave_until(&self, end: &Self) -> bool {
+        self.tokens[self.at..end.at].iter().any(|token| match &token.tree {
+            TokenTree::Ident(_) => matches!(token.word.as_str(), "return" | "break" | "continue"),
+            TokenTree::Punct(sign) => sign.as_char() == '?',
+            _ => false,
+        })
+    }
+
     /// A name that is declared or mentioned. Keywords of Rust pass: a rule refuses them with its reason.
     pub(super) fn name(&mut self, what: &str) -> Result<Ident> {
         self.eat_ident().ok_or_else(|| self.error(format!("expected {what}, found {}", self.found())))

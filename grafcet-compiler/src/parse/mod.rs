@@ -16,6 +16,7 @@ mod fragments;
 mod guard;
 mod header;
 mod input;
+mod leaving;
 mod partial;
 mod property;
 mod recover;

@@ -5,17 +5,21 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Block, Expr, Token};
 
-use super::{Input, Result};
+use super::{Input, Result, leaving};
 use crate::ast::Target;
 
 /// The target of an association or of an action on clearing.
 pub(super) fn parse(input: &mut Input) -> Result<Target> {
+    let start = *input;
     if input.at_group(Delimiter::Brace) {
-        return input.rust_tokens(1, Block::parse).map(Target::Block);
+        let block = input.rust_tokens(1, Block::parse)?;
+        leaving::block(&start, input, &block)?;
+        return Ok(Target::Block(block));
     }
     let name = input.name("a name, an assignment, a call or a block")?;
     if input.at_group(Delimiter::Parenthesis) {
         let args = args(input)?;
+        leaving::exprs(&start, input, &args)?;
         return Ok(Target::Call { name, args });
     }
     if input.at_assign() {
@@ -40,7 +44,10 @@ fn value(input: &mut Input, name: &Ident) -> Result<Expr> {
     if input.is_empty() || input.at(";") {
         return Err(input.error(format!("expected the value of `{name}`, found {}", input.found())));
     }
-    input.rust(Expr::parse)
+    let start = *input;
+    let value = input.rust(Expr::parse)?;
+    leaving::expr(&start, input, &value)?;
+    Ok(value)
 }
 
 /// What other notations write behind the name.

@@ -317,3 +317,57 @@ fn attributes() {
         ("step A; #[doc(hidden)]", "}", "expected an item behind its attributes"),
     ]);
 }
+
+/// `return`, `break`, `continue` and `?` leave something of the user's own, or are refused.
+#[test]
+fn nothing_of_the_user_leaves_the_cycle() {
+    in_chart(&[
+        ("A -[a || return]-> B;", "return", "would leave the chart's cycle half-way"),
+        ("A -[{ break }]-> B;", "break", "there is no loop around this `break`"),
+        ("A -[if a { continue } else { b }]-> B;", "continue", "there is no loop around this `continue`"),
+        ("A -[f()?]-> B;", "?", "`.unwrap_or(…)`"),
+        ("A -[!rising(f()?)]-> B;", "?", "would leave the chart's cycle"),
+        ("A -[a => n = return]-> B;", "return", "would leave"),
+        ("A -[a => { return; }]-> B;", "return", "would leave"),
+        ("never a && f()?;", "?", "would leave"),
+        ("var n: u8 = break;", "break", "no loop"),
+        ("A -['x: { break 'y }]-> B;", "break", "nothing called `'y`"),
+        ("A -['x: { break }]-> B;", "break", "no loop"),
+        ("A -[{ for x in (return) { } a }]-> B;", "return", "would leave"),
+        ("A -[{ for x in { break } { } a }]-> B;", "break", "no loop"),
+        ("A -[matches!(f()?, 1)]-> B;", "?", "would leave"),
+        ("A -[m!(a; return)]-> B;", "return", "would leave"),
+        ("A -[m! { a => [f()?] }]-> B;", "?", "would leave"),
+    ]);
+    in_step(&[
+        ("q if { return };", "return", "would leave"),
+        ("f(a, return);", "return", "would leave"),
+        ("q = loop { return };", "return", "would leave"),
+        ("P1 { continue; }", "continue", "no loop"),
+        ("on { return } q;", "{", "expected an event"),
+        ("on a || return q;", "return", "would leave"),
+        ("P1 { let Some(x) = y else { return }; }", "return", "would leave"),
+    ]);
+}
+
+/// The same inside something that may be left.
+#[test]
+fn what_is_left_may_be_the_users_own() {
+    for text in [
+        "A -[(|| { return a })()]-> B;",
+        "A -[(|| Some(f()? > 1))().is_some()]-> B;",
+        "A -[loop { if a { break b } else { continue } }]-> B;",
+        "A -['x: { if a { break 'x b } c }]-> B;",
+        "A -['x: loop { loop { break 'x a } }]-> B;",
+        "A -[{ while a { break } b }]-> B;",
+        "A -[{ for x in y { if x { continue } } b }]-> B;",
+        "A -[{ fn f() -> bool { return true } f() }]-> B;",
+        "A -[{ async { return f()? }; a }]-> B;",
+        "A -[loop { m!(a; break) }]-> B;",
+        "step C { P1 { 'x: { let Some(n) = y else { break 'x }; q = n; } } }",
+        "input x: Foo<dyn Bar + ?Sized>;",
+    ] {
+        let (_, errors) = run(&format!("sfc C {{ {text} }}"));
+        assert!(errors.is_empty(), "{text}: {errors:?}");
+    }
+}
