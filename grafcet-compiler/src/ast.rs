@@ -130,6 +130,8 @@ pub enum Setting {
     Budget { keyword: Span, count: LitInt },
     /// `assume never b1 && b3;`
     AssumeNever { keyword: Span, condition: Expr },
+    /// `assume pure level_ok, sensors::valid;`
+    AssumePure { keyword: Span, paths: Vec<Path> },
     /// `optimize size;`
     OptimizeSize { keyword: Span },
     /// `encoding flags;`

@@ -22,22 +22,29 @@ pub(crate) fn root(expr: &Expr) -> Option<&Ident> {
 
 /// Whether the call, on a place that is or belongs to a name of type `ty`, certainly only reads it.
 pub(crate) fn only_reads(call: &ExprMethodCall, ty: &Ty) -> bool {
-    let kind = kind(&call.receiver, ty);
     let name = call.method.to_string();
-    let is_in = |list: &[&str]| list.contains(&&*name);
-    is_in(OF_ALL)
-        || match kind {
-            Kind::Number => is_in(OF_NUMBERS) || is_checked(&name),
-            Kind::Time => is_in(&["get", "since", "after", "min", "max", "clamp", "add", "sub"]),
-            Kind::List(_) => is_in(OF_LISTS),
-            Kind::Option => is_in(OF_OPTIONS),
-            Kind::Duration => is_in(OF_DURATIONS) || is_checked(&name),
-            Kind::Tuple(_) | Kind::Unknown => false,
-        }
+    OF_ALL.contains(&&*name) || reads(&kind(&call.receiver, ty), &name)
+}
+
+/// Whether the standard library has a method of this name that reads such a value and has no other effect.
+pub(crate) fn reads(kind: &Kind<'_>, name: &str) -> bool {
+    let is_in = |list: &[&str]| list.contains(&name);
+    match kind {
+        Kind::Number => is_in(OF_ALL) || is_in(OF_NUMBERS) || is_checked(name),
+        Kind::Time => is_in(OF_ALL) || is_in(&["get", "since", "after", "min", "max", "clamp", "add", "sub"]),
+        Kind::List(_) => is_in(OF_LISTS),
+        Kind::Option => is_in(OF_OPTIONS),
+        Kind::Duration => is_in(OF_ALL) || is_in(OF_DURATIONS) || is_checked(name),
+        Kind::Tuple(_) | Kind::Unknown => false,
+    }
+}
+
+pub(crate) fn is_primitive(name: &str) -> bool {
+    PRIMITIVE.contains(&name)
 }
 
 /// A type as far as it is known.
-enum Kind<'t> {
+pub(crate) enum Kind<'t> {
     Number,
     Time,
     /// An array, a slice or a text.
@@ -49,7 +56,7 @@ enum Kind<'t> {
 }
 
 /// What a place is whose name has the type `ty`.
-fn kind<'t>(place: &Expr, ty: &'t Ty) -> Kind<'t> {
+pub(crate) fn kind<'t>(place: &Expr, ty: &'t Ty) -> Kind<'t> {
     match place {
         Expr::Paren(paren) => kind(&paren.expr, ty),
         Expr::Path(_) => match ty {
@@ -72,7 +79,8 @@ fn kind<'t>(place: &Expr, ty: &'t Ty) -> Kind<'t> {
     }
 }
 
-fn kind_of(rust: &Type) -> Kind<'_> {
+/// What a type is.
+pub(crate) fn kind_of(rust: &Type) -> Kind<'_> {
     match rust {
         Type::Paren(paren) => kind_of(&paren.elem),
         Type::Array(array) => Kind::List(Some(&array.elem)),

@@ -44,6 +44,7 @@ pub(super) fn sort(model: &Model, tree: &Tree) -> Option<Sort> {
             (a, b) => a.or(b),
         },
         Tree::Binary(..) => Some(Sort::Total),
+        Tree::Opaque { whole: true, .. } => Some(Sort::Total),
         Tree::Int(_) | Tree::Opaque { .. } => None,
     }
 }

@@ -93,11 +93,22 @@ impl Report<'_> {
             ),
             Doubt::Inputs { at, inputs } => self.too_many(at, inputs),
             Doubt::Unfollowed(values) => {
-                let values: Vec<String> = values.iter().map(|tree| format!("`{}`", text(self.model, tree))).collect();
-                let what = if values.is_empty() { "values".to_owned() } else { values.join(", ") };
+                let mut texts: Vec<String> = Vec::new();
+                for text in values.iter().map(|tree| format!("`{}`", text(self.model, tree))) {
+                    if !texts.contains(&text) {
+                        texts.push(text);
+                    }
+                }
+                let what = if texts.is_empty() { "values".to_owned() } else { texts.join(", ") };
+                // What a call does is not seen.
+                let pure = if values.iter().any(Tree::may_differ) {
+                    ", or, where such a call has no state, `assume pure …;`"
+                } else {
+                    ""
+                };
                 format!(
                     "whether this holds is not decided: it depends on {what}, and the checker follows steps and plain boolean \
-                     outputs and variables only; state it of steps, or allow this"
+                     outputs and variables only; state it of steps, or allow this{pure}"
                 )
             }
         };

@@ -182,6 +182,10 @@ pub enum Tree {
         text: String,
         /// What it mentions.
         reads: Vec<Read>,
+        /// Where each evaluation may have another value, as of a function that counts: the number of this one.
+        call: Option<u32>,
+        /// Its type is one of integers, `bool` or `char`, as of `level.abs()` and `level as u8`.
+        whole: bool,
     },
 }
 

@@ -198,6 +198,32 @@ impl Tree {
         }
     }
 
+    /// Whether each evaluation may have another value.
+    #[must_use]
+    pub fn may_differ(&self) -> bool {
+        match self {
+            Tree::Opaque { call, .. } => call.is_some(),
+            Tree::Unary(_, inner) => inner.may_differ(),
+            Tree::Binary(_, a, b) => a.may_differ() || b.may_differ(),
+            _ => false,
+        }
+    }
+
+    /// Whether both are written alike, so that one evaluation serves for both.
+    #[must_use]
+    pub fn is_alike(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Tree::Opaque { text, reads, .. }, Tree::Opaque { text: other, reads: others, .. }) => {
+                text == other && reads == others
+            }
+            (Tree::Unary(operator, inner), Tree::Unary(same, other)) => operator == same && inner.is_alike(other),
+            (Tree::Binary(operator, a, b), Tree::Binary(same, c, d)) => {
+                operator == same && a.is_alike(c) && b.is_alike(d)
+            }
+            (one, other) => one == other,
+        }
+    }
+
     /// Calls `f` with everything the tree mentions, in order.
     pub fn each_read(&self, f: &mut dyn FnMut(Read)) {
         match self {

@@ -1,7 +1,8 @@
 //! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;` `encoding flags;`
 
 use proc_macro2::Span;
-use syn::LitInt;
+use syn::punctuated::Punctuated;
+use syn::{LitInt, Path, Token};
 
 use super::recover::{self, Place};
 use super::{Error, Input, Result, condition, time};
@@ -63,8 +64,23 @@ fn encoding(input: &mut Input, keyword: Span) -> Result<Setting> {
 }
 
 fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {
+    if input.eat_word("pure") {
+        let paths = Punctuated::<Path, Token![,]>::parse_separated_nonempty_with;
+        let paths = input.rust(|stream| {
+            paths(stream, |stream| {
+                let path = Path::parse_mod_style(stream)?;
+                // The name of a macro may be written as it is called.
+                if stream.peek(Token![!]) {
+                    stream.parse::<Token![!]>()?;
+                }
+                Ok(path)
+            })
+        })?;
+        return Ok(Setting::AssumePure { keyword, paths: paths.into_iter().collect() });
+    }
     if !input.eat_word("never") {
-        let message = "what the plant excludes is written `assume never b1 && b3;`";
+        let message = "what the plant excludes is written `assume never b1 && b3;`, which calls have no state \
+                       `assume pure level_ok;`";
         return Err(Error::new(input.span(), message));
     }
     Ok(Setting::AssumeNever { keyword, condition: condition::parse(input, "what never happens")? })

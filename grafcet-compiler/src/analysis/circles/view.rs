@@ -33,8 +33,8 @@ impl<'v, 'm> View<'v, 'm> {
             Tree::MacroElapsed(time, id) => self.elapsed(self.macro_active(*id), None, *time),
             Tree::Unary(operator, inner) => Tree::Unary(*operator, Box::new(self.tree(inner))),
             Tree::Binary(operator, a, b) => Tree::Binary(*operator, Box::new(self.tree(a)), Box::new(self.tree(b))),
-            Tree::Opaque { reads, .. } => {
-                if reads.iter().all(|read| self.stands_still(*read)) {
+            Tree::Opaque { reads, call, .. } => {
+                if call.is_none() && reads.iter().all(|read| self.stands_still(*read)) {
                     tree.clone()
                 } else {
                     self.unknown()
@@ -144,7 +144,7 @@ impl<'v, 'm> View<'v, 'm> {
     fn unknown(&self) -> Tree {
         let number = self.circles.unknown.get();
         self.circles.unknown.set(number + 1);
-        Tree::Opaque { text: format!("{UNKNOWN}{number}"), reads: Vec::new() }
+        Tree::Opaque { text: format!("{UNKNOWN}{number}"), reads: Vec::new(), call: None, whole: false }
     }
 }
 

@@ -73,7 +73,7 @@ impl Atom {
             Kind::Step(_) | Kind::Macro(_) | Kind::Slot(_) | Kind::Since(_) | Kind::Phase(_) => true,
             Kind::MacroSince(_) => false,
             Kind::Free | Kind::Number(..) => {
-                let mut stands_still = true;
+                let mut stands_still = !self.what.may_differ();
                 self.what.each_read(&mut |read| stands_still &= is_constant_read(&read));
                 stands_still
             }

@@ -58,6 +58,8 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
         evolutions += 1;
         if writes_more(scene, &after, &cleared) {
             scene.forget_volatile();
+        } else if !net.calls.is_empty() {
+            scene.forget_calls();
         }
         done.cleared.extend(cleared);
         commit(scene, after, outcome.writes);

@@ -62,6 +62,8 @@ pub(super) struct Net {
     pub(super) sourceless: Vec<usize>,
     pub(super) atoms: Vec<Atom>,
     pub(super) links: Links,
+    /// Atoms whose values may differ in each evaluation.
+    pub(super) calls: Vec<usize>,
     pub(super) edges: Vec<Option<Formula>>,
     pub(super) shared: Vec<Formula>,
     pub(super) actions: Actions,
@@ -144,6 +146,7 @@ impl Net {
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
+        let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).collect();
         let links = Links::of(&atoms, &differences, &numbers);
         let unfollowed = unfollowed::atoms(&atoms);
         let count = atoms.len();
@@ -155,6 +158,7 @@ impl Net {
             sourceless: Vec::new(),
             atoms,
             links,
+            calls,
             edges,
             shared,
             actions,

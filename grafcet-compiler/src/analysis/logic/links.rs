@@ -114,7 +114,7 @@ fn variants(atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
 
 /// `Mode::Auto`; constants (`Mode::MAX`) may be equal.
 fn is_variant(tree: &Tree) -> bool {
-    let Tree::Opaque { text, reads } = tree else { return false };
+    let Tree::Opaque { text, reads, call: None, .. } = tree else { return false };
     let is_name = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_alphanumeric() || c == '_');
     let Some((path, last)) = text.rsplit_once("::") else { return false };
     let is_constant = last.chars().count() > 1 && !last.contains(char::is_lowercase);

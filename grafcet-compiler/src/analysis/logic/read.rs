@@ -127,7 +127,7 @@ impl Reader<'_> {
 
 /// Whether an edge or a delay of this looks at nothing that changes within a cycle.
 pub(super) fn is_constant(tree: &Tree) -> bool {
-    let mut constant = true;
+    let mut constant = !tree.may_differ();
     tree.each_read(&mut |read| {
         constant &= matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_));
     });

@@ -191,7 +191,7 @@ fn is_constant(tree: &Tree) -> bool {
         Tree::Read(read) => is_constant_read(read),
         Tree::Unary(_, inner) => is_constant(inner),
         Tree::Binary(_, a, b) => is_constant(a) && is_constant(b),
-        Tree::Opaque { reads, .. } => reads.iter().all(is_constant_read),
+        Tree::Opaque { reads, call, .. } => call.is_none() && reads.iter().all(is_constant_read),
         Tree::Elapsed(..) | Tree::MacroElapsed(..) => false,
     }
 }

@@ -24,7 +24,8 @@ pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>)
     let broken = lower.resolver.sink.count() > before;
     let (reads, places, text) = (lower.reads, lower.places, super::text::of(expr));
     // An expression with a mistake equals only its own text.
-    let tree = if broken { Tree::Opaque { text: text.clone(), reads: reads.clone() } } else { tree };
+    let tree =
+        if broken { Tree::Opaque { text: text.clone(), reads: reads.clone(), call: None, whole: false } } else { tree };
     (Expr { tree, tokens, reads, text, mark: Mark::of(expr) }, places)
 }
 
@@ -69,11 +70,13 @@ pub(super) struct Lower<'r, 's> {
     pub(super) places: Vec<(Read, Mark)>,
     /// Names that Rust binds where the walk stands: by `let`, a closure or a pattern.
     pub(super) locals: Locals,
+    /// Something of what is being read may have another value in each evaluation.
+    pub(super) differs: bool,
 }
 
 impl<'r, 's> Lower<'r, 's> {
     pub(super) fn new(resolver: &'r mut Resolver<'s>) -> Self {
-        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: Locals::default() }
+        Self { resolver, reads: Vec::new(), places: Vec::new(), locals: Locals::default(), differs: false }
     }
 
     /// Rewrites `expr` and returns its meaning.
@@ -150,7 +153,9 @@ impl<'r, 's> Lower<'r, 's> {
             return Tree::Bool(name == "true");
         }
         match self.resolver.scope.get(&name) {
-            _ if self.locals.contains(&name) => Tree::Opaque { text: name.to_string(), reads: Vec::new() },
+            _ if self.locals.contains(&name) => {
+                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false }
+            }
             Some(Meaning::Value(value)) => {
                 self.note(Read::Name(value));
                 self.places.push((Read::Name(value), (&name).into()));
@@ -167,7 +172,7 @@ impl<'r, 's> Lower<'r, 's> {
                 Tree::Bool(true)
             }
             _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => {
-                Tree::Opaque { text: name.to_string(), reads: Vec::new() }
+                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false }
             }
             _ => {
                 self.resolver.scope.unknown_name(&name, &format!("input {name}: bool;"), self.resolver.sink);
@@ -246,15 +251,10 @@ impl<'r, 's> Lower<'r, 's> {
             return self.blink(expr);
         }
         if local || function != "rising" && function != "falling" {
-            let text = super::text::of(&*call);
-            let outside = std::mem::take(&mut self.reads);
+            let (text, differs) = (super::text::of(&*call), local || !self.is_pure_function(&call.func));
             // The name of a function is Rust's, its arguments are ours.
-            call.args.iter_mut().for_each(|argument| drop(self.lower(argument)));
-            let reads = std::mem::replace(&mut self.reads, outside);
-            for read in &reads {
-                self.note(*read);
-            }
-            return Tree::Opaque { text, reads };
+            let arguments = |lower: &mut Self| call.args.iter_mut().for_each(|argument| drop(lower.lower(argument)));
+            return self.rust(text, differs, arguments);
         }
         let [argument] = &*call.args.iter().collect::<Vec<_>>() else {
             let message = format!("`{function}` takes one boolean expression: `{function}(a)`");
@@ -301,7 +301,7 @@ impl<'r, 's> Lower<'r, 's> {
         let syn::Expr::Lit(lit) = &*expr else { return self.opaque(expr) };
         match self.resolver.literal_time(&lit.lit) {
             Some(ticks) => self.replace(expr, Read::Ticks(ticks)),
-            None => Tree::Opaque { text: super::text::of(&*expr), reads: Vec::new() },
+            None => Tree::Opaque { text: super::text::of(&*expr), reads: Vec::new(), call: None, whole: false },
         }
     }
 }

@@ -12,13 +12,33 @@ impl Lower<'_, '_> {
     /// The meaning is the text alone, and what is read.
     pub(super) fn opaque(&mut self, expr: &mut syn::Expr) -> Tree {
         let text = super::text::of(&*expr);
-        let outside = std::mem::take(&mut self.reads);
-        visit::inside(self, expr);
+        let differs = self.may_differ(expr);
+        // `const { … }` is evaluated once and for all.
+        let is_constant = matches!(expr, syn::Expr::Const(_));
+        let around = self.differs;
+        let is_whole = self.is_whole(expr);
+        match self.rust(text, differs, |lower| visit::inside(lower, expr)) {
+            Tree::Opaque { text, reads, .. } if is_constant => {
+                self.differs = around;
+                Tree::Opaque { text, reads, call: None, whole: false }
+            }
+            Tree::Opaque { text, reads, call, .. } => Tree::Opaque { text, reads, call, whole: is_whole },
+            tree => tree,
+        }
+    }
+
+    /// The meaning of Rust that `walk` goes through; each evaluation `differs` from others.
+    pub(super) fn rust(&mut self, text: String, differs: bool, walk: impl FnOnce(&mut Self)) -> Tree {
+        let (outside, around) = (std::mem::take(&mut self.reads), std::mem::replace(&mut self.differs, differs));
+        walk(self);
         let reads = std::mem::replace(&mut self.reads, outside);
+        let differs = std::mem::replace(&mut self.differs, around);
+        self.differs |= differs;
         for read in &reads {
             self.note(*read);
         }
-        Tree::Opaque { text, reads }
+        let call = self.evaluation(differs);
+        Tree::Opaque { text, reads, call, whole: false }
     }
 
     /// Inside a macro call there are only tokens: declared names are noted, step variables replaced.
@@ -80,6 +100,7 @@ impl Visit for Lower<'_, '_> {
     }
 
     fn call(&mut self, call: &mut syn::Macro) {
+        self.differs |= !self.is_pure_macro(&call.path);
         call.tokens = self.macro_tokens(std::mem::take(&mut call.tokens));
     }
 

@@ -13,7 +13,7 @@ impl Resolver<'_> {
             Setting::Clock { keyword, .. } => ("clock", *keyword),
             Setting::MaxEvolutions { keyword, .. } => ("max_evolutions", *keyword),
             Setting::Budget { keyword, .. } => ("budget", *keyword),
-            Setting::AssumeNever { keyword, .. } => ("assume", *keyword),
+            Setting::AssumeNever { keyword, .. } | Setting::AssumePure { keyword, .. } => ("assume", *keyword),
             Setting::OptimizeSize { keyword } => ("optimize", *keyword),
             Setting::EncodingFlags { keyword } => ("encoding", *keyword),
         };
@@ -55,6 +55,7 @@ impl Resolver<'_> {
             Setting::EncodingFlags { .. } => self.model.flags = true,
             // Names are known only later.
             Setting::AssumeNever { .. } => {}
+            Setting::AssumePure { paths, .. } => self.assume_pure(paths, place),
         }
     }
 

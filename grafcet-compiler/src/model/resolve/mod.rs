@@ -13,6 +13,7 @@ mod foreign;
 mod misplaced;
 mod otherwise;
 mod properties;
+mod pure;
 mod scope;
 mod text;
 mod time;
@@ -41,11 +42,14 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         owner: Owner::Chart,
         elses: Vec::new(),
         unread: chart.incomplete,
+        pure: Vec::new(),
+        calls: 0,
     };
     resolver.declare_chart(&chart.body);
     let mut cursor = Cursor::default();
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
     resolver.otherwise();
+    resolver.unused_pure();
     resolver.model
 }
 
@@ -67,6 +71,10 @@ pub(super) struct Resolver<'s> {
     elses: Vec<TransitionId>,
     /// Something of the source could not be parsed, and is missing.
     unread: bool,
+    /// The functions, methods and macros that the chart says are pure, and whether it calls them.
+    pure: Vec<(syn::Path, bool)>,
+    /// How many evaluations there are that may have values of their own.
+    calls: u32,
 }
 
 /// How far resolving has come in the ids given while declaring.
@@ -267,13 +275,13 @@ impl Resolver<'_> {
 
     /// The memory of an edge; equal expressions share one.
     fn edge(&mut self, edge: Edge) -> EdgeId {
-        let same = self.model.edges.iter().find(|(_, e)| e.of.tree == edge.of.tree).map(|(id, _)| id);
+        let same = self.model.edges.iter().find(|(_, e)| e.of.tree.is_alike(&edge.of.tree)).map(|(id, _)| id);
         same.unwrap_or_else(|| self.model.edges.push(edge))
     }
 
     /// A delay; equal ones share their timer.
     fn delay(&mut self, delay: Delay) -> DelayId {
-        let same = |d: &Delay| (d.on, d.off) == (delay.on, delay.off) && d.of.tree == delay.of.tree;
+        let same = |d: &Delay| (d.on, d.off) == (delay.on, delay.off) && d.of.tree.is_alike(&delay.of.tree);
         let found = self.model.delays.iter().find(|(_, d)| same(d)).map(|(id, _)| id);
         found.unwrap_or_else(|| self.model.delays.push(delay))
     }

@@ -146,7 +146,7 @@ impl<'m> Compiler<'m> {
     /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
     pub(super) fn time_of(&mut self, qualifier: Qualifier, place: Place) -> Formula {
         let text = format!("{} {}", format!("{qualifier:?}").to_uppercase(), self.model.place_name(place));
-        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new() });
+        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new(), call: None, whole: false });
         if let Formula::Is(atom) = time {
             self.atoms[atom].is_time = true;
         }
@@ -300,7 +300,7 @@ fn is_volatile(tree: &Tree) -> bool {
         Tree::Read(read) => volatile(read),
         Tree::Unary(_, inner) => is_volatile(inner),
         Tree::Binary(_, a, b) => is_volatile(a) || is_volatile(b),
-        Tree::Opaque { reads, .. } => reads.iter().any(volatile),
+        Tree::Opaque { reads, call, .. } => call.is_some() || reads.iter().any(volatile),
         Tree::Bool(_) | Tree::Int(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => false,
     }
 }

@@ -78,7 +78,7 @@ impl Compiler<'_> {
     /// Whether the tree is an integer or a time, so that its comparisons with constants exclude each other.
     fn is_number(&self, tree: &Tree) -> bool {
         match tree {
-            Tree::Int(_) => true,
+            Tree::Int(_) | Tree::Opaque { whole: true, .. } => true,
             Tree::Read(_) => range(self.model, tree).is_some(),
             Tree::Unary(_, inner) => self.is_number(inner),
             Tree::Binary(Binary::Shl | Binary::Shr, a, _) => self.is_number(a),

@@ -259,6 +259,14 @@ impl<'n> Scene<'n> {
         }
     }
 
+    /// What calls give may be another value in the next evolution.
+    pub(super) fn forget_calls(&mut self) {
+        self.acted = true;
+        for atom in &self.net.calls {
+            self.given.forget(*atom);
+        }
+    }
+
     /// Actions that are not followed may have changed what is known of variables.
     pub(super) fn forget_volatile(&mut self) {
         self.acted = true;
