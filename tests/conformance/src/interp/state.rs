@@ -6,7 +6,7 @@ use super::hierarchy;
 use super::time::{self, Delayed};
 use super::value::{Error, Value, default};
 use super::view::{Edges, Situation, Times, View};
-use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Ty};
+use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Read, Ty};
 
 /// The memory of a running chart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -17,6 +17,8 @@ pub(super) struct State {
     now: u32,
     pub(super) situation: Situation,
     pub(super) times: Times,
+    /// Where times saturate: not while something blinks, whose phase goes on for ever.
+    longest: u64,
     pub(super) vars: Vec<Value>,
     /// What the last cycle returned; in `grafcet`, stored outputs change during the search.
     pub(super) outputs: Vec<Value>,
@@ -38,6 +40,7 @@ impl State {
             now: 0,
             situation,
             times,
+            longest: if blinks(model) { u64::MAX } else { u64::from(u32::MAX) },
             vars: constants(model.vars.values().map(|v| (&v.ty, &v.init)), model)?,
             initial_outputs: outputs.clone(),
             outputs,
@@ -52,7 +55,7 @@ impl State {
         let elapsed = if self.first { 0 } else { now.wrapping_sub(self.now) };
         self.now = now;
         let times = self.times.steps.values_mut().chain(self.times.macros.values_mut());
-        times.for_each(|time| *time = time.saturating_add(u64::from(elapsed)));
+        times.for_each(|time| *time = time.saturating_add(u64::from(elapsed)).min(self.longest));
         elapsed
     }
 
@@ -106,6 +109,11 @@ impl Times {
     fn time_of_step(&self, step: grafcet_compiler::model::StepId) -> u64 {
         self.steps.get(&step).copied().unwrap_or(0)
     }
+}
+
+/// Whether some expression asks for a phase.
+fn blinks(model: &Model) -> bool {
+    model.expressions().into_iter().flatten().any(|read| matches!(read, Read::Blink(_)))
 }
 
 /// The values behind `=`, or those of `Default`.

@@ -56,7 +56,7 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         features: BTreeSet::new(),
     };
     generator.crowded = generator.rng.chance(30);
-    generator.fragments = generator.rng.chance(0);
+    generator.fragments = generator.rng.chance(25);
     generator.declare();
     let parts = generator.structure();
     let chart = generator.write(&parts);
@@ -104,9 +104,9 @@ impl Gen {
     /// An expression that is a whole: in parentheses, or a fragment.
     fn whole(&mut self, text: String) -> String {
         let parenthesised = format!("({text})");
-        match self.fragment('e', text) {
-            fragment if fragment.starts_with("frag_") => fragment,
-            _ => parenthesised,
+        match self.fragment('e', text.clone()) {
+            fragment if fragment == text => parenthesised,
+            fragment => fragment,
         }
     }
 

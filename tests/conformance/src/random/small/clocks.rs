@@ -167,3 +167,37 @@ pub(super) fn action(sketch: &mut Sketch) {
     let back = sketch.word(&["b", "rising(a)", "!c"]);
     sketch.arrow("C", back, "A");
 }
+
+/// What is true and false in turn since its step was entered, beside another clock or alone.
+pub(super) fn blinking(sketch: &mut Sketch) {
+    let blinks = [(); 4].map(|()| sketch.word(&["3ms", "1ms", "5ms", "2ms/4ms", "7ms/1ms", "4ms/4ms"]));
+    sketch.step("A", &[format!("N q0 if blink({});", blinks[0])]);
+    let other = match sketch.rng.below(4) {
+        0 => format!("N q1 if !blink({}) && a;", blinks[1]),
+        1 => format!("N q1 if blink({}, A) || blink({});", blinks[1], blinks[2]),
+        2 => format!("N q1 if B.T > {} && blink({});", sketch.time(), blinks[1]),
+        _ => "N q1;".to_owned(),
+    };
+    sketch.step("B", &[other]);
+    let parallel = sketch.rng.chance(40);
+    if parallel {
+        sketch.step("C", &[format!("N q2 if blink({}, B) ^ blink({});", blinks[2], blinks[3])]);
+    }
+    let go = match sketch.rng.below(5) {
+        0 => format!("a && blink({})", blinks[3]),
+        1 => format!("rising(a) && !blink({})", blinks[3]),
+        2 => format!("{}/A", sketch.time()),
+        _ => "a".to_owned(),
+    };
+    let back = sketch.word(&["b", "rising(b)", "12ms/B", "!a"]);
+    if parallel {
+        sketch.arrow("A", &go, "(B, C)");
+        sketch.arrow("(B, C)", back, "A");
+    } else {
+        sketch.arrow("A", &go, "B");
+        sketch.arrow("B", back, "A");
+    }
+    if sketch.rng.chance(40) {
+        sketch.arrow("A", "rising(c)", "A");
+    }
+}

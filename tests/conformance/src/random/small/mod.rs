@@ -3,6 +3,7 @@
 
 mod actions;
 mod clocks;
+mod fragments;
 
 use std::fmt::Write as _;
 
@@ -25,12 +26,14 @@ enum Pace {
 }
 
 /// A new kind is a row.
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 8] = [
     Kind { name: "small: a time compared", draw: clocks::compared, pace: Pace::Short },
     Kind { name: "small: a self-loop beside branches", draw: clocks::beside, pace: Pace::Short },
     Kind { name: "small: long times in two branches", draw: clocks::long, pace: Pace::Long },
     Kind { name: "small: a delay", draw: clocks::delay, pace: Pace::Short },
     Kind { name: "small: a timed action", draw: clocks::action, pace: Pace::Short },
+    Kind { name: "small: blinking", draw: clocks::blinking, pace: Pace::Short },
+    Kind { name: "small: fragments of macros", draw: fragments::operands, pace: Pace::Short },
     Kind { name: "small: places that conditions test", draw: actions::places, pace: Pace::Short },
 ];
 
