@@ -89,25 +89,27 @@ impl Gen {
 
     /// The text itself, or a fragment that holds it: `e` an expression, `t` a type, `l` a literal, `b` a block.
     fn fragment(&mut self, kind: char, text: String) -> String {
-        if !self.fragments || !self.rng.chance(30) {
-            return text;
-        }
-        self.note(match kind {
-            'e' => "fragment: expression",
-            't' => "fragment: type",
-            'l' => "fragment: literal",
-            _ => "fragment: block",
-        });
-        format!("frag_{kind}!({text})")
+        if self.is_fragment(kind) { format!("frag_{kind}!({text})") } else { text }
     }
 
     /// An expression that is a whole: in parentheses, or a fragment.
-    fn whole(&mut self, text: String) -> String {
-        let parenthesised = format!("({text})");
-        match self.fragment('e', text.clone()) {
-            fragment if fragment == text => parenthesised,
-            fragment => fragment,
+    fn whole(&mut self, mut text: String) -> String {
+        text.insert_str(0, if self.is_fragment('e') { "frag_e!(" } else { "(" });
+        text.push(')');
+        text
+    }
+
+    fn is_fragment(&mut self, kind: char) -> bool {
+        let is = self.fragments && self.rng.chance(30);
+        if is {
+            self.note(match kind {
+                'e' => "fragment: expression",
+                't' => "fragment: type",
+                'l' => "fragment: literal",
+                _ => "fragment: block",
+            });
         }
+        is
     }
 
     /// Whether one more stored action may write a place: two that could do it in one evolution are a mistake (A7).

@@ -256,11 +256,16 @@ impl Gen {
     fn selection(&mut self, part: &mut Part, from: &str, room: &mut Room) -> String {
         let exclusive = self.rng.chance(50);
         self.note(if exclusive { "OR-divergence, exclusive" } else { "OR-divergence, overlapping" });
-        let guards = if self.rng.chance(60) { vec!["a", "!a"] } else { vec!["b", "!b && a", "!b && !a"] };
+        let mut guards = if self.rng.chance(60) { vec!["a", "!a"] } else { vec!["b", "!b && a", "!b && !a"] };
+        if let Some(last) = guards.last_mut().filter(|_| exclusive && self.rng.chance(30)) {
+            self.note("else");
+            *last = "else";
+        }
         let mut ends = Vec::new();
         for guard in &guards {
             let step = self.node(part, room);
             part.arrow(&[from], &[&step], exclusive.then(|| (*guard).to_owned()));
+            part.arrows.iter_mut().rev().take(1).for_each(|arrow| arrow.whole = *guard == "else");
             let end = if room.steps > 1 && self.rng.chance(30) { self.grow(part, step, room) } else { step };
             ends.push(end);
         }

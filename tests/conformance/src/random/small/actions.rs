@@ -41,7 +41,8 @@ pub(super) fn places(sketch: &mut Sketch) {
                 sketch.arrow(name, &format!("!c && {condition}"), next);
                 let back = sketch.rng.pick(&names).clone();
                 let jump = if parallel { names[3].clone() } else { back };
-                sketch.arrow(name, "c", &jump);
+                let other = sketch.word(&["c", "c", "else"]);
+                sketch.arrow(name, other, &jump);
             }
             _ => sketch.arrow(name, &condition, next),
         }

@@ -67,7 +67,9 @@ pub(super) fn beside(sketch: &mut Sketch) {
         sketch.arrow("A", again, "A");
     }
     sketch.arrow("A", &format!("a && {}/A", times[1]), "B");
-    sketch.arrow("A", &format!("!a && {}/A", times[2]), "C");
+    let other = format!("!a && {}/A", times[2]);
+    let other = if first { *sketch.rng.pick(&[&*other, &*other, "else"]) } else { &other };
+    sketch.arrow("A", other, "C");
     if !first {
         sketch.arrow("A", again, "A");
     }
