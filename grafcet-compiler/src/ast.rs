@@ -91,8 +91,25 @@ pub struct Decl {
     /// `on, off`
     pub names: Vec<Ident>,
     pub ty: Ty,
+    /// Behind the type: `in {Off, Auto}`.
+    pub variants: Option<Variants>,
     /// What stands behind `=`.
     pub init: Option<Expr>,
+}
+
+/// `in {Off, Auto, Manual}`
+pub struct Variants {
+    /// `in`
+    pub keyword: Span,
+    pub list: Vec<Variant>,
+}
+
+/// A variant of an enum.
+#[derive(Clone)]
+pub struct Variant {
+    pub name: Ident,
+    /// `Auto(..)`
+    pub has_data: bool,
 }
 
 /// The keyword of a declaration.

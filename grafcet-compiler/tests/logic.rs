@@ -175,6 +175,8 @@ fn other_rust_is_equal_to_its_own_text() {
             && !exclusive("f(level)", "f(other)")
     );
     assert!(!exclusive("mode == Mode::AUTO", "mode == Mode::HAND"));
+    // What looks like a variant may be anything, where the chart does not list them.
+    assert!(!exclusive("mode == Mode::Auto", "mode == Mode::Hand"));
     assert!(exclusive("mode == Mode::Auto", "!(mode == Mode::Auto)"));
     assert!(exclusive("level < MAX", "level >= MAX"));
     // What nobody knows is no reason to say that two conditions hold together.
@@ -412,14 +414,4 @@ fn verdicts_equal_those_of_all_valuations() {
             assert_eq!(assumed, expected[3], "{names:?}");
         }
     }
-}
-
-#[test]
-fn a_value_is_one_variant_of_its_type() {
-    assert!(never("mode == Mode::Auto && Mode::Manual == mode"));
-    assert!(never("a && mode == modes::Mode::Auto && mode == Mode::Off"));
-    // Constants may be equal, and so may what is computed.
-    assert!(!never("mode == Mode::DEFAULT && mode == Mode::Auto"));
-    assert!(!never("mode == Mode::Auto && mode == Mode::of(level)"));
-    assert!(!never("mode == Mode::Auto"));
 }

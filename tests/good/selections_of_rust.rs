@@ -33,7 +33,7 @@ grafcet! {
 // What different variants choose does not conflict.
 grafcet! {
     grafcet EnumWrite {
-        input mode: Mode; input go: bool; output speed: u16 = 0; output n: u8 = 0;
+        input mode: Mode in {Stop, Auto, Manual, Jog}; input go: bool; output speed: u16 = 0; output n: u8 = 0;
         initial step I { speed = 10 if mode == Mode::Auto; speed = 20 if mode == Mode::Manual; } step A { P1 n = 1; } step B { P1 n = 2; }
         I -[go && mode == Mode::Auto]-> A -[!go]-> I; I -[go && mode == Mode::Manual]-> B -[!go]-> I;
     }
@@ -52,5 +52,16 @@ grafcet! {
         step A { high if (|| Some(known(level)? > 100))().unwrap_or(false); P1 { 'told: { let Some(n) = known(level) else { break 'told }; sum = n; } } }
         step B { P1 { sum = 0; for n in 1..level { if n % 2 == 0 { continue; } sum += n; if sum > 9 { break; } } } }
         I -[go && loop { if level > 3 { break true } else { break level == 1 } }]-> A -[!go]-> B -[go]-> I;
+    }
+}
+
+// Modes exclude each other, and there are no others.
+grafcet! {
+    sfc EnumHome {
+        input mode: Mode in {Stop, Auto, Manual, Jog}; input done: bool; output a, b: bool;
+        initial step I; step A { N a; } step B { N b; }
+        I -[mode == Mode::Auto]-> A; I -[matches!(mode, Mode::Manual | Mode::Jog)]-> B;
+        A -[done && mode != Mode::Auto]-> I; B -[Mode::Auto == mode]-> A; B -[mode == Mode::Stop]-> I;
+        never a && b; home I; home B;
     }
 }

@@ -1,7 +1,7 @@
 //! What the type of a value says about its comparisons: whether its values have an order, and where they end.
 
 use super::differences::FAR;
-use crate::model::{Binary, Model, Read, Tree, Ty, Unary};
+use crate::model::{Binary, Model, Read, Tree, Ty, Unary, Variants};
 
 /// How the values of a type are ordered.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -88,6 +88,11 @@ pub(super) fn range(model: &Model, tree: &Tree) -> Option<(i128, i128)> {
         _ => None,
     };
     narrowed.or_else(|| of_type_of(model, tree))
+}
+
+/// The values that comparisons with constants are about: those of a number, or the places of an enum's variants in their list.
+pub(super) fn domain(model: &Model, tree: &Tree) -> Option<(i128, i128)> {
+    model.variants_of_tree(tree).map(Variants::range).or_else(|| range(model, tree))
 }
 
 /// All values that the type of an integer expression or a time has.

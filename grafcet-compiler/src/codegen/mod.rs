@@ -28,6 +28,7 @@ mod stored;
 mod stub;
 mod time;
 mod types;
+mod variants;
 mod walk;
 mod writes;
 
@@ -65,5 +66,6 @@ pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenS
     let uniform = chart_impl::uniform(&cx);
     let description = description::all(&cx);
     let mentions = editor::mentions(model, &cx.names, &cx.p);
-    quote!(#types #recipe #state #chart #uniform #description #mentions)
+    let variants = variants::all(&cx);
+    quote!(#types #variants #recipe #state #chart #uniform #description #mentions)
 }

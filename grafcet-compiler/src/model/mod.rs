@@ -13,7 +13,7 @@ mod resolve;
 use proc_macro2::Span;
 use syn::{Attribute, Ident, Visibility};
 
-pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier};
+pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier, Variant};
 use crate::diagnostic::Mark;
 pub use expr::{Binary, Blink, Blinker, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
 pub use ids::{
@@ -47,6 +47,8 @@ pub struct Model {
     pub outputs: Arena<OutputId, Output>,
     pub vars: Arena<VarId, Var>,
     pub params: Arena<ParamId, Param>,
+    /// The values of enums whose variants are listed.
+    pub variants: Vec<Variants>,
     pub actions: Arena<ActionId, Action>,
     pub partials: Arena<PartialId, Partial>,
     pub steps: Arena<StepId, Step>,
@@ -97,6 +99,19 @@ pub struct Property {
     pub levels: Vec<LevelAttr>,
     /// The whole line without its `;`.
     pub mark: Mark,
+}
+
+/// `mode: Mode in {Off, Auto, Manual}`: in the trees of expressions a variant is its place in the list.
+pub struct Variants {
+    /// The values.
+    pub names: Vec<Name>,
+    /// Of the type, without arguments.
+    pub path: syn::Path,
+    pub list: Vec<Variant>,
+    /// Other paths by which comparisons name the type.
+    pub others: Vec<syn::Path>,
+    /// A variant with which `==` compares.
+    pub compared: Option<usize>,
 }
 
 /// What a property says.

@@ -4,7 +4,7 @@ use std::slice;
 
 use super::{
     Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition,
-    TransitionId, Tree, Ty, Unary,
+    TransitionId, Tree, Ty, Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
 
@@ -51,6 +51,29 @@ impl Model {
         };
         self.associations.values().any(|a| a.time.is_some())
             || self.expressions().iter().any(|reads| reads.iter().any(timed))
+    }
+
+    /// The variants that a value can have, where the chart lists them.
+    #[must_use]
+    pub fn variants_of(&self, name: Name) -> Option<&Variants> {
+        self.variants.iter().find(|variants| variants.names.contains(&name))
+    }
+
+    /// The same of an expression.
+    #[must_use]
+    pub fn variants_of_tree(&self, tree: &Tree) -> Option<&Variants> {
+        match tree {
+            Tree::Read(Read::Name(name)) => self.variants_of(*name),
+            _ => None,
+        }
+    }
+
+    /// `Mode::Auto`, where that is what a value is compared with.
+    #[must_use]
+    pub fn variant_text(&self, value: &Tree, other: &Tree) -> Option<String> {
+        let (variants, Tree::Int(place)) = (self.variants_of_tree(value)?, other) else { return None };
+        let ty = variants.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        Some(format!("{ty}::{}", variants.text(*place, *place)))
     }
 
     /// The lint attributes around a transition, the innermost first.
@@ -238,6 +261,21 @@ impl Tree {
             }
             Tree::Opaque { reads, .. } => reads.iter().for_each(|read| f(*read)),
         }
+    }
+}
+
+impl Variants {
+    /// Some of them, by their places in the list: `Auto`, `Off or Auto`.
+    #[must_use]
+    pub fn text(&self, low: i128, high: i128) -> String {
+        let all = self.list.iter().zip(0i128..).filter(|(_, place)| (low..=high).contains(place));
+        all.map(|(variant, _)| variant.name.to_string()).collect::<Vec<_>>().join(" or ")
+    }
+
+    /// The first and the last place in the list.
+    #[must_use]
+    pub fn range(&self) -> (i128, i128) {
+        (0, i128::try_from(self.list.len()).unwrap_or(i128::MAX) - 1)
     }
 }
 

@@ -6,7 +6,7 @@ use syn::parse::Parse;
 
 use super::input::Turns;
 use super::recover::{self, Place};
-use super::{Error, Input, Result, leaving, types};
+use super::{Error, Input, Result, leaving, types, variants};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
 use crate::diagnostic::Sink;
 
@@ -16,6 +16,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     let names = names(input)?;
     colon(input, &names, keyword.as_ref())?;
     let ty = types::parse(input, sink)?;
+    let variants = variants::parse(input)?;
     let start = *input;
     let mut init = if input.at_assign() && input.eat("=") { Some(value(input)?) } else { None };
     if kind == DeclKind::Input && init.take().is_some() {
@@ -28,7 +29,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
         );
     }
     recover::semicolon(input, Place::Body, sink);
-    Ok(Decl { attrs, kind, names, ty, init })
+    Ok(Decl { attrs, kind, names, ty, variants, init })
 }
 
 fn names(input: &mut Input) -> Result<Vec<Ident>> {

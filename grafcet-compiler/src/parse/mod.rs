@@ -26,6 +26,7 @@ mod target;
 mod time;
 mod transition;
 mod types;
+mod variants;
 mod words;
 
 use proc_macro2::{Span, TokenStream};

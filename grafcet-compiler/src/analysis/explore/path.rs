@@ -138,6 +138,10 @@ impl Given {
         if let (Tree::Binary(Binary::Lt, a, b), Demand::Within(low, high)) = (&self.what, self.demand) {
             return compared(&text(model, a), &text(model, b), low, high);
         }
+        if let (Some(variants), Demand::Within(low, high)) = (model.variants_of_tree(&self.what), self.demand) {
+            let (first, last) = variants.range();
+            return format!("{what} = {}", variants.text(low.unwrap_or(first), high.unwrap_or(last)));
+        }
         let number =
             |number: i128| if is_time(model, &self.what) { model.time_text(number) } else { number.to_string() };
         match self.demand {
@@ -216,6 +220,10 @@ pub fn text(model: &Model, tree: &Tree) -> String {
         Tree::Unary(Unary::Not, inner) => format!("!{}", text(model, inner)),
         Tree::Unary(Unary::Neg, inner) => format!("-{}", text(model, inner)),
         Tree::Binary(operator, a, b) => {
+            let pair = model.variant_text(a, b).map(|b| (text(model, a), b));
+            if let Some((a, b)) = pair.or_else(|| model.variant_text(b, a).map(|a| (a, text(model, b)))) {
+                return format!("{a} {} {b}", symbol(*operator));
+            }
             let part = |tree: &Tree| match tree {
                 Tree::Binary(..) => format!("({})", text(model, tree)),
                 _ => text(model, tree),

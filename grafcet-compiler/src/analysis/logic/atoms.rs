@@ -3,7 +3,7 @@
 use super::formula::AtomId;
 use super::ranges::Ranges;
 use crate::analysis::differences::FAR;
-use crate::analysis::numbers::{float, range};
+use crate::analysis::numbers::{domain, float};
 use crate::model::{Model, Name, Read, TimeRef, Tree, Ty};
 use crate::sorted::Map;
 
@@ -64,7 +64,7 @@ impl Atoms {
         }
         let is_float = float(model, tree).is_some();
         // What is no number at all (NaN) lies beyond all of them.
-        let (low, high) = if is_float { (-FAR, FAR + 1) } else { range(model, tree).unwrap_or((-FAR, FAR)) };
+        let (low, high) = if is_float { (-FAR, FAR + 1) } else { domain(model, tree).unwrap_or((-FAR, FAR)) };
         let is_loose = !matches!(tree, Tree::Read(_));
         let atom = self.push(Key::Number(tree.clone()), Ranges::from_to(low, high), is_loose, is_float);
         self.numbers.insert(tree.clone(), atom);

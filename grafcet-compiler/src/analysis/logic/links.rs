@@ -6,7 +6,7 @@ use super::Concurrency;
 use super::atoms::{Atoms, Key};
 use super::formula::{AtomId, Formula};
 use super::read::{Reader, is_constant};
-use crate::model::{Binary, DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
+use crate::model::{DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
 use crate::sorted::{Map, Set};
 
 /// Step variables of one question that are related to each other pair by pair.
@@ -88,41 +88,9 @@ impl Links {
             }
         }
         let between = steps(model, concurrency, atoms, asked).into_iter().chain(delays(model, atoms, asked));
-        found.extend(between.chain(variants(atoms, asked)).map(Rc::new));
+        found.extend(between.map(Rc::new));
         found
     }
-}
-
-/// A value is one variant of its type: `mode == Mode::Auto` and `mode == Mode::Manual` exclude each other.
-fn variants(atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
-    let mut by_value: Map<&Tree, Vec<AtomId>> = Map::new();
-    for atom in asked {
-        let key = atoms.get(*atom).map(|atom| &atom.key);
-        if let Some(Key::Boolean(Tree::Binary(Binary::Eq, a, b))) = key {
-            let (a, b) = (&**a, &**b);
-            let value = if is_variant(b) { Some(a) } else { is_variant(a).then_some(b) };
-            if let Some(value) = value {
-                by_value.or_default(value).push(*atom);
-            }
-        }
-    }
-    let is_it = Formula::is_true;
-    let apart = |a: AtomId, b: AtomId| is_it(a).implies(is_it(b).not());
-    let pairs = by_value.values().flat_map(|all| all.iter().enumerate().map(move |(i, a)| (*a, &all[i + 1..])));
-    pairs.flat_map(|(a, others)| others.iter().map(move |b| apart(a, *b))).collect()
-}
-
-/// `Mode::Auto`; constants (`Mode::MAX`) may be equal.
-fn is_variant(tree: &Tree) -> bool {
-    let Tree::Opaque { text, reads, call: None, .. } = tree else { return false };
-    let is_name = |part: &str| !part.is_empty() && part.chars().all(|c| c.is_alphanumeric() || c == '_');
-    let Some((path, last)) = text.rsplit_once("::") else { return false };
-    let is_constant = last.chars().count() > 1 && !last.contains(char::is_lowercase);
-    reads.is_empty()
-        && path.split("::").all(is_name)
-        && is_name(last)
-        && last.starts_with(char::is_uppercase)
-        && !is_constant
 }
 
 /// The facts about one atom.

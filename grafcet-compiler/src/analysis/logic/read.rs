@@ -47,6 +47,15 @@ impl Reader<'_> {
     }
 
     fn compare(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Formula {
+        match (a, b) {
+            (a, Tree::Int(variant)) if self.model.variants_of_tree(a).is_some() => {
+                return self.with_constant(operator, a, *variant);
+            }
+            (Tree::Int(variant), b) if self.model.variants_of_tree(b).is_some() => {
+                return self.with_constant(operator, b, *variant);
+            }
+            _ => {}
+        }
         let sort = numbers::common(self.model, a, b);
         let of = |tree: &Tree| match sort {
             Some(Sort::Float(float)) => float_constant(tree, float),

@@ -47,6 +47,10 @@ fn one(model: &Model, atom: &Atom, value: i128) -> String {
             let size = f64::from_bits(u64::try_from(value.unsigned_abs()).unwrap_or(u64::MAX));
             format!("{} = {}", written(model, tree), if value < 0 { -size } else { size })
         }
+        Key::Number(tree) if model.variants_of_tree(tree).is_some() => {
+            let variant = model.variants_of_tree(tree).map(|variants| variants.text(value, value));
+            format!("{} = {}", written(model, tree), variant.unwrap_or_default())
+        }
         Key::Number(tree) if is_time(model, tree) => format!("{} = {}", written(model, tree), model.time_text(value)),
         Key::Number(tree) => format!("{} = {value}", written(model, tree)),
         // Nobody asks for what was.
@@ -87,6 +91,9 @@ fn written(model: &Model, tree: &Tree) -> String {
         Tree::Unary(operator, inner) => {
             let sign = if *operator == Unary::Not { "!" } else { "-" };
             format!("{sign}{}", operand(model, inner))
+        }
+        Tree::Binary(operator, a, b) if model.variant_text(a, b).is_some() => {
+            format!("{} {} {}", operand(model, a), sign(*operator), model.variant_text(a, b).unwrap_or_default())
         }
         Tree::Binary(operator, a, b) => format!("{} {} {}", operand(model, a), sign(*operator), operand(model, b)),
         Tree::Opaque { text, .. } => text.clone(),

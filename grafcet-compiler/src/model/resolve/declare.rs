@@ -58,6 +58,7 @@ impl Resolver<'_> {
     }
 
     fn declare_decl(&mut self, decl: &ast::Decl) {
+        let mut values = Vec::new();
         for declared in &decl.names {
             let name = spelled(declared);
             let (attrs, levels) = (decl.attrs.passed_on.clone(), decl.attrs.levels.clone());
@@ -71,7 +72,9 @@ impl Resolver<'_> {
                 DeclKind::Param => Name::Param(self.model.params.push(Param { name, attrs, levels, ty, init: None })),
             };
             self.scope.declare(declared, Meaning::Value(value), self.sink);
+            values.push(value);
         }
+        self.variants(decl, values, &ty(&decl.ty));
     }
 
     /// The second pass over a declaration: what stands behind `=`.

@@ -103,6 +103,7 @@ impl<'r, 's> Lower<'r, 's> {
                 let left = self.lower(&mut binary.left);
                 let right = self.lower(&mut binary.right);
                 self.units(binary, &left, &right);
+                let (left, right) = self.compared(operator, binary, (left, right));
                 Tree::Binary(operator, Box::new(left), Box::new(right))
             }
             syn::Expr::Lit(lit) => match literal(&lit.lit) {
@@ -112,6 +113,11 @@ impl<'r, 's> Lower<'r, 's> {
             syn::Expr::Path(_) => self.path(expr),
             syn::Expr::Field(_) => self.field(expr),
             syn::Expr::Call(_) => self.call(expr),
+            syn::Expr::Macro(_) => {
+                let told = self.matched(expr);
+                let opaque = self.opaque(expr);
+                told.unwrap_or(opaque)
+            }
             _ => self.opaque(expr),
         }
     }

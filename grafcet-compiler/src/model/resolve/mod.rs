@@ -17,6 +17,7 @@ mod pure;
 mod scope;
 mod text;
 mod time;
+mod variants;
 
 use proc_macro2::Ident;
 
@@ -103,6 +104,7 @@ fn empty(chart: &ast::Chart) -> Model {
         outputs: Arena::default(),
         vars: Arena::default(),
         params: Arena::default(),
+        variants: Vec::new(),
         actions: Arena::default(),
         partials: Arena::default(),
         steps: Arena::default(),

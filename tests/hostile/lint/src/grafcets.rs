@@ -200,3 +200,39 @@ fn runs() {
     assert!(line.cycle(&Line24VInputs::default()).q1);
     assert_eq!(Oven::new().cycle(&OvenInputs::default(), 0, &mut Silent).power, 0);
 }
+
+/// What a selector says.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Mode {
+    /// Nothing moves.
+    #[default]
+    Off,
+    /// By itself.
+    Auto,
+    /// By hand, so fast.
+    Manual(u8),
+}
+
+/// It has one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Single {
+    /// This.
+    #[default]
+    One,
+}
+
+grafcet! {
+    /// A press with a selector whose variants are listed.
+    pub grafcet Selected {
+        input mode, other: Mode in {Off, Auto, Manual(..)};
+        input single: Single in {One};
+        output ram, lamp: bool;
+        initial step Rest;
+        step Run { ram; }
+        step Jog { lamp if mode != Mode::Off; }
+        Rest -[mode == Mode::Auto && single == Single::One]-> Run -[mode != Mode::Auto]-> Rest;
+        Rest -[matches!(mode, Mode::Manual(_)) && other == mode]-> Jog -[!matches!(mode, Mode::Manual(..))]-> Rest;
+        never ram && lamp;
+        never ram && mode == Mode::Off;
+    }
+}

@@ -4,7 +4,7 @@ use super::Compiler;
 use crate::analysis::differences::FAR;
 use crate::analysis::explore::formula::{Formula, Kind};
 use crate::analysis::explore::links::{Difference, Operand};
-use crate::analysis::numbers::{constant, float, float_constant, is_arithmetic, range};
+use crate::analysis::numbers::{constant, domain, float, float_constant, is_arithmetic, range};
 use crate::model::{Binary, Id, Name, Read, Tree};
 
 impl Compiler<'_> {
@@ -65,9 +65,9 @@ impl Compiler<'_> {
         let kind = match tree {
             Tree::Read(Read::Since(step)) => Kind::Since(step.index()),
             Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(id.index()),
-            _ if !self.is_number(tree) => return None,
+            _ if !self.is_number(tree) && self.model.variants_of_tree(tree).is_none() => return None,
             _ => {
-                let (low, high) = range(self.model, tree).unwrap_or((i128::MIN, i128::MAX));
+                let (low, high) = domain(self.model, tree).unwrap_or((i128::MIN, i128::MAX));
                 Kind::Number(low, high)
             }
         };

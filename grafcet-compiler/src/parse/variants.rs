@@ -1,0 +1,45 @@
+//! `in {Off, Auto, Manual}` behind the type of a declaration.
+
+use proc_macro2::Delimiter;
+
+use super::{Input, Result};
+use crate::ast::{Variant, Variants};
+
+/// What stands behind `in`; nothing where there is none.
+pub(super) fn parse(input: &mut Input) -> Result<Option<Variants>> {
+    let keyword = input.span();
+    if !input.eat_word("in") {
+        return Ok(None);
+    }
+    let Some(mut inside) = input.enter(Delimiter::Brace) else {
+        return Err(input.error(format!(
+            "expected the variants of an enum in braces, as in `in {{Off, Auto}}`, found {}; ranges are not there yet",
+            input.found()
+        )));
+    };
+    if inside.is_empty() {
+        return Err(inside.error("expected the variants of the enum, as in `in {Off, Auto}`"));
+    }
+    let mut list = Vec::new();
+    while !inside.is_empty() {
+        let name = inside.name("a variant")?;
+        if inside.at("::") {
+            let message =
+                format!("only the variant's own name stands here, as in `in {{Off, Auto}}`: leave out `{name}::`");
+            return Err(inside.error(message));
+        }
+        let data = [Delimiter::Parenthesis, Delimiter::Brace].into_iter().find_map(|delimiter| inside.enter(delimiter));
+        if let Some(mut data) = data {
+            if !data.eat("..") || !data.is_empty() {
+                return Err(data.error(format!("what `{name}` carries is not looked into: write `{name}(..)`")));
+            }
+            list.push(Variant { name, has_data: true });
+        } else {
+            list.push(Variant { name, has_data: false });
+        }
+        if !inside.eat(",") && !inside.is_empty() {
+            return Err(inside.error(format!("expected `,`, found {}", inside.found())));
+        }
+    }
+    Ok(Some(Variants { keyword, list }))
+}
