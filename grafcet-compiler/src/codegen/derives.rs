@@ -71,6 +71,8 @@ impl Derives {
         (!foreign.is_empty()).then(|| {
             quote! {
                 impl #p::core::marker::Copy for #name #copy {}
+                // As the derived one, which lints leave alone.
+                #[automatically_derived]
                 impl #p::core::clone::Clone for #name #copy {
                     fn clone(&self) -> Self {
                         *self
