@@ -291,8 +291,17 @@ pub struct Chain {
     pub rest: Vec<(Arrow, Node)>,
 }
 
+/// `any except (A, B)`
+pub struct Any {
+    /// All of it.
+    pub mark: Mark,
+    pub except: Vec<Ident>,
+}
+
 /// What an arrow touches.
 pub enum Node {
+    /// All steps of the net, at the begin of a chain.
+    Any(Any),
     /// One step.
     Step(Ident),
     /// `(B, C)`; empty for a source or sink. The mark covers the parentheses.

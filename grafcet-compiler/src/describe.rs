@@ -3,7 +3,7 @@
 use grafcet_core::description::{self, Description};
 use proc_macro2::Ident;
 
-use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, Qualifier, StepId, TimeRef};
+use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, Qualifier, StepId, TimeRef, Transition};
 
 /// Calls `f` with the description of a chart.
 pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R) -> R {
@@ -22,16 +22,18 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             forces,
         })
         .collect();
+    // An `any` has no lines to what it leaves.
+    let sources = |t: &Transition| if t.any.is_some() { Vec::new() } else { numbers(&t.sources) };
     let ends: Vec<[Vec<usize>; 2]> =
-        model.transitions.values().map(|t| [&t.sources, &t.targets].map(|steps| numbers(steps))).collect();
-    let clearing: Vec<Vec<&str>> = texts.transitions.iter().map(|(_, clearing)| strs(clearing)).collect();
-    let transitions = model.transitions.values().zip(&texts.transitions).zip(ends.iter().zip(&clearing));
+        model.drawn_transitions().map(|(_, t)| [sources(t), numbers(&t.targets)]).collect();
+    let clearing: Vec<Vec<&str>> = texts.transitions.iter().map(|(.., clearing)| strs(clearing)).collect();
+    let transitions = texts.transitions.iter().zip(ends.iter().zip(&clearing));
     let transitions: Vec<_> = transitions
-        .map(|((transition, (name, _)), ([sources, targets], clearing))| description::Transition {
+        .map(|((name, condition, _), ([sources, targets], clearing))| description::Transition {
             name,
             sources,
             targets,
-            condition: &transition.condition.text,
+            condition,
             clearing,
         })
         .collect();
@@ -68,8 +70,8 @@ struct Texts {
     partials: Vec<String>,
     macros: Vec<String>,
     steps: Vec<StepTexts>,
-    /// Name and clearing actions.
-    transitions: Vec<(String, Vec<String>)>,
+    /// Name, condition and clearing actions.
+    transitions: Vec<(String, String, Vec<String>)>,
 }
 
 struct StepTexts {
@@ -101,16 +103,20 @@ impl StepTexts {
 
 impl Texts {
     fn of(model: &Model) -> Self {
-        let transition = |t: &crate::model::Transition| {
+        let transition = |t: &Transition| {
             let clearing = t.clearing.iter().map(|done| effect(model, done)).collect();
-            (t.name.as_ref().map(plain).unwrap_or_default(), clearing)
+            let condition = match t.any {
+                Some(any) => format!("{}: {}", model.any_text(any), t.condition.text),
+                None => t.condition.text.clone(),
+            };
+            (t.name.as_ref().map(plain).unwrap_or_default(), condition, clearing)
         };
         Self {
             name: plain(&model.name),
             partials: model.partials.values().map(|p| p.name.as_ref().map(plain).unwrap_or_default()).collect(),
             macros: model.macros.values().map(|m| plain(&m.name)).collect(),
             steps: model.steps.ids().map(|step| step_texts(model, step)).collect(),
-            transitions: model.transitions.values().map(transition).collect(),
+            transitions: model.drawn_transitions().map(|(_, t)| transition(t)).collect(),
         }
     }
 }

@@ -8,7 +8,7 @@
 use std::collections::VecDeque;
 
 use super::{Logic, Relation, pairs};
-use crate::model::{ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
+use crate::model::{Any, ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
 /// Charts with more steps than this are taken for independent partial grafcets.
@@ -133,6 +133,8 @@ struct Search<'m> {
     leaving: Vec<Vec<usize>>,
     /// Source transitions.
     sourceless: Vec<usize>,
+    /// Per `any` whether it leaves each step.
+    left: Vec<Vec<bool>>,
 }
 
 impl<'m> Search<'m> {
@@ -144,7 +146,13 @@ impl<'m> Search<'m> {
                 leaving[s.index()].push(id.index());
             }
         }
+        let leaves = |any: &Any| {
+            let mut left = vec![false; steps];
+            any.sources.iter().for_each(|step| left[step.index()] = true);
+            left
+        };
         Self {
+            left: model.anys.values().map(leaves).collect(),
             model,
             relation: Relation::new(steps),
             reachable: vec![false; steps],
@@ -213,7 +221,7 @@ impl<'m> Search<'m> {
             for (i, (a, first)) in conditions.iter().enumerate() {
                 for (b, second) in &conditions[i + 1..] {
                     let ids = [*a, *b].map(TransitionId::new);
-                    if !self.model.is_else_of(ids[0], ids[1]) && !logic.exclusive(first, second) {
+                    if !self.model.exclude_each_other(ids[0], ids[1]) && !logic.exclusive(first, second) {
                         self.enter_together_with(&transitions[*a].targets, &transitions[*b].targets);
                     }
                 }
@@ -299,6 +307,10 @@ impl<'m> Search<'m> {
         self.enter_together(&transition.targets);
         for target in transition.targets.iter().map(|t| t.index()) {
             for bystander in self.relation.common_beyond(&sources, target) {
+                if transition.any.is_some_and(|any| bystander == target || self.left[any.index()][bystander]) {
+                    // What an `any` leaves is left by it in the same evolution; a target that is active stays so.
+                    continue;
+                }
                 if bystander == target {
                     self.unsafe_steps[target] = true;
                 } else if self.reachable[bystander] {

@@ -55,8 +55,9 @@ impl Races {
             pairs.retain(|_| met.next() != Some(false));
         }
         let mut reported = Set::new();
-        let all =
-            pairs.into_iter().filter(|(place, _, second)| reported.insert((*place, second.writer, second.number)));
+        let all = pairs
+            .into_iter()
+            .filter(|(place, _, second)| reported.insert((*place, drawn(model, second.writer), second.number)));
         Self { all: all.map(|(place, first, second)| (place, first.writer, second.writer)).collect() }
     }
 
@@ -184,6 +185,10 @@ impl<'m> Race<'m> {
             return false;
         }
         if !self.model.is_grafcet() && !self.are_parallel(a.writer, b.writer) {
+            return false;
+        }
+        if a.writer != b.writer && drawn(self.model, a.writer) == drawn(self.model, b.writer) {
+            // What is done on the clearing of an `any` is done once.
             return false;
         }
         if let (When::Entered(x), When::Entered(y)) = (a.when, b.when) {
@@ -356,6 +361,14 @@ impl<'m> Race<'m> {
             .sources
             .iter()
             .all(|x| second.sources.iter().all(|y| share(x, y) || x != y && self.concurrency.together(*x, *y)))
+    }
+}
+
+/// Of the transitions for which an `any` stands, the first.
+fn drawn(model: &Model, writer: Writer) -> Writer {
+    match writer {
+        Writer::Clearing(id) => Writer::Clearing(model.transitions[id].any.map_or(id, |any| model.anys[any].first)),
+        Writer::Action(_) => writer,
     }
 }
 

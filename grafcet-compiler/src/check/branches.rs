@@ -28,7 +28,8 @@ impl Branches<'_> {
         let model = self.model;
         let mut shadowed = Set::new();
         let leaving = self.leaving();
-        for id in model.transitions.ids().filter(|id| !dead.contains(id)) {
+        let stands = |id: &TransitionId| model.transitions[*id].any.is_none_or(|any| model.anys[any].first == *id);
+        for id in model.transitions.ids().filter(|id| !dead.contains(id) && stands(id)) {
             // What competes with it and stands before it.
             let others = model.transitions[id].sources.iter().flat_map(|step| leaving[step.index()].iter().copied());
             let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
@@ -78,7 +79,7 @@ impl Branches<'_> {
     }
 
     fn is_undecided(&self, a: TransitionId, b: TransitionId) -> bool {
-        if self.model.is_else_of(a, b) {
+        if self.model.exclude_each_other(a, b) {
             return false;
         }
         let (first, second) = (self.condition(a), self.condition(b));
@@ -144,6 +145,15 @@ impl Branches<'_> {
             "{own} never clears: whenever `{text}` holds, so does {who} before it; put it first, or correct one of the \
              conditions"
         );
+        let by_any = |other: &TransitionId| self.model.transitions[*other].any.is_some();
+        let message = if shadowing.iter().any(by_any) && transition.any.is_none() {
+            format!(
+                "{own} never clears: whenever `{text}` holds, so does {who}, which comes before it; let it wait for something else, \
+                 or leave its step out: `any except …`"
+            )
+        } else {
+            message
+        };
         let message = if transition.otherwise.is_some() { never_else(self.model, transition) } else { message };
         let mut notes = vec![(transition.condition.mark, message)];
         for other in shadowing {
@@ -164,7 +174,7 @@ impl Branches<'_> {
     /// Rule 4 of IEC 60848: branches whose conditions hold together all clear. Each is reported beside the first such one.
     fn overlapping(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
         let own = self.condition(id);
-        for other in before.iter().filter(|other| !self.model.is_else_of(**other, id)) {
+        for other in before.iter().filter(|other| !self.model.exclude_each_other(**other, id)) {
             if self.is_duplicate(*other, id) {
                 return drawing::duplicate_transition(self.model, *other, id, sink);
             }

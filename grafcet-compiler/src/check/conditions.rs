@@ -21,6 +21,13 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], 
     let plain = Logic::new(model);
     for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
         let scopes = model.levels_of_transition(transition);
+        if let Some(first) = transition.any.map(|any| model.anys[any].first).filter(|first| *first != id) {
+            // It has been said of the one that stands for all.
+            let add = |said: &mut Set<TransitionId>| said.contains(&first) && said.insert(id);
+            add(&mut said.never);
+            add(&mut said.always);
+            continue;
+        }
         let Some(rule) = constant(logic, condition, &transition.condition.tree) else {
             level_source(model, logic, transition, condition, sink);
             if holds_while_enabled(&plain, transition) && enabled_anyway(model, transition, &scopes, sink) {
@@ -35,6 +42,10 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], 
             continue;
         } else if rule.severity_in(model.dialect, &scopes) != Severity::Allow {
             said.always.insert(id);
+        }
+        if rule.name == rules::NEVER_TRUE.name && !logic.never(&logic.condition(transition.own_condition())) {
+            behind_any(model, transition, &scopes, sink);
+            continue;
         }
         let what = format!("{} never clears", model.transition_text(transition));
         let expr = &transition.condition;
@@ -59,11 +70,27 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], 
     said
 }
 
+/// Whenever the condition holds, something clears that comes first.
+fn behind_any(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) {
+    let (own, text) = (model.transition_text(transition), &transition.condition.text);
+    let message = format!(
+        "{own} never clears: whenever `{text}` holds, `any` comes before it; let it wait for something else, or leave its step out: \
+         `any except …`"
+    );
+    let mut notes = vec![(transition.condition.mark, message)];
+    for any in &transition.guards {
+        let first = &model.transitions[model.anys[*any].first];
+        let message = format!("{} comes before all others, {own} among them", model.transition_text(first));
+        notes.push((first.condition.mark, message));
+    }
+    sink.rule(&rules::SHADOWED_BRANCH, scopes, notes);
+}
+
 /// Whether a condition holds because it asks for the steps in front of the transition. That another step is not active
 /// then, as in `!Other.X`, may be said to be safe.
 fn holds_while_enabled(logic: &Logic<'_>, transition: &Transition) -> bool {
     let own = |read: &Read| matches!(read, Read::Active(step) if transition.sources.contains(step));
-    if transition.otherwise.is_some() || !transition.condition.reads.iter().any(own) {
+    if transition.otherwise.is_some() || transition.any.is_some() || !transition.condition.reads.iter().any(own) {
         return false;
     }
     let condition = &logic.condition(&transition.condition.tree);

@@ -67,7 +67,7 @@ fn is_started_elsewhere(model: &Model, id: PartialId) -> bool {
 /// The same arc with the same condition, drawn twice.
 fn duplicate_transitions(model: &Model, sink: &mut Sink) {
     let mut seen = crate::sorted::Map::new();
-    for (id, transition) in model.transitions.iter() {
+    for (id, transition) in model.drawn_transitions() {
         let (mut sources, mut targets) = (transition.sources.clone(), transition.targets.clone());
         sources.sort_unstable();
         targets.sort_unstable();
@@ -81,7 +81,11 @@ fn duplicate_transitions(model: &Model, sink: &mut Sink) {
 /// Both places of a transition that is drawn twice.
 pub(super) fn duplicate_transition(model: &Model, first: TransitionId, second: TransitionId, sink: &mut Sink) {
     let transition = &model.transitions[second];
-    let (from, to) = (names(model, &transition.sources), names(model, &transition.targets));
+    let from = match transition.any {
+        Some(any) => format!("`{}`", model.any_text(any)),
+        None => names(model, &transition.sources),
+    };
+    let to = names(model, &transition.targets);
     let drawn = |mark: Mark, when: &str| {
         (mark, format!("this transition from {from} to {to} is drawn {when}, with the same condition; draw it once"))
     };

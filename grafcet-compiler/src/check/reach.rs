@@ -66,8 +66,12 @@ pub(super) fn check(
         let otherwise = concurrency.across_partials_but_for(model, said);
         follow.extend(dead.iter().filter(|id| exploration.is_barred(**id) && otherwise.can_clear(**id)));
     }
+    let mut anys = Set::new();
     for id in &dead {
         let transition = &model.transitions[*id];
+        if transition.any.is_some_and(|any| !anys.insert(any)) {
+            continue;
+        }
         if waiting.contains(id) || others_dead(id) || said.contains(id) || follow.contains(id) {
             continue;
         }
@@ -124,7 +128,15 @@ pub(super) fn idle(model: &Model, exploration: &Exploration) -> Set<TransitionId
     let is_idle = |(id, transition): &(TransitionId, &Transition)| {
         !exploration.can_clear(*id) && transition.sources.iter().all(|source| exploration.reachable(*source))
     };
-    model.transitions.iter().filter(is_idle).map(|(id, _)| id).collect()
+    // An `any` is idle where all of its transitions are.
+    let mut clears = vec![false; model.anys.len()];
+    for (id, transition) in model.transitions.iter() {
+        if let Some(any) = transition.any {
+            clears[any.index()] |= exploration.can_clear(id);
+        }
+    }
+    let alone = |(_, transition): &(TransitionId, &Transition)| transition.any.is_none_or(|any| !clears[any.index()]);
+    model.transitions.iter().filter(is_idle).filter(alone).map(|(id, _)| id).collect()
 }
 
 /// The steps to which arrows lead from where the chart starts, whatever the conditions.
@@ -216,6 +228,11 @@ fn never_holds(model: &Model, transition: &Transition) -> String {
     };
     if transition.sources.is_empty() {
         return format!("this transition never clears: `{text}` never holds{why}");
+    }
+    if transition.any.is_some() {
+        return format!(
+            "this transition never clears: `{text}` never holds while a step is active that it leaves{why}"
+        );
     }
     format!("this transition never clears: `{text}` never holds while {sources} is active{why}")
 }

@@ -43,7 +43,10 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
 }
 
 fn notes(model: &Model, circle: &Circle, message: &str) -> Vec<(Mark, String)> {
-    circle.transitions.iter().map(|id| (model.transitions[*id].mark, message.to_owned())).collect()
+    let mut seen = Set::new();
+    let once = |id: &&TransitionId| model.transitions[**id].any.is_none_or(|any| seen.insert(any));
+    let transitions: Vec<&TransitionId> = circle.transitions.iter().filter(once).collect();
+    transitions.into_iter().map(|id| (model.transitions[*id].mark, message.to_owned())).collect()
 }
 
 /// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.

@@ -144,7 +144,7 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
     let transition = &names.transition;
     let name = model.name.to_string();
     let steps = model.steps.ids().map(|id| step_name(cx, id));
-    let transitions = model.transitions.ids().map(|id| cx.names.transition_variant(id));
+    let transitions = model.drawn_transitions().map(|(id, _)| cx.names.transition_variant(id));
     let situation = situation_type(cx);
     let has_actions = !model.actions.is_empty();
     let actions = if has_actions {

@@ -7,7 +7,7 @@ use super::bind::Moment;
 use super::branches::Branch;
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::{Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
+use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::RegionId;
 use crate::sorted::Map;
 
@@ -24,8 +24,32 @@ impl Cx<'_> {
             let enter = names::enter_local(*step);
             quote!(let mut #enter = false;)
         });
+        let once = self.model.anys.ids().filter(|any| self.acts_for_several(*any)).map(|any| {
+            let cleared = names::any_cleared(any);
+            quote!(let mut #cleared = false;)
+        });
         let partials = self.plan.evolution.partials.iter().map(|partial| self.evolve_partial(*partial));
-        quote!(#(#declare)* #(#partials)*)
+        quote!(#(#declare)* #(#once)* #(#partials)*)
+    }
+
+    /// Whether several transitions of an `any` may clear together, of which one alone does what is done on clearing.
+    fn acts_for_several(&self, any: AnyId) -> bool {
+        let first = &self.model.transitions[self.model.anys[any].first];
+        let regions =
+            if self.has_flags() { self.plan.most_active } else { self.plan.regions.of_partial(first.partial).count() };
+        !first.clearing.is_empty() && regions > 1
+    }
+
+    /// The actions on clearing a transition; of an `any` once.
+    fn acts_on_clearing(&self, id: TransitionId) -> TokenStream {
+        let actions = self.clearing_actions(id);
+        match self.model.transitions[id].any.filter(|any| self.acts_for_several(*any)) {
+            Some(any) => {
+                let cleared = names::any_cleared(any);
+                quote!(if !#cleared { #cleared = true; #actions })
+            }
+            None => actions,
+        }
     }
 
     /// A partial grafcet, unless a forcing order or its enclosing step decides about it.
@@ -163,7 +187,7 @@ impl Cx<'_> {
     /// The condition of a transition behind the other branches of its steps, `None` for `true` and for `else`.
     pub(super) fn condition(&self, id: TransitionId) -> Option<Expr> {
         let transition = &self.model.transitions[id];
-        let always = transition.condition.tree == Tree::Bool(true) || transition.otherwise.is_some();
+        let always = transition.condition.tree == Tree::Bool(true) || transition.plain_else().is_some();
         (!always).then(|| transition.condition.clone())
     }
 
@@ -229,7 +253,7 @@ impl Cx<'_> {
     /// IEC 60848 rule 4: all that can clear do so together. An `else` asks whether another branch has cleared: each condition is
     /// evaluated once.
     fn all_of(&self, leaving: &[TransitionId]) -> TokenStream {
-        let otherwise = |id: &TransitionId| self.model.transitions[*id].otherwise.as_ref();
+        let otherwise = |id: &TransitionId| self.model.transitions[*id].plain_else();
         let elses: Vec<_> = leaving.iter().filter_map(|id| Some((id, otherwise(id)?))).collect();
         let declare = elses.iter().map(|(id, _)| {
             let other = names::other_branch(**id);
@@ -304,7 +328,7 @@ impl Cx<'_> {
             let left: Vec<_> = transition.sources.iter().map(|step| names::left_local(*step)).collect();
             // Nothing has left the sources of an `else`: none of the other branches could clear.
             let condition =
-                transition.otherwise.is_none().then(|| self.value(&transition.condition, Moment::Condition));
+                transition.plain_else().is_none().then(|| self.value(&transition.condition, Moment::Condition));
             let terms = active.chain(left.iter().map(|left| quote!(!#left))).chain(condition);
             let clear = self.clear(*id);
             quote!(if #(#terms)&&* { #(#left = true;)* #clear })
@@ -342,7 +366,7 @@ impl Cx<'_> {
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
         let below = self.below(transition);
         writes.extend(self.overwrite_below(&below));
-        let (actions, at_once) = (self.clearing_actions(id), self.stored_at_once(transition, &below));
+        let (actions, at_once) = (self.acts_on_clearing(id), self.stored_at_once(transition, &below));
         let (writes, end) = (self.few_at_a_time(&writes), self.end_below(transition.partial, &below));
         quote!(#actions #at_once #writes #moved #end)
     }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::model::{
-    ActionId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId,
+    ActionId, AnyId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId,
     Transition, TransitionId, VarId,
 };
 use crate::plan::{Plan, RegionId, Target};
@@ -176,6 +176,11 @@ pub(super) fn phase(index: usize) -> Ident {
 /// What it was before the evolution.
 pub(super) fn phase_before(index: usize) -> Ident {
     local(&format!("phase_before_{index}"))
+}
+
+/// The local that says that an `any` has cleared in this evolution.
+pub(super) fn any_cleared(any: AnyId) -> Ident {
+    local(&format!("any_cleared_{}", any.index()))
 }
 
 /// The field that remembers the expression of an edge.
@@ -350,6 +355,11 @@ fn transitions(model: &Model) -> Vec<Ident> {
         if names[id.index()].is_some() {
             continue;
         }
+        if let Some(first) = transition.any.map(|any| model.anys[any].first).filter(|first| *first != id) {
+            let name = names[first.index()].clone();
+            names[id.index()] = name;
+            continue;
+        }
         let base = from_steps(model, transition);
         let mut name = base.clone();
         let mut number = 2;
@@ -370,7 +380,8 @@ fn from_steps(model: &Model, transition: &Transition) -> String {
         let names: Vec<_> = steps.iter().map(|step| camel(&model.steps[*step].name.to_string())).collect();
         names.join("And")
     };
-    format!("{}To{}", list(&transition.sources, "Source"), list(&transition.targets, "Sink"))
+    let sources = if transition.any.is_some() { "Any".to_owned() } else { list(&transition.sources, "Source") };
+    format!("{sources}To{}", list(&transition.targets, "Sink"))
 }
 
 /// `warm_up` is `WarmUp`.

@@ -86,7 +86,7 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         quote!(#docs #name)
     });
     let steps = list(&names.step, steps.collect());
-    let transitions = model.transitions.ids().map(|id| names.transition_variant(id).to_token_stream()).collect();
+    let transitions = model.drawn_transitions().map(|(id, _)| names.transition_variant(id).to_token_stream()).collect();
     let transitions = list(&names.transition, transitions);
     quote!(#steps #transitions)
 }

@@ -113,7 +113,7 @@ fn step_names(cx: &Cx<'_>) -> TokenStream {
 }
 
 fn transition_names(cx: &Cx<'_>) -> TokenStream {
-    let variants = cx.model.transitions.iter().map(|(id, transition)| {
+    let variants = cx.model.drawn_transitions().map(|(id, transition)| {
         let name = cx.names.transition_variant(id);
         let text = transition_text(cx.model, transition);
         quote!(#[doc = #text] #name,)
@@ -146,7 +146,8 @@ pub(super) fn transition_text(model: &Model, transition: &crate::model::Transiti
         let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
         if let [one] = &names[..] { one.clone() } else { format!("({})", names.join(", ")) }
     };
-    let (from, to) = (list(&transition.sources), list(&transition.targets));
+    let from = transition.any.map_or_else(|| list(&transition.sources), |any| model.any_text(any));
+    let to = list(&transition.targets);
     format!("`{from} -[{}]-> {to}`", transition.condition.text)
 }
 

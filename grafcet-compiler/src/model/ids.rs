@@ -108,6 +108,8 @@ ids! {
     MacroId;
     /// A transition.
     TransitionId;
+    /// An `any`.
+    AnyId;
     /// A partial grafcet; 0 is what stands directly in the chart.
     PartialId;
     /// An association of a step with an action.

@@ -17,8 +17,8 @@ pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier, Variant};
 use crate::diagnostic::Mark;
 pub use expr::{Binary, Blink, Blinker, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
 pub use ids::{
-    ActionId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, MacroId, OutputId, ParamId, PartialId,
-    StepId, TransitionId, VarId,
+    ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, MacroId, OutputId, ParamId,
+    PartialId, StepId, TransitionId, VarId,
 };
 pub use resolve::resolve;
 
@@ -54,6 +54,8 @@ pub struct Model {
     pub steps: Arena<StepId, Step>,
     pub macros: Arena<MacroId, MacroStep>,
     pub transitions: Arena<TransitionId, Transition>,
+    /// In source order.
+    pub anys: Arena<AnyId, Any>,
     pub associations: Arena<AssociationId, Association>,
     pub forces: Arena<ForceId, Force>,
     pub edges: Arena<EdgeId, Edge>,
@@ -246,6 +248,22 @@ pub struct Transition {
     pub clearing: Vec<Effect>,
     /// From `-[` to `]->`.
     pub mark: Mark,
+    /// It is one of those for which an `any` stands.
+    pub any: Option<AnyId>,
+    /// What comes before it where it would otherwise clear along: `condition` holds only where these do not clear.
+    pub guards: Vec<AnyId>,
+}
+
+/// `any -[stop]-> Stopped;` It stands for a transition from each of its sources to its targets, which all clear together. These
+/// transitions stand before all others of their partial grafcet.
+pub struct Any {
+    pub partial: PartialId,
+    /// The transition from its first source, which stands for it where it is shown.
+    pub first: TransitionId,
+    /// In order of declaration; not the targets, and not what is excepted: these stay as they are.
+    pub sources: Vec<StepId>,
+    /// Behind `except`, as written.
+    pub except: Vec<Ident>,
 }
 
 /// A step's association with an action.
@@ -268,6 +286,7 @@ pub struct Association {
 }
 
 /// What an action does.
+#[derive(Clone)]
 pub enum Effect {
     /// A boolean output or variable that is controlled: `N relay`, `S lamp`.
     Control(Place),

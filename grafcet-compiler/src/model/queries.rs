@@ -3,8 +3,8 @@
 use std::slice;
 
 use super::{
-    Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition,
-    TransitionId, Tree, Ty, Unary, Variants,
+    AnyId, Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId,
+    Transition, TransitionId, Tree, Ty, Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
 
@@ -94,14 +94,36 @@ impl Model {
         inside.chain([&self.levels]).flatten().any(|level| level.rule == rule.name)
     }
 
-    /// Whether one of two transitions is the `else` of the other, so that they never clear together.
+    /// Whether two transitions never clear together by what they are: one is the `else` of the other, or that of an `any` which comes
+    /// before it.
     #[must_use]
-    pub fn is_else_of(&self, a: TransitionId, b: TransitionId) -> bool {
+    pub fn exclude_each_other(&self, a: TransitionId, b: TransitionId) -> bool {
         let is_other = |id: TransitionId, other: TransitionId| {
             // In source order.
             self.transitions[id].otherwise.as_ref().is_some_and(|others| others.binary_search(&other).is_ok())
         };
-        is_other(a, b) || is_other(b, a)
+        let comes_first = |a: TransitionId, b: TransitionId| {
+            self.transitions[a].any.is_some_and(|any| self.transitions[b].guards.contains(&any))
+        };
+        is_other(a, b) || is_other(b, a) || comes_first(a, b) || comes_first(b, a)
+    }
+
+    /// `any`, `any except (A, B)`
+    #[must_use]
+    pub fn any_text(&self, any: AnyId) -> String {
+        match &self.anys[any].except[..] {
+            [] => "any".to_owned(),
+            [one] => format!("any except {one}"),
+            several => {
+                let names: Vec<_> = several.iter().map(ToString::to_string).collect();
+                format!("any except ({})", names.join(", "))
+            }
+        }
+    }
+
+    /// The transitions as they stand in the source: of those for which an `any` stands the first.
+    pub fn drawn_transitions(&self) -> impl Iterator<Item = (TransitionId, &Transition)> {
+        self.transitions.iter().filter(|(id, transition)| transition.any.is_none_or(|any| self.anys[any].first == *id))
     }
 
     /// A transition in a sentence: `` `A → B` ``, or its name.
@@ -114,7 +136,8 @@ impl Model {
                 format!("({})", names.join(", "))
             }
         };
-        let (from, to) = (side(&transition.sources), side(&transition.targets));
+        let from = transition.any.map_or_else(|| side(&transition.sources), |any| self.any_text(any));
+        let to = side(&transition.targets);
         match &transition.name {
             Some(name) => format!("`{name}: {from} → {to}`"),
             None => format!("`{from} → {to}`"),
@@ -206,6 +229,26 @@ impl Model {
             Place::Output(id) => &self.outputs[id].ty,
             Place::Var(id) => &self.vars[id].ty,
         }
+    }
+}
+
+impl Transition {
+    /// Of an `else` the other branches, if nothing but these comes before it.
+    #[must_use]
+    pub fn plain_else(&self) -> Option<&Vec<TransitionId>> {
+        self.otherwise.as_ref().filter(|_| self.guards.is_empty())
+    }
+
+    /// What the user has written as its condition, without what comes before it.
+    #[must_use]
+    pub fn own_condition(&self) -> &Tree {
+        let mut tree = &self.condition.tree;
+        for _ in &self.guards {
+            if let Tree::Binary(Binary::And, own, _) = tree {
+                tree = own;
+            }
+        }
+        tree
     }
 }
 

@@ -4,7 +4,7 @@ use proc_macro2::Delimiter;
 
 use super::input::Turns;
 use super::{Error, Input, Result, transition, words};
-use crate::ast::{Arrow, Attrs, Chain, Node};
+use crate::ast::{Any, Arrow, Attrs, Chain, Node};
 use crate::diagnostic::{Mark, Sink};
 
 /// Whether a chain of transitions begins here.
@@ -14,6 +14,7 @@ pub(super) fn begins(input: &Input) -> bool {
     }
     let behind = input.next();
     match input.word() {
+        Some("any") if behind.at_word("except") => true,
         Some(word) if words::ITEMS.contains(&word) => at_arrow(&behind),
         Some(_) => at_arrow(&behind) || [",", ";", ".", "::"].iter().any(|sign| behind.at(sign)),
         None => at_arrow(input),
@@ -49,7 +50,7 @@ pub(super) fn parse(input: &mut Input, attrs: &Attrs, sink: &mut Sink) -> Result
     let chain = |first| Chain { attrs: attrs.clone(), first, rest: Vec::new() };
     let mut parts = Vec::new();
     let mut current =
-        chain(if at_arrow(input) { Node::Forgotten(input.next().next().since(input)) } else { node(input, sink)? });
+        chain(if at_arrow(input) { Node::Forgotten(input.next().next().since(input)) } else { first(input, sink)? });
     let mut turns = Turns::default();
     while turns.more(input) && at_arrow(input) {
         let start = *input;
@@ -82,6 +83,29 @@ fn alone(input: &Input, start: &Input) -> Error {
         );
     }
     input.error(format!("expected an arrow `-[condition]->`, found {}", input.found()))
+}
+
+/// What a chain begins with: also `any`, `any except (A, B)`.
+fn first(input: &mut Input, sink: &mut Sink) -> Result<Node> {
+    let start = *input;
+    let behind = input.next();
+    if !input.at_word("any") || !behind.at_word("except") && !at_arrow(&behind) {
+        return node(input, sink);
+    }
+    input.bump();
+    let mut except = Vec::new();
+    if input.at_word("except") {
+        input.bump();
+        except = match node(input, sink)? {
+            Node::Step(name) => vec![name],
+            Node::Group(names, _) => names,
+            _ => Vec::new(),
+        };
+        if except.is_empty() {
+            sink.notation(input.since(&start), "`except` leaves steps out; name them, or write `any` alone");
+        }
+    }
+    Ok(Node::Any(Any { mark: input.since(&start), except }))
 }
 
 /// A step, or several in parentheses.

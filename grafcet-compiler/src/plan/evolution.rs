@@ -47,7 +47,7 @@ fn exclusive(model: &Model) -> Vec<bool> {
         let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).collect();
         let all: Vec<_> = ids.iter().zip(&conditions).collect();
         let apart = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
-            model.is_else_of(*a, *b) || logic.exclusive(first, second)
+            model.exclude_each_other(*a, *b) || logic.exclusive(first, second)
         };
         all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
     };

@@ -33,6 +33,7 @@ impl Nest {
         let plain = regions.all().len() > 1
             && !regions.are_flags()
             && evolution.contests.is_empty()
+            && model.anys.is_empty()
             && evolution.entered_last.is_empty()
             && model.steps.ids().all(|step| evolution.exclusive[step.index()])
             && model.transitions.values().all(|t| !t.sources.is_empty());

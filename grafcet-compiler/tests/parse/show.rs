@@ -168,6 +168,10 @@ fn node(node: &Node) -> String {
     match node {
         Node::Step(name) => name.to_string(),
         Node::Group(names, _) => format!("({})", list(names, ToString::to_string)),
+        Node::Any(any) => match any.except.as_slice() {
+            [] => "any".to_owned(),
+            some => format!("any except ({})", list(some, ToString::to_string)),
+        },
         Node::Missing(_) => "MISSING".to_owned(),
         Node::Forgotten(_) => "FORGOTTEN".to_owned(),
     }

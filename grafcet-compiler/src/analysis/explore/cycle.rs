@@ -91,7 +91,8 @@ pub(super) fn evolve(active: &[usize], left: &[usize], targets: &[usize]) -> Vec
 
 /// Notes the steps among the targets of the cleared transitions that are active and not left.
 pub(super) fn note_doubled(net: &Net, active: &[usize], left: &[usize], cleared: &[usize], done: &mut Done) {
-    for transition in cleared {
+    // A target of an `any` that is active stays so.
+    for transition in cleared.iter().filter(|transition| !net.arcs[**transition].is_any) {
         for target in &net.arcs[*transition].targets {
             if active.binary_search(target).is_ok() && !left.contains(target) {
                 done.doubled.push((*target, *transition));

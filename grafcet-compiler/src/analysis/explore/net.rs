@@ -27,6 +27,8 @@ pub(super) struct Arc {
     pub(super) reads_slots: bool,
     /// The atoms that the edges in its condition look at.
     pub(super) edge_atoms: Vec<usize>,
+    /// It is one of those for which an `any` stands.
+    pub(super) is_any: bool,
 }
 
 /// A partial grafcet, as forcing and enclosing see it.
@@ -234,7 +236,18 @@ impl Net {
             let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
             let targets = transition.targets.iter().map(|step| step.index()).collect();
             let partial = transition.partial.index();
-            self.arcs.push(Arc { sources, targets, condition, partial, atoms, reads_steps, reads_slots, edge_atoms });
+            let is_any = transition.any.is_some();
+            self.arcs.push(Arc {
+                sources,
+                targets,
+                condition,
+                partial,
+                atoms,
+                reads_steps,
+                reads_slots,
+                edge_atoms,
+                is_any,
+            });
         }
     }
 

@@ -17,6 +17,8 @@ pub(super) enum Owner {
     Sourceless,
     /// A step's actions, or a transition that leaves it.
     One(Blinker),
+    /// A transition that leaves whatever is active.
+    Any,
     /// A transition that leaves several.
     Several(Ident),
 }
@@ -137,6 +139,9 @@ impl Lower<'_, '_> {
             Owner::Sourceless => format!(
                 "a `blink` counts from the activation of a step, and none stands in front of this transition; name one: \
                  `blink({parts}, Step)`"
+            ),
+            Owner::Any => format!(
+                "a `blink` counts from the activation of a step, and `any` stands for all of them; name one: `blink({parts}, Step)`"
             ),
             Owner::Several(first) => format!(
                 "a `blink` counts from the activation of a step, and this transition leaves several; name one: \

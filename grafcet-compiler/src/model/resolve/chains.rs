@@ -11,7 +11,7 @@ use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transit
 
 /// At which end of an arrow a node stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum End {
+pub(super) enum End {
     Source,
     Target,
 }
@@ -27,9 +27,11 @@ impl Resolver<'_> {
             self.node(before, End::Source, partial);
             self.lose();
         }
-        for (arrow, after) in &chain.rest {
+        for (position, (arrow, after)) in chain.rest.iter().enumerate() {
             self.repeated(after);
             match arrow {
+                // See `anys`.
+                _ if position == 0 && matches!(before, Node::Any(_)) => {}
                 Arrow::Bare(mark) => self.bare_arrow(*mark, before, after, partial),
                 Arrow::Transition(transition) => self.transition(chain, before, transition, after, partial),
             }
@@ -60,11 +62,7 @@ impl Resolver<'_> {
         self.forgotten(after, End::Target);
         let clearing = self.clearing(transition);
         self.owner = Owner::Chart;
-        if let Node::Missing(mark) = after {
-            let message = "between two transitions there is always a step; \
-                           put an empty step between them, or write one condition with `&&`";
-            self.sink.rule(&rules::TRANSITIONS_WITHOUT_STEP, &[], vec![(*mark, message.to_owned())]);
-        }
+        self.missing(after);
         let (Some(sources), Some(targets)) = (sources, targets) else { return self.lose() };
         self.loose_end(before, End::Source);
         self.loose_end(after, End::Target);
@@ -78,11 +76,22 @@ impl Resolver<'_> {
             otherwise: None,
             clearing,
             mark: transition.mark,
+            any: None,
+            guards: Vec::new(),
         });
         if matches!(transition.condition, Condition::Else(_)) {
             self.elses.push(id);
         }
         self.model.partials[partial].transitions.push(id);
+    }
+
+    /// `A -[x]-[y]-> B`
+    pub(super) fn missing(&mut self, after: &Node) {
+        if let Node::Missing(mark) = after {
+            let message = "between two transitions there is always a step; \
+                           put an empty step between them, or write one condition with `&&`";
+            self.sink.rule(&rules::TRANSITIONS_WITHOUT_STEP, &[], vec![(*mark, message.to_owned())]);
+        }
     }
 
     /// To which step the condition of a transition belongs.
@@ -100,7 +109,7 @@ impl Resolver<'_> {
     }
 
     /// `A -> B`
-    fn bare_arrow(&mut self, mark: Mark, before: &Node, after: &Node, partial: PartialId) {
+    pub(super) fn bare_arrow(&mut self, mark: Mark, before: &Node, after: &Node, partial: PartialId) {
         self.node(before, End::Source, partial);
         self.node(after, End::Target, partial);
         let message = format!(
@@ -113,9 +122,12 @@ impl Resolver<'_> {
     }
 
     /// The steps of a node: of a macro-step its entry or its exit.
-    fn node(&mut self, node: &Node, end: End, partial: PartialId) -> Option<Vec<StepId>> {
+    pub(super) fn node(&mut self, node: &Node, end: End, partial: PartialId) -> Option<Vec<StepId>> {
         if matches!(node, Node::Missing(_) | Node::Forgotten(_)) {
             return None;
+        }
+        if matches!(node, Node::Any(_)) {
+            return Some(Vec::new());
         }
         let mut steps = Vec::new();
         let mut complete = true;
@@ -174,7 +186,7 @@ impl Resolver<'_> {
     }
 
     /// The macro-steps around a step, outwards.
-    fn expansion(&self, name: &Ident) -> Option<Vec<MacroId>> {
+    pub(super) fn expansion(&self, name: &Ident) -> Option<Vec<MacroId>> {
         let mut inside = Vec::new();
         let mut next = match self.scope.get(name)? {
             Meaning::Step(step) => self.model.steps[step].macro_step,
@@ -189,7 +201,7 @@ impl Resolver<'_> {
     }
 
     /// `(B, B)`: a step twice in one list.
-    fn repeated(&mut self, node: &Node) {
+    pub(super) fn repeated(&mut self, node: &Node) {
         let Node::Group(names, _) = node else { return };
         for (i, name) in names.iter().enumerate() {
             if let Some(first) = names[..i].iter().find(|first| *first == name) {
@@ -208,7 +220,7 @@ impl Resolver<'_> {
     }
 
     /// `()` in an `sfc`.
-    fn loose_end(&mut self, node: &Node, end: End) {
+    pub(super) fn loose_end(&mut self, node: &Node, end: End) {
         let Node::Group(names, mark) = node else { return };
         if !names.is_empty() || self.model.dialect == Dialect::Grafcet {
             return;
@@ -227,7 +239,7 @@ impl Resolver<'_> {
     }
 
     /// `-[x]-> A;` and `A -[x]->;`: an arc was forgotten, in either dialect.
-    fn forgotten(&mut self, node: &Node, end: End) {
+    pub(super) fn forgotten(&mut self, node: &Node, end: End) {
         let Node::Forgotten(mark) = node else { return };
         let (rule, message) = match end {
             End::Source => {
@@ -256,7 +268,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn clearing(&mut self, transition: &ast::Transition) -> Vec<Effect> {
+    pub(super) fn clearing(&mut self, transition: &ast::Transition) -> Vec<Effect> {
         let mut effects = Vec::new();
         for clearing in &transition.clearing {
             if self.model.dialect == Dialect::Sfc {
@@ -276,10 +288,11 @@ impl Resolver<'_> {
     }
 }
 
-fn names(node: &Node) -> &[Ident] {
+pub(super) fn names(node: &Node) -> &[Ident] {
     match node {
         Node::Step(name) => std::slice::from_ref(name),
         Node::Group(names, _) => names,
+        Node::Any(any) => &any.except,
         Node::Missing(_) | Node::Forgotten(_) => &[],
     }
 }
@@ -291,6 +304,7 @@ fn name_of(node: &Node) -> String {
         Node::Group(names, _) => {
             format!("({})", names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
         }
+        Node::Any(_) => "any".to_owned(),
         Node::Missing(_) | Node::Forgotten(_) => "…".to_owned(),
     }
 }

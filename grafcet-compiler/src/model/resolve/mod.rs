@@ -3,6 +3,7 @@
 //! What cannot be resolved is reported and left out, so that the rest of the chart can still be checked.
 
 mod actions;
+mod any;
 mod blink;
 mod chains;
 mod code;
@@ -48,8 +49,10 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
     };
     resolver.declare_chart(&chart.body);
     let mut cursor = Cursor::default();
+    resolver.anys(&chart.body, PartialId::new(0));
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
     resolver.otherwise();
+    resolver.guard();
     resolver.unused_pure();
     resolver.model
 }
@@ -110,6 +113,7 @@ fn empty(chart: &ast::Chart) -> Model {
         steps: Arena::default(),
         macros: Arena::default(),
         transitions: Arena::default(),
+        anys: Arena::default(),
         associations: Arena::default(),
         forces: Arena::default(),
         edges: Arena::default(),
@@ -143,6 +147,7 @@ impl Resolver<'_> {
     fn partial(&mut self, partial: &ast::Partial, cursor: &mut Cursor) {
         let id = self.partials[cursor.partial];
         cursor.partial += 1;
+        self.anys(&partial.body, id);
         self.body(&partial.body, id, cursor);
     }
 

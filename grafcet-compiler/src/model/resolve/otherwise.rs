@@ -40,7 +40,7 @@ impl Resolver<'_> {
     /// The transitions that leave the same steps, in source order.
     fn branches(&self) -> Map<Vec<StepId>, Vec<TransitionId>> {
         let mut branches: Map<Vec<StepId>, Vec<TransitionId>> = Map::new();
-        for (id, transition) in self.model.transitions.iter() {
+        for (id, transition) in self.model.transitions.iter().filter(|(_, transition)| transition.any.is_none()) {
             branches.or_default(in_order(&transition.sources)).push(id);
         }
         branches

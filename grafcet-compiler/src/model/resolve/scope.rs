@@ -65,6 +65,10 @@ impl Scope {
     /// Declares `name`; `false` if it is taken. A reserved one is reported and declared all the same, so that its uses
     /// are no further errors.
     pub(super) fn declare(&mut self, name: &Ident, meaning: Meaning, sink: &mut Sink) -> bool {
+        if name == "any" && matches!(meaning, Meaning::Step(_) | Meaning::Macro(_)) {
+            let message = "`any` in front of a transition stands for all steps, `any -[x]-> A;`; choose another name for this one";
+            sink.rule(&rules::RESERVED_NAME, &[], vec![(name.into(), message.to_owned())]);
+        }
         let same = self.names.or_default(key(name));
         match same.first() {
             Some((_, first)) => report_duplicate(name, first, sink),
@@ -147,6 +151,11 @@ impl Scope {
     /// Reports a step that is not declared.
     pub(super) fn unknown_step(&self, name: &Ident, sink: &mut Sink) {
         if self.is_broken(name) {
+            return;
+        }
+        if name == "any" {
+            let message = "`any` stands for all steps of its net, and only at the begin of a chain, `any -[x]-> A;`; name a step here";
+            sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message.to_owned())]);
             return;
         }
         let hint = self.suggest(name, |m| matches!(m, Meaning::Step(_) | Meaning::Macro(_)));

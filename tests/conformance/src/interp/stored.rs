@@ -29,7 +29,13 @@ pub(super) fn actions(view: &View<'_>, after: &Situation, cleared: &BTreeSet<Tra
             stored(association, view, &mut outcome)?;
         }
     }
+    let mut anys = BTreeSet::new();
     for transition in cleared {
+        // What an `any` does is done once, whatever it leaves.
+        let any = view.model.transitions[*transition].any;
+        if any.is_some_and(|any| !anys.insert(any)) {
+            continue;
+        }
         for effect in &view.model.transitions[*transition].clearing {
             perform(effect, view, &mut outcome)?;
         }

@@ -1,0 +1,177 @@
+//! `any -[stop]-> Stopped;`: what the checker makes of a transition from every step.
+
+use grafcet_compiler::compile;
+use quote::quote;
+
+fn expanded(chart: &str) -> String {
+    compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string()
+}
+
+/// The rules that speak about a chart; `error` for a mistake of the notation.
+fn rules(chart: &str) -> Vec<String> {
+    let code = expanded(chart);
+    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
+    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
+    if rules.is_empty() && code.contains("compile_error") {
+        rules.push("error".to_owned());
+    }
+    rules.sort_unstable();
+    rules.dedup();
+    rules
+}
+
+fn sequence(dialect: &str, rest: &str) -> Vec<String> {
+    rules(&format!(
+        "{dialect} Machine {{
+            input start, done, stop, ack: bool;
+            output motor, lamp: bool;
+            initial step Idle;
+            step Run {{ motor; }}
+            step Back {{ motor; }}
+            step Stopped {{ lamp; }}
+            Idle -[start && !stop]-> Run -[done]-> Back -[!done]-> Idle;
+            {rest}
+        }}"
+    ))
+}
+
+fn branches(dialect: &str, rest: &str) -> Vec<String> {
+    rules(&format!(
+        "{dialect} Machine {{
+            input start, a, b, stop, ack: bool;
+            output left, right, lamp: bool;
+            initial step Idle;
+            step A1 {{ left; }} step A2;
+            step B1 {{ right; }} step B2;
+            step Stopped {{ lamp; }}
+            Idle -[start && !stop]-> (A1, B1);
+            A1 -[a]-> A2; B1 -[b]-> B2;
+            (A2, B2) -[!start]-> Idle;
+            {rest}
+        }}"
+    ))
+}
+
+const DIALECTS: [&str; 2] = ["sfc", "grafcet"];
+
+#[test]
+fn a_good_chart_gets_no_word() {
+    for dialect in DIALECTS {
+        let end = "any -[stop]-> Stopped -[!stop && ack]-> Idle; home Idle;";
+        assert_eq!(sequence(dialect, end), Vec::<String>::new(), "{dialect}");
+        let proof = "never lamp && (left || right); never Stopped.X && A1.X; never Stopped.X && B2.X;";
+        assert_eq!(branches(dialect, &format!("{end} {proof}")), Vec::<String>::new(), "{dialect}");
+        let two = "any except Stopped -[stop]-> Stopped -[!stop && ack]-> Idle;";
+        assert_eq!(branches(dialect, two), Vec::<String>::new(), "{dialect}");
+    }
+}
+
+#[test]
+fn what_any_proves_and_does_not() {
+    for dialect in DIALECTS {
+        let end = "any -[stop]-> Stopped -[!stop && ack]-> Idle;";
+        // In the cycle that sees `stop` nothing else clears.
+        assert_eq!(branches(dialect, &format!("{end} never stop && A2.X;")), Vec::<String>::new(), "{dialect}");
+        assert_eq!(branches(dialect, &format!("{end} never lamp;")), ["property_violated"], "{dialect}");
+        // Left out, it runs on.
+        let end = "any except Run -[stop]-> Stopped -[!stop && ack]-> Idle;";
+        assert_eq!(sequence(dialect, &format!("{end} never stop && Run.X;")), ["property_violated"], "{dialect}");
+        let end = "any -[stop]-> Stopped -[!stop && ack]-> Idle;";
+        assert_eq!(sequence(dialect, &format!("{end} never stop && Run.X;")), Vec::<String>::new(), "{dialect}");
+    }
+}
+
+#[test]
+fn the_way_back_is_missing() {
+    for dialect in DIALECTS {
+        assert_eq!(
+            sequence(dialect, "any -[stop || ack]-> Stopped; home Idle;"),
+            ["deadlock", "not_home"],
+            "{dialect}"
+        );
+        assert_eq!(branches(dialect, "any -[stop || ack]-> Stopped;"), ["deadlock"], "{dialect}");
+    }
+}
+
+#[test]
+fn it_turns_for_ever_where_it_holds_on() {
+    assert_eq!(sequence("grafcet", "any -[stop || ack]-> Stopped -[stop || ack]-> Idle;"), ["unstable"]);
+    assert_eq!(branches("grafcet", "any -[stop || ack]-> Stopped -[stop || ack]-> Idle;"), ["unstable"]);
+    assert_eq!(sequence("sfc", "any -[stop || ack]-> Stopped -[stop || ack]-> Idle;"), Vec::<String>::new());
+}
+
+#[test]
+fn it_comes_before_all_others() {
+    for dialect in DIALECTS {
+        let end = "any -[stop]-> Stopped -[!stop && ack]-> Idle;";
+        let dead = format!("Run -[stop && ack]-> Idle; {end}");
+        assert_eq!(sequence(dialect, &dead), ["shadowed_branch"], "{dialect}");
+        let second = format!("{end} any -[stop && done]-> Idle;");
+        assert_eq!(sequence(dialect, &second), ["shadowed_branch"], "{dialect}");
+        let left_out = "Run -[stop && ack && !done]-> Idle; any except Run -[stop]-> Stopped -[!stop && ack]-> Idle;";
+        assert_eq!(sequence(dialect, left_out), Vec::<String>::new(), "{dialect}");
+        let never = "any -[stop && !stop]-> Stopped; Stopped -[ack]-> Idle;";
+        let said = sequence(dialect, never);
+        assert!(said.contains(&"never_true".to_owned()), "{dialect}: {said:?}");
+        let dead = "any -[Stopped.X]-> Stopped; Run -[stop && !done]-> Stopped -[!stop && ack]-> Idle;";
+        assert_eq!(sequence(dialect, dead), ["dead_transition"], "{dialect}");
+    }
+}
+
+#[test]
+fn several_targets_in_branches() {
+    for dialect in DIALECTS {
+        let reset = "any except (Idle, Stopped) -[stop]-> (A1, B1); Idle -[ack && !start]-> Stopped -[!ack]-> Idle;";
+        assert_eq!(branches(dialect, reset), Vec::<String>::new(), "{dialect}");
+    }
+}
+
+#[test]
+fn beside_else() {
+    for dialect in DIALECTS {
+        let end = "any -[stop]-> Stopped -[!stop && ack]-> Idle; Stopped -[else]-> Stopped;";
+        let said = sequence(dialect, end);
+        assert!(!said.contains(&"error".to_owned()), "{said:?}");
+    }
+}
+
+#[test]
+fn mistakes() {
+    for chart in [
+        "any -[stop]-> (Idle, Run, Back, Stopped);",
+        "any except (Idle, Run, Back) -[stop]-> Stopped;",
+        "any except () -[stop]-> Stopped;",
+        "any -[else]-> Stopped;",
+        "any -[blink(1s)]-> Stopped;",
+        "any, Idle -[stop]-> Stopped;",
+    ] {
+        for dialect in DIALECTS {
+            assert_eq!(sequence(dialect, chart), ["error"], "{dialect}: {chart}");
+        }
+    }
+    assert_eq!(sequence("sfc", "any except Rum -[stop || ack]-> Stopped;"), ["unknown_step"]);
+    assert_eq!(sequence("sfc", "Stopped -[stop]-> any;"), ["unknown_step"]);
+    assert!(sequence("sfc", "any -[stop]-> ();").contains(&"sink_transition".to_owned()));
+    assert_eq!(sequence("sfc", "any -> Stopped;"), ["steps_without_transition"]);
+    assert!(sequence("sfc", "any -[stop]->;").contains(&"sink_transition".to_owned()));
+}
+
+/// A long chart is checked and expanded quickly.
+#[test]
+fn a_thousand_steps() {
+    for dialect in DIALECTS {
+        let mut chart =
+            format!("{dialect} Long {{ input x, y, stop: bool; output q: bool; initial step S0; step End {{ q; }}");
+        for step in 1..1000 {
+            chart += &format!("step S{step};");
+        }
+        chart += "any -[stop]-> End -[!stop && x]-> S0; S0";
+        for step in 1..1000 {
+            chart += &format!(" -[{}]-> S{step}", if step % 2 == 0 { "x && !y" } else { "y && !x" });
+        }
+        chart += " -[x && !y]-> S0; }";
+        let begin = std::time::Instant::now();
+        assert_eq!(rules(&chart), Vec::<String>::new(), "{dialect}");
+        println!("{dialect}: {:?}", begin.elapsed());
+    }
+}
