@@ -39,7 +39,11 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
         .collect();
     let partials = model.partials.values().zip(&texts.partials);
     let partials: Vec<_> = partials
-        .map(|(partial, name)| description::Partial { name, enclosed_by: partial.enclosed_by.map(Id::index) })
+        .map(|(partial, name)| description::Partial {
+            name,
+            enclosed_by: partial.enclosed_by.map(Id::index),
+            doc: &partial.doc,
+        })
         .collect();
     let macros = model.macros.values().zip(&texts.macros);
     let macros: Vec<_> = macros
@@ -48,6 +52,7 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             outer: m.outer.map(Id::index),
             entry: m.entry.index(),
             exit: m.exit.index(),
+            doc: &m.doc,
         })
         .collect();
     let dialect = match model.dialect {

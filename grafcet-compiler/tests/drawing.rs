@@ -296,3 +296,96 @@ fn a_wrong_description_is_drawn_somehow() {
     assert!(!grafcet_draw::svg(&chart, &()).contains('\n'));
     assert!(grafcet_draw::mermaid(&chart).starts_with("flowchart"));
 }
+
+fn texts(chart: &str) -> Vec<String> {
+    let drawing = drawing(chart.parse().expect("tokens")).expect("a drawing");
+    let text = |shape: Shape| if let Shape::Text { text, .. } = shape { Some(text) } else { None };
+    drawing.shapes.into_iter().filter_map(text).collect()
+}
+
+/// One form for one thing, that of the standards; blocks are Rust.
+#[test]
+fn assignments_are_written_as_in_the_standards() {
+    let body = |more: &str| {
+        format!(
+            "input a: bool; output grip, lamp: bool; var n: u16 = 0;
+             initial step A {{ S grip; P1 n = n + 1; P0 {{ n = 3; }} }} step B {{ P1 grip = false; P0 lamp = true; }}
+             step C {{ R grip; }} A -[a{more}]-> B -[!a]-> C -[a]-> A;"
+        )
+    };
+    let grafcet = texts(&format!("grafcet G {{ {} }}", body(" => n = 0")));
+    let sfc = texts(&format!("sfc S {{ {} }}", body("")));
+    for shown in [&grafcet, &sfc] {
+        for wanted in ["n := n + 1", "grip := 0", "lamp := 1", "{ n = 3; }"] {
+            assert!(shown.iter().any(|text| text == wanted), "{wanted} in {shown:?}");
+        }
+        assert!(!shown.iter().any(|text| text.contains(" = false") || text.contains(" = true")), "{shown:?}");
+    }
+    assert_eq!(grafcet.iter().filter(|text| *text == "grip := 0").count(), 2, "P1 and R: {grafcet:?}");
+    assert!(grafcet.contains(&"grip := 1".to_owned()) && grafcet.contains(&"⇒ n := 0".to_owned()), "{grafcet:?}");
+    assert!(sfc.contains(&"grip".to_owned()), "S has its qualifier: {sfc:?}");
+}
+
+/// What a user says of a partial grafcet, an enclosure or a macro-step stands in its frame, its first paragraph.
+#[test]
+fn doc_comments_are_shown() {
+    let shown = texts(
+        "grafcet G { input a: bool; output q: bool;
+         /// Watches the light curtain.
+         ///
+         /// Not drawn.
+         partial Safety { initial step Ready { q; } Ready -[a]-> Stopped -[!a]-> Ready; step Stopped; }
+         partial Work {
+             initial step Wait; Wait -[a]-> Run -[!a]-> Open -[a]-> Wait;
+             enclosing step Run {
+                 /// Counts
+                 /// parts.
+                 partial Inner { linked step One; One -[a]-> Two -[a]-> One; step Two; }
+             }
+             /// Opens the clamp.
+             macro step Open { entry step First; exit step Last; First -[a]-> Last; }
+         } }",
+    );
+    for wanted in ["Watches the light curtain.", "Counts parts.", "Opens the clamp."] {
+        assert!(shown.iter().any(|text| text == wanted), "{wanted} in {shown:?}");
+    }
+    assert!(!shown.iter().any(|text| text.contains("Not drawn")), "{shown:?}");
+}
+
+/// The words that there is one more take as much room as the last one.
+#[test]
+fn a_last_single_line_is_shown() {
+    use grafcet_core::description::{Description, Dialect, Partial, Step, Transition};
+    let overview = |count: usize| {
+        let names: Vec<String> = (0..count).map(|n| format!("Part{n}")).collect();
+        let partials: Vec<Partial<'_>> = names.iter().map(|name| Partial::new(name)).collect();
+        let steps: Vec<Step<'_>> = (0..151).map(|n| Step::new("S", n % count, &[], &[])).collect();
+        let chart = Description {
+            name: "Large",
+            dialect: Dialect::Grafcet,
+            partials: &partials,
+            macros: &[],
+            steps: &steps,
+            transitions: &[],
+        };
+        grafcet_draw::text(&chart, &())
+    };
+    assert!(overview(61).contains("Part60") && !overview(61).contains("more"), "{}", overview(61));
+    assert!(overview(62).contains("and 2 more"), "{}", overview(62));
+    let condition = |words: usize| {
+        let words: Vec<String> = (0..words).map(|n| format!("a_condition_of_many_letters_{n:02}")).collect();
+        let condition = words.join(" ");
+        let transitions = [Transition::new("", &[0], &[], &condition, &[])];
+        let chart = Description {
+            name: "Long",
+            dialect: Dialect::Grafcet,
+            partials: &[Partial::new("")],
+            macros: &[],
+            steps: &[Step::new("S", 0, &[], &[])],
+            transitions: &transitions,
+        };
+        grafcet_draw::text(&chart, &())
+    };
+    assert!(condition(6).contains("letters_05") && !condition(6).contains('…'), "{}", condition(6));
+    assert!(condition(7).contains("letters_04…") && !condition(7).contains("letters_05"), "{}", condition(7));
+}

@@ -14,7 +14,7 @@ pub(crate) const NAME: i32 = 34;
 /// And names of steps that lead to another at so many.
 const FROM: i32 = 20;
 /// And in so many lines.
-const LINES: usize = 5;
+pub(crate) const LINES: usize = 5;
 
 /// The room a thing takes around its middle, in squares.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,8 +48,16 @@ impl Density {
     pub(crate) const DENSE: Self = Self { text: 8, pad: 0, lines: 8 };
 }
 
-/// The steps from which references lead to a step.
-pub(crate) type References = BTreeMap<Node, Vec<Node>>;
+/// From where references lead to a step.
+pub(crate) type References = BTreeMap<Node, Vec<Origin>>;
+
+/// From where a reference leads.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Origin {
+    Node(Node),
+    /// A transition without steps before it, by its number in the description.
+    Source(usize),
+}
 
 /// A thing that can be placed.
 pub(crate) enum Figure {
@@ -107,7 +115,7 @@ impl Scene<'_> {
         }
     }
 
-    fn step(&self, node: Node, from: &[Node]) -> Step {
+    fn step(&self, node: Node, from: &[Origin]) -> Step {
         let name = short(name(self.chart, node));
         let active = self.is_active(node);
         let step = match node {
@@ -127,9 +135,28 @@ impl Scene<'_> {
         for force in step.map_or(&[][..], |step| step.forces) {
             boxes.push(self.boxed(String::new(), String::new(), force, Frame::Force));
         }
-        let from: Vec<_> = from.iter().map(|node| crate::sheets::name(self.chart, *node)).collect();
-        let from = if from.is_empty() { Vec::new() } else { wrap(&from.join(", "), FROM, LINES) };
+        let mut names: Vec<&str> = Vec::new();
+        for name in from.iter().map(|origin| self.origin(*origin)) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let from = if names.is_empty() { Vec::new() } else { wrap(&names.join(", "), FROM, LINES) };
         Step { name, frame, active, linked: step.is_some_and(|step| step.linked), from, boxes, pad: self.density.pad }
+    }
+
+    /// Source transitions without a name are written as in the source.
+    fn origin(&self, origin: Origin) -> &str {
+        match origin {
+            Origin::Node(node) => name(self.chart, node),
+            Origin::Source(id) => self
+                .chart
+                .transitions
+                .get(id)
+                .map(|transition| transition.name)
+                .filter(|name| !name.is_empty())
+                .unwrap_or("()"),
+        }
     }
 
     /// Whether a net begins here.
@@ -181,7 +208,7 @@ impl Scene<'_> {
     /// arrow: up on activation, down on deactivation, aside on an event (IEC 60848, 4.8).
     fn action(&self, action: &Action<'_>) -> Box {
         let grafcet = self.chart.dialect == Dialect::Grafcet;
-        let mut text = action.text.to_owned();
+        let mut text = assigned(action.text);
         let qualifier = match action.qualifier {
             "N" if grafcet => "",
             "S" if grafcet => {
@@ -215,9 +242,25 @@ impl Scene<'_> {
         let Some(transition) = self.chart.transitions.get(id) else { return Figure::Line };
         let mut lines = self.lines(transition.condition);
         for clearing in transition.clearing {
-            lines.extend(self.lines(&format!("⇒ {clearing}")));
+            lines.extend(self.lines(&format!("⇒ {}", assigned(clearing))));
         }
         Figure::Transition { name: short(transition.name), lines }
+    }
+}
+
+/// An assignment as both standards write it: `grip := 0`, `count := count + 1`. Blocks of Rust stay what they are.
+pub(crate) fn assigned(text: &str) -> String {
+    let place = |place: &str| !place.contains(|c: char| !c.is_alphanumeric() && !"_.(), ".contains(c));
+    match text.split_once(" = ") {
+        Some((to, value)) if place(to) => {
+            let value = match value {
+                "true" => "1",
+                "false" => "0",
+                other => other,
+            };
+            format!("{to} := {value}")
+        }
+        _ => text.to_owned(),
     }
 }
 
@@ -241,6 +284,10 @@ impl Figure {
             }
             Figure::Line => Extent { left: 1, right: 1, height: 0 },
         }
+    }
+
+    pub(crate) fn is_step(&self) -> bool {
+        matches!(self, Figure::Step(_))
     }
 
     /// The row where a line from above ends and the one where a line down begins.

@@ -14,6 +14,9 @@ const FAR: usize = 6;
 /// So many jumps forward are drawn as lines, however long they are.
 const MANY: usize = 6;
 
+/// What may be tried to find the main sequence of a net: its steps times its transitions, so many times.
+const EFFORT: usize = 100_000;
+
 /// What stands in a layer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Kind {
@@ -77,16 +80,44 @@ pub(crate) fn layered(scene: &Scene<'_>, net: &Sheet) -> Graph {
     let first = roots.first().map_or(0, |node| scene.begins(net.nodes[*node]));
     search.top = net.nodes.iter().map(|node| scene.begins(*node) == first).collect();
     search.run(&roots);
+    lengthen(&mut search, &roots);
     // Once more with the main branches first: who is named first in the source does not matter.
     let layers = ranks(&search);
-    let main = sequence(&search, &layers).main;
+    let main = sequence(&search, &layers.0).main;
     for (links, main) in search.out.iter_mut().zip(main) {
         links.sort_by_key(|link| Some(*link) != main);
     }
     search.run(&roots);
     let layers = ranks(&search);
-    let sequence = sequence(&search, &layers);
+    let sequence = sequence(&search, &layers.0);
     Builder::of(&search, layers).build(&sequence, scene.ranks())
+}
+
+/// In a circle that can be entered in several places, what leads back depends on the branch that is followed first: the one with which
+/// the main sequence is longest.
+fn lengthen(search: &mut Search<'_>, roots: &[usize]) {
+    let Some(root) = roots.first().copied() else { return };
+    let length = |search: &Search<'_>| sequence(search, &ranks(search).0).length(root);
+    let mut longest = length(search);
+    // Fewer tries in large nets, where each takes longer.
+    let mut tries = (EFFORT / (search.out.len() * search.sources.len()).max(1)).min(60);
+    for node in 0..search.out.len() {
+        for branch in 1..search.out[node].len() {
+            if tries == 0 {
+                return search.run(roots);
+            }
+            tries -= 1;
+            search.out[node][..=branch].rotate_right(1);
+            search.run(roots);
+            let now = length(search);
+            if now > longest {
+                longest = now;
+            } else {
+                search.out[node][..=branch].rotate_left(1);
+            }
+        }
+    }
+    search.run(roots);
 }
 
 /// A node and the transitions that lead back to it.

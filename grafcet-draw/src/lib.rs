@@ -36,6 +36,9 @@ const MOST_TRANSITIONS: usize = 600;
 /// Drawings are filled up to about so many characters from left to right before the next one starts below.
 const WIDTH: i32 = 110;
 
+/// What is said of a net takes so many characters from left to right, or more where the net does.
+const NARROW: i32 = 40;
+
 /// Lays a chart out, with the steps marked that are active in `situation` (`&()` marks none).
 ///
 /// Partial grafcets stand side by side, expansions of macro-steps and enclosures beside them. Of a chart that
@@ -48,8 +51,9 @@ pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) 
     }
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
     let scene = Scene { chart, active, density: Density::ROOMY };
-    let drawn =
-        sheets.iter().map(|sheet| framed(&sheet.title, shape::pack(net::draw(&scene, sheet), WIDTH - 4, (3, 1))));
+    let drawn = sheets
+        .iter()
+        .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&scene, sheet), WIDTH - 4, (3, 1))));
     shape::pack(drawn.collect(), WIDTH, (2, 1))
 }
 
@@ -79,17 +83,24 @@ pub fn text(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) ->
     text::write(&layout(chart, situation))
 }
 
-/// A sheet with a name has a frame around it.
-fn framed(title: &str, inside: Drawing) -> Drawing {
+/// A sheet with a name has a frame around it, with what it is for below the name.
+fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
     if title.is_empty() {
         return inside;
     }
     let mut sheet = Drawing::default();
-    let width = (inside.width + 4).max(wrap::width(title) + 4);
-    let size = (width, inside.height + 5);
+    let about = wrap::wrap(doc, inside.width.max(NARROW), figure::LINES);
+    let about: Vec<&String> = about.iter().filter(|line| !line.is_empty()).collect();
+    let texts = about.iter().map(|line| wrap::width(line)).max().unwrap_or(0).max(wrap::width(title));
+    let width = inside.width.max(texts) + 4;
+    let top = 3 + i32::try_from(about.len()).unwrap_or(0);
+    let size = (width, inside.height + top + 2);
     sheet.shapes.push(Shape::Frame { at: (0, 0), size, kind: Frame::Sheet });
     sheet.text((2, 1), title);
-    sheet.paste(inside, (2, 3));
+    for (row, line) in (2..).zip(about) {
+        sheet.text((2, row), line);
+    }
+    sheet.paste(inside, (2, top));
     (sheet.width, sheet.height) = size;
     sheet
 }
@@ -98,17 +109,19 @@ fn framed(title: &str, inside: Drawing) -> Drawing {
 fn overview(sheets: &[sheets::Sheet]) -> Drawing {
     const MOST: usize = 60;
     let mut boxes: Vec<Drawing> = Vec::new();
-    for sheet in sheets.iter().take(MOST) {
+    // One more takes no more room than the words that there is one more.
+    let shown = if sheets.len() == MOST + 1 { sheets.len() } else { MOST };
+    for sheet in sheets.iter().take(shown) {
         let title = if sheet.title.is_empty() { "chart" } else { &sheet.title };
         let mut inside = Drawing::default();
         let count = format!("{} steps, {} transitions", sheet.nodes.len(), sheet.links.len());
         (inside.width, inside.height) = (wrap::width(&count), 1);
         inside.text((0, 0), &count);
-        boxes.push(framed(&wrap::wrap(title, 40, 1).concat(), inside));
+        boxes.push(framed(&wrap::wrap(title, NARROW, 1).concat(), &sheet.doc, inside));
     }
-    if sheets.len() > MOST {
+    if sheets.len() > shown {
         let mut more = Drawing::default();
-        let text = format!("and {} more", sheets.len() - MOST);
+        let text = format!("and {} more", sheets.len() - shown);
         (more.width, more.height) = (wrap::width(&text), 1);
         more.text((0, 0), &text);
         boxes.push(more);

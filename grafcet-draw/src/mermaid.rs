@@ -4,6 +4,8 @@ use std::fmt::Write as _;
 
 use grafcet_core::description::{Description, Step};
 
+use crate::figure::assigned;
+
 /// The text of a Mermaid diagram: steps are boxes with their actions, initial ones with a double frame, and transitions are
 /// arrows with their conditions; where parallel branches begin or end, a transition is a node of its own.
 #[must_use]
@@ -48,7 +50,7 @@ pub fn mermaid(chart: &Description<'_>) -> String {
 fn label(step: &Step<'_>) -> String {
     let mut text = escape(step.name);
     for action in step.actions {
-        let words = [action.qualifier, action.time, action.text].map(escape);
+        let words = [action.qualifier, action.time, &assigned(action.text)].map(escape);
         let words: Vec<&str> = words.iter().map(String::as_str).filter(|word| !word.is_empty()).collect();
         text.push_str("<br>");
         text.push_str(&words.join(" "));

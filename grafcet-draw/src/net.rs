@@ -1,13 +1,13 @@
 //! One net on paper.
 
-use crate::figure::{Density, Extent, Figure, References, Scene};
+use crate::figure::{Density, Extent, Figure, Origin, References, Scene};
 use crate::fold::columns;
 use crate::graph::{Graph, Kind, layered};
 use crate::order::order;
 use crate::place::place;
 use crate::route::{Channel, channel};
 use crate::shape::{Drawing, Heading, Shape};
-use crate::sheets::{Node, Sheet, pieces};
+use crate::sheets::{Sheet, pieces};
 use crate::wrap::width;
 
 /// Wider nets are drawn anew densely: what fits a page that is scaled to three fifths.
@@ -35,12 +35,14 @@ pub(crate) fn draw(scene: &Scene<'_>, sheet: &Sheet) -> Vec<Drawing> {
 fn references(sheet: &Sheet, graphs: &[Graph]) -> References {
     let mut references = References::new();
     for (transition, target) in graphs.iter().flat_map(|graph| &graph.jumps) {
-        let from: &mut Vec<Node> = references.entry(*target).or_default();
-        for source in sheet.links.iter().filter(|link| link.transition == *transition).flat_map(|link| &link.sources) {
-            if !from.contains(source) {
-                from.push(*source);
-            }
+        let from: &mut Vec<Origin> = references.entry(*target).or_default();
+        let sources = sheet.links.iter().filter(|link| link.transition == *transition).flat_map(|link| &link.sources);
+        let mut origins: Vec<Origin> = sources.map(|node| Origin::Node(*node)).collect();
+        if origins.is_empty() {
+            origins.push(Origin::Source(*transition));
         }
+        origins.retain(|origin| !from.contains(origin));
+        from.extend(origins);
     }
     references
 }
@@ -72,16 +74,20 @@ fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
         let channel = &channels[layer];
         let y = last + 1 + channel.height;
         channel.draw(last, y, &mut drawing);
-        last = y + items.iter().map(|id| extents[*id].height).max().unwrap_or(0);
+        // Steps beside each other stand at one height, whatever is above them.
+        let rise = items.iter().map(|id| figures[*id].ports().0).max().unwrap_or(0);
+        let lowered = |id: usize| if figures[id].is_step() { rise - figures[id].ports().0 } else { 0 };
+        last = y + items.iter().map(|id| extents[*id].height + lowered(*id)).max().unwrap_or(0);
         rows.push((y, last));
         for id in items {
-            figures[*id].draw(x[*id], y, last, &mut drawing);
+            let top = y + lowered(*id);
+            figures[*id].draw(x[*id], top, last, &mut drawing);
             let (enter, leave) = figures[*id].ports();
             if entered[*id] {
-                drawing.line((x[*id], y), (x[*id], y + enter), false);
+                drawing.line((x[*id], y), (x[*id], top + enter), false);
             }
             if leads_on[*id] {
-                drawing.line((x[*id], y + leave), (x[*id], last), false);
+                drawing.line((x[*id], top + leave), (x[*id], last), false);
             }
         }
     }

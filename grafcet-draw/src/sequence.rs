@@ -1,8 +1,12 @@
 //! The main sequence of a net: what goes on straight, whichever branch is written first.
 //!
-//! Of the branches behind a step, the one with the longest way of its own leads on: of steps that are reached through it alone.
+//! Of the branches behind a step, the one with the longest way leads on. A step to which one goes from many places on a way, as
+//! where a fault is dealt with, is no part of that way, however much follows it.
 
 use crate::search::Search;
+
+/// From so many steps on one way a step is reached that is no part of it.
+const MANY: usize = 3;
 
 /// What leads on straight.
 pub(crate) struct Sequence {
@@ -14,34 +18,38 @@ pub(crate) struct Sequence {
     pub(crate) on: Vec<(usize, usize, usize)>,
 }
 
-/// Steps and transitions of a net as one graph, without what leads back.
-struct Ways<'s> {
-    search: &'s Search<'s>,
-    nodes: usize,
-    /// The layer of each, from which all that lead to it are above.
-    layer: Vec<usize>,
-    /// What each way to it goes through; the last one of all is where everything begins.
-    through: Vec<usize>,
-    /// How many steps are on the longest way behind it, and on the longest of which all go through it.
-    long: Vec<usize>,
-    own: Vec<usize>,
+impl Sequence {
+    /// How many steps the sequence has that begins at a node.
+    pub(crate) fn length(&self, mut node: usize) -> usize {
+        let mut length = 1;
+        let next = |node: usize| {
+            let (_, link, number) = self.down.iter().find(|way| way.0 == node)?;
+            self.on.iter().find(|way| (way.0, way.2) == (*link, *number)).map(|way| way.1)
+        };
+        // What leads down comes to an end.
+        while let Some(lower) = next(node) {
+            (node, length) = (lower, length + 1);
+        }
+        length
+    }
 }
 
-/// The sequences of a net whose arcs back are known; `layers` are those of nodes and transitions.
-pub(crate) fn sequence(search: &Search<'_>, layers: &(Vec<usize>, Vec<usize>)) -> Sequence {
+/// The sequences of a net in which is known what leads down; `layers` are those of its nodes.
+pub(crate) fn sequence(search: &Search<'_>, layers: &[usize]) -> Sequence {
     let ways = Ways::of(search, layers);
-    let main: Vec<Option<usize>> = (0..ways.nodes).map(|node| ways.main(node)).collect();
+    let count = search.out.len();
+    let main: Vec<Option<usize>> = (0..count).map(|node| ways.main(node)).collect();
     let mut sequence = Sequence { main, down: Vec::new(), on: Vec::new() };
-    let mut starts: Vec<usize> = (0..ways.nodes).collect();
+    let mut starts: Vec<usize> = (0..count).collect();
     starts.sort_by_key(|node| search.node_key[*node]);
-    let (mut nodes, mut links) = (vec![false; ways.nodes], vec![false; search.sources.len()]);
+    let (mut nodes, mut links) = (vec![false; count], vec![false; search.sources.len()]);
     for (number, start) in starts.into_iter().enumerate() {
         let mut node = start;
-        // What comes before has another sequence, which ends here or goes through.
+        // Where another sequence has been before, this one ends.
         while let Some(link) = sequence.main[node].filter(|link| !nodes[node] && !links[*link]) {
             (nodes[node], links[link]) = (true, true);
             sequence.down.push((node, link, number));
-            let Some(next) = ways.behind(link).find(|next| !nodes[*next]) else { break };
+            let Some(next) = search.forward[link].iter().copied().find(|next| !nodes[*next]) else { break };
             sequence.on.push((link, next, number));
             node = next;
         }
@@ -49,83 +57,84 @@ pub(crate) fn sequence(search: &Search<'_>, layers: &(Vec<usize>, Vec<usize>)) -
     sequence
 }
 
+/// How many steps are on the longest way behind each transition.
+struct Ways<'s> {
+    search: &'s Search<'s>,
+    /// Without what follows steps that are reached from everywhere.
+    own: Vec<usize>,
+    long: Vec<usize>,
+}
+
 impl<'s> Ways<'s> {
-    fn of(search: &'s Search<'s>, (node_layers, link_layers): &(Vec<usize>, Vec<usize>)) -> Self {
-        let layer: Vec<usize> = node_layers.iter().chain(link_layers).copied().collect();
-        let (nodes, all) = (node_layers.len(), layer.len());
-        let mut ways = Self { search, nodes, layer, through: vec![all; all], long: vec![0; all], own: vec![0; all] };
-        let mut order: Vec<usize> = (0..all).collect();
-        order.sort_by_key(|id| (ways.layer[*id], *id));
-        let mut before = vec![Vec::new(); all];
-        for id in 0..all {
-            ways.after(id).into_iter().for_each(|next| before[next].push(id));
+    fn of(search: &'s Search<'s>, layers: &[usize]) -> Self {
+        let links = search.sources.len();
+        let mut order: Vec<usize> = (0..search.out.len()).collect();
+        order.sort_by_key(|node| layers[*node]);
+        let aside = aside(search, &order);
+        let mut ways = Self { search, own: vec![0; links], long: vec![0; links] };
+        let mut before = vec![Vec::new(); search.out.len()];
+        for (link, node) in
+            search.forward.iter().enumerate().flat_map(|(link, nodes)| nodes.iter().map(move |n| (link, n)))
+        {
+            before[*node].push(link);
         }
-        for id in &order {
-            let common = before[*id].iter().copied().reduce(|a, b| ways.common(a, b));
-            ways.through[*id] = common.unwrap_or(all);
-        }
-        for id in order.into_iter().rev() {
-            let step = usize::from(id < nodes);
-            ways.long[id] = step + ways.after(id).into_iter().map(|next| ways.long[next]).max().unwrap_or(0);
-            ways.own[id] += step;
-            let (up, own) = (ways.through[id], ways.own[id]);
-            if let Some(most) = ways.own.get_mut(up) {
-                *most = own.max(*most);
+        for node in order.into_iter().rev() {
+            let most = |of: &[usize]| search.out[node].iter().map(|link| of[*link]).max().unwrap_or(0) + 1;
+            let (own, long) = (most(&ways.own), most(&ways.long));
+            for link in &before[node] {
+                ways.long[*link] = ways.long[*link].max(long);
+                if !aside[node] {
+                    ways.own[*link] = ways.own[*link].max(own);
+                }
             }
         }
         ways
     }
 
-    /// The nodes to which a transition leads down.
-    fn behind(&self, link: usize) -> impl Iterator<Item = usize> + '_ {
-        self.search.forward[link].iter().copied()
-    }
-
-    fn after(&self, id: usize) -> Vec<usize> {
-        match id.checked_sub(self.nodes) {
-            None => self.search.out[id].iter().map(|link| link + self.nodes).collect(),
-            Some(link) => self.behind(link).collect(),
-        }
-    }
-
-    /// What all ways to both go through.
-    fn common(&self, mut a: usize, mut b: usize) -> usize {
-        let end = self.layer.len();
-        while a != b {
-            let higher = |id: usize| self.layer.get(id).map(|layer| (*layer, id));
-            if higher(a) > higher(b) {
-                a = self.through[a];
-            } else {
-                b = self.through[b];
-            }
-            if a == end || b == end {
-                return end;
-            }
-        }
-        a
-    }
-
-    /// The nearest selection that all ways to a node go through.
-    fn selection(&self, node: usize) -> usize {
-        let mut up = self.through[node];
-        while up < self.layer.len() && (up >= self.nodes || self.search.out[up].len() < 2) {
-            up = self.through[up];
-        }
-        up
-    }
-
-    /// The main branch behind a node: the longest of its own. Where none has a step of its own, one that ends the selection from
-    /// which this branch comes; then one that begins anew.
+    /// The main branch behind a node: the longest; then one that begins anew; the first of those that are equal.
     fn main(&self, node: usize) -> Option<usize> {
-        let selection = self.selection(node);
         let merit = |link: &usize| {
-            let id = link + self.nodes;
-            let joins = self.behind(*link).any(|next| self.through[next] == selection && selection < self.nodes);
             let anew = self.search.targets[*link].iter().any(|next| self.search.top[*next]);
-            let kind = if joins { 2 } else { usize::from(anew) };
-            (self.own[id], kind, self.long[id])
+            (self.own[*link], anew, self.long[*link])
         };
-        // The first of those that are equal.
         self.search.out[node].iter().rev().max_by_key(|link| merit(link)).copied()
     }
+}
+
+/// The nodes that are reached from many nodes of which each leads to the next; `order` is that of the layers.
+fn aside(search: &Search<'_>, order: &[usize]) -> Vec<bool> {
+    let mut before = vec![Vec::new(); order.len()];
+    for node in order {
+        for next in search.out[*node].iter().flat_map(|link| &search.forward[*link]) {
+            if before[*next].last() != Some(node) {
+                before[*next].push(*node);
+            }
+        }
+    }
+    let chain = |nodes: &Vec<usize>| {
+        // How many are on the longest way to each, itself included.
+        let mut most = vec![1; nodes.len()];
+        for (upper, node) in nodes.iter().enumerate().filter(|_| nodes.len() >= MANY) {
+            let below = below(search, *node);
+            for (lower, _) in nodes.iter().enumerate().skip(upper + 1).filter(|(_, lower)| below[**lower]) {
+                most[lower] = most[lower].max(most[upper] + 1);
+            }
+        }
+        most.into_iter().max().unwrap_or(0)
+    };
+    before.iter().map(|nodes| chain(nodes) >= MANY).collect()
+}
+
+/// What a node leads down to.
+fn below(search: &Search<'_>, node: usize) -> Vec<bool> {
+    let mut below = vec![false; search.out.len()];
+    let mut next = vec![node];
+    while let Some(node) = next.pop() {
+        for lower in search.out[node].iter().flat_map(|link| &search.forward[*link]) {
+            if !std::mem::replace(&mut below[*lower], true) {
+                next.push(*lower);
+            }
+        }
+    }
+    below
 }

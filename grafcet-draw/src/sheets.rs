@@ -27,6 +27,8 @@ pub(crate) struct Link {
 pub(crate) struct Sheet {
     /// Empty for what stands directly in the chart.
     pub(crate) title: String,
+    /// What it is for, in the user's words.
+    pub(crate) doc: String,
     pub(crate) nodes: Vec<Node>,
     pub(crate) links: Vec<Link>,
 }
@@ -68,6 +70,7 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
     }
     for (room, sheet) in &mut rooms {
         sheet.title = title(chart, *room);
+        doc(chart, *room).clone_into(&mut sheet.doc);
     }
     rooms.into_values().collect()
 }
@@ -96,6 +99,13 @@ fn room(chart: &Description<'_>, node: Node) -> Room {
     match node {
         Node::Step(step) => (partial(step), chart.steps.get(step).and_then(|step| step.expansion)),
         Node::Macro(id) => chart.macros.get(id).map_or((0, None), |m| (partial(m.entry), m.outer)),
+    }
+}
+
+fn doc<'a>(chart: &Description<'a>, (partial, expansion): Room) -> &'a str {
+    match expansion {
+        Some(id) => chart.macros.get(id).map_or("", |m| m.doc),
+        None => chart.partials.get(partial).map_or("", |partial| partial.doc),
     }
 }
 

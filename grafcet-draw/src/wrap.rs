@@ -9,7 +9,7 @@ pub(crate) fn width(text: &str) -> i32 {
 }
 
 /// A text in lines of at most `width_limit` squares, broken at blanks, but for longer words; what is beyond `most` lines is
-/// an ellipsis.
+/// an ellipsis, unless it is one line, which takes no more room. One line stays one.
 pub(crate) fn wrap(text: &str, width_limit: i32, most: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
@@ -24,7 +24,7 @@ pub(crate) fn wrap(text: &str, width_limit: i32, most: usize) -> Vec<String> {
             }
         }
     }
-    if lines.len() > most {
+    if lines.len() > most + usize::from(most > 1) {
         lines.truncate(most);
         if let Some(last) = lines.last_mut() {
             while width(last) + 1 > width_limit && last.pop().is_some() {}

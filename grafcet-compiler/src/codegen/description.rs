@@ -70,14 +70,19 @@ fn description(chart: &Description<'_>) -> TokenStream {
     }
 }
 
-fn partial(Partial { name, enclosed_by }: &Partial<'_>) -> TokenStream {
+fn partial(Partial { name, enclosed_by, doc }: &Partial<'_>) -> TokenStream {
     let enclosed = enclosed_by.map(number).map(|step| quote!(.enclosed_by(#step)));
-    quote!(d::Partial::new(#name) #enclosed)
+    let documented = documented(doc);
+    quote!(d::Partial::new(#name) #enclosed #documented)
 }
 
-fn macro_step(MacroStep { name, outer, entry, exit }: &MacroStep<'_>) -> TokenStream {
-    let (inside, entry, exit) = (inside(*outer), number(*entry), number(*exit));
-    quote!(d::MacroStep::new(#name, #entry, #exit) #inside)
+fn macro_step(MacroStep { name, outer, entry, exit, doc }: &MacroStep<'_>) -> TokenStream {
+    let (inside, entry, exit, documented) = (inside(*outer), number(*entry), number(*exit), documented(doc));
+    quote!(d::MacroStep::new(#name, #entry, #exit) #inside #documented)
+}
+
+fn documented(doc: &str) -> Option<TokenStream> {
+    (!doc.is_empty()).then(|| quote!(.documented(#doc)))
 }
 
 fn step_tables(steps: &[Step<'_>]) -> TokenStream {

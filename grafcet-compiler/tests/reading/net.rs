@@ -252,8 +252,12 @@ impl Reader<'_> {
             }
         }
         for (to, bars) in &self.from {
-            let mut expected: Vec<&str> =
-                bars.iter().flat_map(|bar| &transitions[*bar].sources).map(String::as_str).collect();
+            let origins = |bar: &usize| match &transitions[*bar] {
+                // One without steps before it has its name there.
+                Read { sources, name, .. } if sources.is_empty() => vec![if name.is_empty() { "()" } else { name }],
+                Read { sources, .. } => sources.iter().map(String::as_str).collect(),
+            };
+            let mut expected: Vec<&str> = bars.iter().flat_map(origins).collect();
             expected.sort_unstable();
             expected.dedup();
             let listed = named.remove(to).unwrap_or_default();

@@ -130,15 +130,15 @@ impl Reader<'_> {
             .retain(|line| !pieces.iter().any(|piece| (piece.at - line.at).abs() == APART && piece.from == line.from));
         pieces.sort_unstable();
         for piece in pieces {
+            // Everything between the two pieces is near to something that passes through.
             let gap = |last: &Line| {
-                let through = |line: &Line| {
-                    line.at > last.to
-                        && line.at < piece.from
-                        && line.from < piece.at - APART
-                        && line.to > piece.at + APART
-                };
-                let close = piece.from - last.to <= 2 * GAP;
-                last.at == piece.at && close && self.parts.upright.iter().any(through)
+                let through = |line: &&Line| line.from < piece.at - APART && line.to > piece.at + APART;
+                let between = |line: &&Line| last.to < line.at && line.at < piece.from;
+                let passing = self.parts.upright.iter().filter(through).filter(between).map(|line| line.at);
+                let mut ends: Vec<i32> =
+                    [last.to, piece.from].into_iter().chain(passing.flat_map(|x| [x, x])).collect();
+                ends.sort_unstable();
+                last.at == piece.at && ends.len() > 2 && ends.chunks(2).all(|pair| pair[1] - pair[0] <= 2 * GAP)
             };
             match self.doubles.last_mut() {
                 Some(last) if gap(last) => last.to = piece.to,

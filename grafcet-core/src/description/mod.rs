@@ -40,6 +40,8 @@ pub struct Partial<'a> {
     pub name: &'a str,
     /// The enclosing step, for an enclosure.
     pub enclosed_by: Option<usize>,
+    /// What its doc comment says first, up to an empty line.
+    pub doc: &'a str,
 }
 
 /// A macro-step (IEC 60848, 4.9). Transitions to it lead to `entry`, those from it start at `exit`.
@@ -53,6 +55,8 @@ pub struct MacroStep<'a> {
     pub entry: usize,
     /// The last step of its expansion.
     pub exit: usize,
+    /// What its doc comment says first, up to an empty line.
+    pub doc: &'a str,
 }
 
 /// A step.
@@ -106,7 +110,7 @@ impl<'a> Partial<'a> {
     /// One that is no enclosure.
     #[must_use]
     pub const fn new(name: &'a str) -> Self {
-        Self { name, enclosed_by: None }
+        Self { name, enclosed_by: None, doc: "" }
     }
 
     /// The same as an enclosure of the step of this number.
@@ -114,19 +118,31 @@ impl<'a> Partial<'a> {
     pub const fn enclosed_by(self, step: usize) -> Self {
         Self { enclosed_by: Some(step), ..self }
     }
+
+    /// The same with a doc comment.
+    #[must_use]
+    pub const fn documented(self, doc: &'a str) -> Self {
+        Self { doc, ..self }
+    }
 }
 
 impl<'a> MacroStep<'a> {
     /// One that stands in no expansion.
     #[must_use]
     pub const fn new(name: &'a str, entry: usize, exit: usize) -> Self {
-        Self { name, outer: None, entry, exit }
+        Self { name, outer: None, entry, exit, doc: "" }
     }
 
     /// The same in the expansion of the macro-step of this number.
     #[must_use]
     pub const fn inside(self, outer: usize) -> Self {
         Self { outer: Some(outer), ..self }
+    }
+
+    /// The same with a doc comment.
+    #[must_use]
+    pub const fn documented(self, doc: &'a str) -> Self {
+        Self { doc, ..self }
     }
 }
 

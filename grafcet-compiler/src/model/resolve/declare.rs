@@ -15,7 +15,7 @@ use crate::model::{
 impl Resolver<'_> {
     /// Declares everything in the chart.
     pub(super) fn declare_chart(&mut self, body: &ast::Body) {
-        self.model.partials.push(partial(None, None, Vec::new()));
+        self.model.partials.push(partial(None, None, &[], Vec::new()));
         self.declare_body(body, PartialId::new(0), Where::Chart);
     }
 
@@ -128,7 +128,8 @@ impl Resolver<'_> {
 
     fn declare_partial(&mut self, inner: &ast::Partial, enclosed_by: Option<StepId>) -> PartialId {
         let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().collect();
-        let id = self.model.partials.push(partial(Some(inner.name.clone()), enclosed_by, levels));
+        let id =
+            self.model.partials.push(partial(Some(inner.name.clone()), enclosed_by, &inner.attrs.passed_on, levels));
         self.partials.push(id);
         self.scope.declare_partial(&inner.name, id, self.sink);
         let place = if enclosed_by.is_some() { Where::Enclosure } else { Where::Partial };
@@ -172,7 +173,8 @@ impl Resolver<'_> {
         let unknown = StepId::new(0);
         let first = self.model.steps.len();
         let (name, outer) = (spelled(&step.name), place.expansion());
-        let macro_step = MacroStep { name, outer, entry: unknown, exit: unknown, steps: Vec::new() };
+        let doc = first_paragraph(&step.attrs.passed_on);
+        let macro_step = MacroStep { name, outer, doc, entry: unknown, exit: unknown, steps: Vec::new() };
         let id = self.model.macros.push(macro_step);
         self.scope.declare(&step.name, Meaning::Macro(id), self.sink);
         self.declare_body(body, partial, Where::Expansion(id));
@@ -266,8 +268,28 @@ impl Where {
     }
 }
 
-fn partial(name: Option<Ident>, enclosed_by: Option<StepId>, levels: Vec<ast::LevelAttr>) -> Partial {
-    Partial { name, enclosed_by, levels, steps: Vec::new(), transitions: Vec::new() }
+fn partial(
+    name: Option<Ident>,
+    enclosed_by: Option<StepId>,
+    attrs: &[syn::Attribute],
+    levels: Vec<ast::LevelAttr>,
+) -> Partial {
+    Partial { name, enclosed_by, doc: first_paragraph(attrs), levels, steps: Vec::new(), transitions: Vec::new() }
+}
+
+/// What a doc comment says up to an empty line, on one line.
+fn first_paragraph(attrs: &[syn::Attribute]) -> String {
+    let text = |attr: &syn::Attribute| match &attr.meta {
+        syn::Meta::NameValue(doc) if doc.path.is_ident("doc") => match &doc.value {
+            syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Some(text.value()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let lines: Vec<String> = attrs.iter().filter_map(text).collect();
+    let lines = lines.iter().flat_map(|text| text.lines().map(str::trim).chain(text.is_empty().then_some("")));
+    let words: Vec<&str> = lines.skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty()).collect();
+    words.join(" ")
 }
 
 /// The declared type, told apart as far as the compiler needs it.
