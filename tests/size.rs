@@ -131,7 +131,7 @@ chart! { sfc Edge { step Second; Second -[rising(a)]-> First; } }
 chart! { sfc OneEdge { step Second; Second -[rising(a)]-> First; First -[falling(a)]-> Second; } }
 chart! { sfc TwoEdges { step Second; Second -[rising(a)]-> First; Second -[rising(b)]-> First; } }
 chart! { grafcet Variables { var n: u16; var x: bool; step Second { P1 n = n + 1; P1 x = b; } } }
-chart! { grafcet Combinational { var x: bool; step Second { x; } Second -[x && a]-> First; } }
+chart! { grafcet Combinational { var x: bool; step Second { x; } Second -[x && !a]-> First; } }
 chart! { sfc Recipe { param limit: u16 = 3; step Second; Second -[level > limit]-> First; } }
 chart! { sfc Call { action call(); step Second { P1 call(); } } }
 chart! { sfc Calls { action call(); step Second { N call(); } } }

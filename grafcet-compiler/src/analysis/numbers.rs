@@ -37,13 +37,14 @@ pub(super) fn sort(model: &Model, tree: &Tree) -> Option<Sort> {
             Ty::Bool(_) | Ty::Int { .. } | Ty::Time(_) => Sort::Total,
             Ty::Other(ty) => of_type(ty),
         }),
-        Tree::Bool(_) | Tree::Read(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) => Some(Sort::Total),
         Tree::Unary(_, inner) => sort(model, inner),
         Tree::Binary(operator, a, b) if is_arithmetic(*operator) => match (sort(model, a), sort(model, b)) {
             (Some(Sort::Own), _) | (_, Some(Sort::Own)) => Some(Sort::Own),
             (a, b) => a.or(b),
         },
-        Tree::Binary(..) => Some(Sort::Total),
+        Tree::Bool(_) | Tree::Read(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) | Tree::Binary(..) => {
+            Some(Sort::Total)
+        }
         Tree::Opaque { whole: true, .. } => Some(Sort::Total),
         Tree::Int(_) | Tree::Opaque { .. } => None,
     }

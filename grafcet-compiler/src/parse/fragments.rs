@@ -188,11 +188,10 @@ impl Between<'_> {
                 !["as", "mut", "const", "ref", "dyn", "impl"].iter().any(|tight| word == tight)
             }
             [before @ .., TokenTree::Punct(last)] => match (before, last.as_char()) {
-                (_, ';' | ',') => true,
                 ([.., TokenTree::Punct(first)], ':' | '=') if first.spacing() == Spacing::Joint => {
                     last.as_char() == '=' && !['=', '<', '>', '!', '.'].contains(&first.as_char())
                 }
-                (_, ':' | '=') => true,
+                (_, ';' | ',' | ':' | '=') => true,
                 _ => self.begins_arm(),
             },
             _ => false,

@@ -290,7 +290,9 @@ impl<'m> Logic<'m> {
             let mut reads: Vec<Read> = Vec::new();
             match atoms.get(*id).map(|atom| &atom.key) {
                 Some(Key::Order(a, b)) => {
-                    [a, b].into_iter().for_each(|tree| tree.each_read(&mut |read| reads.push(read)))
+                    for tree in [a, b] {
+                        tree.each_read(&mut |read| reads.push(read));
+                    }
                 }
                 Some(Key::Number(a)) => a.each_read(&mut |read| reads.push(read)),
                 // What blinks follows the time of its step.

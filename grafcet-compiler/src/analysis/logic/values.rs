@@ -107,7 +107,9 @@ impl Values {
             let mut parts = domain.parts();
             let (low, high) = domain.hull()?;
             if is_order && high == NONE && low < NONE && !(low < 0 && parts.len() == 1) {
-                parts.iter_mut().for_each(|part| _ = part.keep(NONE, NONE, false));
+                for part in &mut parts {
+                    part.keep(NONE, NONE, false);
+                }
                 parts.retain(|part| !part.is_empty());
                 parts.push(Ranges::from_to(NONE, NONE));
             }

@@ -129,15 +129,15 @@ fn none_in_rust(conditions: &[&Expr]) -> syn::Expr {
         _ => {
             let site = Span::mixed_site();
             let (left, right) = conditions.split_at(conditions.len() / 2);
-            let side = |part: &[&Expr]| {
+            let half = |part: &[&Expr]| {
                 let inner = none_in_rust(part);
                 Box::new(if part.len() > 1 { in_parentheses(inner) } else { inner })
             };
             syn::Expr::Binary(syn::ExprBinary {
                 attrs: Vec::new(),
-                left: side(left),
+                left: half(left),
                 op: syn::BinOp::And(syn::token::AndAnd([site, site])),
-                right: side(right),
+                right: half(right),
             })
         }
     }

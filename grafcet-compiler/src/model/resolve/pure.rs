@@ -125,9 +125,8 @@ impl Lower<'_, '_> {
         match self.value_of(&call.receiver) {
             Value::Of(Kind::Number) if name.starts_with("checked_") => Value::Of(Kind::Option),
             Value::Of(Kind::Number) if name.starts_with("overflowing_") => Value::Unknown,
-            Value::Of(Kind::Number) => Value::Of(Kind::Number),
             Value::Of(Kind::Time) if name != "get" => Value::Of(Kind::Time),
-            Value::Of(Kind::Time) => Value::Of(Kind::Number),
+            Value::Of(Kind::Number | Kind::Time) => Value::Of(Kind::Number),
             Value::Of(Kind::List(_)) if ITERATORS.contains(&&*name) => Value::Iterator,
             Value::Of(Kind::List(_)) if name == "len" => Value::Of(Kind::Number),
             Value::Iterator if ADAPTORS.contains(&&*name) => Value::Iterator,
