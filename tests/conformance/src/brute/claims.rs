@@ -109,7 +109,7 @@ fn broken(
     let mut note = |depth: usize| shortest = Some(shortest.map_or(depth, |known| known.min(depth)));
     match &property.claim {
         Claim::Home(home, _) => {
-            let misses = graph.misses(&home.iter().copied().collect::<std::collections::BTreeSet<StepId>>());
+            let misses = graph.misses(model, &home.iter().copied().collect::<std::collections::BTreeSet<StepId>>());
             let lost = misses.iter().enumerate().skip(1).filter(|(_, missed)| **missed);
             lost.for_each(|(state, _)| note(depths[&state]));
         }

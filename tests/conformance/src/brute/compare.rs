@@ -139,13 +139,13 @@ impl Both<'_> {
             self.leads(&format!("{tree:?}"), &answer, |edge| self.graph.holds(self.model, edge, tree) == Ok(true));
         }
         let home: BTreeSet<StepId> = home.iter().copied().collect();
-        let naive = self.graph.can_miss(&home);
+        let naive = self.graph.can_miss(self.model, &home);
         let answer = self.explored.away_from(&home.iter().copied().collect::<Vec<_>>());
         // With something unknown there may be fewer ways back, or more.
         if self.exact {
             let name = replay::names(self.model, &home).join(", ");
             self.answer("home", &name, naive, &answer);
-            let misses = self.graph.misses(&home);
+            let misses = self.graph.misses(self.model, &home);
             self.leads(&name, &answer, |edge| misses[edge.to]);
         }
         Ok(())

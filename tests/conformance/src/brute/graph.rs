@@ -6,7 +6,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::interp::{Evolution, Interpreter, Memory, Situation, Value};
-use grafcet_compiler::model::{Binary, Effect, Expr, Model, Name, Place, Read, TimeRef, TransitionId, Tree, Ty};
+use grafcet_compiler::model::{
+    Binary, Effect, Expr, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree, Ty,
+};
 
 /// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.
 const LEAP: u32 = 1 << 31;
@@ -127,15 +129,19 @@ impl Graph {
 
     /// Whether the end of some cycle has no way back to the end of one in exactly this situation.
     #[must_use]
-    pub fn can_miss(&self, home: &Situation) -> bool {
-        self.misses(home).into_iter().skip(1).any(|missed| missed)
+    pub fn can_miss(&self, model: &Model, home: &Situation) -> bool {
+        self.misses(model, home).into_iter().skip(1).any(|missed| missed)
     }
 
     /// For each state, whether it has no way back to the end of a cycle in exactly this situation.
     #[must_use]
-    pub fn misses(&self, home: &Situation) -> Vec<bool> {
-        let back = self.can_still(|edge| self.states[edge.to].situation == *home);
-        self.states.iter().zip(back).map(|(state, back)| !back && state.situation != *home).collect()
+    pub fn misses(&self, model: &Model, home: &Situation) -> Vec<bool> {
+        // It speaks of the partial grafcets that hold its steps.
+        let partials: BTreeSet<_> = home.iter().map(|step| model.steps[*step].partial).collect();
+        let concerned = |step: &&StepId| partials.contains(&model.steps[**step].partial);
+        let is_home = |situation: &Situation| situation.iter().filter(concerned).eq(home.iter());
+        let back = self.can_still(|edge| is_home(&self.states[edge.to].situation));
+        self.states.iter().zip(back).map(|(state, back)| !back && !is_home(&state.situation)).collect()
     }
 
     /// Whether leaps of time show every situation and every way: times are those of steps, all compared with the same

@@ -23,7 +23,7 @@ pub(super) fn check(
     let mut proved = 0;
     for step in model.steps.ids().filter(|step| nesting.returns_to(&[*step], never)) {
         proved += 1;
-        if graph.can_miss(&BTreeSet::from([step])) {
+        if graph.can_miss(model, &BTreeSet::from([step])) {
             differ("home", model.steps[step].name.to_string());
         }
     }
