@@ -24,7 +24,8 @@ neighbours! {
         wrong_target;
     conditions:
         always_true, combinational_circle, edge_in_assignation, event_without_edge, level_source_transition,
-        never_true, overlapping_branches, possible_instability, reads_continuous, shadowed_branch, unstable;
+        never_true, overlapping_branches, possible_instability, reads_continuous, shadowed_branch, unstable,
+        unused_let;
     drawing:
         duplicate_name, duplicate_transition, isolated_step, no_initial_step, repeated_step, reserved_name,
         several_initial_steps, sink_transition, source_transition, steps_without_transition,

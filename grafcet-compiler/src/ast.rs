@@ -76,6 +76,7 @@ pub struct Body {
 /// One item of a body.
 pub enum Item {
     Decl(Decl),
+    Let(Let),
     Action(ActionDecl),
     Setting(Setting),
     Property(Property),
@@ -110,6 +111,13 @@ pub struct Variant {
     pub name: Ident,
     /// `Auto(..)`
     pub has_data: bool,
+}
+
+/// `let go = auto || rising(next);`
+pub struct Let {
+    pub attrs: Attrs,
+    pub name: Ident,
+    pub value: Expr,
 }
 
 /// The keyword of a declaration.

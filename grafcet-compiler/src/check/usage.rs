@@ -1,4 +1,4 @@
-//! `unused_input`, `undriven_output`, `unused_variable`, `unused_action`, `unused_param`: what is declared and takes no
+//! `unused_input`, `undriven_output`, `unused_variable`, `unused_action`, `unused_param`, `unused_let`: what is declared and takes no
 //! part in the chart. As in rustc, a name that begins with `_` says that this is meant.
 
 use proc_macro2::Ident;
@@ -51,6 +51,10 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
         let name = &model.params[id].name;
         report(&rules::UNUSED_PARAM, name, &param.levels, format!("param `{name}` is never read; {}", mend(name)));
     }
+    for named in model.lets.values().filter(|named| !named.used) {
+        let name = &named.name;
+        report(&rules::UNUSED_LET, name, &named.levels, format!("condition `{name}` is never used; {}", mend(name)));
+    }
 }
 
 fn mend(name: &Ident) -> String {
@@ -79,6 +83,8 @@ impl Usage {
             usage.times([delay.on, delay.off]);
         }
         model.edges.values().for_each(|edge| usage.expr(&edge.of));
+        // As in rustc, what is only mentioned in what is unused itself is one warning, not two.
+        model.lets.values().for_each(|named| usage.read.extend(&named.mentions));
         model.assumptions.iter().for_each(|assumption| usage.expr(&assumption.never));
         model.properties.iter().flat_map(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
         for effect in model.effects() {

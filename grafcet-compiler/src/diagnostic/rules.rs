@@ -129,6 +129,7 @@ rules! {
     UNUSED_VARIABLE = warn("unused_variable");
     UNUSED_ACTION = warn("unused_action");
     UNUSED_PARAM = warn("unused_param");
+    UNUSED_LET = warn("unused_let");
     FORCING_CIRCLE = error("forcing_circle");
     TWO_MASTERS = error("two_masters");
     FORCED_STEP_OUTSIDE = error("forced_step_outside");

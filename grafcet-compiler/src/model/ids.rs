@@ -100,6 +100,8 @@ ids! {
     VarId;
     /// A `param`.
     ParamId;
+    /// A `let`.
+    LetId;
     /// An `action`.
     ActionId;
     /// A step (never a macro-step: those are expanded).

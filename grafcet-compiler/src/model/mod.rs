@@ -17,7 +17,7 @@ pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier, Variant};
 use crate::diagnostic::Mark;
 pub use expr::{Binary, Blink, Blinker, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
 pub use ids::{
-    ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, MacroId, OutputId, ParamId,
+    ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, OutputId, ParamId,
     PartialId, StepId, TransitionId, VarId,
 };
 pub use resolve::resolve;
@@ -49,6 +49,7 @@ pub struct Model {
     pub params: Arena<ParamId, Param>,
     /// The values of enums whose variants are listed.
     pub variants: Vec<Variants>,
+    pub lets: Arena<LetId, Let>,
     pub actions: Arena<ActionId, Action>,
     pub partials: Arena<PartialId, Partial>,
     pub steps: Arena<StepId, Step>,
@@ -175,6 +176,18 @@ pub struct Param {
     pub levels: Vec<LevelAttr>,
     pub ty: Ty,
     pub init: Option<Expr>,
+}
+
+/// `let go = auto || rising(next);` Expressions that use it hold what it stands for.
+pub struct Let {
+    pub name: Ident,
+    pub levels: Vec<LevelAttr>,
+    /// What it stands for, as written.
+    pub text: String,
+    /// The values in it, used or not.
+    pub mentions: Vec<Name>,
+    /// An expression that is no unused `let` uses it.
+    pub used: bool,
 }
 
 /// `action heat(setpoint: i16);`

@@ -87,7 +87,7 @@ fn misplaced(input: &Input) -> Result<()> {
     }
     if words::item_begins(input) {
         return Err(input.error(
-            if matches!(words::meant(word), Some("input" | "output" | "var" | "param" | "action")) {
+            if matches!(words::meant(word), Some("input" | "output" | "var" | "param" | "let" | "action")) {
                 "declarations stand in front of the steps, not in them"
             } else {
                 "steps, transitions and properties stand beside this step, not in it"

@@ -4,7 +4,7 @@ use proc_macro2::Delimiter;
 
 use super::input::Turns;
 use super::recover::{self, Place};
-use super::{Input, Result, attrs, chain, decl, partial, property, setting, step, words};
+use super::{Input, Result, attrs, chain, decl, named, partial, property, setting, step, words};
 use crate::ast::{Body, DeclKind, Item};
 use crate::diagnostic::Sink;
 
@@ -49,6 +49,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         "var" => Item::Decl(decl::parse(input, DeclKind::Var, outer.attrs, sink)?),
         "param" => Item::Decl(decl::parse(input, DeclKind::Param, outer.attrs, sink)?),
         "action" => Item::Action(decl::action(input, outer.attrs, sink)?),
+        "let" => Item::Let(named::parse(input, outer.levels_only("a `let`", sink), sink)?),
         "never" | "always" | "home" => {
             Item::Property(property::parse(input, meant, outer.levels_only("a property", sink), sink)?)
         }

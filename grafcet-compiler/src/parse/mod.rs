@@ -17,6 +17,7 @@ mod guard;
 mod header;
 mod input;
 mod leaving;
+mod named;
 mod partial;
 mod property;
 mod recover;

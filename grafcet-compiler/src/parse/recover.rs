@@ -111,7 +111,7 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
         }
     }
     // An unknown word in front of a name stood for one of these.
-    if !matches!(word, "" | "input" | "output" | "var" | "param" | "action" | "step" | "partial") {
+    if !matches!(word, "" | "input" | "output" | "var" | "param" | "let" | "action" | "step" | "partial") {
         return Vec::new();
     }
     let is_list = matches!(word, "" | "input" | "output" | "var" | "param");
@@ -140,7 +140,7 @@ pub(super) fn may_be_step(mut start: Input) -> bool {
         start.enter(Delimiter::Bracket);
     }
     let Some(first) = start.word() else { return false };
-    let no_step = ["input", "output", "var", "param", "action", "partial"];
+    let no_step = ["input", "output", "var", "param", "let", "action", "partial"];
     match words::meant(first) {
         Some(word) => !no_step.contains(&word) && !SETTINGS.contains(&word),
         None => !chain::begins(&start),

@@ -2,6 +2,7 @@
 
 use proc_macro2::Delimiter;
 
+use super::input::Turns;
 use super::{Input, Result};
 use crate::ast::{Variant, Variants};
 
@@ -20,8 +21,8 @@ pub(super) fn parse(input: &mut Input) -> Result<Option<Variants>> {
     if inside.is_empty() {
         return Err(inside.error("expected the variants of the enum, as in `in {Off, Auto}`"));
     }
-    let mut list = Vec::new();
-    while !inside.is_empty() {
+    let (mut list, mut turns) = (Vec::new(), Turns::default());
+    while turns.more(&inside) {
         let name = inside.name("a variant")?;
         if inside.at("::") {
             let message =

@@ -9,6 +9,7 @@ pub(super) const ITEMS: &[&str] = &[
     "output",
     "var",
     "param",
+    "let",
     "action",
     "clock",
     "max_evolutions",
@@ -38,7 +39,6 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("start", "initial"),
     ("in", "input"),
     ("out", "output"),
-    ("let", "var"),
     ("static", "var"),
     ("mut", "var"),
     ("const", "param"),
@@ -78,6 +78,10 @@ pub(super) fn report(input: &Input, meant: &str, sink: &mut Sink) {
 /// Whether an item certainly begins here: no expression has one of our words before a name or a number.
 pub(super) fn item_begins(input: &Input) -> bool {
     let behind = input.next();
+    if input.at_word("let") {
+        // `if let` binds a pattern; one of ours is a name.
+        return behind.at_name() && (behind.next().at_assign() || behind.next().at(":"));
+    }
     input.word().is_some_and(|word| ITEMS.contains(&word)) && (behind.at_name() || behind.literal().is_some())
 }
 

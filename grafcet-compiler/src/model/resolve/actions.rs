@@ -74,6 +74,9 @@ impl Resolver<'_> {
             Some(Meaning::Value(Name::Param(_))) => {
                 format!("`{name}` is a param, which the recipe sets; an action writes an `output` or a `var`")
             }
+            Some(Meaning::Let(_)) => {
+                format!("`{name}` is a named condition, which nothing writes; an action writes an `output` or a `var`")
+            }
             Some(Meaning::Action(id)) => {
                 let params = self.model.actions[id].params.iter().map(|(p, _)| p.to_string()).collect::<Vec<_>>();
                 format!("`{name}` is an action, which is called: `{name}({})`", params.join(", "))

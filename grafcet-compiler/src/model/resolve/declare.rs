@@ -28,6 +28,10 @@ impl Resolver<'_> {
                     self.only_in_chart(place, decl.names.iter());
                     self.declare_decl(decl);
                 }
+                Item::Let(item) => {
+                    self.only_in_chart(place, std::iter::once(&item.name));
+                    self.declare_let(item);
+                }
                 Item::Action(action) => {
                     self.only_in_chart(place, std::iter::once(&action.name));
                     self.declare_action(action);

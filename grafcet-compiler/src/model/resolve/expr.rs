@@ -7,7 +7,7 @@ use syn::{BinOp, Lit, Member, UnOp};
 use super::Resolver;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
-use crate::model::{Binary, Edge, Expr, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
+use crate::model::{Binary, Edge, Expr, LetId, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
 use crate::visit::Locals;
 
 /// Resolves one expression of the user.
@@ -16,7 +16,7 @@ pub(super) fn resolve(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
 }
 
 /// The same, and where everything that it reads is mentioned, in source order.
-pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> (Expr, Vec<(Read, Mark)>) {
+pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> (Expr, Vec<Seen>) {
     let mut lower = Lower::new(resolver);
     let mut tokens = expr.clone();
     let before = lower.resolver.sink.count();
@@ -62,12 +62,20 @@ fn without_field(step: &str) -> String {
     format!("`{step}` is a step; write `{step}.X` for its activity or `{step}.T` for its time")
 }
 
+/// Something that an expression reads, and where it says so.
+pub(super) struct Seen {
+    pub(super) read: Read,
+    pub(super) mark: Mark,
+    /// The `let` that stands there for it.
+    pub(super) within: Option<LetId>,
+}
+
 /// Rewrites expressions in place and takes note of what they read.
 pub(super) struct Lower<'r, 's> {
     pub(super) resolver: &'r mut Resolver<'s>,
     pub(super) reads: Vec<Read>,
     /// Every mention.
-    pub(super) places: Vec<(Read, Mark)>,
+    pub(super) places: Vec<Seen>,
     /// Names that Rust binds where the walk stands: by `let`, a closure or a pattern.
     pub(super) locals: Locals,
     /// Something of what is being read may have another value in each evaluation.
@@ -81,6 +89,13 @@ impl<'r, 's> Lower<'r, 's> {
 
     /// Rewrites `expr` and returns its meaning.
     pub(super) fn lower(&mut self, expr: &mut syn::Expr) -> Tree {
+        self.resolver.scale.enter();
+        let tree = self.tree(expr);
+        self.resolver.scale.leave();
+        tree
+    }
+
+    fn tree(&mut self, expr: &mut syn::Expr) -> Tree {
         match expr {
             syn::Expr::Paren(paren) => self.lower(&mut paren.expr),
             syn::Expr::Unary(unary) => {
@@ -99,7 +114,9 @@ impl<'r, 's> Lower<'r, 's> {
                 if let Some(parts) = self.delay_parts(binary) {
                     return self.delay(parts, expr);
                 }
-                let Some(operator) = operator(&binary.op) else { return self.opaque(expr) };
+                let Some(operator) = operator(&binary.op) else {
+                    return if self.refuses_write(&binary.left) { Tree::Bool(true) } else { self.opaque(expr) };
+                };
                 let left = self.lower(&mut binary.left);
                 let right = self.lower(&mut binary.right);
                 self.units(binary, &left, &right);
@@ -118,6 +135,7 @@ impl<'r, 's> Lower<'r, 's> {
                 let opaque = self.opaque(expr);
                 told.unwrap_or(opaque)
             }
+            syn::Expr::Assign(assign) if self.refuses_write(&assign.left) => Tree::Bool(true),
             _ => self.opaque(expr),
         }
     }
@@ -142,7 +160,7 @@ impl<'r, 's> Lower<'r, 's> {
     pub(super) fn replace(&mut self, expr: &mut syn::Expr, read: Read) -> Tree {
         self.note(read);
         let mark = Mark::of(&*expr);
-        self.places.push((read, mark));
+        self.places.push(Seen { read, mark, within: None });
         if let Some(name) = placeholder::ident(read, mark.start) {
             *expr = syn::Expr::Verbatim(name.into_token_stream());
         }
@@ -162,9 +180,11 @@ impl<'r, 's> Lower<'r, 's> {
             _ if self.locals.contains(&name) => {
                 Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false }
             }
+            Some(Meaning::Let(id)) => self.put_in_place(expr, &name, id),
+            Some(Meaning::Value(value)) if self.resolver.is_later(&name, value) => Tree::Bool(true),
             Some(Meaning::Value(value)) => {
                 self.note(Read::Name(value));
-                self.places.push((Read::Name(value), (&name).into()));
+                self.places.push(Seen { read: Read::Name(value), mark: (&name).into(), within: None });
                 self.join(expr, value);
                 Tree::Read(Read::Name(value))
             }
@@ -290,7 +310,7 @@ impl<'r, 's> Lower<'r, 's> {
     }
 
     /// The first name in `tokens` that is bound here.
-    fn local_in(&self, tokens: TokenStream) -> Option<Ident> {
+    pub(super) fn local_in(&self, tokens: TokenStream) -> Option<Ident> {
         let mut dot = false;
         tokens.into_iter().find_map(|tree| {
             let behind_dot = std::mem::replace(&mut dot, matches!(&tree, TokenTree::Punct(p) if p.as_char() == '.'));

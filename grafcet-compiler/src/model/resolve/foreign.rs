@@ -3,7 +3,7 @@
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
-use super::expr::Lower;
+use super::expr::{Lower, Seen};
 use super::scope::Meaning;
 use crate::model::{Read, Tree};
 use crate::visit::{self, Locals, Visit};
@@ -78,9 +78,13 @@ impl Lower<'_, '_> {
         }
         let is_field = matches!(out.last(), Some(TokenTree::Punct(p)) if p.as_char() == '.');
         let is_other = is_field || self.locals.contains(name);
+        if let (false, Some(Meaning::Let(id))) = (is_other, self.resolver.scope.get(name)) {
+            out.push(self.tokens_in_place(name, id));
+            return;
+        }
         if let (false, Some(Meaning::Value(value))) = (is_other, self.resolver.scope.get(name)) {
             self.note(Read::Name(value));
-            self.places.push((Read::Name(value), name.into()));
+            self.places.push(Seen { read: Read::Name(value), mark: name.into(), within: None });
             let mut name = name.clone();
             name.set_span(name.span().resolved_at(self.resolver.model.value_name(value).span()));
             out.push(TokenTree::Ident(name));

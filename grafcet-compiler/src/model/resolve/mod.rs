@@ -12,6 +12,7 @@ mod delay;
 mod expr;
 mod foreign;
 mod misplaced;
+mod named;
 mod otherwise;
 mod properties;
 mod pure;
@@ -23,10 +24,11 @@ mod variants;
 use proc_macro2::Ident;
 
 use self::blink::Owner;
+use self::named::{Named, Scale};
 use self::scope::Scope;
 use super::{
-    Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LevelAttr, MacroId, Mention, Model, Name,
-    PartialId, Step, StepId, TransitionId, Ty,
+    Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LetId, LevelAttr, MacroId, Mention, Model,
+    Name, PartialId, Step, StepId, TransitionId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -46,8 +48,12 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         unread: chart.incomplete,
         pure: Vec::new(),
         calls: 0,
+        lets: Vec::new(),
+        defining: None,
+        scale: Scale::default(),
     };
     resolver.declare_chart(&chart.body);
+    resolver.check_lets();
     let mut cursor = Cursor::default();
     resolver.anys(&chart.body, PartialId::new(0));
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
@@ -79,6 +85,11 @@ pub(super) struct Resolver<'s> {
     pure: Vec<(syn::Path, bool)>,
     /// How many evaluations there are that may have values of their own.
     calls: u32,
+    /// By `LetId`.
+    lets: Vec<Named>,
+    /// The `let` that is being resolved.
+    defining: Option<LetId>,
+    scale: Scale,
 }
 
 /// How far resolving has come in the ids given while declaring.
@@ -108,6 +119,7 @@ fn empty(chart: &ast::Chart) -> Model {
         vars: Arena::default(),
         params: Arena::default(),
         variants: Vec::new(),
+        lets: Arena::default(),
         actions: Arena::default(),
         partials: Arena::default(),
         steps: Arena::default(),
@@ -135,7 +147,7 @@ impl Resolver<'_> {
                 ast::Item::Setting(ast::Setting::AssumeNever { keyword, condition }) => {
                     self.assumption(*keyword, condition);
                 }
-                ast::Item::Action(_) | ast::Item::Setting(_) => {}
+                ast::Item::Let(_) | ast::Item::Action(_) | ast::Item::Setting(_) => {}
                 ast::Item::Property(property) => self.property(property),
                 ast::Item::Step(step) => self.step(step, partial, cursor),
                 ast::Item::Chain(chain) => self.chain(chain, partial),

@@ -2,11 +2,12 @@
 
 use proc_macro2::{Ident, Span};
 
+use super::expr::Seen;
 use super::scope::Meaning;
 use super::{Resolver, expr};
 use crate::ast;
 use crate::diagnostic::Mark;
-use crate::model::{Assumption, Claim, Expr, Name, Property, Read, StepId, Ty};
+use crate::model::{Assumption, Claim, Expr, LetId, Name, Property, Read, StepId, Ty};
 
 impl Resolver<'_> {
     /// `assume never b1 && b3;` It is about one snapshot of the inputs: nothing else can be excluded by the plant, and
@@ -14,13 +15,17 @@ impl Resolver<'_> {
     pub(super) fn assumption(&mut self, keyword: Span, condition: &syn::Expr) {
         let (never, places) = expr::resolve_with_places(condition, self);
         let why = "an assumption is about the inputs of one cycle";
-        for (read, mark) in places {
-            let name = |resolver: &Self, name| format!("`{}`", resolver.model.value_name(name));
+        for Seen { read, mark, within } in places {
+            let this = self.subject(within);
+            let name = |resolver: &Self, name| {
+                let by = within.map(|id| format!(", which `{}` stands for,", resolver.model.lets[id].name));
+                format!("`{}`{}", resolver.model.value_name(name), by.unwrap_or_default())
+            };
             let what = match read {
                 Read::Name(Name::Input(_)) | Read::Ticks(_) => continue,
                 Read::Active(_) | Read::MacroActive(_) => {
                     let message = format!(
-                        "{why}, and this is a step; what the chart shall never do is a property: `never …;` without `assume`"
+                        "{why}, and {this} a step; what the chart shall never do is a property: `never …;` without `assume`"
                     );
                     self.sink.notation(mark, message);
                     continue;
@@ -36,7 +41,7 @@ impl Resolver<'_> {
                 | Read::Delay(_)
                 | Read::Elapsed(..)
                 | Read::MacroElapsed(..)
-                | Read::Blink(_) => "this is a time".to_owned(),
+                | Read::Blink(_) => format!("{this} a time"),
             };
             self.sink.notation(mark, format!("{why}, and {what}"));
         }
@@ -72,7 +77,8 @@ impl Resolver<'_> {
     fn claimed(&mut self, condition: &syn::Expr) -> Expr {
         let (condition, places) = expr::resolve_with_places(condition, self);
         let why = "a property is about steps, inputs and boolean outputs at the end of a cycle";
-        for (read, mark) in places {
+        for Seen { read, mark, within } in places {
+            let this = self.subject(within);
             let what = match read {
                 Read::Name(Name::Output(id)) if !matches!(self.model.outputs[id].ty, Ty::Bool(_)) => {
                     let name = &self.model.outputs[id].name;
@@ -90,13 +96,18 @@ impl Resolver<'_> {
                 | Read::Elapsed(..)
                 | Read::MacroElapsed(..)
                 | Read::Blink(_) => {
-                    "this is a time, which counts as unknown; name the steps or outputs that matter".to_owned()
+                    format!("{this} a time, which counts as unknown; name the steps or outputs that matter")
                 }
                 Read::Name(_) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => continue,
             };
             self.sink.notation(mark, format!("{why}; {what}"));
         }
         condition
+    }
+
+    /// Who a sentence about something that is read speaks of.
+    fn subject(&self, within: Option<LetId>) -> String {
+        within.map_or_else(|| "this is".to_owned(), |id| format!("`{}` asks for", self.model.lets[id].name))
     }
 
     fn home(&mut self, names: &[Ident]) -> Vec<StepId> {

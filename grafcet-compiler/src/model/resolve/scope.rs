@@ -4,13 +4,14 @@ use proc_macro2::Ident;
 
 use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{ActionId, MacroId, Name, PartialId, StepId};
+use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
 use crate::sorted::Map;
 
 /// What a name in an expression or behind a qualifier means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Meaning {
     Value(Name),
+    Let(LetId),
     Action(ActionId),
     Step(StepId),
     Macro(MacroId),
@@ -24,6 +25,7 @@ impl Meaning {
             Self::Value(Name::Output(_)) => "an output",
             Self::Value(Name::Var(_)) => "a variable",
             Self::Value(Name::Param(_)) => "a param",
+            Self::Let(_) => "a named condition",
             Self::Action(_) => "an action",
             Self::Step(_) => "a step",
             Self::Macro(_) => "a macro-step",
@@ -170,7 +172,7 @@ impl Scope {
             return;
         }
         let hint = self
-            .suggest(name, |m| matches!(m, Meaning::Value(_) | Meaning::Action(_)))
+            .suggest(name, |m| matches!(m, Meaning::Value(_) | Meaning::Let(_) | Meaning::Action(_)))
             .unwrap_or_else(|| format!("declare it: `{wanted}`"));
         let message = format!("no name `{name}` is declared; {hint}");
         sink.rule(&rules::UNKNOWN_NAME, &[], vec![(name.into(), message)]);
@@ -184,7 +186,7 @@ impl Scope {
     pub(super) fn is_misspelt(&self, name: &Ident) -> bool {
         let text = key(name);
         let is_upper = |c: char| c.is_uppercase();
-        let own = |meaning: Meaning| matches!(meaning, Meaning::Value(_));
+        let own = |meaning: Meaning| matches!(meaning, Meaning::Value(_) | Meaning::Let(_));
         text.starts_with(is_upper) && text.contains(char::is_lowercase) && {
             let declared = self.names.values().flatten().filter(|(meaning, _)| own(*meaning)).map(|(_, name)| name);
             let alike = declared.filter(|name| key(name).starts_with(is_upper));
