@@ -253,7 +253,7 @@ fn body(bytes: &mut Bytes, depth: usize) -> TokenStream {
 fn item(bytes: &mut Bytes, depth: usize) -> TokenStream {
     let (word, other) = (ident(bytes.pick(WORDS)), ident(bytes.pick(WORDS)));
     match bytes.next() % 12 {
-        0 => fill("VAR NAME: bool;", bytes, &word, &other, depth),
+        0 => fill("VAR NAME: bool; let OTHER = EXPR;", bytes, &word, &other, depth),
         1 => fill("param NAME: time = LITERAL; action OTHER(NAME: time);", bytes, &word, &other, depth),
         2..=4 => fill(
             "step NAME { Q q; Q LITERAL q if EXPR; Q count = EXPR; Q { EXPR; } on EXPR OTHER; }",

@@ -88,7 +88,10 @@ fn declarations() {
         ("intput a: bool;", "intput", "write `input`"),
         ("inputs a: bool;", "inputs", "write `input`"),
         ("in a: bool;", "in", "write `input`"),
-        ("let a: bool = true;", "let", "write `var`"),
+        ("let a: bool = true;", ": bool", "has the type of its expression"),
+        ("let mut a = true;", "mut", "never written"),
+        ("let a;", ";", "expected `=` and a condition"),
+        ("let a = ;", ";", "expected a condition"),
         ("const a: bool = true;", "const", "write `param`"),
         ("fn a() { }", "fn", "code is declared `action"),
     ]);

@@ -49,6 +49,7 @@ fn item(item: &Item) -> String {
         Item::Step(it) => step(it),
         Item::Chain(it) => chain(it),
         Item::Partial(it) => partial(it),
+        Item::Let(it) => format!("LET {} {}", it.name, tokens(&it.value)),
     }
 }
 
