@@ -35,7 +35,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
-    let races = (complete && !sink.has_errors()).then(|| check::evolution(&model, &mut sink));
+    let races = (complete && sink.leaves_evolution()).then(|| check::evolution(&model, &mut sink));
     let plan = races.filter(|_| !sink.has_more_than_claims()).map(|races| Plan::of(&model, &races));
     if let Some(plan) = &plan {
         check::initial_values(&model, plan, &mut sink);

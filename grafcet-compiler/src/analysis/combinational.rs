@@ -59,7 +59,7 @@ pub fn written_out(model: &Model, tree: &Tree) -> Option<Tree> {
 fn written(model: &Model, tree: &Tree, depth: usize, left: &mut usize) -> Option<Tree> {
     *left = left.checked_sub(1)?;
     Some(match tree {
-        Tree::Read(Read::Name(Name::Var(var))) if asserted(model, *var).next().is_some() => {
+        Tree::Read(Read::Name(Name::Var(var))) if is_combinational(model, *var) => {
             let depth = depth.checked_sub(1)?;
             let initially = model.vars[*var].init.as_ref().map(|init| &init.tree);
             let mut any = initially.cloned().unwrap_or(Tree::Bool(false));
@@ -89,6 +89,13 @@ fn written(model: &Model, tree: &Tree, depth: usize, left: &mut usize) -> Option
         }
         other => other.clone(),
     })
+}
+
+/// Whether continuous actions alone act on the variable.
+fn is_combinational(model: &Model, var: VarId) -> bool {
+    let acts = model.associations.values().filter(|association| association.effect.writes().contains(&Place::Var(var)));
+    let count = asserted(model, var).count();
+    count > 0 && acts.count() == count
 }
 
 fn both(a: Tree, b: Tree) -> Tree {

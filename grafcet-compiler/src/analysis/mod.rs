@@ -8,6 +8,7 @@ pub mod explore;
 pub mod hierarchy;
 mod logic;
 pub(crate) mod meeting;
+mod mixed;
 mod nesting;
 mod numbers;
 mod pairs;
@@ -19,6 +20,7 @@ pub mod visible;
 
 pub use concurrency::Concurrency;
 pub use logic::{Answer, Condition, Logic};
+pub use mixed::mixed;
 pub use nesting::Nesting;
 pub use races::{Races, Writer};
 pub use relation::Relation;

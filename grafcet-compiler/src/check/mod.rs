@@ -15,6 +15,7 @@ mod race;
 mod reach;
 mod safety;
 mod set_reset;
+mod silent;
 mod structure;
 mod targets;
 mod unstable;
@@ -23,10 +24,12 @@ mod waits;
 
 pub use initial::initial_values;
 
+use self::silent::{Silent, Told};
+
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Concurrency, Logic, Races};
-use crate::diagnostic::Sink;
-use crate::model::{Model, Tree};
+use crate::analysis::{Concurrency, Logic, Races, mixed};
+use crate::diagnostic::{Sink, rules};
+use crate::model::{Model, Name, Read, Tree};
 
 /// The rules that need no more than the drawing itself; most hold on a chart with unresolved parts too.
 pub fn drawing(model: &Model, sink: &mut Sink) {
@@ -52,6 +55,8 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     let independent = Concurrency::assuming(model, never);
     let concurrency = independent.across_partials(model);
     let logic = Logic::within(model, &concurrency, never);
+    // Of these it has been said that they make no sense.
+    let mixed = mixed(model);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let exploration = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
@@ -64,8 +69,15 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     dead.extend(&said);
     let branches =
         branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
+    if sink.broke(&rules::READS_CONTINUOUS) {
+        // Such a condition is not the one that is meant.
+        let reads_output = |read: &Read| matches!(read, Read::Name(Name::Output(_)));
+        let unclear = model.transitions.iter().filter(|(_, t)| t.condition.reads.iter().any(reads_output));
+        dead.extend(unclear.map(|(id, _)| id));
+    }
     said.extend(branches.check(&dead, sink));
-    let mut dead = reach::check(model, &independent, &exploration, &said, sink);
+    let mut told = Told::default();
+    let mut dead = reach::check(model, &independent, &exploration, &said, &mut told, sink);
     dead.extend(&said);
     let presumed = branches.presumed_exclusive();
     if presumed.is_empty() {
@@ -74,12 +86,15 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
         let never: Vec<&Tree> = never.iter().copied().chain(&presumed).collect();
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink);
     }
-    waits::check(model, &exploration, &dead, sink);
+    waits::check(model, &independent, &exploration, &dead, &mut told, sink);
+    Silent { model, structure: &independent, exploration: &exploration }.check(told, sink);
     let races = Races::of(model, racing, &limits, never);
-    race::check(model, &races, sink);
+    race::check(model, &races, &mixed, sink);
     contention::check(model, &seen, never, sink);
-    set_reset::check(model, &concurrency, sink);
-    usage::check(model, sink);
+    if !sink.broke(&rules::WRONG_TARGET) {
+        set_reset::check(model, &concurrency, &mixed, sink);
+        usage::check(model, sink);
+    }
     if model.is_grafcet() {
         structure::two_masters(model, &seen, sink);
         unstable::check(model, &concurrency, never, exploration.settles(), sink);

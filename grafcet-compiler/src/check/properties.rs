@@ -3,15 +3,19 @@
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
 use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation, text};
-use crate::analysis::{Logic, Nesting, visible};
+use crate::analysis::{Logic, Nesting, mixed, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
-use crate::model::{Claim, LevelAttr, Model, Property, Read, StepId, Tree};
+use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, Tree};
+use crate::sorted::Set;
 
 /// Returns the exploration, for the other rules.
 pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&Tree], sink: &mut Sink) -> Exploration {
+    // What nobody can say the value of is no matter of a proof.
+    let mixed = mixed(model);
     let open: Vec<(&Property, Tree)> = model
         .properties
         .iter()
+        .filter(|property| !property.claim.expressions().iter().any(|expr| reads_any(expr, &mixed)))
         .filter_map(|property| Some((property, property.claim.violation()?)))
         .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))))
         .collect();
@@ -52,6 +56,14 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&
     }
     // To follow what the properties are about takes more than the rules need.
     Exploration::assuming(model, &limits, &[], never)
+}
+
+fn reads_any(expr: &Expr, places: &Set<Place>) -> bool {
+    expr.reads.iter().any(|read| match read {
+        Read::Name(Name::Output(id)) => places.contains(&Place::Output(*id)),
+        Read::Name(Name::Var(id)) => places.contains(&Place::Var(*id)),
+        _ => false,
+    })
 }
 
 struct Report<'m> {

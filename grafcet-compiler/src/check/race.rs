@@ -3,9 +3,11 @@
 use crate::analysis::{Races, Writer};
 use crate::diagnostic::{Sink, rules};
 use crate::model::{LevelAttr, Model, Place, StepId, TransitionId};
+use crate::sorted::Set;
 
-pub(super) fn check(model: &Model, races: &Races, sink: &mut Sink) {
-    for (place, first, second) in &races.all {
+/// Leaves out what is `mixed` already.
+pub(super) fn check(model: &Model, races: &Races, mixed: &Set<Place>, sink: &mut Sink) {
+    for (place, first, second) in races.all.iter().filter(|(place, ..)| !mixed.contains(place)) {
         report(model, *place, *first, *second, sink);
     }
 }

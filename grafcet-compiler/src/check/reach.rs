@@ -4,6 +4,7 @@
 //! that transition, and neither are the transitions that leave a step which is never active. The exception is the step
 //! right behind an AND-convergence whose sources are never together: it is where one looks for the fault.
 
+use super::silent::Told;
 use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, situation};
 use crate::analysis::hierarchy::initial_situation;
@@ -18,12 +19,15 @@ pub(super) fn check(
     concurrency: &Concurrency,
     exploration: &Exploration,
     said: &Set<TransitionId>,
+    told: &mut Told,
     sink: &mut Sink,
 ) -> Set<TransitionId> {
+    told.transitions.extend(said);
     let drawn = drawn(model);
     for (id, step) in model.steps.iter().filter(|(id, _)| !exploration.reachable(*id) && !drawn[id.index()]) {
         let scopes = model.levels_of(step);
         let message = unreachable(model, id);
+        told.steps.insert(id);
         sink.rule(&rules::UNREACHABLE_STEP, &scopes, vec![(Mark::from(&step.name), message)]);
     }
     let dead = idle(model, exploration);
@@ -52,14 +56,18 @@ pub(super) fn check(
             }
             None => continue,
         };
+        told.steps.insert(id);
         sink.rule(&rules::UNREACHABLE_STEP, &model.levels_of(step), vec![(Mark::from(&step.name), message)]);
     }
     // Of a convergence that a branch can leave alone `stuck_join` says what is wrong.
     let left = exploration.stuck_joins().iter().filter(|stuck| stuck.culprit.is_some());
     let waiting: Set<TransitionId> = left.map(|stuck| stuck.join).collect();
     let alternatives: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
+    // One whose sources never meet as the chart is drawn does not follow from anything else.
     let others_dead = |join: &TransitionId| {
-        alternatives.contains(join) && dead.iter().any(|id| id != join && !alternatives.contains(id))
+        alternatives.contains(join)
+            && concurrency.can_clear(*join)
+            && dead.iter().any(|id| id != join && !alternatives.contains(id))
     };
     let mut follow = follow_ups(model, exploration, &dead);
     if !said.is_empty() && dead.iter().any(|id| exploration.is_barred(*id)) {
@@ -68,35 +76,51 @@ pub(super) fn check(
     }
     let mut anys = Set::new();
     for id in &dead {
-        let transition = &model.transitions[*id];
-        if transition.any.is_some_and(|any| !anys.insert(any)) {
+        if model.transitions[*id].any.is_some_and(|any| !anys.insert(any)) {
+            told.transitions.insert(*id);
             continue;
         }
         if waiting.contains(id) || others_dead(id) || said.contains(id) || follow.contains(id) {
             continue;
         }
-        let message =
-            if exploration.is_enabled(*id) { never_holds(model, transition) } else { never_enabled(model, transition) };
-        let scopes = model.levels_of_transition(transition);
-        sink.rule(&rules::DEAD_TRANSITION, &scopes, vec![(transition.mark, message)]);
+        told.transitions.insert(*id);
+        dead_transition(model, exploration, *id, sink);
     }
     dead
+}
+
+/// Reports a transition that never clears.
+pub(super) fn dead_transition(model: &Model, exploration: &Exploration, id: TransitionId, sink: &mut Sink) {
+    let transition = &model.transitions[id];
+    let message =
+        if exploration.is_enabled(id) { never_holds(model, transition) } else { never_enabled(model, transition) };
+    let scopes = model.levels_of_transition(transition);
+    sink.rule(&rules::DEAD_TRANSITION, &scopes, vec![(transition.mark, message)]);
+}
+
+/// The steps that the condition of a transition reads.
+pub(super) fn read_steps(model: &Model, id: TransitionId) -> impl Iterator<Item = StepId> + '_ {
+    let reads = model.transitions[id].condition.reads.iter();
+    reads.flat_map(|read| match read.about() {
+        Some(Blinker::Step(step)) => vec![step],
+        Some(Blinker::Macro(id)) => model.macros[id].steps.clone(),
+        None => Vec::new(),
+    })
 }
 
 /// The dead transitions that only wait for steps which other dead ones lead to.
 fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>) -> Set<TransitionId> {
     let waits_for = |id: &TransitionId| -> Vec<StepId> {
-        let reads = model.transitions[*id].condition.reads.iter().flat_map(|read| match read.about() {
-            Some(Blinker::Step(step)) => vec![step],
-            Some(Blinker::Macro(id)) => model.macros[id].steps.clone(),
-            None => Vec::new(),
-        });
-        reads.filter(|step| !exploration.reachable(*step)).collect()
+        read_steps(model, *id).filter(|step| !exploration.reachable(*step)).collect()
     };
     let mut open: Vec<(TransitionId, Vec<StepId>)> = dead.iter().map(|id| (*id, waits_for(id))).collect();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
+    }
+    let mut waiting = vec![false; model.transitions.len()];
+    for (id, _) in open.iter().filter(|(_, waits)| !waits.is_empty()) {
+        waiting[id.index()] = true;
     }
     let mut behind = vec![false; model.steps.len()];
     let mut follow = Set::new();
@@ -108,13 +132,16 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>
     while !work.is_empty() {
         while let Some(step) = work.pop() {
             if !std::mem::replace(&mut behind[step.index()], true) {
-                work.extend(leaving[step.index()].iter().flat_map(|id| &model.transitions[*id].targets));
+                // What waits itself leads on only where it follows.
+                let leading = leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
+                work.extend(leading.flat_map(|id| &model.transitions[*id].targets));
             }
         }
         open.retain(|(id, waits)| {
             let follows = waits.iter().any(|step| behind[step.index()]);
             if follows {
                 follow.insert(*id);
+                waiting[id.index()] = false;
                 work.extend(&model.transitions[*id].targets);
             }
             !follows

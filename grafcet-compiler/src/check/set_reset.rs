@@ -3,7 +3,7 @@
 use crate::analysis::Concurrency;
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, Place, Qualifier, Statement, StepId, Tree, Ty};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// What keeps a value: a boolean output or variable, or in an `sfc` an action.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,8 +33,10 @@ struct Uses {
     unknown: bool,
 }
 
-pub(super) fn check(model: &Model, concurrency: &Concurrency, sink: &mut Sink) {
-    for (stored, uses) in collect(model) {
+/// Leaves out what is `mixed` already.
+pub(super) fn check(model: &Model, concurrency: &Concurrency, mixed: &Set<Place>, sink: &mut Sink) {
+    let is_mixed = |stored: &Stored| matches!(stored, Stored::Place(place) if mixed.contains(place));
+    for (stored, uses) in collect(model).into_iter().filter(|(stored, _)| !is_mixed(stored)) {
         let (name, levels, starts_true) = match stored {
             Stored::Place(place) => (model.place_name(place), model.levels_of_place(place), starts_true(model, place)),
             Stored::Action(id) => (&model.actions[id].name, &model.actions[id].levels[..], false),

@@ -3,12 +3,21 @@
 //! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
 //! no deadlock beside that. Where all wait for each other, since one took what another needs, it is a deadlock.
 
+use super::silent::Told;
+use crate::analysis::Concurrency;
 use crate::analysis::explore::{Deadlock, Exploration, StuckJoin, situation};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
 use crate::sorted::Set;
 
-pub(super) fn check(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>, sink: &mut Sink) {
+pub(super) fn check(
+    model: &Model,
+    structure: &Concurrency,
+    exploration: &Exploration,
+    dead: &Set<TransitionId>,
+    told: &mut Told,
+    sink: &mut Sink,
+) {
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
@@ -25,9 +34,15 @@ pub(super) fn check(model: &Model, exploration: &Exploration, dead: &Set<Transit
     let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join && !joins.contains(id));
     for stuck in exploration.stuck_joins() {
         let in_contention = contended.iter().any(|deadlock| deadlock.steps.contains(&stuck.waiting));
-        if in_contention || stuck.culprit.is_none() && others_dead(stuck.join) {
+        // One whose sources never meet as the chart is drawn does not follow from anything else.
+        let may_follow = stuck.culprit.is_none() && structure.can_clear(stuck.join);
+        if in_contention {
+            told.transitions.insert(stuck.join);
+        }
+        if in_contention || may_follow && others_dead(stuck.join) {
             continue;
         }
+        told.transitions.insert(stuck.join);
         waiting.insert(stuck.waiting);
         if reported.insert(stuck.join) {
             stuck_join(model, stuck, sink);

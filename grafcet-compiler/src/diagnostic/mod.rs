@@ -83,6 +83,28 @@ impl Sink {
         self.diagnostics.iter().any(|d| d.severity == Severity::Deny)
     }
 
+    /// Whether something was said that breaks the rule.
+    #[must_use]
+    pub fn broke(&self, rule: &Rule) -> bool {
+        self.diagnostics.iter().any(|one| one.rule.is_some_and(|broken| broken.name == rule.name))
+    }
+
+    /// Whether nothing so far stands in the way of looking at how the chart evolves: what is wrong with an action or with what a
+    /// condition reads leaves the rest as it is drawn.
+    #[must_use]
+    pub fn leaves_evolution(&self) -> bool {
+        let aside = [
+            &rules::MIXED_MODES,
+            &rules::WRONG_TARGET,
+            &rules::READS_CONTINUOUS,
+            &rules::EDGE_IN_ASSIGNATION,
+            &rules::EVENT_WITHOUT_EDGE,
+        ];
+        let is_aside =
+            |one: &Diagnostic| one.rule.is_some_and(|rule| aside.iter().any(|other| other.name == rule.name));
+        self.diagnostics.iter().all(|one| one.severity != Severity::Deny || is_aside(one))
+    }
+
     /// Whether one of the errors so far is about more than what the chart claims of itself: about what it does there is code,
     /// in which rustc may find more.
     #[must_use]

@@ -189,7 +189,11 @@ impl<'m> Circles<'m> {
         for id in self.model.transitions.ids().filter(enabled) {
             let condition = Rc::new(View::new(self, &start).condition(id));
             if !self.logic.never(&condition) {
-                let held = Node { goals: vec![(condition, true)], ..self.start() };
+                // What happens beside is no part of the circle.
+                let active: Set<StepId> = self.model.transitions[id].sources.iter().copied().collect();
+                let (fresh, before) = (active.clone(), active.clone());
+                let held =
+                    Node { active, fresh, before, goals: vec![(condition, true)], parent: None, cleared: Vec::new() };
                 found.extend(self.endless(Some(held)).into_iter().flatten());
             }
         }

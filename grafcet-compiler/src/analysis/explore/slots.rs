@@ -1,6 +1,7 @@
 //! Which boolean variables and outputs are followed from cycle to cycle: those that conditions read and whose writes are
 //! all understood.
 
+use crate::analysis::mixed;
 use crate::model::{
     Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, TransitionId, Tree, Ty,
 };
@@ -35,9 +36,9 @@ impl Slots {
     /// Of a chart of which only these transitions are looked at.
     pub(super) fn of(model: &Model, watched: &[&Tree], kept: &dyn Fn(TransitionId) -> bool) -> Self {
         let mut slots = Self { numbers: Map::new(), flip_flops: Map::new(), initial: Vec::new(), shown: Vec::new() };
-        let writers = Writers::of(model);
+        let (writers, mixed) = (Writers::of(model), mixed(model));
         for place in needed(model, &writers, watched, kept) {
-            if !writers.can_be_followed(model, place) {
+            if mixed.contains(&place) || !writers.can_be_followed(model, place) {
                 continue;
             }
             slots.numbers.insert(place, slots.initial.len());

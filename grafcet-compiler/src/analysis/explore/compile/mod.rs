@@ -4,7 +4,7 @@ mod numbers;
 
 use super::formula::{Atom, Formula, Kind};
 use super::links::Difference;
-use crate::analysis::combinational;
+use crate::analysis::{combinational, mixed};
 use crate::model::{
     Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary,
     VarId,
@@ -188,7 +188,7 @@ impl<'m> Compiler<'m> {
     /// What continuous actions of a `grafcet` make of a boolean variable (A22) or output (A9, A10, A35).
     fn continuous(&mut self, place: Place) -> Option<Formula> {
         let model = self.model;
-        if !model.is_grafcet() {
+        if !model.is_grafcet() || mixed(model).contains(&place) {
             return None;
         }
         let (init, boolean) = match place {
