@@ -101,7 +101,7 @@ fn what_is_dead_does_not_pass_without_a_word() {
         let mut sink = Sink::new();
         let parsed = parse::chart(text.parse().expect("tokens"), &mut sink).expect("a chart");
         let model = model::resolve(&parsed, &mut sink);
-        sink.finish();
+        drop(sink.finish());
         let found = Exploration::of(&model, &Limits::default());
         let idle = model.transitions.ids().any(|id| !found.can_clear(id));
         let lost = model.steps.ids().any(|step| !found.reachable(step));
