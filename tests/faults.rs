@@ -159,7 +159,7 @@ const FAULTS: &[Fault] = &[
 fn messages(rust: &str, rule: &str) -> Vec<String> {
     let mark = format!("[grafcet::{rule}]");
     let code: String = charts::charts(rust).into_iter().map(|chart| charts::expand(chart).to_string()).collect();
-    code.split('"').filter(|literal| literal.ends_with(&mark)).map(str::to_owned).collect()
+    code.split('"').filter(|literal| literal.contains(&mark)).map(str::to_owned).collect()
 }
 
 #[test]
