@@ -72,12 +72,15 @@ fn chart(dialect: &str, place: &str) -> String {
     )
 }
 
+/// A chart with the expression at its place.
+type Place<'p> = &'p dyn Fn(&str) -> String;
+
 /// Each place in which an expression can stand, with a fragment and as it is meant.
 #[test]
 fn every_place_keeps_what_belongs_together() {
     let step = |line: &str| format!("step On {{ {line} }} Off -[go]-> On -[door]-> Off;");
     let condition = |condition: &str| format!("step On {{ motor; }} Off -[{condition}]-> On -[door]-> Off;");
-    let places: &[(&dyn Fn(&str) -> String, &str, &str)] = &[
+    let places: &[(Place<'_>, &str, &str)] = &[
         (&condition, "!__{estop || door}", "!(estop || door)"),
         (&condition, "__{estop || door}", "estop || door"),
         (&condition, "go && __{estop || door}", "go && (estop || door)"),
@@ -332,7 +335,7 @@ fn expression(random: &mut Random, depth: usize, around: &dyn Fn(String, bool) -
 }
 
 /// Parses the condition and shows its tree, fully bracketed by its debug form of tokens without parentheses.
-fn tree(tokens: TokenStream) -> Result<String, String> {
+fn tree(tokens: &TokenStream) -> Result<String, String> {
     let mut sink = Sink::new();
     let chart = quote!(sfc M { initial step A; A -[#tokens]-> A; });
     let parsed = parse::chart(chart, &mut sink);
@@ -364,9 +367,9 @@ fn random_parts_in_fragments_keep_their_tree() {
         let with = expression(&mut again, 4, &|part, fragment| {
             if fragment { format!("__{{{part}}}") } else { format!("({part})") }
         });
-        let meant = tree(bracketed.parse().expect("tokens"));
+        let meant = tree(&bracketed.parse().expect("tokens"));
         let Ok(meant) = meant else { continue };
-        assert_eq!(tree(with_fragments(&with, &invisible)), Ok(meant), "{with}");
+        assert_eq!(tree(&with_fragments(&with, &invisible)), Ok(meant), "{with}");
         read += 1;
     }
     assert!(read > 1500, "only {read} expressions were right");

@@ -81,7 +81,7 @@ fn setting(setting: &Setting) -> String {
         Setting::Budget { count, .. } => format!("budget {count}"),
         Setting::OptimizeSize { .. } => "optimize size".to_owned(),
         Setting::EncodingFlags { .. } => "encoding flags".to_owned(),
-        Setting::AssumePure { paths, .. } => format!("assume pure {}", list(paths, |path| tokens(path))),
+        Setting::AssumePure { paths, .. } => format!("assume pure {}", list(paths, tokens)),
         Setting::AssumeNever { condition, .. } => format!("assume never {}", tokens(condition)),
     }
 }
