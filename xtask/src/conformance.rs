@@ -27,5 +27,8 @@ pub(crate) fn brute(arguments: &[&str]) -> Result {
 /// # Errors
 /// As [`run`].
 pub(crate) fn fixed() -> Result {
-    run(&["--charts", "150", "--cycles", "500", "--seed", "77"])
+    run(&FIXED)
 }
+
+/// Which these are.
+pub(crate) const FIXED: [&str; 6] = ["--charts", "150", "--cycles", "500", "--seed", "77"];

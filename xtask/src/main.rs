@@ -12,6 +12,7 @@ mod image;
 mod interface;
 mod msrv;
 mod packages;
+mod plant;
 mod processor;
 mod project;
 mod release;
@@ -45,6 +46,9 @@ Usage: cargo xtask <task>
   interface [record]
             the public interfaces beside those in tests/interface (cargo-public-api), or records them anew
   packages  pack and build what is published, check sets of features and the oldest dependencies allowed
+  plant [WORD]
+            plants faults into the runtime and the code generator, one by one, and tells which test of CI finds each; only
+            those whose name holds WORD. An hour, or more
   release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
             beside the last release (cargo-semver-checks)
   screenshots
@@ -72,6 +76,8 @@ fn main() -> ExitCode {
         ["interface", "record"] => interface::record(),
         ["msrv"] => msrv::run(),
         ["packages"] => packages::run(),
+        ["plant"] => plant::run(None),
+        ["plant", word] => plant::run(Some(word)),
         ["release"] => release::run(),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {
