@@ -141,6 +141,15 @@ macro_rules! grafcet {
     ($($chart:tt)*) => { $crate::__private::chart! { [$crate] $($chart)* } };
 }
 
+/// In the edition 2015 the tokens without the path in front, in later ones those with it: `async` is the name of a type there
+/// and a keyword here.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __by_edition {
+    ($since_2015:ty [$($path:tt)*] $($tokens:tt)*) => { $($tokens)* };
+    (async [$($path:tt)*] $($tokens:tt)*) => { $($path)* $($tokens)* };
+}
+
 /// What generated code names. Not for anybody else: it may change with every version.
 #[doc(hidden)]
 pub mod __private {
@@ -148,6 +157,7 @@ pub mod __private {
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
+    pub use __by_edition as by_edition;
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, sooner, until, until_change,

@@ -30,7 +30,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let mut sink = Sink::new();
     let written = chart.clone();
     let Some(chart) = parse::chart(chart, &mut sink) else {
-        return diagnostic::tokens(&sink.finish());
+        return diagnostic::tokens(&sink.finish(), root);
     };
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
@@ -45,7 +45,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
         // What could not be read may be where the time is used.
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };
-    let mut tokens = diagnostic::tokens(&sink.finish());
+    let mut tokens = diagnostic::tokens(&sink.finish(), root);
     tokens.extend(items);
     tokens
 }

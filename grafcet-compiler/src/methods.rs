@@ -20,6 +20,18 @@ pub(crate) fn root(expr: &Expr) -> Option<&Ident> {
     }
 }
 
+/// The names whose places an assignment to `left` writes: `a` and `b` of `(a, b.c) = …`.
+pub(crate) fn targets(left: &Expr) -> Vec<&Ident> {
+    match left {
+        Expr::Tuple(tuple) => tuple.elems.iter().flat_map(targets).collect(),
+        Expr::Array(array) => array.elems.iter().flat_map(targets).collect(),
+        Expr::Call(call) => call.args.iter().flat_map(targets).collect(),
+        Expr::Struct(fields) => fields.fields.iter().flat_map(|field| targets(&field.expr)).collect(),
+        Expr::Paren(paren) => targets(&paren.expr),
+        place => root(place).into_iter().collect(),
+    }
+}
+
 /// Whether the call, on a place that is or belongs to a name of type `ty`, certainly only reads it.
 pub(crate) fn only_reads(call: &ExprMethodCall, ty: &Ty) -> bool {
     let name = call.method.to_string();

@@ -65,13 +65,13 @@ fn said(text: &str, tokens: TokenStream, marks: &mut Marks) {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     for (at, tree) in trees.iter().enumerate() {
         match tree {
-            // `::core::compile_error! { "…" }`
+            // `by_edition! { async [::core::] compile_error! { "…" } }`
             TokenTree::Ident(name) if name == "compile_error" => {
                 let message = match &trees[at + 2] {
                     TokenTree::Group(group) => literal(group.stream()).expect("a message"),
                     other => panic!("{other} behind `compile_error!`"),
                 };
-                let (from, to) = (trees[at - 5].span().start(), trees[at + 2].span().end());
+                let (from, to) = (trees[at].span().start(), trees[at + 2].span().end());
                 marks.push((rule(&message), between(text, from, to)));
             }
             TokenTree::Group(group) => {

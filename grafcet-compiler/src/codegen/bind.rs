@@ -55,7 +55,7 @@ impl Cx<'_> {
             return if is_term(&tokens) { read } else { quote!({ let value = #read; value }) };
         }
         let bindings = self.bindings(&expr.reads, &[], expr.tree.is_opaque(), moment);
-        if bindings.is_empty() && is_term(tokens) {
+        if bindings.is_empty() && is_term(tokens) && !shows_struct(tokens) {
             return tokens.to_token_stream();
         }
         if begins_with_block(tokens) {
@@ -376,6 +376,19 @@ fn is_term(expr: &syn::Expr) -> bool {
     use syn::Expr::{Array, Block, Call, Field, Index, Lit, Macro, MethodCall, Path, Tuple, Unary};
     let lists = matches!(expr, Array(_) | Block(_) | Call(_) | Macro(_) | MethodCall(_) | Tuple(_));
     lists || matches!(expr, Field(_) | Index(_) | Lit(_) | Path(_) | Unary(_))
+}
+
+/// Whether braces of a struct stand open in an expression, which Rust takes for a block behind `if`: `!Foo {}`.
+fn shows_struct(expr: &syn::Expr) -> bool {
+    match expr {
+        syn::Expr::Struct(_) => true,
+        syn::Expr::Unary(unary) => shows_struct(&unary.expr),
+        syn::Expr::Call(call) => shows_struct(&call.func),
+        syn::Expr::Index(index) => shows_struct(&index.expr),
+        syn::Expr::Field(field) => shows_struct(&field.base),
+        syn::Expr::MethodCall(call) => shows_struct(&call.receiver),
+        _ => false,
+    }
 }
 
 /// Whether an expression goes on behind a block at its beginning: `{ … } && a`, `match x { … } > 3`.

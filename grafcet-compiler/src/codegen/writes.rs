@@ -11,7 +11,7 @@ use crate::visit::{self, Locals, Visit};
 /// Whether the block writes the name whatever happens in it: by a statement of its own, not inside another.
 pub(super) fn always(block: &Block, name: &Ident) -> bool {
     let own = block.stmts.iter().take_while(|stmt| !matches!(stmt, Stmt::Local(local) if mentions(&local.pat, name)));
-    { own }.any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr) == Some(name)))
+    { own }.any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr).contains(&name)))
 }
 
 /// Whether a pattern binds the name, behind which it is another one.
@@ -35,14 +35,13 @@ pub(super) fn noted(block: &Block, name: &Ident, ty: &Ty, note: &Ident) -> Optio
     (!notes.other).then_some(block)
 }
 
-/// The name that an assignment, plain or compound, writes.
-fn assigned(expr: &Expr) -> Option<&Ident> {
-    let left = match expr {
-        Expr::Assign(assign) => &assign.left,
-        Expr::Binary(binary) if is_compound(binary.op) => &binary.left,
-        _ => return None,
-    };
-    methods::root(left)
+/// The names that an assignment, plain or compound, writes.
+fn assigned(expr: &Expr) -> Vec<&Ident> {
+    match expr {
+        Expr::Assign(assign) => methods::targets(&assign.left),
+        Expr::Binary(binary) if is_compound(binary.op) => methods::targets(&binary.left),
+        _ => Vec::new(),
+    }
 }
 
 fn is_compound(operator: BinOp) -> bool {
@@ -79,7 +78,7 @@ impl Visit for Notes<'_> {
             Expr::MethodCall(call) => self.is_name(&call.receiver) && !methods::only_reads(call, self.ty),
             _ => false,
         };
-        if assigned(expr) == Some(self.name) && !self.locals.contains(self.name) {
+        if assigned(expr).contains(&self.name) && !self.locals.contains(self.name) {
             let note = self.note;
             *expr = Expr::Verbatim(quote!({ #expr; #note = true; }));
         }

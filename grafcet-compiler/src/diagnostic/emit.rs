@@ -1,16 +1,16 @@
 //! Diagnostics as tokens: errors through `compile_error!`, warnings through a deprecated constant.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
 use super::{Diagnostic, Mark, Rule, Severity};
 
 /// The tokens that make rustc show the diagnostics at their marks.
-pub(super) fn tokens(diagnostics: &[Diagnostic]) -> TokenStream {
-    diagnostics.iter().map(one).collect()
+pub(super) fn tokens(diagnostics: &[Diagnostic], root: &TokenStream) -> TokenStream {
+    diagnostics.iter().map(|diagnostic| one(diagnostic, root)).collect()
 }
 
-fn one(diagnostic: &Diagnostic) -> TokenStream {
+fn one(diagnostic: &Diagnostic, root: &TokenStream) -> TokenStream {
     diagnostic
         .notes
         .iter()
@@ -24,7 +24,7 @@ fn one(diagnostic: &Diagnostic) -> TokenStream {
                 None => message.clone(),
             };
             match diagnostic.severity {
-                Severity::Deny => error(*mark, message),
+                Severity::Deny => error(*mark, &message, root),
                 Severity::Warn => warning(*mark, diagnostic.rule, &message),
                 Severity::Allow => TokenStream::new(),
             }
@@ -32,11 +32,17 @@ fn one(diagnostic: &Diagnostic) -> TokenStream {
         .collect()
 }
 
-/// An error over the whole mark: `syn` spans it from the first to the last of these two tokens.
-fn error(mark: Mark, message: String) -> TokenStream {
-    let (start, end) = (mark.start, mark.end);
-    let (first, last) = (quote_spanned!(start=> -), quote_spanned!(end=> -));
-    syn::Error::new_spanned(quote!(#first #last), message).to_compile_error()
+/// An error over the whole mark: rustc shows the call of a macro from its first to its last token.
+///
+/// Since 2018, `::core` leads to the macro past every name of the user; in the edition 2015 there is no such path. Which
+/// edition it is only rustc knows, by the place of `async`.
+fn error(mark: Mark, message: &str, root: &TokenStream) -> TokenStream {
+    let edition = quote_spanned!(mark.start=> async);
+    let path = quote_spanned!(mark.start=> ::core::);
+    let call = quote_spanned!(mark.start=> compile_error!);
+    let mut message = Group::new(Delimiter::Brace, quote!(#message));
+    message.set_span(mark.end);
+    quote!(#root::__private::by_edition! { #edition [#path] #call #message })
 }
 
 /// rustc warns of the use of a deprecated item at the tokens of the use: the only warning a macro can give on stable.

@@ -148,6 +148,6 @@ impl Drop for Sink {
 
 /// The tokens that make rustc show the diagnostics at their marks.
 #[must_use]
-pub fn tokens(diagnostics: &[Diagnostic]) -> TokenStream {
-    emit::tokens(diagnostics)
+pub fn tokens(diagnostics: &[Diagnostic], root: &TokenStream) -> TokenStream {
+    emit::tokens(diagnostics, root)
 }

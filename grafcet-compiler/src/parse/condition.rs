@@ -113,7 +113,7 @@ fn assignments(expr: &Expr, notes: &mut Vec<(Mark, String)>) {
 }
 
 /// `+=` and its kin.
-fn changes(op: &BinOp) -> bool {
+pub(super) fn changes(op: &BinOp) -> bool {
     matches!(
         op,
         BinOp::AddAssign(_)

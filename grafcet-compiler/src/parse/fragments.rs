@@ -4,7 +4,9 @@
 //! get parentheses. What is checked, what is shown and what runs is then the same.
 
 use proc_macro2::{Delimiter, Group, Punct, Spacing, Span, TokenStream, TokenTree};
-use syn::{BinOp, Expr, Type};
+use syn::{Expr, Type};
+
+use super::condition;
 
 /// One level of tokens with the groups opened. What is in other groups is left as it is.
 pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
@@ -97,7 +99,7 @@ fn kind_of_expr(expr: &Expr) -> Kind {
         Expr::While(_) | Expr::ForLoop(_) => Kind::Done,
         Expr::If(branch) if branch.else_branch.is_none() => Kind::Done,
         Expr::Assign(_) => Kind::Statement,
-        Expr::Binary(binary) if is_compound(binary.op) => Kind::Statement,
+        Expr::Binary(binary) if condition::changes(&binary.op) => Kind::Statement,
         _ if is_block(expr) => Kind::Statement,
         _ if begins_with_block(expr) => Kind::LooseBlock,
         Expr::Field(_) => Kind::Field,
@@ -142,17 +144,6 @@ fn begins_with_block(expr: &Expr) -> bool {
         _ => return false,
     };
     is_block(first) || begins_with_block(first)
-}
-
-/// `+=` and its kin.
-fn is_compound(operator: BinOp) -> bool {
-    use BinOp::{
-        AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, DivAssign, MulAssign, RemAssign, ShlAssign, ShrAssign,
-        SubAssign,
-    };
-    let sum = matches!(operator, AddAssign(_) | SubAssign(_) | MulAssign(_) | DivAssign(_) | RemAssign(_));
-    let bits = matches!(operator, BitAndAssign(_) | BitOrAssign(_) | BitXorAssign(_));
-    sum || bits || matches!(operator, ShlAssign(_) | ShrAssign(_))
 }
 
 /// Where a fragment stands.

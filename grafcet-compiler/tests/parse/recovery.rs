@@ -112,3 +112,21 @@ fn a_broken_header_gives_no_chart_and_one_message() {
     assert!(chart.is_none());
     assert_eq!(errors.len(), 1);
 }
+
+/// What has a name that Rust reserves is mentioned in generated code all the same.
+#[test]
+fn reserved_names_leave_valid_rust() {
+    for text in [
+        "grafcet M { input a: bool; partial return { initial step A; step B { force Q {}; } A -[a]-> B -[!a]-> A; }
+         partial Q { initial step E; } }",
+        "grafcet M { input a: bool; partial F { initial step A; step B { force match {}; } A -[a]-> B -[!a]-> A; }
+         partial match { initial step self; } partial self { initial step fn; } }",
+        "grafcet M { input if: bool; output self: bool; var crate: u8 = 0; param super: time = 5s; action return(match: u8);
+         initial step loop { P1 return(crate); self; P1 crate = 3; } enclosing step dyn { partial as { linked step _; } }
+         macro step while { entry step for; exit step impl; for -[if]-> impl; }
+         loop -[if && super/loop]-> while -[!if]-> loop -[if]-> dyn -[if]-> loop; never self; home loop; }",
+    ] {
+        let out = grafcet_compiler::compile(&quote::quote!(::grafcet), text.parse().expect("tokens"));
+        assert!(syn::parse2::<syn::File>(out.clone()).is_ok(), "{text}\n{out}");
+    }
+}

@@ -150,10 +150,14 @@ impl<'r, 's> Writes<'r, 's> {
     }
 
     fn note(&mut self, expr: &syn::Expr) {
-        if let Some(place) = methods::root(expr).and_then(|name| self.place(name)) {
-            if !self.places.contains(&place) {
-                self.places.push(place);
-            }
+        if let Some(name) = methods::root(expr) {
+            self.note_name(name);
+        }
+    }
+
+    fn note_name(&mut self, name: &Ident) {
+        if let Some(place) = self.place(name).filter(|place| !self.places.contains(place)) {
+            self.places.push(place);
         }
     }
 
@@ -187,7 +191,9 @@ impl<'r, 's> Writes<'r, 's> {
 impl Visit for Writes<'_, '_> {
     fn expr(&mut self, expr: &mut syn::Expr) {
         match expr {
-            syn::Expr::Assign(assign) => self.note(&assign.left),
+            syn::Expr::Assign(assign) => {
+                methods::targets(&assign.left).into_iter().for_each(|name| self.note_name(name))
+            }
             syn::Expr::Binary(binary) if compound(&binary.op).is_some() => self.note(&binary.left),
             syn::Expr::Reference(reference) if reference.mutability.is_some() => self.note(&reference.expr),
             syn::Expr::RawAddr(address) if matches!(address.mutability, syn::PointerMutability::Mut(_)) => {

@@ -133,7 +133,7 @@ impl Resolver<'_> {
     fn declare_partial(&mut self, inner: &ast::Partial, enclosed_by: Option<StepId>) -> PartialId {
         let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().collect();
         let id =
-            self.model.partials.push(partial(Some(inner.name.clone()), enclosed_by, &inner.attrs.passed_on, levels));
+            self.model.partials.push(partial(Some(spelled(&inner.name)), enclosed_by, &inner.attrs.passed_on, levels));
         self.partials.push(id);
         self.scope.declare_partial(&inner.name, id, self.sink);
         let place = if enclosed_by.is_some() { Where::Enclosure } else { Where::Partial };

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::{BinOp, ExprBinary};
 
-use super::expr::{Lower, literal, looks_like_a_variable, resolve, single_name};
+use super::expr::{Lower, literal, looks_like_a_variable, resolve, single_name, step_path};
 use super::scope::Meaning;
 use crate::diagnostic::Mark;
 use crate::model::{Delay, Expr, Read, TimeRef, Tree, placeholder};
@@ -77,8 +77,8 @@ impl Lower<'_, '_> {
     }
 
     fn is_step(&self, expr: &syn::Expr) -> bool {
-        let name = single_name(expr).filter(|name| !self.locals.contains(name));
-        let meaning = name.and_then(|name| self.resolver.scope.get(&name));
+        let name = step_path(without_parentheses(expr)).and_then(|path| path.last().cloned());
+        let meaning = name.filter(|name| !self.locals.contains(name)).and_then(|name| self.resolver.scope.get(&name));
         matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)))
     }
 
@@ -97,15 +97,12 @@ impl Lower<'_, '_> {
         if self.refuses_locals(&of, "a delay") {
             return Tree::Bool(true);
         }
-        let step = single_name(&of)
-            .filter(|name| matches!(self.resolver.scope.get(name), Some(Meaning::Step(_) | Meaning::Macro(_)) | None))
-            .filter(|name| !looks_like_a_variable(name) || self.resolver.scope.get(name).is_some());
-        let Some(step) = step else {
+        let Some(step) = self.delayed_step(&of) else {
             let of = resolve(&of, self.resolver);
             let delay = self.resolver.delay(Delay { on, of, off });
             return self.replace(expr, Read::Delay(delay));
         };
-        let read = match self.step(&[step]) {
+        let read = match self.step(&step) {
             Some(Meaning::Step(id)) if off == TimeRef::Ticks(0) => Read::Elapsed(on, id),
             Some(Meaning::Macro(id)) if off == TimeRef::Ticks(0) => Read::MacroElapsed(on, id),
             Some(Meaning::Step(id)) => self.delay_of_activity(on, Read::Active(id), &of, off),
@@ -113,6 +110,20 @@ impl Lower<'_, '_> {
             _ => return Tree::Bool(true),
         };
         self.replace(expr, read)
+    }
+
+    /// `Step` or `Partial::Step` behind the first `/`; what else it may be is an expression.
+    fn delayed_step(&self, of: &syn::Expr) -> Option<Vec<Ident>> {
+        let of = without_parentheses(of);
+        let meaning = |name: &Ident| self.resolver.scope.get(name);
+        let is_step = |name: &Ident| matches!(meaning(name), Some(Meaning::Step(_) | Meaning::Macro(_)));
+        let path = step_path(of)?;
+        let found = match &path[..] {
+            [name] => is_step(name) || meaning(name).is_none() && !looks_like_a_variable(name),
+            [partial, step] => self.resolver.scope.has_partial(partial) || is_step(step),
+            _ => false,
+        };
+        found.then_some(path)
     }
 
     /// `5s/Step/2s`
@@ -138,6 +149,13 @@ impl Lower<'_, '_> {
             (Tree::Int(_), time) if since(time) => self.resolver.no_unit(&binary.left),
             _ => {}
         }
+    }
+}
+
+fn without_parentheses(expr: &syn::Expr) -> &syn::Expr {
+    match expr {
+        syn::Expr::Paren(paren) => without_parentheses(&paren.expr),
+        other => other,
     }
 }
 

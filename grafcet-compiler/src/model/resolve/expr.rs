@@ -278,8 +278,14 @@ impl<'r, 's> Lower<'r, 's> {
         }
         if local || function != "rising" && function != "falling" {
             let (text, differs) = (super::text::of(&*call), local || !self.is_pure_function(&call.func));
-            // The name of a function is Rust's, its arguments are ours.
-            let arguments = |lower: &mut Self| call.args.iter_mut().for_each(|argument| drop(lower.lower(argument)));
+            let is_value = !local && self.can_be_called(&function);
+            // The name of a function is Rust's, unless a declared value is called; its arguments are ours.
+            let arguments = |lower: &mut Self| {
+                if is_value {
+                    lower.path(&mut call.func);
+                }
+                call.args.iter_mut().for_each(|argument| drop(lower.lower(argument)));
+            };
             return self.rust(text, differs, arguments);
         }
         let [argument] = &*call.args.iter().collect::<Vec<_>>() else {
@@ -294,6 +300,18 @@ impl<'r, 's> Lower<'r, 's> {
         let edge = self.resolver.edge(Edge { of });
         let read = if function == "rising" { Read::Rising(edge) } else { Read::Falling(edge) };
         self.replace(expr, read)
+    }
+
+    /// Whether a name is that of a declared value which may be a function; none of Rust's own types is one.
+    fn can_be_called(&self, name: &Ident) -> bool {
+        let Some(Meaning::Value(value)) = self.resolver.scope.get(name) else { return false };
+        match self.resolver.model.ty(value) {
+            Ty::Other(syn::Type::Path(path)) => {
+                !matches!(path.path.get_ident(), Some(name) if name == "f32" || name == "f64" || name == "char")
+            }
+            Ty::Other(ty) => !matches!(ty, syn::Type::Array(_) | syn::Type::Slice(_) | syn::Type::Tuple(_)),
+            _ => false,
+        }
     }
 
     /// What is followed from cycle to cycle cannot look at names that live inside an expression.

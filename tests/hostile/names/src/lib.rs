@@ -7,3 +7,4 @@ pub mod hygiene;
 pub mod passed_on;
 pub mod places;
 pub mod types;
+pub mod written;
