@@ -1,4 +1,4 @@
-//! Charts in a crate of the first edition of Rust, where paths begin elsewhere and `async` is a name.
+//! Charts in a crate of the first edition of Rust, where paths begin elsewhere.
 #![forbid(unsafe_code)]
 #![deny(warnings, missing_docs)]
 
@@ -11,13 +11,13 @@ pub mod charts {
     grafcet! {
         /// A sequence with times, edges and Rust.
         pub sfc Sequence {
-            input on, off, async: bool;
+            input on, off: bool;
             output motor: bool;
             output level: u8 = 0;
             param soak: time = 5s;
             initial step A;
             step B { L 2s motor; P1 level = ::std::cmp::min(level, 3) + 1; }
-            A -[on && !off && !async]-> B -[rising(off) || soak/B]-> A;
+            A -[on && !off]-> B -[rising(off) || soak/B]-> A;
             never motor && A.X;
         }
     }
