@@ -133,8 +133,8 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>
         while let Some(step) = work.pop() {
             if !std::mem::replace(&mut behind[step.index()], true) {
                 // What waits itself leads on only where it follows.
-                let leading = leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
-                work.extend(leading.flat_map(|id| &model.transitions[*id].targets));
+                let onward = leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
+                work.extend(onward.flat_map(|id| &model.transitions[*id].targets));
             }
         }
         open.retain(|(id, waits)| {
