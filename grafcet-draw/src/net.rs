@@ -103,8 +103,12 @@ fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
 fn arrows(graph: &Graph, x: &[i32], rows: &[(i32, i32)], drawing: &mut Drawing) {
     for upward in &graph.loops {
         let (Some(first), Some(last)) = (upward.rises.first(), upward.rises.last()) else { continue };
-        let (top, bottom) = (rows[graph.items[*first].layer].0, rows[graph.items[*last].layer].1);
-        drawing.shapes.push(Shape::Arrow { at: (x[*first], top + (bottom - top) / 2), to: Heading::Up });
+        let layers = &rows[graph.items[*first].layer..=graph.items[*last].layer];
+        let middle = (layers[0].0 + layers[layers.len() - 1].1) / 2;
+        // Beside a layer, as between them lines cross.
+        let places = layers.iter().map(|(top, bottom)| middle.clamp(*top, *bottom));
+        let Some(y) = places.min_by_key(|y| (y - middle).abs()) else { continue };
+        drawing.shapes.push(Shape::Arrow { at: (x[*first], y), to: Heading::Up });
     }
 }
 

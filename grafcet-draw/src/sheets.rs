@@ -64,9 +64,11 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
         };
         let one = |link: &&(Vec<Node>, Vec<Node>)| rooms_of(link).windows(2).all(|pair| pair[0] == pair[1]);
         let (sources, targets) = links.iter().find(one).unwrap_or(&links[0]).clone();
-        let Some(first) = sources.first().or(targets.first()).copied() else { continue };
+        // One without any steps, as `any -[off]-> ()`, stands in the first net.
+        let first = sources.first().or(targets.first()).map(|node| room(chart, *node));
+        let Some(place) = first.or(rooms.keys().next().copied()) else { continue };
         let link = Link { transition, sources, targets, jumps: Vec::new() };
-        rooms.entry(room(chart, first)).or_default().links.push(link);
+        rooms.entry(place).or_default().links.push(link);
     }
     for (room, sheet) in &mut rooms {
         sheet.title = title(chart, *room);

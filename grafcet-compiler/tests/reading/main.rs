@@ -7,6 +7,7 @@
 #[allow(unreachable_pub, dead_code, clippy::format_collect, reason = "public in the package grafcet-conformance")]
 mod random;
 
+mod characters;
 mod charts;
 mod made;
 mod net;
@@ -20,6 +21,7 @@ use std::fmt::Write as _;
 use grafcet_core::description::{Description, Dialect};
 
 use net::{Net, Read};
+use parts::Parts;
 
 /// The net of a description, as it should be read.
 fn expected(chart: &Description<'_>) -> Net {
@@ -139,7 +141,26 @@ fn seeds(usual: std::ops::Range<u64>) -> std::ops::Range<u64> {
 }
 
 fn told(chart: &Description<'_>) -> Vec<String> {
-    differences(chart, net::net(&svg::seen(&grafcet_draw::svg(chart, &()))))
+    differences(chart, net::net(&svg::seen(Parts::of(&grafcet_draw::svg(chart, &())))))
+}
+
+/// The same of the drawing in characters, but for the frames around nets and what initial macro-steps look like.
+fn told_of_text(chart: &Description<'_>) -> Vec<String> {
+    let mut seen = svg::seen(characters::parts(&grafcet_draw::text(chart, &())));
+    seen.pieces.retain(|piece| !piece.ends.is_empty());
+    let mut read = net::net(&seen);
+    read.steps = expected(chart).steps;
+    differences(chart, read)
+}
+
+#[test]
+fn text_is_read_back() {
+    let mut said = Vec::new();
+    charts::all(|name, chart| said.push((name.to_owned(), told_of_text(chart))));
+    for seed in seeds(0..300) {
+        made::net(seed, |chart| said.push((format!("made {seed}"), told_of_text(chart))));
+    }
+    none(said);
 }
 
 /// Fails with what was read differently, the first few charts of it.
@@ -193,7 +214,7 @@ fn what_is_drawn_wrongly_is_seen() {
     for seed in 0..150 {
         made::net(seed, |chart| {
             let svg = grafcet_draw::svg(chart, &());
-            let wrong = |svg: &str| !differences(chart, net::net(&svg::seen(svg))).is_empty();
+            let wrong = |svg: &str| !differences(chart, net::net(&svg::seen(Parts::of(svg)))).is_empty();
             let without = |begin: &str| {
                 let mut parts = svg.split(begin);
                 let first = parts.next().unwrap_or_default().to_owned();

@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 use grafcet_core::description::Description;
 
 use crate::net::{End, Seen};
+use crate::parts::Parts;
 use crate::random::Rng;
 use crate::{charts, made, random, svg};
 
 fn seen(chart: &Description<'_>) -> Seen {
-    svg::seen(&grafcet_draw::svg(chart, &()))
+    svg::seen(Parts::of(&grafcet_draw::svg(chart, &())))
 }
 
 /// Boxes that lines connect, through bars and double lines.

@@ -27,8 +27,9 @@ fn merged(mut lines: Vec<Line>) -> Vec<Line> {
     long
 }
 
-struct Reader<'s> {
-    svg: &'s str,
+struct Reader {
+    /// The level lines with their gaps.
+    drawn: Vec<Line>,
     parts: Parts,
     /// The boxes of steps, and of what stands beside them.
     steps: Vec<Rect>,
@@ -38,8 +39,8 @@ struct Reader<'s> {
 }
 
 /// Takes a picture apart.
-pub(crate) fn seen(svg: &str) -> Seen {
-    let mut parts = Parts::of(svg);
+pub(crate) fn seen(mut parts: Parts) -> Seen {
+    let drawn = merged(parts.level.clone());
     let inner: Vec<Rect> = parts.rects.iter().copied().filter(|r| within(r, &parts.rects)).collect();
     let sheets: Vec<Rect> = parts.rects.iter().copied().filter(|rect| rect.faint).collect();
     let boxes: Vec<Rect> = parts.rects.iter().copied().filter(|rect| !rect.faint && !inner.contains(rect)).collect();
@@ -47,7 +48,7 @@ pub(crate) fn seen(svg: &str) -> Seen {
     parts.upright = merged(parts.upright);
     let actions = beside(&parts, &boxes);
     let steps = boxes.into_iter().filter(|rect| !actions.contains(rect)).collect();
-    let mut reader = Reader { svg, parts, steps, actions, doubles: Vec::new(), seen: Seen::default() };
+    let mut reader = Reader { drawn, parts, steps, actions, doubles: Vec::new(), seen: Seen::default() };
     reader.boxes(&inner, &sheets);
     reader.clear();
     reader.doubles();
@@ -84,7 +85,7 @@ fn beside(parts: &Parts, boxes: &[Rect]) -> Vec<Rect> {
     actions
 }
 
-impl Reader<'_> {
+impl Reader {
     fn boxes(&mut self, inner: &[Rect], sheets: &[Rect]) {
         for rect in &self.steps {
             let name: Vec<&Text> = self.parts.texts.iter().filter(|text| rect.holds((text.x, text.y))).collect();
@@ -151,7 +152,7 @@ impl Reader<'_> {
 
     /// What crosses a double line where that has no gap looks as if it ended there.
     fn uncut(&mut self) {
-        let drawn: Vec<Line> = Parts::of(self.svg).level;
+        let drawn = &self.drawn;
         for line in &self.parts.upright {
             let crossed = |double: &&Line| {
                 let inside = double.from <= line.at && line.at <= double.to;
