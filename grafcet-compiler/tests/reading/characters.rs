@@ -10,7 +10,7 @@ const RIGHT: u8 = 8;
 /// To which sides the lines of a character go; and whether the level one is double.
 fn arms(c: char) -> Option<(u8, bool)> {
     Some(match c {
-        '│' | '║' | '▲' => (UP | DOWN, false),
+        '│' | '║' | '▲' | '┿' => (UP | DOWN, false),
         '─' | '◄' | '━' => (LEFT | RIGHT, false),
         '═' => (LEFT | RIGHT, true),
         '┌' => (DOWN | RIGHT, false),
@@ -25,7 +25,6 @@ fn arms(c: char) -> Option<(u8, bool)> {
         '╤' => (DOWN | LEFT | RIGHT, true),
         '╧' => (UP | LEFT | RIGHT, true),
         '╪' => (UP | DOWN | LEFT | RIGHT, true),
-        '┿' => (UP | DOWN, false),
         '▼' => (UP, false),
         // The other corners and sides of frames.
         '╔' | '╒' | '╗' | '╕' | '╚' | '╘' | '╝' | '╛' | '╠' | '╣' | '╦' | '╩' | '╬' | '╓' | '╖' | '╙' | '╜' | '╞'
@@ -48,7 +47,7 @@ impl Grid {
         {
             return None;
         }
-        let right = (column + 1..).find(|right| !"─═┴╧".contains(self.at(row, *right)))?;
+        let right = (column + 1..=self.0[row].len()).find(|right| !"─═┴╧".contains(self.at(row, *right)))?;
         let bottom = (column + 1..right).all(|column| "─═┬╤".contains(self.at(row + 2, column)));
         let name = (column + 1..right).all(|column| arms(self.at(row + 1, column)).is_none());
         let named = (column + 1..right).any(|column| self.at(row + 1, column).is_alphanumeric());
