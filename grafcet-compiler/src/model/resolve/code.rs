@@ -192,7 +192,9 @@ impl Visit for Writes<'_, '_> {
     fn expr(&mut self, expr: &mut syn::Expr) {
         match expr {
             syn::Expr::Assign(assign) => {
-                methods::targets(&assign.left).into_iter().for_each(|name| self.note_name(name))
+                for name in methods::targets(&assign.left) {
+                    self.note_name(name);
+                }
             }
             syn::Expr::Binary(binary) if compound(&binary.op).is_some() => self.note(&binary.left),
             syn::Expr::Reference(reference) if reference.mutability.is_some() => self.note(&reference.expr),
