@@ -96,7 +96,7 @@ pub struct Action<'a> {
 pub struct Transition<'a> {
     /// Empty where it has none.
     pub name: &'a str,
-    /// The steps before it; none for a source transition.
+    /// The steps before it; none for a source transition, and for an `any`, which its condition names (`any except A: stop`).
     pub sources: &'a [usize],
     /// The steps behind it; none for a sink transition.
     pub targets: &'a [usize],
