@@ -1,5 +1,7 @@
 //! `any -[stop]-> Stopped;`: what the checker makes of a transition from every step.
 
+use std::fmt::Write;
+
 use grafcet_compiler::compile;
 use quote::quote;
 
@@ -163,11 +165,11 @@ fn a_thousand_steps() {
         let mut chart =
             format!("{dialect} Long {{ input x, y, stop: bool; output q: bool; initial step S0; step End {{ q; }}");
         for step in 1..1000 {
-            chart += &format!("step S{step};");
+            _ = write!(chart, "step S{step};");
         }
         chart += "any -[stop]-> End -[!stop && x]-> S0; S0";
         for step in 1..1000 {
-            chart += &format!(" -[{}]-> S{step}", if step % 2 == 0 { "x && !y" } else { "y && !x" });
+            _ = write!(chart, " -[{}]-> S{step}", if step % 2 == 0 { "x && !y" } else { "y && !x" });
         }
         chart += " -[x && !y]-> S0; }";
         let begin = std::time::Instant::now();

@@ -1,6 +1,8 @@
 //! No rule is silent because of another: a chart in which something is dead never passes without a word, and what is wrong
 //! with an action hides nothing.
 
+use std::fmt::Write;
+
 use grafcet_compiler::analysis::explore::{Exploration, Limits};
 use grafcet_compiler::compile;
 use grafcet_compiler::diagnostic::Sink;
@@ -86,7 +88,7 @@ fn chart(random: &mut Random, dialect: &str) -> String {
                 format!("S{from}")
             };
             let targets = if random.below(6) == 0 && to != too { format!("(S{to}, S{too})") } else { format!("S{to}") };
-            text += &format!("{sources} -[{condition}]-> {targets};\n");
+            _ = writeln!(text, "{sources} -[{condition}]-> {targets};");
         }
     }
     text + "}"
