@@ -19,6 +19,7 @@ use shared::{Example, Timeline};
 pub(crate) const EXAMPLE: Example = Example {
     name: "branch_on_result",
     about: "A sorter: an SFC in which a step computes a result and branches on it directly.",
+    charts: &[&Sorter::CHART],
     show,
     play: branch_on_result::play,
 };
@@ -111,7 +112,7 @@ fn colour(output: &str) -> Style {
 fn remark(entered: SorterStep) -> &'static str {
     match entered {
         SorterStep::Feed => "",
-        SorterStep::Measure => "z is computed here, on this length",
+        SorterStep::Measure => "computes z",
         SorterStep::Keep => "z is true",
         SorterStep::Reject => "z is false",
     }

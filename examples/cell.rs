@@ -19,7 +19,8 @@ use shared::{Example, Timeline};
 /// The example behind the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "cell",
-    about: "A machining cell: a GRAFCET with forcing, an enclosing step, a macro-step and parallel stations.",
+    about: "A machining cell: a GRAFCET with forcing, an enclosing step, a macro-step and\nparallel stations.",
+    charts: &[&Cell::CHART],
     show,
     play: cell::play,
 };
@@ -101,7 +102,7 @@ impl Plant {
 fn show(out: &mut dyn Write) -> io::Result<()> {
     let legend = "Emergency stop above automatic mode above production.";
     let widest = [CellStep::Ready, CellStep::Auto, CellStep::Drilled, CellStep::Stamped];
-    let mut timeline = Timeline::<Cell>::new(out, colour, legend, "conveyor [clamp], hole, stamp", &widest)?;
+    let mut timeline = Timeline::<Cell>::new(out, colour, legend, "hole and stamp", &widest)?;
     let mut cell = Cell::new();
     let mut plant = Plant::default();
     for cycle in 0..CYCLES {

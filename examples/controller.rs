@@ -23,7 +23,8 @@ use shared::{Example, Timeline};
 /// The example behind the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "controller",
-    about: "An oven, twice: an SFC that calls a PID controller, and one that sends messages to an autonomous one.",
+    about: "An oven, twice: an SFC that calls a PID controller, and one that sends\nmessages to an autonomous one.",
+    charts: &[&Called::CHART, &Remote::CHART],
     show,
     play: controller::play,
 };
@@ -76,7 +77,7 @@ fn show(out: &mut dyn Write) -> io::Result<()> {
 fn show_called(out: &mut dyn Write) -> io::Result<()> {
     const STOP: usize = 36;
     const CYCLES: usize = 40;
-    let legend = "A PID controller that an action calls: once in each cycle of the chart.";
+    let legend = "A PID controller that an action calls: once a cycle.";
     let mut timeline = Timeline::<Called>::new(out, colour, legend, "oven and power", &[])?;
     let (mut chart, mut pid, mut oven) = (Called::new(), Pid::default(), Oven::new());
     for cycle in 0..CYCLES {
@@ -85,7 +86,7 @@ fn show_called(out: &mut dyn Write) -> io::Result<()> {
         let outputs = chart.cycle(&inputs, &mut pid);
         let remark = match (step, chart.situation()) {
             (CalledStep::Off, CalledStep::HeatUp) => "the first call initialises",
-            (CalledStep::HeatUp, CalledStep::Hold) => "another step, the same action: it goes on",
+            (CalledStep::HeatUp, CalledStep::Hold) => "the same action goes on",
             (CalledStep::Hold, CalledStep::Off) => "the final call switches off",
             _ => "",
         };
@@ -152,7 +153,7 @@ fn show_chart(out: &mut dyn Write, mut sender: Sender<'_>, shared: &Shared) -> i
     const HOT: usize = 6;
     /// However slow the machine is, there is an end.
     const CYCLES: usize = 1000;
-    let legend = "A controller of its own thread, started and stopped by messages: it computes several times a cycle.";
+    let legend = "A controller in a thread of its own, started and stopped by messages.";
     let mut timeline = Timeline::<Remote>::new(out, colour, legend, "oven, power, computed", &[])?;
     let mut chart = Remote::new();
     let mut hot = 0;
@@ -163,9 +164,9 @@ fn show_chart(out: &mut dyn Write, mut sender: Sender<'_>, shared: &Shared) -> i
         let outputs = chart.cycle(&inputs, &mut sender);
         let remark = match (step, chart.situation()) {
             _ if sender.lost => "a message is lost",
-            (RemoteStep::Off, RemoteStep::HeatUp) => "a message starts the controller",
-            (RemoteStep::HeatUp, RemoteStep::Hold) => "no message: the controller knows what to do",
-            (RemoteStep::Hold, RemoteStep::Off) => "a message stops the controller",
+            (RemoteStep::Off, RemoteStep::HeatUp) => "a message starts it",
+            (RemoteStep::HeatUp, RemoteStep::Hold) => "no message is needed",
+            (RemoteStep::Hold, RemoteStep::Off) => "a message stops it",
             _ => "",
         };
         let power = shared.power.load(Ordering::Relaxed);

@@ -19,7 +19,8 @@ use shared::{Example, Timeline};
 /// The example behind the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "line24v",
-    about: "A production line of four steps: a GRAFCET with continuous, conditional and stored actions.",
+    about: "A production line of four steps: a GRAFCET with continuous, conditional and\nstored actions.",
+    charts: &[&Line24V::CHART],
     show,
     play: line24v::play,
 };
@@ -114,7 +115,7 @@ impl Conveyor {
 }
 
 fn show(out: &mut dyn Write) -> io::Result<()> {
-    let legend = "q1 feeds a piece, q2 moves the belt, q3 sprays; b4 tells that the piece has been taken off.";
+    let legend = "q1 feeds, q2 moves the belt, q3 sprays; b4: it was taken off.";
     let mut timeline = Timeline::<Line24V>::new(out, colour, legend, &Conveyor::scale(), &[])?;
     let mut line = Line24V::new();
     let mut conveyor = Conveyor::new();

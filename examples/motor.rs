@@ -18,7 +18,8 @@ use shared::{Example, Timeline};
 /// The example behind the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "motor",
-    about: "A motor with an on and an off button, guarded against over-temperature: an SFC of two steps.",
+    about: "A motor with an on and an off button, guarded against over-temperature: an SFC\nof two steps.",
+    charts: &[&Motor::CHART],
     show,
     play: motor::play,
 };
@@ -56,15 +57,15 @@ impl Plant {
         self.over_temp = self.temperature >= if self.over_temp { Self::RELEASE } else { Self::TRIP };
     }
 
-    /// `63 °C ████████▌` with one block for 5 °C.
+    /// `65 °C ██████▌` with one block for 10 °C.
     fn picture(&self) -> String {
-        const BLOCK: i32 = 50;
+        const BLOCK: i32 = 100;
         let blocks: String = (0..self.temperature / BLOCK).map(|_| '█').collect();
         let half = if self.temperature % BLOCK >= BLOCK / 2 { "▌" } else { "" };
         let colour = if self.over_temp { AnsiColor::Red } else { AnsiColor::Yellow };
         let style = colour.on_default();
         let bar = blocks + half;
-        format!("{:3} °C {style}{bar:17}{style:#}", self.temperature / 10)
+        format!("{:3} °C {style}{bar:9}{style:#}", self.temperature / 10)
     }
 }
 

@@ -19,7 +19,8 @@ use shared::{Example, Timeline};
 /// The example behind the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "recipe",
-    about: "A dyeing machine: an SFC whose steps call actions with the values of a recipe, exchanged while it runs.",
+    about: "A dyeing machine: an SFC whose steps call actions with the values of a recipe,\nexchanged while it runs.",
+    charts: &[&Dyer::CHART],
     show,
     play: recipe::play,
 };
@@ -108,7 +109,7 @@ fn show(out: &mut dyn Write) -> io::Result<()> {
         let inputs = machine.sensors(START.contains(&cycle));
         let outputs = dyer.cycle(&inputs, now, &mut machine);
         let remark = match dyer.situation() {
-            _ if cycle == WOOL_SEEN => "this is wool: the other recipe",
+            _ if cycle == WOOL_SEEN => "wool: the other recipe",
             entered if entered != step => remark(entered),
             _ => "",
         };
@@ -131,7 +132,7 @@ fn remark(entered: DyerStep) -> &'static str {
         DyerStep::Idle => "done",
         DyerStep::Fill => "starts",
         DyerStep::Wash => "washes",
-        DyerStep::Dye => "dyes: the same actions with other values",
-        DyerStep::Drain => "the heating is off, the drum turns on",
+        DyerStep::Dye => "dyes: the same actions",
+        DyerStep::Drain => "the drum goes on",
     }
 }

@@ -19,7 +19,8 @@ use tickless::{Controllers, Crossing, CrossingInputs, CrossingOutputs};
 /// The example behind the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "tickless",
-    about: "A pedestrian crossing: an SFC with time, whose controller sleeps until something can change.",
+    about: "A pedestrian crossing: an SFC with time, whose controller sleeps until\nsomething can change.",
+    charts: &[&Crossing::CHART],
     show,
     play: tickless::play,
 };
@@ -71,7 +72,7 @@ fn picture(outputs: CrossingOutputs, now: u32, slept: u32) -> String {
 fn remark(slept: u32) -> &'static str {
     match slept {
         0 => "power-up",
-        1 => "once more, as it has just changed",
+        1 => "after a change",
         _ => "the time has come",
     }
 }

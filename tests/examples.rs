@@ -95,17 +95,93 @@ fn both_ovens_answer_their_script_as_worked_out_by_hand() {
 
 /// The steps and those of `words` that a shown run prints, without the cycles that repeat the one before.
 fn story(timeline: &str, words: &[&str]) -> Vec<String> {
-    let lines = timeline.lines().skip_while(|line| !line.starts_with("cycle")).skip(1);
-    let mut story: Vec<String> = lines
+    let lines: Vec<&str> = timeline.lines().collect();
+    let heading = lines.iter().position(|line| line.starts_with("     step")).expect("the columns have titles");
+    let marks = marks(&lines[..heading]);
+    let cycles = lines[heading + 1..].iter().filter(|line| !line.is_empty() && !line.starts_with(BELOW));
+    let mut story: Vec<String> = cycles
         .map(|line| {
             let mut cells = line.split_whitespace().skip(1);
             let steps = cells.next().expect("some step is active");
-            let rest = cells.filter(|word| words.contains(word)).map(|word| format!(" {word}"));
-            rest.fold(steps.to_owned(), |line, word| line + &word)
+            let marked = marks.iter().filter_map(|(name, column)| {
+                let shown: String = line.chars().skip(*column).take_while(|char| *char != ' ').collect();
+                match shown.as_str() {
+                    "·" => None,
+                    "●" => Some((*name).to_owned()),
+                    number => Some(format!("{name}={number}")),
+                }
+            });
+            let rest = marked.chain(cells.map(String::from)).filter(|word| words.contains(&word.as_str()));
+            rest.fold(steps.to_owned(), |line, word| line + " " + &word)
         })
         .collect();
     story.dedup();
     story
+}
+
+/// What a remark begins with that stands below its cycle.
+const BELOW: &str = "     └ ";
+
+/// The signals whose names stand above the titles of the columns, each in a line of its own, and their columns.
+fn marks<'t>(above: &[&'t str]) -> Vec<(&'t str, usize)> {
+    let names = above.iter().rev().take_while(|line| !line.is_empty());
+    let mut marks: Vec<(&str, usize)> = names
+        .map(|line| {
+            let name = line.split_whitespace().last().expect("a name");
+            (name, line.chars().count() - name.chars().count())
+        })
+        .collect();
+    marks.reverse();
+    marks
+}
+
+/// All examples with what they print for each form of their command line.
+fn everything() -> Vec<(&'static str, &'static str, String)> {
+    let mut all = Vec::new();
+    macro_rules! every {
+        ($($name:literal: $example:ident),+) => {$(
+            let script = file(concat!("examples/charts/", $name, ".script"));
+            for (form, (printed, result)) in [
+                ("", run!($example,)),
+                ("--chart", run!($example, "--chart")),
+                ("--help", run!($example, "--help")),
+                ("--script", run!($example, "--script", &script)),
+            ] {
+                assert_eq!(result, Ok(()), "{} {form}", $name);
+                all.push(($name, form, printed));
+            }
+        )+};
+    }
+    every!(
+        "branch_on_result": branch_on_result_example, "cell": cell_example, "controller": controller_example,
+        "line24v": line24v_example, "motor": motor_example, "recipe": recipe_example, "tickless": tickless_example
+    );
+    all
+}
+
+/// A terminal has 80 columns.
+#[test]
+fn no_line_of_an_example_is_wider_than_a_terminal() {
+    let mut wide = Vec::new();
+    for (example, form, printed) in everything() {
+        assert!(!printed.is_empty(), "{example} {form}");
+        let lines = printed.lines().filter(|line| line.chars().count() > 80);
+        wide.extend(lines.map(|line| format!("{example} {form}: {line}")));
+    }
+    assert!(wide.is_empty(), "{}", wide.join("\n"));
+}
+
+#[test]
+fn an_example_shows_its_chart_before_it_runs() {
+    let all = everything();
+    for (example, _, chart) in all.iter().filter(|(_, form, _)| *form == "--chart") {
+        assert!(chart.contains('╔') && chart.contains('╝'), "{example} has an initial step:\n{chart}");
+        assert!(!chart.contains("A line is a cycle."), "{example}");
+        let (.., run) = all.iter().find(|(other, form, _)| other == example && form.is_empty()).expect("it runs");
+        assert!(run.starts_with(chart) && run.contains("A line is a cycle."), "{example}:\n{run}");
+    }
+    let (printed, _) = run!(controller_example, "--chart");
+    assert!(printed.starts_with("Called\n") && printed.contains("\nRemote\n"), "{printed}");
 }
 
 #[test]
@@ -215,11 +291,8 @@ fn both_ovens_heat_up_hold_and_switch_off() {
     let (printed, result) = run!(controller_example,);
     assert_eq!(result, Ok(()));
     let (called, remote) = printed
-        .split_once("\n\n")
-        .and_then(|(legend, rest)| {
-            let (called, remote) = rest.split_once("\n\n")?;
-            Some((called, remote)).filter(|_| legend.starts_with("Called") && remote.starts_with("Remote"))
-        })
+        .split_once("\nRemote  ")
+        .filter(|(called, _)| called.contains("\nCalled  "))
         .expect("one timeline for each");
     for timeline in [called, remote] {
         assert_eq!(story(timeline, &["ready", "hot"]), ["Off ready", "HeatUp", "Hold hot", "Off ready"]);
@@ -258,12 +331,14 @@ fn a_bad_command_line_is_an_error_that_shows_the_right_one() {
         (&["--script"], "`--script` needs a file behind it"),
         (&["--script", "x", "y"], "unexpected argument `y`"),
         (&["--help", "y"], "unexpected argument `y`"),
+        (&["--chart", "y"], "unexpected argument `y`"),
     ] {
         let arguments = arguments.iter().map(OsString::from).collect();
         let failure = motor_example::EXAMPLE.run(arguments, &mut Vec::new()).expect_err(error);
         let motor_example::shared::Failure::Usage(message) = failure else { panic!("{failure:?}") };
         assert!(message.starts_with(error), "{message}");
         assert!(message.contains("Usage: cargo run --example motor"), "{message}");
+        assert!(message.lines().all(|line| line.chars().count() <= 80), "{message}");
     }
     let (printed, result) = run!(line24v_example, "--help");
     assert_eq!(result, Ok(()));
@@ -297,7 +372,8 @@ impl io::Write for ClosedAt {
 
 #[test]
 fn nothing_panics_where_nobody_reads() {
-    for arguments in [vec![], vec!["--help".into()], vec!["--script".into(), file("examples/charts/motor.script")]] {
+    let script = file("examples/charts/motor.script");
+    for arguments in [vec![], vec!["--chart".into()], vec!["--help".into()], vec!["--script".into(), script]] {
         let failure = motor_example::EXAMPLE.run(arguments, &mut ClosedAt("")).expect_err("nothing can be written");
         assert_eq!(failure.verdict(), (0, None));
     }

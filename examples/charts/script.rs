@@ -189,7 +189,7 @@ impl Notes {
     pub fn call(&mut self, name: &str, phase: Phase, argument: impl Display) {
         let phase = match phase {
             Phase::First => "first",
-            Phase::Repeated => "repeated",
+            Phase::Repeated => "again",
             Phase::Final => "final",
         };
         self.add(format_args!("{phase} {name}({argument})"));

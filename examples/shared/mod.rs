@@ -8,9 +8,16 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
+use anstyle::Style;
+use grafcet::description::Description;
+
 pub(crate) use timeline::Timeline;
 
 use super::script::PlayError;
+
+/// What the examples print has lines of so many characters at most, whatever the terminal.
+const COLUMNS: u16 = 80;
+const BOLD: Style = Style::new().bold();
 
 /// An example as its command line knows it.
 pub(crate) struct Example {
@@ -18,6 +25,8 @@ pub(crate) struct Example {
     pub(crate) name: &'static str,
     /// What it shows, in a sentence for `--help`.
     pub(crate) about: &'static str,
+    /// Its charts, which are drawn above the timeline.
+    pub(crate) charts: &'static [&'static Description<'static>],
     /// Runs the chart on its model of the plant and shows the timeline.
     pub(crate) show: fn(&mut dyn Write) -> io::Result<()>,
     /// Plays a script and writes plain lines.
@@ -67,15 +76,26 @@ impl Example {
     /// The program without its process: what it prints goes to `out`.
     pub(crate) fn run(&self, arguments: Vec<OsString>, out: &mut dyn Write) -> Result<(), Failure> {
         let mut arguments = arguments.into_iter();
-        let Some(first) = arguments.next() else { return Ok((self.show)(out)?) };
+        let Some(first) = arguments.next() else {
+            self.draw(out)?;
+            return Ok((self.show)(out)?);
+        };
         let rest: Vec<OsString> = arguments.collect();
         match (first.to_str(), &rest[..]) {
             (Some("--help" | "-h"), []) => Ok(out.write_all(self.usage().as_bytes())?),
+            (Some("--chart"), []) => Ok(self.draw(out)?),
             (Some("--script"), [file]) => self.play(file.as_ref(), out),
             (Some("--script"), []) => Err(self.wrong("`--script` needs a file behind it")),
-            (Some("--help" | "-h" | "--script"), [.., surplus]) => Err(self.unexpected(surplus)),
+            (Some("--help" | "-h" | "--chart" | "--script"), [.., surplus]) => Err(self.unexpected(surplus)),
             _ => Err(self.unexpected(&first)),
         }
+    }
+
+    fn draw(&self, out: &mut dyn Write) -> io::Result<()> {
+        self.charts.iter().try_for_each(|chart| {
+            writeln!(out, "{BOLD}{}{BOLD:#}", chart.name)?;
+            writeln!(out, "{}", grafcet_draw::text_within(chart, &(), COLUMNS))
+        })
     }
 
     fn play(&self, file: &Path, out: &mut dyn Write) -> Result<(), Failure> {
@@ -101,11 +121,17 @@ impl Example {
             "\
 {about}
 
-Usage: cargo run --example {name} [-- --script FILE]
+Usage: cargo run --example {name} [-- --chart | --script FILE]
 
-  --script FILE  instead of the model, take the inputs from FILE and print plain lines: in FILE one line per cycle
-                 with the names of the inputs that are true (`-` or an empty line: none) and numbers as `level=300`;
-                 `@1500` is what the clock reads from then on; `#` begins a comment line
+Without arguments: draws the chart and runs it on a model of its plant, one line
+per cycle.
+
+  --chart        draws the chart and ends
+  --script FILE  instead of the model, takes the inputs from FILE and prints
+                 plain lines. FILE has one line per cycle, with the names of the
+                 inputs that are true (`-` or an empty line: none) and numbers
+                 as `level=300`; `@1500` is what the clock reads from then on;
+                 `#` begins a comment line
   --help         this text
 "
         )

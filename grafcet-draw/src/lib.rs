@@ -45,16 +45,21 @@ const NARROW: i32 = 40;
 /// [`is_large`] there is an overview: one box for each of these, with what it holds.
 #[must_use]
 pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> Drawing {
+    within(chart, situation, WIDTH)
+}
+
+/// Lays a chart out in so many characters from left to right, or more where a net does.
+fn within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), width: i32) -> Drawing {
     let sheets = sheets::sheets(chart);
     if is_large(chart) {
-        return overview(&sheets);
+        return overview(&sheets, width);
     }
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
     let scene = Scene { chart, active, density: Density::ROOMY };
     let drawn = sheets
         .iter()
-        .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&scene, sheet), WIDTH - 4, (3, 1))));
-    shape::pack(drawn.collect(), WIDTH, (2, 1))
+        .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&scene, sheet), width - 4, (3, 1))));
+    shape::pack(drawn.collect(), width, (2, 1))
 }
 
 /// Whether a chart is too large to be drawn step by step: it has more than 150 steps or 600 transitions.
@@ -83,6 +88,13 @@ pub fn text(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) ->
     text::write(&layout(chart, situation))
 }
 
+/// As [`text()`], for a terminal of so many columns: what stands side by side elsewhere stands one below the other. A single
+/// net is as wide as it is.
+#[must_use]
+pub fn text_within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), columns: u16) -> String {
+    text::write(&within(chart, situation, columns.into()))
+}
+
 /// A sheet with a name has a frame around it, with what it is for below the name.
 fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
     if title.is_empty() {
@@ -106,7 +118,7 @@ fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
 }
 
 /// One box for each sheet, so many that the overview stays one.
-fn overview(sheets: &[sheets::Sheet]) -> Drawing {
+fn overview(sheets: &[sheets::Sheet], width: i32) -> Drawing {
     const MOST: usize = 60;
     let mut boxes: Vec<Drawing> = Vec::new();
     // One more takes no more room than the words that there is one more.
@@ -126,5 +138,5 @@ fn overview(sheets: &[sheets::Sheet]) -> Drawing {
         more.text((0, 0), &text);
         boxes.push(more);
     }
-    shape::pack(boxes, WIDTH, (2, 1))
+    shape::pack(boxes, width, (2, 1))
 }
