@@ -134,7 +134,8 @@ impl<'o, C: Chart<Inputs: Signals, Outputs: Signals>> Timeline<'o, C> {
             let shown = strip_str(&line).to_string().chars().count() + 2 + remark.chars().count();
             // Where it does not fit behind, it stands below the steps.
             line += if shown <= COLUMNS.into() { "  " } else { "\n     └ " };
-            line += &format!("{REMARK}{remark}{REMARK:#}");
+            let remark = format!("{REMARK}{remark}{REMARK:#}");
+            line += &remark;
         }
         writeln!(self.out, "{line}")?;
         self.above = active;
@@ -159,7 +160,8 @@ fn below_each_other(
     for (index, (name, column)) in columns.iter().enumerate() {
         let title = if index == 0 { title } else { "" };
         writeln!(out, "{DIM}     {title:width$}  {lines}{name}{DIM:#}")?;
-        *lines += &format!("{:column$} ", "│");
+        let down = format!("{:column$} ", "│");
+        *lines += &down;
     }
     lines.push(' ');
     Ok(())
@@ -172,7 +174,8 @@ fn signals<T: Signals>(look: Look, signals: &T, colour: impl Fn(&str) -> Style) 
     for ((name, width), value) in look.columns::<T>().into_iter().zip(signals.values()) {
         let raised = (colour(name), look.raised(name, value));
         let (style, text) = if value.is_raised() { raised } else { (DIM, "·".to_owned()) };
-        line += &format!("{style}{text:width$}{style:#} ");
+        let cell = format!("{style}{text:width$}{style:#} ");
+        line += &cell;
         rest = rest.saturating_sub(width + 1);
     }
     line + &" ".repeat(rest)
