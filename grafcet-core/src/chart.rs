@@ -1,6 +1,6 @@
 //! What every chart has in common, for generic code.
 
-use core::fmt::Debug;
+use core::fmt::{Debug, Display};
 
 use crate::Ticks;
 
@@ -14,9 +14,9 @@ pub trait Chart {
     /// The process outputs of one cycle.
     type Outputs;
     /// The names of the steps.
-    type Step: Copy + Eq + Debug + 'static;
+    type Step: Copy + Eq + Debug + Display + 'static;
     /// The names of the transitions.
-    type Transition: Copy + Eq + Debug + 'static;
+    type Transition: Copy + Eq + Debug + Display + 'static;
     /// The situation: which steps are active.
     type Situation: Copy + Eq + Debug;
     /// What carries out the chart's code actions; `()` where it has none.
@@ -40,4 +40,9 @@ pub trait Chart {
 
     /// Which steps are active.
     fn situation(&self) -> Self::Situation;
+
+    /// Whether these steps are active, in any order, and no others.
+    fn is_exactly(&self, steps: &[Self::Step]) -> bool {
+        Self::STEPS.iter().all(|step| self.is_active(*step) == steps.contains(step))
+    }
 }

@@ -19,6 +19,15 @@ pub struct BatchInputs {
     ///Input `level`.
     pub level: ::grafcet::__private::core::primitive::u16,
 }
+impl BatchInputs {
+    /// The default inputs, for constants and statics.
+    pub const DEFAULT: Self = Self {
+        start: false,
+        full: false,
+        empty: false,
+        level: 0,
+    };
+}
 ///The process outputs of [`Batch`]; `default()` holds the initial values.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -70,6 +79,27 @@ pub enum BatchStep {
     ///Step `Drain`.
     Drain,
 }
+impl BatchStep {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::Idle => "Idle",
+            Self::Fill => "Fill",
+            Self::Heat => "Heat",
+            Self::Stir => "Stir",
+            Self::Drain => "Drain",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for BatchStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
+}
 ///The names of the transitions of [`Batch`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -90,6 +120,26 @@ pub enum BatchTransition {
     StirToDrain,
     ///`Drain -[level == 0]-> Idle`
     DrainToIdle,
+}
+impl BatchTransition {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::IdleToFillAndHeat => "IdleToFillAndHeat",
+            Self::FillAndHeatToStir => "FillAndHeatToStir",
+            Self::StirToDrain => "StirToDrain",
+            Self::DrainToIdle => "DrainToIdle",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for BatchTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
 }
 ///The recipe of [`Batch`]; `default()` holds the values in the chart.
 #[derive(
@@ -643,6 +693,12 @@ impl Batch {
             region_1: self.region_1,
         }
     }
+    /// Whether these steps are active, in any order, and no others: the same question for one active step and
+    /// for several.
+    #[must_use]
+    pub fn is_exactly(&self, steps: &[BatchStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps)
+    }
     /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
     /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
     /// "scan again at once"; `None` means "only an input can change anything".
@@ -708,6 +764,25 @@ impl Batch {
         duration: ::grafcet::__private::core::time::Duration,
     ) -> ::grafcet::__private::Ticks {
         ::grafcet::__private::Ticks::from_duration(duration, 1000000)
+    }
+}
+///The variables of [`Batch`], as the last cycle has left them.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct BatchVars {
+    ///Variable `count`.
+    pub count: ::grafcet::__private::core::primitive::u16,
+}
+impl Batch {
+    /// The variables, as the last cycle has left them.
+    #[must_use]
+    pub fn vars(&self) -> BatchVars {
+        BatchVars { count: self.var_count }
     }
 }
 impl ::grafcet::__private::Chart for Batch {

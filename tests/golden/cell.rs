@@ -23,6 +23,17 @@ pub struct CellInputs {
     ///Input `auto`.
     pub auto: ::grafcet::__private::core::primitive::bool,
 }
+impl CellInputs {
+    /// The default inputs, for constants and statics.
+    pub const DEFAULT: Self = Self {
+        estop: false,
+        start: false,
+        part: false,
+        full: false,
+        clamped: false,
+        auto: false,
+    };
+}
 ///The process outputs of [`Cell`]; `default()` holds the initial values.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -73,6 +84,31 @@ pub enum CellStep {
     ///Step `Count`.
     Count,
 }
+impl CellStep {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::Ready => "Ready",
+            Self::Stopped => "Stopped",
+            Self::Restart => "Restart",
+            Self::Idle => "Idle",
+            Self::Feed => "Feed",
+            Self::Close => "Close",
+            Self::Open => "Open",
+            Self::Auto => "Auto",
+            Self::Count => "Count",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for CellStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
+}
 ///The names of the transitions of [`Cell`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -103,6 +139,31 @@ pub enum CellTransition {
     IdleToAuto,
     ///`Auto -[n >= 2 && !part]-> Idle`
     AutoToIdle,
+}
+impl CellTransition {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::ReadyToStopped => "ReadyToStopped",
+            Self::StoppedToRestart => "StoppedToRestart",
+            Self::RestartToReady => "RestartToReady",
+            Self::CloseToOpen => "CloseToOpen",
+            Self::IdleToFeed => "IdleToFeed",
+            Self::FeedToClose => "FeedToClose",
+            Self::OpenToIdle => "OpenToIdle",
+            Self::IdleToAuto => "IdleToAuto",
+            Self::AutoToIdle => "AutoToIdle",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for CellTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
 }
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -493,11 +554,36 @@ impl Cell {
             region_2: self.region_2,
         }
     }
+    /// Whether these steps are active, in any order, and no others: the same question for one active step and
+    /// for several.
+    #[must_use]
+    pub fn is_exactly(&self, steps: &[CellStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps)
+    }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).
     #[must_use]
     pub const fn is_stable(&self) -> ::grafcet::__private::bool {
         !self.region_0.is_marked()
+    }
+}
+///The variables of [`Cell`], as the last cycle has left them.
+#[derive(
+    ::grafcet::__private::core::clone::Clone,
+    ::grafcet::__private::core::marker::Copy,
+    ::grafcet::__private::core::fmt::Debug,
+    ::grafcet::__private::core::cmp::PartialEq,
+    ::grafcet::__private::core::cmp::Eq
+)]
+pub struct CellVars {
+    ///Variable `n`.
+    pub n: ::grafcet::__private::core::primitive::u16,
+}
+impl Cell {
+    /// The variables, as the last cycle has left them.
+    #[must_use]
+    pub fn vars(&self) -> CellVars {
+        CellVars { n: self.var_n }
     }
 }
 impl ::grafcet::__private::Chart for Cell {

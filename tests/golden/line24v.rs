@@ -21,6 +21,16 @@ pub struct Line24VInputs {
     ///Input `b5`.
     pub b5: ::grafcet::__private::core::primitive::bool,
 }
+impl Line24VInputs {
+    /// The default inputs, for constants and statics.
+    pub const DEFAULT: Self = Self {
+        b1: false,
+        b2: false,
+        b3: false,
+        b4: false,
+        b5: false,
+    };
+}
 ///The process outputs of [`Line24V`]; `default()` holds the initial values.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -59,6 +69,26 @@ pub enum Line24VStep {
     ///Step `S4`.
     S4,
 }
+impl Line24VStep {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::S1 => "S1",
+            Self::S2 => "S2",
+            Self::S3 => "S3",
+            Self::S4 => "S4",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for Line24VStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
+}
 ///The names of the transitions of [`Line24V`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -79,6 +109,26 @@ pub enum Line24VTransition {
     S3ToS4,
     ///`S4 -[b4]-> S1`
     S4ToS1,
+}
+impl Line24VTransition {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::S1ToS2 => "S1ToS2",
+            Self::S2ToS3 => "S2ToS3",
+            Self::S3ToS4 => "S3ToS4",
+            Self::S4ToS1 => "S4ToS1",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for Line24VTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
 }
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -252,6 +302,12 @@ impl Line24V {
             __Line24VState::S3 => Line24VStep::S3,
             __Line24VState::S4 => Line24VStep::S4,
         }
+    }
+    /// Whether these steps are active, in any order, and no others: the same question for one active step and
+    /// for several.
+    #[must_use]
+    pub fn is_exactly(&self, steps: &[Line24VStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).

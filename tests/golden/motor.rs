@@ -17,6 +17,14 @@ pub struct MotorInputs {
     ///Input `over_temp`.
     pub over_temp: ::grafcet::__private::core::primitive::bool,
 }
+impl MotorInputs {
+    /// The default inputs, for constants and statics.
+    pub const DEFAULT: Self = Self {
+        on: false,
+        off: false,
+        over_temp: false,
+    };
+}
 ///The process outputs of [`Motor`]; `default()` holds the initial values.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -51,6 +59,24 @@ pub enum MotorStep {
     ///Step `On`.
     On,
 }
+impl MotorStep {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::Off => "Off",
+            Self::On => "On",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for MotorStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
+}
 ///The names of the transitions of [`Motor`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -67,6 +93,24 @@ pub enum MotorTransition {
     OffToOn,
     ///`On -[off || over_temp]-> Off`
     OnToOff,
+}
+impl MotorTransition {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::OffToOn => "OffToOn",
+            Self::OnToOff => "OnToOff",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for MotorTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
 }
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -177,6 +221,12 @@ impl Motor {
             __MotorState::Off | __MotorState::INIT => MotorStep::Off,
             __MotorState::On => MotorStep::On,
         }
+    }
+    /// Whether these steps are active, in any order, and no others: the same question for one active step and
+    /// for several.
+    #[must_use]
+    pub fn is_exactly(&self, steps: &[MotorStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps)
     }
 }
 impl ::grafcet::__private::Chart for Motor {

@@ -17,6 +17,14 @@ pub struct StationsInputs {
     ///Input `tested`.
     pub tested: ::grafcet::__private::core::primitive::bool,
 }
+impl StationsInputs {
+    /// The default inputs, for constants and statics.
+    pub const DEFAULT: Self = Self {
+        part: false,
+        drilled: false,
+        tested: false,
+    };
+}
 ///The process outputs of [`Stations`]; `default()` holds the initial values.
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -59,6 +67,28 @@ pub enum StationsStep {
     ///Step `Out`.
     Out,
 }
+impl StationsStep {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::Wait => "Wait",
+            Self::Drill => "Drill",
+            Self::Drilled => "Drilled",
+            Self::Test => "Test",
+            Self::Tested => "Tested",
+            Self::Out => "Out",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for StationsStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
+}
 ///The names of the transitions of [`Stations`].
 #[derive(
     ::grafcet::__private::core::clone::Clone,
@@ -81,6 +111,27 @@ pub enum StationsTransition {
     DrilledAndTestedToOut,
     ///`Out -[2s/Out]-> Wait`
     OutToWait,
+}
+impl StationsTransition {
+    /// The name as it is written.
+    #[must_use]
+    pub const fn name(self) -> &'static ::grafcet::__private::str {
+        match self {
+            Self::WaitToDrillAndTest => "WaitToDrillAndTest",
+            Self::DrillToDrilled => "DrillToDrilled",
+            Self::TestToTested => "TestToTested",
+            Self::DrilledAndTestedToOut => "DrilledAndTestedToOut",
+            Self::OutToWait => "OutToWait",
+        }
+    }
+}
+impl ::grafcet::__private::core::fmt::Display for StationsTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.pad((*self).name())
+    }
 }
 /// Two stations beside each other, and a bit for each step.
 /**
@@ -315,6 +366,12 @@ impl Stations {
             steps = [1u8];
         }
         StationsSituation { steps }
+    }
+    /// Whether these steps are active, in any order, and no others: the same question for one active step and
+    /// for several.
+    #[must_use]
+    pub fn is_exactly(&self, steps: &[StationsStep]) -> ::grafcet::__private::bool {
+        ::grafcet::__private::Chart::is_exactly(self, steps)
     }
     /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
     /// and keeps the situation it had reached (decision A30).

@@ -9,7 +9,7 @@ use super::state::step_name;
 use super::{Cx, derives, names, requirements, types};
 use crate::model::StepId;
 
-/// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_stable`, `next_deadline`.
+/// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_exactly`, `is_stable`, `next_deadline`.
 pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
@@ -44,6 +44,13 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
             #[must_use]
             #vis const fn situation(&self) -> #situation_type {
                 #situation
+            }
+
+            /// Whether these steps are active, in any order, and no others: the same question for one active step and
+            /// for several.
+            #[must_use]
+            #vis fn is_exactly(&self, steps: &[#step]) -> #p::bool {
+                #p::Chart::is_exactly(self, steps)
             }
 
             #stable

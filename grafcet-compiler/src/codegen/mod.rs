@@ -18,6 +18,7 @@ mod long;
 mod names;
 mod nest;
 mod outputs;
+mod outside;
 mod recipe;
 mod requirements;
 mod segments;
@@ -67,5 +68,6 @@ pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenS
     let description = description::all(&cx);
     let mentions = editor::mentions(model, &cx.names, &cx.p);
     let variants = variants::all(&cx);
-    quote!(#types #variants #recipe #state #chart #uniform #description #mentions)
+    let vars = outside::vars(&cx);
+    quote!(#types #variants #recipe #state #chart #vars #uniform #description #mentions)
 }

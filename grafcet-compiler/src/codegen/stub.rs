@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::names::Names;
-use super::{derives, editor, requirements, types};
+use super::{derives, editor, outside, requirements, types};
 use crate::model::{Model, Ty};
 use crate::sorted::Set;
 use syn::{Attribute, Ident};
@@ -43,6 +43,7 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let none = TokenStream::new;
     let chart = record(chart, docs(&model.attrs), Vec::new());
     let declared = model.inputs.values().map(|input| (&input.attrs[..], &input.name, &input.ty));
+    let default = outside::default_inputs(model, inputs, p);
     let inputs = record(inputs, none(), declared.collect());
     let declared = model.outputs.values().map(|output| (&output.attrs[..], &output.name, &output.ty));
     let outputs = record(outputs, none(), declared.collect());
@@ -66,7 +67,11 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         let new = quote!(#vis const fn new() -> Self { Self { #(#values)* } });
         quote!(#record #[allow(missing_docs, dead_code, unreachable_code)] impl #params { #new })
     });
-    quote!(#chart #inputs #outputs #params)
+    let vars = (!model.vars.is_empty()).then(|| {
+        let declared = model.vars.values().map(|var| (&[][..], &var.name, &var.ty));
+        record(&outside::vars_name(model), none(), declared.collect())
+    });
+    quote!(#chart #inputs #default #outputs #params #vars)
 }
 
 /// The names of steps and transitions.
@@ -78,6 +83,12 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
             #derives
             #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
             #vis enum #name { #(#variants,)* }
+
+            #[allow(missing_docs, dead_code)]
+            impl #name { #vis const fn name(self) -> &'static #p::str { "" } }
+            impl #p::core::fmt::Display for #name {
+                fn fmt(&self, _: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result { #p::core::result::Result::Ok(()) }
+            }
         }
     };
     let mut seen = Set::new();
@@ -102,6 +113,10 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             #vis fn params(&self) -> &#params { loop {} }
             #vis fn set_params(&mut self, params: #params) {}
         }
+    });
+    let vars = (!model.vars.is_empty()).then(|| {
+        let name = outside::vars_name(model);
+        quote!(#vis fn vars(&self) -> #name { loop {} })
     });
     let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
     let methods = model.actions.values().map(|action| {
@@ -129,6 +144,8 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             #vis fn is_active(&self, step: #step) -> #p::bool { loop {} }
             #vis fn active_steps(&self) -> #p::heapless::Vec<#step, 1> { loop {} }
             #vis fn situation(&self) -> #step { loop {} }
+            #vis fn is_exactly(&self, steps: &[#step]) -> #p::bool { loop {} }
+            #vars
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
             #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool { loop {} }

@@ -5,7 +5,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Attribute, Type};
 
-use super::{Cx, derives, requirements};
+use super::{Cx, derives, outside, requirements};
 use crate::model::{Expr, Model, OutputId, Ty};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
@@ -27,6 +27,7 @@ fn inputs(cx: &Cx<'_>) -> TokenStream {
     let written_out = derives.written_out(name, p);
     let derives = if default.is_some() { derives } else { derives.and("Default") }.attributes(model, p);
     let doc = format!("The process inputs of [`{}`], sampled once per cycle.", model.name);
+    let constant = outside::default_inputs(model, name, p);
     quote! {
         #[doc = #doc]
         #derives
@@ -35,6 +36,7 @@ fn inputs(cx: &Cx<'_>) -> TokenStream {
 
         #written_out
         #default
+        #constant
     }
 }
 
@@ -109,7 +111,9 @@ fn step_names(cx: &Cx<'_>) -> TokenStream {
         quote!(#docs #name,)
     });
     let doc = format!("The names of the steps of [`{}`].", cx.model.name);
-    name_enum(cx, &cx.names.step, &doc, &variants.collect())
+    let names = name_enum(cx, &cx.names.step, &doc, &variants.collect());
+    let texts = outside::texts(cx.model, &cx.names.step, cx.model.steps.values().map(|step| &step.name), &cx.p);
+    quote!(#names #texts)
 }
 
 fn transition_names(cx: &Cx<'_>) -> TokenStream {
@@ -119,7 +123,10 @@ fn transition_names(cx: &Cx<'_>) -> TokenStream {
         quote!(#[doc = #text] #name,)
     });
     let doc = format!("The names of the transitions of [`{}`].", cx.model.name);
-    name_enum(cx, &cx.names.transition, &doc, &variants.collect())
+    let names = name_enum(cx, &cx.names.transition, &doc, &variants.collect());
+    let variants = cx.model.drawn_transitions().map(|(id, _)| cx.names.transition_variant(id));
+    let texts = outside::texts(cx.model, &cx.names.transition, variants, &cx.p);
+    quote!(#names #texts)
 }
 
 fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> TokenStream {
