@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Span};
 
 use super::recover::{self, Place};
-use super::{Error, Input, Result, chain, condition, target, time, words};
+use super::{Error, Input, Result, chain, condition, foreign, target, time, words};
 use crate::ast::{Association, Qualifier, Target, TimeArg};
 use crate::diagnostic::{Mark, Sink};
 
@@ -27,7 +27,7 @@ fn qualifier(word: &str) -> Option<Qualifier> {
     QUALIFIERS.iter().find(|(name, _)| word == *name).map(|(_, qualifier)| *qualifier)
 }
 
-pub(super) fn is_qualifier(word: &str) -> bool {
+pub(crate) fn is_qualifier(word: &str) -> bool {
     qualifier(word).is_some()
 }
 
@@ -128,6 +128,10 @@ fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
     let Some(qualifier) = qualifier(word) else {
         return unknown(input, word).map(|()| None);
     };
+    if behind.at(":") && !behind.at(":=") {
+        let message = format!("a qualifier stands in front of what it acts on, without `:`: `{word} q;`");
+        return Err(behind.error(message));
+    }
     if behind.at_assign() || behind.at_group(Delimiter::Parenthesis) && ends(&behind.next()) {
         return Ok(None);
     }
@@ -151,18 +155,35 @@ fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
 }
 
 /// Refuses `X q`, `s q` and `X 5s q`, where something stands like a qualifier and is none.
-fn unknown(input: &Input, word: &str) -> Result<()> {
+fn unknown(input: &mut Input, word: &str) -> Result<()> {
     let behind = input.next();
     let braces = behind.at_group(Delimiter::Brace);
+    let time = behind.next();
+    let behind_it = behind.word().is_some_and(is_qualifier)
+        && !behind.on_new_line()
+        && (ends(&time) || time.literal().is_some() && ends(&time.next()));
     let stands_like_one = behind.at_name() || behind.literal().is_some() || braces;
-    if !stands_like_one || behind.on_new_line() || begins(&behind) {
+    if !stands_like_one || behind.on_new_line() || begins(&behind) && !behind_it {
         return Ok(());
+    }
+    if behind_it {
+        let qualifier = behind.word().unwrap_or_default();
+        let end = if ends(&time) { time } else { time.next() };
+        let time = time.literal().map_or_else(String::new, |time| format!(" {time}"));
+        let message = format!("the qualifier stands in front: `{qualifier}{time} {word};`");
+        let mark = Mark { start: input.span(), end: end.last() };
+        *input = end;
+        return Err(Error::new(mark, message));
     }
     let upper = word.to_uppercase();
     Err(input.error(if QUALIFIERS.iter().any(|(name, _)| *name == upper) {
         format!("qualifiers are capital letters: write `{upper}`")
     } else if words::meant(word) == Some("step") {
         "a step cannot stand in a step; a `macro step` or an `enclosing step` holds others".to_owned()
+    } else if ["entry", "enter", "exit", "leave", "during", "do", "while", "for", "loop", "match"].contains(&word) {
+        "what a step does has a qualifier: `P1 { … }` runs when the step becomes active, `P0 { … }` when it is left, \
+         `N { … }` in every cycle"
+            .to_owned()
     } else {
         format!("`{word}` is no qualifier; {ALL}")
     }))
@@ -176,6 +197,12 @@ fn takes_time(qualifier: Qualifier) -> bool {
 fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink) -> Result<Option<TimeArg>> {
     let Some((qualifier, span)) = qualifier else { return Ok(None) };
     let word = QUALIFIERS.iter().find(|(_, known)| *known == qualifier).map_or("on", |(name, _)| name);
+    if let Some((_, time)) = foreign::iec_time(input) {
+        let start = *input;
+        input.bump();
+        input.bump();
+        sink.notation(start.span(), format!("a time is written with its unit alone: `{time}`"));
+    }
     if let Some(literal) = input.literal() {
         if takes_time(qualifier) {
             return Ok(time::parse(input, literal, sink).map(TimeArg::Literal));

@@ -28,6 +28,7 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
 
 fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()> {
     let outer = attrs::outer(input, sink);
+    label(input, sink);
     if chain::begins(input) {
         let attrs = outer.attrs;
         items.extend(chain::parse(input, &attrs, sink)?.into_iter().map(Item::Chain));
@@ -42,6 +43,13 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
             input.error(format!("expected a declaration, a step or a chain of transitions, found {}", input.found()))
         );
     };
+    if word.to_lowercase().starts_with("end_") {
+        let message = format!("nothing is closed with `{word}`: an item ends with `;` or with its braces; remove this");
+        sink.notation(input.span(), message);
+        input.bump();
+        input.eat(";");
+        return Ok(());
+    }
     let meant = keyword(word, input, sink)?;
     items.push(match meant {
         "input" => Item::Decl(decl::parse(input, DeclKind::Input, outer.attrs, sink)?),
@@ -63,13 +71,26 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
     Ok(())
 }
 
+/// `t1: A -[x]-> B`
+fn label(input: &mut Input, sink: &mut Sink) {
+    let (start, mut chain) = (*input, input.next());
+    let labelled = input.word().is_some() && !chain.at("::") && chain.eat(":") && chain::draws(&chain);
+    if let (true, Some(name)) = (labelled, input.word()) {
+        let first = chain.word().unwrap_or("A");
+        let message = format!("the name of a transition stands in its brackets: `{first} -[{name}: condition]-> …`");
+        *input = chain;
+        sink.notation(input.since(&start), message);
+    }
+}
+
 /// The word of the notation an item begins with. One that is only meant is reported, and taken for it.
 fn keyword(word: &str, input: &Input, sink: &mut Sink) -> Result<&'static str> {
     if let Some(item) = words::ITEMS.iter().find(|item| word == **item) {
         return Ok(item);
     }
     let behind = input.next();
-    if word == "transition" || word == "transitions" {
+    let lower = word.to_lowercase();
+    if lower == "transition" || lower == "transitions" {
         return Err(input.error("a transition is drawn between its steps: `A -[condition]-> B;`"));
     }
     if word == "fn" || word == "method" {

@@ -1,6 +1,6 @@
 //! `A -[x]-> B -[y]-> (C, D);`
 
-use proc_macro2::Delimiter;
+use proc_macro2::{Delimiter, Ident};
 
 use super::input::Turns;
 use super::{Error, Input, Result, transition, words};
@@ -13,17 +13,27 @@ pub(super) fn begins(input: &Input) -> bool {
         return true;
     }
     let behind = input.next();
+    // `0 -[x]-> 1` and `{A, B} -[x]-> C`
+    if (input.number().is_some() || input.at_group(Delimiter::Brace)) && at_arrow(&behind) {
+        return true;
+    }
     match input.word() {
         Some("any") if behind.at_word("except") => true,
-        Some(word) if words::ITEMS.contains(&word) => at_arrow(&behind),
+        // `always => a` is half a property.
+        Some(word) if words::ITEMS.contains(&word) => at_arrow(&behind) && !behind.at("=>"),
         Some(_) => at_arrow(&behind) || [",", ";", ".", "::"].iter().any(|sign| behind.at(sign)),
         None => at_arrow(input),
     }
 }
 
+/// Whether a step or several are next, and an arrow behind them.
+pub(super) fn draws(input: &Input) -> bool {
+    (input.word().is_some() || input.at_group(Delimiter::Parenthesis)) && at_arrow(&input.next())
+}
+
 /// Whether an arrow, or something that was meant as one, is next.
 fn at_arrow(input: &Input) -> bool {
-    let double = input.at("=") && input.next().at_group(Delimiter::Bracket);
+    let double = input.at("=") && input.next().at_group(Delimiter::Bracket) || input.at("==>") || input.at("=>");
     double || input.at("->") || input.at("<-") || input.at("--") || input.at_group(Delimiter::Bracket) || {
         // `never -x > 3` is a property, `-x->` an arrow.
         let behind = input.next();
@@ -49,13 +59,16 @@ pub(super) fn parse(input: &mut Input, attrs: &Attrs, sink: &mut Sink) -> Result
     let start = *input;
     let chain = |first| Chain { attrs: attrs.clone(), first, rest: Vec::new() };
     let mut parts = Vec::new();
-    let mut current =
-        chain(if at_arrow(input) { Node::Forgotten(input.next().next().since(input)) } else { first(input, sink)? });
+    let mut current = chain(if at_arrow(input) && !at_list(input) {
+        Node::Forgotten(input.next().next().since(input))
+    } else {
+        first(input, sink)?
+    });
     let mut turns = Turns::default();
     while turns.more(input) && at_arrow(input) {
         let start = *input;
         let arrow = arrow(input, sink)?;
-        let next = if at_arrow(input) {
+        let next = if at_arrow(input) && !at_list(input) {
             Node::Missing(Mark { start: input.last(), end: input.span() })
         } else if input.is_empty() || input.at(";") || input.on_new_line() && words::item_begins(input) {
             Node::Forgotten(input.since(&start))
@@ -108,11 +121,38 @@ fn first(input: &mut Input, sink: &mut Sink) -> Result<Node> {
     Ok(Node::Any(Any { mark: input.since(&start), except }))
 }
 
+const PARALLEL: &str = "parallel steps stand in parentheses: `(A, B)`";
+
+/// Whether parallel steps are listed in brackets.
+fn at_list(input: &Input) -> bool {
+    let Some(mut inside) = { *input }.enter(Delimiter::Bracket) else { return false };
+    let named = inside.names("a step").is_ok_and(|names| names.len() > 1);
+    named && !input.next().at("->")
+}
+
+/// `(B -[x]-> E, C)`
+fn group(mut inside: Input) -> Result<Vec<Ident>> {
+    let mut ahead = inside;
+    while ahead.bump() {
+        if ahead.at("->") || ahead.at("-") && ahead.next().at_group(Delimiter::Bracket) {
+            return Err(ahead.error(
+                "a list names steps alone; draw each branch as a chain of its own, and join where they end: \
+                 `B -[x]-> E; (E, C) -[y]-> A;`",
+            ));
+        }
+    }
+    inside.names("a step")
+}
+
 /// A step, or several in parentheses.
 fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
     let start = *input;
-    let node = if let Some(mut inside) = input.enter(Delimiter::Parenthesis) {
-        let steps = inside.names("a step")?;
+    let other = [Delimiter::Brace, Delimiter::Bracket].into_iter().find(|delimiter| input.at_group(*delimiter));
+    let node = if let Some(inside) = input.enter(other.unwrap_or(Delimiter::Parenthesis)) {
+        let steps = group(inside)?;
+        if other.is_some() {
+            sink.notation(input.since(&start), PARALLEL);
+        }
         Node::Group(steps, input.since(&start))
     } else {
         if input.at_word("step") && input.next().word().is_some() {
@@ -121,10 +161,13 @@ fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
             sink.notation(input.span(), message);
             input.bump();
         }
-        Node::Step(input.name("a step or steps in parentheses")?)
+        Node::Step(input.step_name("a step or steps in parentheses")?)
     };
-    if input.at(",") {
-        return Err(Error::new(input.since(&start), "parallel steps stand in parentheses: `(A, B)`"));
+    if input.at(",") || input.at("&") || input.at("&&") {
+        return Err(Error::new(input.since(&start), PARALLEL));
+    }
+    if input.at(":") && !input.at("::") {
+        return Err(input.error("the condition of a transition stands in its arrow: `A -[condition]-> B;`"));
     }
     if input.at("::") {
         return Err(input.error("a transition stays inside its partial grafcet; name a step of this one"));
@@ -150,6 +193,9 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
         return Err(Error::new(start.span(), "arrows point forward: write `B -[x]-> A` in place of `A <-[x]- B`"));
     } else if input.eat("-") {
         doubled(input, &start, sink);
+    } else if input.eat("==>") || input.eat("=>") {
+        sink.notation(input.since(&start), "between two steps a transition is drawn with its condition: `A -[x]-> B`");
+        return Ok(None);
     } else if input.eat("=") {
         sink.notation(input.since(&start), "an arrow is drawn with single dashes: `-[x]->`");
     } else {

@@ -1,11 +1,10 @@
 //! Conditions: Rust expressions, with an ear for other notations.
 
-use proc_macro2::Delimiter;
 use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr};
 
-use super::{Error, Input, Result, leaving};
+use super::{Error, Input, Result, foreign, leaving};
 use crate::diagnostic::Mark;
 
 /// A condition, up to what cannot belong to it any more. `what` says what it is if it is missing.
@@ -23,71 +22,36 @@ fn with(input: &mut Input, what: &str, parse: fn(ParseStream) -> syn::Result<Exp
         return Err(input.error(format!("expected {what}, found {}", input.found())));
     }
     let start = *input;
-    let expr = input.rust(parse).map_err(|error| foreign(start).unwrap_or(error))?;
-    // `a AND b` ends, for Rust, in front of `AND`.
-    if starts_operand(input) {
-        foreign(start).map_or(Ok(()), Err)?;
+    let expr = input.rust(parse).map_err(|error| foreign::all(start).unwrap_or(error))?;
+    // `a AND b` ends, for Rust, in front of `AND`, `T#5s` in front of `#`.
+    if foreign::starts_operand(input) || input.at("#") {
+        foreign::all(start).map_or(Ok(()), Err)?;
     }
     leaving::expr(&start, input, &expr)?;
     let mut notes = Vec::new();
     assignments(&expr, &mut notes);
+    nothing_on_the_left(&expr, &mut notes);
     match Error::several(notes) {
         Some(error) => Err(error),
         None => Ok(expr),
     }
 }
 
-/// What Rust calls an operator that is written as a word.
-fn operator(word: &str) -> Option<&'static str> {
-    match word.to_lowercase().as_str() {
-        "and" => Some("&&"),
-        "or" => Some("||"),
-        "not" => Some("!"),
-        "xor" => Some("^"),
-        _ => None,
-    }
-}
-
-fn starts_operand(input: &Input) -> bool {
-    input.at_name() || input.literal().is_some()
-}
-
-/// The words and signs of other notations in an expression that Rust could not read.
-fn foreign(mut input: Input) -> Option<Error> {
-    let mut notes = Vec::new();
-    collect_foreign(&mut input, &mut notes);
-    Error::several(notes)
-}
-
-fn collect_foreign(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
-    let mut operand = false;
-    // Where a `;` is missing, the rest of the chart is no part of this condition.
-    for _ in 0..100 {
-        if input.is_empty() || input.at(";") {
-            return;
+/// `|| a` and `a && || b`: to Rust a closure, which is no condition.
+fn nothing_on_the_left(expr: &Expr, notes: &mut Vec<(Mark, String)>) {
+    match expr {
+        Expr::Closure(closure) if closure.inputs.is_empty() => {
+            let mark = Mark { start: closure.inputs_begin.span(), end: closure.inputs_end.span() };
+            notes.push((mark, "nothing stands on the left of this `||`; remove it, or write `a || b`".to_owned()));
+            nothing_on_the_left(&closure.body, notes);
         }
-        if let Some((word, ours)) = input.word().and_then(|word| Some((word, operator(word)?))) {
-            let behind = input.next();
-            // A name like any other, unless an operand follows it.
-            if starts_operand(&behind) || behind.at_group(Delimiter::Parenthesis) || behind.at("!") {
-                notes.push((input.span().into(), format!("`{word}` is written `{ours}`")));
-            }
-        } else if input.at("<>") {
-            notes.push((input.span().into(), "`<>` is written `!=`".to_owned()));
-            input.bump();
-        } else if input.at(":=") {
-            notes.push((input.span().into(), "a condition compares with `==`".to_owned()));
-            input.bump();
-        } else if input.at("/") && !operand {
-            notes.push((input.span().into(), "a negation is written `!a`".to_owned()));
+        Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
+            nothing_on_the_left(&binary.left, notes);
+            nothing_on_the_left(&binary.right, notes);
         }
-        operand = input.punct().is_none();
-        match input.delimiter().and_then(|delimiter| input.enter(delimiter)) {
-            Some(mut inside) => collect_foreign(&mut inside, notes),
-            None => {
-                input.bump();
-            }
-        }
+        Expr::Unary(unary) => nothing_on_the_left(&unary.expr, notes),
+        Expr::Paren(paren) => nothing_on_the_left(&paren.expr, notes),
+        _ => {}
     }
 }
 

@@ -236,11 +236,23 @@ impl<'a> Input<'a> {
         self.eat_ident().ok_or_else(|| self.error(format!("expected {what}, found {}", self.found())))
     }
 
-    /// Names separated by commas, up to the end.
+    /// The next token if it is a number, as steps are called on paper.
+    pub(super) fn number(&self) -> Option<String> {
+        self.literal().map(ToString::to_string).filter(|text| text.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
+    /// The name of a step. A number passes as the name that its declaration is told to take.
+    pub(super) fn step_name(&mut self, what: &str) -> Result<Ident> {
+        let Some(number) = self.number() else { return self.name(what) };
+        self.bump();
+        Ok(Ident::new(&format!("S{number}"), self.last()))
+    }
+
+    /// Names of steps separated by commas, up to the end.
     pub(super) fn names(&mut self, what: &str) -> Result<Vec<Ident>> {
         let (mut names, mut turns) = (Vec::new(), Turns::default());
         while turns.more(self) {
-            names.push(self.name(what)?);
+            names.push(self.step_name(what)?);
             if !self.eat(",") && !self.is_empty() {
                 return Err(self.error(format!("expected `,`, found {}", self.found())));
             }

@@ -12,6 +12,7 @@ mod condition;
 mod decl;
 mod error;
 mod force;
+mod foreign;
 mod fragments;
 mod guard;
 mod header;
@@ -38,6 +39,7 @@ use self::input::Input;
 use crate::ast::Chart;
 use crate::diagnostic::Sink;
 
+pub(crate) use association::is_qualifier;
 pub use time::{mentions_time, time_literal};
 
 /// Parses the tokens of one macro call.

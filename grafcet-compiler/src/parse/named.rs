@@ -19,8 +19,15 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
     let name = input.name("the name of the condition, as in `let go = auto || rising(next);`")?;
     let start = *input;
     if !input.at("::") && !input.at(":=") && input.eat(":") {
-        input.rust(Type::parse)?;
-        let message = format!("a `let` has the type of its expression; write `let {name} = …;`");
+        let ty = input.rust(Type::parse)?;
+        let message = if matches!(&ty, Type::Path(path) if path.path.is_ident("bool")) {
+            format!("a `let` has the type of its expression; write `let {name} = …;`")
+        } else {
+            let ty = quote::ToTokens::to_token_stream(&ty);
+            format!(
+                "a `let` has the type of its expression; write `let {name} = …;`, or `var {name}: {ty} = …;` if it is to change"
+            )
+        };
         sink.notation(input.since(&start), message);
     }
     if !input.at_assign() || !input.eat("=") {

@@ -27,7 +27,7 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
             let steps = match input.enter(Delimiter::Parenthesis) {
                 Some(inside) if inside.is_empty() => return Err(inside.error("a home situation has at least one step")),
                 Some(mut inside) => inside.names(what)?,
-                None => vec![input.name(what)?],
+                None => vec![input.step_name(what)?],
             };
             if input.at(",") {
                 return Err(input.error("a home situation of several steps is written in parentheses: `home (A, B);`"));

@@ -65,6 +65,11 @@ pub(super) fn semicolon(input: &mut Input, place: Place, sink: &mut Sink) {
         sink.notation(input.last(), "`;` is missing behind this");
         return;
     }
+    if place == Place::Step && input.at(",") {
+        sink.notation(input.span(), "each line of a step ends with `;`, not with `,`");
+        input.bump();
+        return;
+    }
     unexpected(input).report(sink);
     let start = *input;
     skip(input, &start, place);

@@ -38,7 +38,13 @@ impl Words {
 /// A step of any kind; the first of its words is next.
 pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<Step> {
     let words = words(input, sink);
-    let name = input.name("the name of the step")?;
+    if let Some(number) = input.number() {
+        sink.notation(
+            input.span(),
+            format!("the name of a step begins with a letter: write `S{number}`, here and in the chains"),
+        );
+    }
+    let name = input.step_name("the name of the step")?;
     let kind = match (words.macro_step, words.enclosing) {
         (Some(span), None) => StepKind::Macro(span, body::parse(braces(input, &name, "macro-step")?, sink)),
         (None, Some(span)) => {
@@ -56,27 +62,30 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
 
 /// Everything up to the name.
 fn words(input: &mut Input, sink: &mut Sink) -> Words {
-    let (mut words, mut turns) = (Words::default(), Turns::default());
+    let (mut found, mut turns) = (Words::default(), Turns::default());
     while turns.more(input) {
         let Some(word) = input.word() else { break };
         let last = input.next().word().is_none();
         let meant = match words::meant(word) {
             Some(meant) if last && meant != "step" => break,
-            Some(meant) if meant == "step" || words.slot(meant).is_some() => meant,
+            Some(meant) if meant == "step" || found.slot(meant).is_some() => meant,
             _ => break,
         };
         // The first word was reported where the item was recognised.
-        if meant != word && !words.is_empty() {
+        if meant != word && !found.is_empty() {
             words::report(input, meant, sink);
         }
         input.bump();
-        let Some(slot) = words.slot(meant) else { return words };
+        let Some(slot) = found.slot(meant) else { return found };
         if slot.replace(input.last()).is_some() {
             sink.notation(input.last(), format!("`{word}` stands here twice; remove one"));
         }
+        if words::is_initial_step(word) {
+            return found;
+        }
     }
     sink.notation(input.last(), "behind this `step` is missing, as in `initial step Off;`");
-    words
+    found
 }
 
 impl Words {
@@ -105,7 +114,13 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
         sink.notation(input.last(), "`;` is missing behind this; a step ends with `;` or has a body in braces");
         return Ok(StepBody::default());
     }
-    Err(input.error(format!("expected `{{` or `;` behind the name of the step, found {}", input.found())))
+    Err(input.error(if input.at(",") {
+        "each step is declared on its own: `step A; step B;`".to_owned()
+    } else if input.at(":") {
+        format!("what a step does stands in braces: `step {name} {{ N q; }}`")
+    } else {
+        format!("expected `{{` or `;` behind the name of the step, found {}", input.found())
+    }))
 }
 
 /// The lines of a step, and the partial grafcets where it encloses some.

@@ -5,14 +5,15 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Block, Expr, Token};
 
-use super::{Input, Result, leaving};
+use super::input::Turns;
+use super::{Error, Input, Result, leaving};
 use crate::ast::Target;
 
 /// The target of an association or of an action on clearing.
 pub(super) fn parse(input: &mut Input) -> Result<Target> {
     let start = *input;
     if input.at_group(Delimiter::Brace) {
-        let block = input.rust_tokens(1, Block::parse)?;
+        let block = input.rust_tokens(1, Block::parse).map_err(|error| assignment(start).unwrap_or(error))?;
         leaving::block(&start, input, &block)?;
         return Ok(Target::Block(block));
     }
@@ -29,6 +30,21 @@ pub(super) fn parse(input: &mut Input) -> Result<Target> {
     }
     refuse(input, &name)?;
     Ok(Target::Name(name))
+}
+
+/// `:=` in a block that Rust could not read.
+fn assignment(mut block: Input) -> Option<Error> {
+    let (mut inside, mut turns) = (block.enter(Delimiter::Brace)?, Turns::default());
+    while turns.more(&inside) {
+        if inside.at(":=") {
+            return Some(inside.error("an assignment is written `=`, not `:=`"));
+        }
+        if let Some(error) = assignment(inside) {
+            return Some(error);
+        }
+        inside.bump();
+    }
+    None
 }
 
 fn args(input: &mut Input) -> Result<Vec<Expr>> {
@@ -57,6 +73,10 @@ fn refuse(input: &Input, name: &Ident) -> Result<()> {
     }
     if input.at("==") {
         return Err(input.error(format!("`==` compares; an assignment is written `{name} = …`")));
+    }
+    if input.at("++") || input.at("--") {
+        let sign = if input.at("++") { '+' } else { '-' };
+        return Err(input.error(format!("write `{name} = {name} {sign} 1`")));
     }
     for operator in ["+=", "-=", "*=", "/=", "%=", "^=", "&=", "|=", "<<=", ">>="] {
         if input.at(operator) {

@@ -37,6 +37,7 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("place", "step"),
     ("init", "initial"),
     ("start", "initial"),
+    ("initial_step", "initial"),
     ("in", "input"),
     ("out", "output"),
     ("static", "var"),
@@ -70,8 +71,15 @@ pub(super) fn meant(written: &str) -> Option<&'static str> {
     exactly.or_else(elsewhere).or_else(nearly).copied()
 }
 
+/// `INITIAL_STEP`, as IEC 61131-3 writes it.
+pub(super) fn is_initial_step(word: &str) -> bool {
+    word.eq_ignore_ascii_case("initial_step")
+}
+
 /// Reports the next word, which is meant, but not written, as one of the notation.
 pub(super) fn report(input: &Input, meant: &str, sink: &mut Sink) {
+    let both = input.word().is_some_and(is_initial_step);
+    let meant = if both { "initial step" } else { meant };
     sink.notation(input.span(), format!("{} is no word of the notation; write `{meant}`", input.found()));
 }
 

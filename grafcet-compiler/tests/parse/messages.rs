@@ -138,7 +138,7 @@ fn steps() {
         ("macro enclosing step A { }", "enclosing", "not both"),
         ("step ;", ";", "expected the name of the step"),
         ("step { }", "{", "expected the name of the step"),
-        ("step A: { }", ":", "expected `{` or `;`"),
+        ("step A: { }", ":", "stands in braces"),
         ("step A", "A", "`;` is missing"),
         ("step A step B;", "A", "`;` is missing"),
         ("macro step A;", ";", "the braces of the macro-step `A`"),
@@ -248,7 +248,7 @@ fn chains() {
         ("A -[x]-> B step C;", "B", "`;` is missing"),
         ("A -[x] ;", "-[x]", "has no head and leads nowhere"),
         ("A - B;", "A", "`A -[condition]-> B;`"),
-        ("A => B;", "A", "`A -[condition]-> B;`"),
+        ("A => B;", "=>", "drawn with its condition"),
     ]);
 }
 
@@ -270,7 +270,7 @@ fn conditions() {
         ("a && (x = 1)", "=", "compares with `==`"),
         ("x += 1", "+=", "a condition changes nothing"),
         ("x := 1", ":", "compares with `==`"),
-        ("x <> y", "<", "`<>` is written `!=`"),
+        ("x <> y", "<>", "`<>` is written `!=`"),
         ("/x", "/", "a negation is written `!a`"),
         ("else if x", "if", "`else` has no condition of its own"),
         ("go:", "]", "expected a condition"),

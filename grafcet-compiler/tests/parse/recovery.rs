@@ -94,7 +94,7 @@ fn names_of_broken_items_are_guessed() {
         ("a: bool;", "a"),
         ("N q;", ""),
         ("clock x;", ""),
-        ("A -[x]-> 5;", ""),
+        ("A -[x]-> 5.5;", ""),
     ] {
         assert_eq!(body(&format!("sfc C {{ {text} }}")).1.join(" "), names, "{text}");
     }

@@ -94,17 +94,33 @@ impl Resolver<'_> {
     }
 
     fn call(&mut self, name: &Ident, args: &[syn::Expr]) -> Option<Effect> {
+        let written = args;
+        let qualified =
+            matches!(self.scope.get(name), Some(Meaning::Value(_))) && called_with_qualifier(args).is_some();
+        let args = if qualified { &[] } else { args };
         let args: Vec<_> = args.iter().map(|arg| (Mark::of(arg), expr::resolve(arg, self))).collect();
         let action = match self.scope.get(name) {
             Some(Meaning::Action(action)) => {
                 self.model.mentions.push((Mention::Action(action), name.span()));
                 action
             }
+            Some(Meaning::Value(Name::Output(_))) if qualified => {
+                let word = called_with_qualifier(written).unwrap_or_default();
+                let message = format!("a qualifier stands in front of what it acts on: `{word} {name};`");
+                self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
+                return None;
+            }
             Some(other) => {
                 let message = format!(
                     "`{name}` is {}, which cannot be called; declare an `action` under another name",
                     other.kind()
                 );
+                self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
+                return None;
+            }
+            None if crate::parse::is_qualifier(&name.to_string()) => {
+                let target = written.first().map_or_else(|| "q".to_owned(), super::text::of);
+                let message = format!("a qualifier stands in front of what it acts on: `{name} {target};`");
                 self.sink.rule(&rules::WRONG_TARGET, &[], vec![(name.into(), message)]);
                 return None;
             }
@@ -126,4 +142,10 @@ impl Resolver<'_> {
         }
         Some(Effect::Call(action, args.into_iter().map(|(_, arg)| arg).collect()))
     }
+}
+
+/// `lamp(N)`, as IEC 61131-3 writes an association.
+fn called_with_qualifier(args: &[syn::Expr]) -> Option<String> {
+    let first = expr::single_name(args.first()?)?.to_string();
+    crate::parse::is_qualifier(&first).then_some(first)
 }

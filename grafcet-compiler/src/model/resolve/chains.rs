@@ -8,6 +8,7 @@ use super::{Resolver, expr, otherwise};
 use crate::ast::{self, Arrow, Condition, Node};
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
+use crate::sorted::Set;
 
 /// At which end of an arrow a node stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,8 +28,20 @@ impl Resolver<'_> {
             self.node(before, End::Source, partial);
             self.lose();
         }
+        let mut condition = false;
         for (position, (arrow, after)) in chain.rest.iter().enumerate() {
+            // The second arrow of `A -> on -> B`.
+            if std::mem::take(&mut condition) {
+                before = after;
+                continue;
+            }
             self.repeated(after);
+            if let Some((Arrow::Bare(end), last)) = chain.rest.get(position + 1) {
+                condition = self.condition_as_step(before, arrow, after, *end, last, partial);
+                if condition {
+                    continue;
+                }
+            }
             match arrow {
                 // See `anys`.
                 _ if position == 0 && matches!(before, Node::Any(_)) => {}
@@ -37,6 +50,30 @@ impl Resolver<'_> {
             }
             before = after;
         }
+    }
+
+    /// `A -> on -> B`, where `on` is a value: meant as a condition.
+    fn condition_as_step(
+        &mut self,
+        before: &Node,
+        arrow: &Arrow,
+        name: &Node,
+        end: Mark,
+        after: &Node,
+        partial: PartialId,
+    ) -> bool {
+        let (Arrow::Bare(start), Node::Step(name)) = (arrow, name) else { return false };
+        let Some(value @ Meaning::Value(_)) = self.scope.get(name) else { return false };
+        self.node(before, End::Source, partial);
+        self.node(after, End::Target, partial);
+        let (from, to) = (name_of(before), name_of(after));
+        let message = format!(
+            "`{name}` is {}, and a condition stands in brackets: write `{from} -[{name}]-> {to}`",
+            value.kind()
+        );
+        self.sink.rule(&rules::STEPS_WITHOUT_TRANSITION, &[], vec![(start.to(end), message)]);
+        self.lose();
+        true
     }
 
     fn transition(
@@ -51,6 +88,7 @@ impl Resolver<'_> {
         let targets = self.node(after, End::Target, partial);
         self.crossing(before, after);
         self.owner = self.owner_of(before);
+        self.from = names(before).first().map(ToString::to_string);
         let condition = match &transition.condition {
             Condition::Holds(condition) => expr::resolve_condition(condition, self),
             Condition::Else(word) => otherwise::always(*word),
@@ -62,6 +100,7 @@ impl Resolver<'_> {
         self.forgotten(after, End::Target);
         let clearing = self.clearing(transition);
         self.owner = Owner::Chart;
+        self.from = None;
         self.missing(after);
         let (Some(sources), Some(targets)) = (sources, targets) else { return self.lose() };
         self.loose_end(before, End::Source);
@@ -132,6 +171,10 @@ impl Resolver<'_> {
         let mut steps = Vec::new();
         let mut complete = true;
         for name in names(node) {
+            if self.is_slip(name) {
+                complete = false;
+                continue;
+            }
             let step = match self.scope.step(name, self.sink) {
                 Some(Meaning::Step(step)) => step,
                 Some(Meaning::Macro(id)) if self.broken_macros.contains(&id) => {
@@ -161,6 +204,27 @@ impl Resolver<'_> {
             }
         }
         complete.then_some(steps)
+    }
+
+    /// Whether a name that is no step was meant as one that no chain names; that is reported, and the step is not on its own.
+    fn is_slip(&mut self, name: &Ident) -> bool {
+        if self.scope.is_broken(name) || matches!(self.scope.get(name), Some(Meaning::Step(_) | Meaning::Macro(_))) {
+            return false;
+        }
+        let written = name.to_string().to_lowercase();
+        let near = |step: &&Ident| {
+            let step = step.to_string();
+            !self.drawn.contains(&step) && strsim::osa_distance(&step.to_lowercase(), &written) <= 1
+        };
+        let mut candidates = self.scope.steps().filter(near);
+        let (Some(step), None) = (candidates.next().cloned(), candidates.next()) else { return false };
+        let message =
+            format!("no step is called `{name}`; did you mean `{step}`, which nothing else leads to or from?");
+        self.sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
+        if let Some(Meaning::Step(id)) = self.scope.get(&step) {
+            self.model.steps[id].drawn = true;
+        }
+        true
     }
 
     /// An expansion is entered and left through its macro-step alone.
@@ -306,5 +370,27 @@ fn name_of(node: &Node) -> String {
         }
         Node::Any(_) => "any".to_owned(),
         Node::Missing(_) | Node::Forgotten(_) => "…".to_owned(),
+    }
+}
+
+/// Every name in the chains of a body and of the bodies inside it.
+pub(super) fn drawn(body: &ast::Body, found: &mut Set<String>) {
+    for item in &body.items {
+        match item {
+            ast::Item::Chain(chain) => {
+                let nodes = std::iter::once(&chain.first).chain(chain.rest.iter().map(|(_, node)| node));
+                for name in nodes.flat_map(names) {
+                    found.insert(name.to_string());
+                }
+            }
+            ast::Item::Partial(inner) => drawn(&inner.body, found),
+            ast::Item::Step(ast::Step { kind: ast::StepKind::Macro(_, inner), .. }) => drawn(inner, found),
+            ast::Item::Step(ast::Step { kind: ast::StepKind::Enclosing(_, _, partials), .. }) => {
+                for inner in partials {
+                    drawn(&inner.body, found);
+                }
+            }
+            _ => {}
+        }
     }
 }

@@ -5,8 +5,9 @@ use quote::ToTokens;
 use syn::{BinOp, ExprBinary};
 
 use super::expr::{Lower, literal, looks_like_a_variable, resolve, single_name, step_path};
+use super::habits;
 use super::scope::Meaning;
-use crate::diagnostic::Mark;
+use crate::diagnostic::{Mark, rules};
 use crate::model::{Delay, Expr, Read, TimeRef, Tree, placeholder};
 
 /// What stands between the slashes.
@@ -48,6 +49,15 @@ impl Lower<'_, '_> {
             // `5/Heat`: a number divided by a step can only be meant as a delay.
             None if is_number(&division.left) && self.is_step(&division.right) => {
                 self.resolver.no_unit(&division.left);
+                TimeRef::Ticks(0)
+            }
+            // `(t + 1s)/Heat`
+            None if self.is_step(&division.right) && single_name(&division.left).is_none() => {
+                let (time, step) = (super::text::of(&division.left), super::text::of(&division.right));
+                let time = time.strip_prefix('(').and_then(|time| time.strip_suffix(')')).unwrap_or(&time);
+                let message =
+                    format!("in front of `/` stands one time, a literal or a name; write `{step}.T >= {time}`");
+                self.resolver.sink.notation(Mark::of(&division.left), message);
                 TimeRef::Ticks(0)
             }
             // `soack/Soak`, too.
@@ -102,6 +112,12 @@ impl Lower<'_, '_> {
             let delay = self.resolver.delay(Delay { on, of, off });
             return self.replace(expr, Read::Delay(delay));
         };
+        if let [name] = &step[..] {
+            if let (None, Some(message)) = (self.resolver.scope.get(name), habits::delayed(name, self.resolver)) {
+                self.resolver.sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
+                return Tree::Bool(true);
+            }
+        }
         let read = match self.step(&step) {
             Some(Meaning::Step(id)) if off == TimeRef::Ticks(0) => Read::Elapsed(on, id),
             Some(Meaning::Macro(id)) if off == TimeRef::Ticks(0) => Read::MacroElapsed(on, id),

@@ -4,8 +4,8 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{BinOp, Lit, Member, UnOp};
 
-use super::Resolver;
 use super::scope::Meaning;
+use super::{Resolver, habits};
 use crate::diagnostic::{Mark, rules};
 use crate::model::{Binary, Edge, Expr, LetId, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
 use crate::visit::Locals;
@@ -29,36 +29,21 @@ pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>)
     (Expr { tree, tokens, reads, text, mark: Mark::of(expr) }, places)
 }
 
-/// Resolves a condition. `Feeder::Rest` alone, where that is a step of a partial grafcet, is no Rust there; compared with
-/// something it may be a variant of a type with such a name.
+/// Resolves a condition.
 pub(super) fn resolve_condition(expr: &syn::Expr, resolver: &mut Resolver<'_>) -> Expr {
-    steps_alone(expr, resolver);
-    resolve(expr, resolver)
-}
-
-fn steps_alone(expr: &syn::Expr, resolver: &mut Resolver<'_>) {
-    match expr {
-        syn::Expr::Paren(paren) => steps_alone(&paren.expr, resolver),
-        syn::Expr::Unary(unary) if matches!(unary.op, UnOp::Not(_)) => steps_alone(&unary.expr, resolver),
-        syn::Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
-            steps_alone(&binary.left, resolver);
-            steps_alone(&binary.right, resolver);
-        }
-        syn::Expr::Path(_) => {
-            let Some([partial, step]) = step_path(expr).and_then(|path| <[Ident; 2]>::try_from(path).ok()) else {
-                return;
-            };
-            let is_step = matches!(resolver.scope.get(&step), Some(Meaning::Step(_) | Meaning::Macro(_)));
-            if is_step && resolver.scope.has_partial(&partial) {
-                let message = without_field(&format!("{partial}::{step}"));
-                resolver.sink.notation(Mark::of(expr), message);
-            }
-        }
-        _ => {}
+    let (before, alone) = (resolver.sink.count(), resolver.alone.len());
+    habits::of_condition(expr, resolver);
+    let broken = resolver.sink.count() > before;
+    let mut condition = resolve(expr, resolver);
+    resolver.alone.truncate(alone);
+    if broken {
+        let (text, reads) = (condition.text.clone(), condition.reads.clone());
+        condition.tree = Tree::Opaque { text, reads, call: None, whole: false };
     }
+    condition
 }
 
-fn without_field(step: &str) -> String {
+pub(super) fn without_field(step: &str) -> String {
     format!("`{step}` is a step; write `{step}.X` for its activity or `{step}.T` for its time")
 }
 
@@ -197,6 +182,11 @@ impl<'r, 's> Lower<'r, 's> {
                 self.resolver.sink.notation(&name, message);
                 Tree::Bool(true)
             }
+            None if habits::name(&name, self.resolver).is_some() => {
+                let message = habits::name(&name, self.resolver).unwrap_or_default();
+                self.resolver.sink.notation(&name, message);
+                Tree::Bool(true)
+            }
             _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => {
                 Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false }
             }
@@ -272,6 +262,10 @@ impl<'r, 's> Lower<'r, 's> {
         let local = self.locals.contains(&function);
         if let (false, Some(Meaning::Action(_))) = (local, self.resolver.scope.get(&function)) {
             return self.path(&mut call.func);
+        }
+        if let (false, None, Some(message)) = (local, self.resolver.scope.get(&function), habits::function(&function)) {
+            self.resolver.sink.notation(&function, message);
+            return Tree::Bool(true);
         }
         if !local && function == "blink" {
             return self.blink(expr);

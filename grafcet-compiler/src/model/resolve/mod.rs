@@ -11,6 +11,7 @@ mod declare;
 mod delay;
 mod expr;
 mod foreign;
+mod habits;
 mod misplaced;
 mod named;
 mod otherwise;
@@ -32,6 +33,7 @@ use super::{
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::sorted::Set;
 
 /// Resolves a chart. Mistakes go to the sink; the model holds all that could be understood.
 pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
@@ -44,6 +46,9 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         broken_macros: Vec::new(),
         settings: Vec::new(),
         owner: Owner::Chart,
+        from: None,
+        alone: Vec::new(),
+        drawn: Set::new(),
         elses: Vec::new(),
         unread: chart.incomplete,
         pure: Vec::new(),
@@ -54,6 +59,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
     };
     resolver.declare_chart(&chart.body);
     resolver.check_lets();
+    chains::drawn(&chart.body, &mut resolver.drawn);
     let mut cursor = Cursor::default();
     resolver.anys(&chart.body, PartialId::new(0));
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
@@ -77,6 +83,12 @@ pub(super) struct Resolver<'s> {
     settings: Vec<(&'static str, Mark)>,
     /// To which step the expression belongs that is being resolved.
     owner: Owner,
+    /// The first step in front of the condition that is being resolved.
+    from: Option<String>,
+    /// The names that stand alone in the condition that is being resolved, as parts of it.
+    alone: Vec<String>,
+    /// Every name in a chain.
+    drawn: Set<String>,
     /// The transitions whose condition is `else`.
     elses: Vec<TransitionId>,
     /// Something of the source could not be parsed, and is missing.
@@ -183,9 +195,11 @@ impl Resolver<'_> {
 
     fn step_body(&mut self, step: StepId, body: &ast::StepBody) {
         self.owner = Owner::One(Blinker::Step(step));
+        self.from = Some(self.model.steps[step].name.to_string());
         for association in &body.associations {
             self.association(step, association);
         }
+        self.from = None;
         self.owner = Owner::Chart;
         for force in &body.forces {
             self.force(step, force);

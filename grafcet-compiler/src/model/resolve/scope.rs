@@ -178,7 +178,14 @@ impl Scope {
         sink.rule(&rules::UNKNOWN_NAME, &[], vec![(name.into(), message)]);
     }
 
-    fn is_broken(&self, name: &Ident) -> bool {
+    /// The names of all steps and macro-steps.
+    pub(super) fn steps(&self) -> impl Iterator<Item = &Ident> {
+        let steps = |(meaning, _): &&(Meaning, Ident)| matches!(meaning, Meaning::Step(_) | Meaning::Macro(_));
+        self.names.values().flatten().filter(steps).map(|(_, name)| name)
+    }
+
+    /// Whether a broken item would have declared the name.
+    pub(super) fn is_broken(&self, name: &Ident) -> bool {
         self.broken.iter().any(|b| name == b)
     }
 

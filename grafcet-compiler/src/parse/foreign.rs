@@ -1,0 +1,105 @@
+//! Words and signs of other notations in an expression that Rust could not read.
+
+use proc_macro2::Delimiter;
+
+use super::input::Turns;
+use super::{Error, Input};
+use crate::diagnostic::Mark;
+
+/// All of them from here to the end of the item, each with what is written here.
+pub(super) fn all(mut input: Input) -> Option<Error> {
+    let mut notes = Vec::new();
+    let start = input;
+    collect(&mut input, &mut notes);
+    if notes.is_empty() && start.at_word("if") {
+        notes.push((start.span().into(), "a condition stands for itself; remove `if`".to_owned()));
+    }
+    Error::several(notes)
+}
+
+/// Whether something stands here that an expression can begin with.
+pub(super) fn starts_operand(input: &Input) -> bool {
+    input.at_name() || input.literal().is_some()
+}
+
+/// `T#5s`: the input behind it and what stands behind the sign.
+pub(super) fn iec_time<'a>(input: &Input<'a>) -> Option<(Input<'a>, String)> {
+    let word = input.word().filter(|word| ["t", "time", "lt", "ltime"].contains(&word.to_lowercase().as_str()));
+    word.filter(|_| input.next().at("#"))?;
+    let literal = input.next().next();
+    Some((literal.next(), literal.literal()?.to_string()))
+}
+
+/// What Rust calls an operator that is written as a word.
+fn operator(word: &str) -> Option<&'static str> {
+    match word.to_lowercase().as_str() {
+        "and" => Some("&&"),
+        "or" => Some("||"),
+        "not" => Some("!"),
+        "xor" => Some("^"),
+        "mod" => Some("%"),
+        _ => None,
+    }
+}
+
+fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
+    let mut operand = false;
+    // Where a `;` is missing, the rest of the chart is no part of this condition.
+    for _ in 0..100 {
+        if input.is_empty() || input.at(";") {
+            return;
+        }
+        let start = *input;
+        if let Some((behind, message)) = sign(input, operand) {
+            *input = behind;
+            notes.push((input.since(&start), message));
+            operand = start.punct().is_none() && operator(start.word().unwrap_or_default()).is_none();
+            continue;
+        }
+        operand = input.punct().is_none();
+        match input.delimiter().and_then(|delimiter| input.enter(delimiter)) {
+            Some(mut inside) => collect(&mut inside, notes),
+            None => {
+                input.bump();
+            }
+        }
+    }
+}
+
+/// The word or sign of another notation at `input`, as far as it reaches, and what to write in its place.
+fn sign<'a>(input: &Input<'a>, operand: bool) -> Option<(Input<'a>, String)> {
+    let behind = input.next();
+    if let Some((behind, time)) = iec_time(input) {
+        return Some((behind, format!("a time is written with its unit alone: `{time}`")));
+    }
+    if let Some((word, ours)) = input.word().and_then(|word| Some((word, operator(word)?))) {
+        // A name like any other, unless an operand follows it.
+        let operates = starts_operand(&behind) || behind.at_group(Delimiter::Parenthesis) || behind.at("!");
+        return operates.then(|| (behind, format!("`{word}` is written `{ours}`")));
+    }
+    if input.word() == Some("after") && behind.literal().is_some() {
+        let message = "a time is asked of a step: `5s/A` holds once step `A` has been active for so long";
+        return Some((behind.next(), message.to_owned()));
+    }
+    if let (Some(number), Some(unit @ ("h" | "m" | "s" | "ms" | "us" | "min"))) = (input.literal(), behind.word()) {
+        let unit = if unit == "min" { "m" } else { unit };
+        return Some((behind.next(), format!("number and unit stand together: write `{number}{unit}`")));
+    }
+    let signs: [(&str, bool, &str); 5] = [
+        ("<>", true, "`<>` is written `!=`"),
+        (":=", true, "a condition compares with `==`"),
+        ("/", !operand, "a negation is written `!a`"),
+        ("^", !operand, "an edge is written `rising(a)` or `falling(a)`"),
+        ("%", !operand, "an address has a name here: declare `input start: bool;`, and the program fills it in"),
+    ];
+    let (text, _, message) = signs.into_iter().find(|(text, fits, _)| *fits && input.at(text))?;
+    let mut end = input.behind(text)?;
+    if text == "%" {
+        // `%IX0.0`
+        let mut turns = Turns::default();
+        while turns.more(&end) && (end.word().is_some() || end.literal().is_some() || end.at(".") && !end.at("..")) {
+            end.bump();
+        }
+    }
+    Some((end, message.to_owned()))
+}
