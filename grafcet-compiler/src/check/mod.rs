@@ -58,7 +58,7 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     // Of these it has been said that they make no sense.
     let mixed = mixed(model);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
-    let exploration = properties::check(model, &logic, limits, never, sink);
+    let (exploration, aways) = properties::check(model, &logic, limits, never, sink);
     let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
     let conditions::Said { never: mut said, always } = conditions::check(model, &logic, &conditions, sink);
     // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and behind an evolution act
@@ -80,13 +80,14 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     let mut dead = reach::check(model, &independent, &exploration, &said, &mut told, sink);
     dead.extend(&said);
     let presumed = branches.presumed_exclusive();
-    if presumed.is_empty() {
-        safety::check(model, &exploration, sink);
+    let partings = if presumed.is_empty() {
+        safety::check(model, &exploration, sink)
     } else {
         let never: Vec<&Tree> = never.iter().copied().chain(&presumed).collect();
-        safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink);
-    }
-    waits::check(model, &independent, &exploration, &dead, &mut told, sink);
+        safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
+    };
+    let stays = waits::check(model, &independent, &exploration, &dead, &mut told, sink);
+    properties::homes(model, limits, &aways, &stays, &partings, sink);
     Silent { model, structure: &independent, exploration: &exploration }.check(told, sink);
     let races = Races::of(model, racing, &limits, never);
     race::check(model, &races, &mixed, sink);

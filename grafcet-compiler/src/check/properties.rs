@@ -2,14 +2,28 @@
 //!
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
+use super::waits::Stays;
 use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation, text};
 use crate::analysis::{Logic, Nesting, mixed, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
-use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, Tree};
+use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
-/// Returns the exploration, for the other rules.
-pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&Tree], sink: &mut Sink) -> Exploration {
+/// A situation from which there is no way home.
+pub(super) struct Away<'m> {
+    property: &'m Property,
+    path: Path,
+}
+
+/// Returns the exploration, for the other rules, and what is to be said of `home` where it does not follow from these.
+pub(super) fn check<'m>(
+    model: &'m Model,
+    logic: &Logic<'_>,
+    limits: Limits,
+    never: &[&Tree],
+    sink: &mut Sink,
+) -> (Exploration, Vec<Away<'m>>) {
+    let mut aways = Vec::new();
     // What nobody can say the value of is no matter of a proof.
     let mixed = mixed(model);
     let open: Vec<(&Property, Tree)> = model
@@ -35,7 +49,7 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&
     let has_home = model.properties.iter().any(|property| matches!(property.claim, Claim::Home(..)));
     let nesting = if has_home { Nesting::of(model) } else { None };
     for property in &model.properties {
-        let Claim::Home(home, mark) = &property.claim else { continue };
+        let Claim::Home(home, _) = &property.claim else { continue };
         if nesting.as_ref().is_some_and(|nesting| nesting.returns_to(home, never)) {
             continue;
         }
@@ -47,15 +61,34 @@ pub(super) fn check(model: &Model, logic: &Logic<'_>, limits: Limits, never: &[&
         });
         match answer {
             Answer::Never => {}
-            Answer::Possible(path) => report.not_home(property, (home, *mark), &path, sink),
+            Answer::Possible(path) => aways.push(Away { property, path }),
             Answer::Unknown(doubt) => report.undecided(property, &doubt, sink),
         }
     }
     if watched.is_empty() || exploration.is_complete() {
-        return exploration;
+        return (exploration, aways);
     }
     // To follow what the properties are about takes more than the rules need.
-    Exploration::assuming(model, &limits, &[], never)
+    (Exploration::assuming(model, &limits, &[], never), aways)
+}
+
+/// Reports that there is no way home, where no other error tells why: that the chart stays where it is, or that two ways part
+/// and never meet again.
+pub(super) fn homes(
+    model: &Model,
+    limits: Limits,
+    aways: &[Away<'_>],
+    stays: &[Stays],
+    partings: &Set<TransitionId>,
+    sink: &mut Sink,
+) {
+    for away in aways {
+        let Claim::Home(home, mark) = &away.property.claim else { continue };
+        let parts = away.path.cycles.last().is_some_and(|end| end.cleared.iter().any(|id| partings.contains(id)));
+        if !parts && !stays.iter().any(|stays| stays.explains(away.path.end())) {
+            Report { model, limits }.not_home(away.property, (home, *mark), &away.path, sink);
+        }
+    }
 }
 
 fn reads_any(expr: &Expr, places: &Set<Place>) -> bool {

@@ -1,12 +1,13 @@
 //! `unreachable_step`, `dead_transition`: what the chart never comes to.
 //!
 //! One cause gives one message. A step that would be reached if a transition that never clears did is not reported beside
-//! that transition, and neither are the transitions that leave a step which is never active. The exception is the step
-//! right behind an AND-convergence whose sources are never together: it is where one looks for the fault.
+//! that transition, and neither are the transitions that leave a step which is never active. Of an AND-convergence whose
+//! sources are never together, and where something waits for it, `stuck_join` says what is wrong.
 
 use super::silent::Told;
+use super::waits;
 use crate::analysis::Concurrency;
-use crate::analysis::explore::{Exploration, situation};
+use crate::analysis::explore::{Exploration, StuckJoin, situation};
 use crate::analysis::hierarchy::initial_situation;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Blinker, Dialect, ForceOrder, Id, Model, Step, StepId, Transition, TransitionId};
@@ -37,19 +38,8 @@ pub(super) fn check(
             !dead.contains(&arc) && !said.contains(&arc) && sources.iter().all(|source| exploration.reachable(*source))
         };
         let beaten = model.transitions.iter().find(|(arc, transition)| transition.targets.contains(&id) && open(*arc));
-        let missed = model.transitions.iter().find(|(arc, transition)| {
-            transition.targets.contains(&id)
-                && transition.sources.len() > 1
-                && dead.contains(arc)
-                && !exploration.is_enabled(*arc)
-        });
         let forced = step.initial && model.partials[step.partial].enclosed_by.is_none();
-        let message = match beaten.or(missed) {
-            Some((arc, join)) if dead.contains(&arc) => format!(
-                "step `{}` is never active: {}, which lead to it, are never all active together",
-                step.name,
-                named(model, &join.sources)
-            ),
+        let message = match beaten {
             Some((_, arc)) => never_wins(model, step, arc),
             None if forced => {
                 format!("step `{}` is never active: an order forces its partial grafcet from the start", step.name)
@@ -59,9 +49,9 @@ pub(super) fn check(
         told.steps.insert(id);
         sink.rule(&rules::UNREACHABLE_STEP, &model.levels_of(step), vec![(Mark::from(&step.name), message)]);
     }
-    // Of a convergence that a branch can leave alone `stuck_join` says what is wrong.
-    let left = exploration.stuck_joins().iter().filter(|stuck| stuck.culprit.is_some());
-    let waiting: Set<TransitionId> = left.map(|stuck| stuck.join).collect();
+    // Of a convergence for which something waits `stuck_join` says what is wrong, if the chart wants to see that.
+    let waits = |stuck: &&StuckJoin| stuck.culprit.is_some() || says_enough(model, exploration, stuck);
+    let waiting: Set<TransitionId> = exploration.stuck_joins().iter().filter(waits).map(|stuck| stuck.join).collect();
     let alternatives: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     // One whose sources never meet as the chart is drawn does not follow from anything else.
     let others_dead = |join: &TransitionId| {
@@ -87,6 +77,14 @@ pub(super) fn check(
         dead_transition(model, exploration, *id, sink);
     }
     dead
+}
+
+/// Whether what `stuck_join` says of a convergence that never clears makes `dead_transition` superfluous: it is as loud.
+fn says_enough(model: &Model, exploration: &Exploration, stuck: &StuckJoin) -> bool {
+    let join = &model.transitions[stuck.join];
+    let dead = rules::DEAD_TRANSITION.severity_in(model.dialect, &model.levels_of_transition(join));
+    let loudness = rules::STUCK_JOIN.severity_in(model.dialect, &waits::levels(model, stuck));
+    loudness >= dead && !waits::in_contention(model, exploration, stuck)
 }
 
 /// Reports a transition that never clears.

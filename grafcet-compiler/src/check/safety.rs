@@ -6,10 +6,11 @@
 
 use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Model, StepId};
-use crate::sorted::Map;
+use crate::model::{Model, StepId, TransitionId};
+use crate::sorted::{Map, Set};
 
-pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
+/// Returns the transitions by which two ways part that an error tells of.
+pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) -> Set<TransitionId> {
     let mut first: Map<Parting, (StepId, Meeting, &Activation)> = Map::new();
     for step in model.steps.ids() {
         let Some(activation) = exploration.unsafe_step(step) else { continue };
@@ -23,9 +24,15 @@ pub(super) fn check(model: &Model, exploration: &Exploration, sink: &mut Sink) {
             first.insert(parting, (step, meeting, activation));
         }
     }
-    for (_, (step, meeting, activation)) in first {
+    let mut partings = Set::new();
+    for (parting, (step, meeting, activation)) in first {
+        let errors = sink.errors();
         report(model, step, &meeting, activation, sink);
+        if let (true, Parting::At(parting)) = (sink.errors() > errors, parting) {
+            partings.insert(parting);
+        }
     }
+    partings
 }
 
 fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activation, sink: &mut Sink) {

@@ -10,6 +10,24 @@ use crate::diagnostic::{Mark, Sink, rules};
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
 use crate::sorted::Set;
 
+/// Where the chart stays for ever, of which an error tells.
+pub(super) enum Stays {
+    /// These steps stay active, whatever happens.
+    Deadlock(Vec<StepId>),
+    /// In this situation, a step waits for an AND-convergence.
+    At(StepId, Vec<StepId>),
+}
+
+impl Stays {
+    /// Whether nothing leads on from a situation because of it.
+    pub(super) fn explains(&self, lost: &[StepId]) -> bool {
+        match self {
+            Self::Deadlock(steps) => steps.iter().all(|step| lost.contains(step)),
+            Self::At(waiting, end) => lost.contains(waiting) && lost.iter().all(|step| end.contains(step)),
+        }
+    }
+}
+
 pub(super) fn check(
     model: &Model,
     structure: &Concurrency,
@@ -17,7 +35,8 @@ pub(super) fn check(
     dead: &Set<TransitionId>,
     told: &mut Told,
     sink: &mut Sink,
-) {
+) -> Vec<Stays> {
+    let mut stays = Vec::new();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
@@ -25,7 +44,9 @@ pub(super) fn check(
     let contended: Vec<&Deadlock> =
         exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).collect();
     for deadlock in smallest(&contended) {
+        let errors = sink.errors();
         contention(model, exploration, deadlock, sink);
+        stays.extend((sink.errors() > errors).then(|| Stays::Deadlock(deadlock.steps.clone())));
     }
     let mut reported: Set<TransitionId> = Set::new();
     let mut waiting: Set<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
@@ -45,7 +66,9 @@ pub(super) fn check(
         told.transitions.insert(stuck.join);
         waiting.insert(stuck.waiting);
         if reported.insert(stuck.join) {
+            let errors = sink.errors();
             stuck_join(model, stuck, sink);
+            stays.extend((sink.errors() > errors).then(|| Stays::At(stuck.waiting, stuck.path.end().to_vec())));
         }
     }
     let explained = |step: &StepId| {
@@ -54,8 +77,11 @@ pub(super) fn check(
     let ends: Vec<&Deadlock> =
         exploration.deadlocks().iter().filter(|deadlock| !deadlock.steps.iter().any(explained)).collect();
     for deadlock in smallest(&ends) {
+        let errors = sink.errors();
         report(model, deadlock, &leaving, sink);
+        stays.extend((sink.errors() > errors).then(|| Stays::Deadlock(deadlock.steps.clone())));
     }
+    stays
 }
 
 /// Those of which no earlier one is a part.
@@ -130,9 +156,19 @@ fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
         )),
     }
     notes.push((Mark::from(name), format!("`{name}` can wait forever")));
-    let scopes =
-        [&join.levels[..], &model.steps[stuck.waiting].levels, &model.partials[join.partial].levels, &model.levels];
-    sink.rule(&rules::STUCK_JOIN, &scopes, notes);
+    sink.rule(&rules::STUCK_JOIN, &levels(model, stuck), notes);
+}
+
+/// Where the level of `stuck_join` may stand.
+pub(super) fn levels<'m>(model: &'m Model, stuck: &StuckJoin) -> [&'m [LevelAttr]; 4] {
+    let join = &model.transitions[stuck.join];
+    [&join.levels, &model.steps[stuck.waiting].levels, &model.partials[join.partial].levels, &model.levels]
+}
+
+/// Whether it is part of a deadlock in which all wait for each other.
+pub(super) fn in_contention(model: &Model, exploration: &Exploration, stuck: &StuckJoin) -> bool {
+    let deadlocks = exploration.deadlocks().iter().filter(|deadlock| deadlock.steps.contains(&stuck.waiting));
+    deadlocks.into_iter().any(|deadlock| is_contended(model, exploration, deadlock))
 }
 
 fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sink: &mut Sink) {

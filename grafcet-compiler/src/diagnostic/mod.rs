@@ -83,6 +83,11 @@ impl Sink {
         self.diagnostics.iter().any(|d| d.severity == Severity::Deny)
     }
 
+    /// How many errors were collected so far.
+    pub(crate) fn errors(&self) -> usize {
+        self.diagnostics.iter().filter(|one| one.severity == Severity::Deny).count()
+    }
+
     /// Whether something was said that breaks the rule.
     #[must_use]
     pub fn broke(&self, rule: &Rule) -> bool {

@@ -2,7 +2,7 @@
 
 use super::path::Activation;
 use crate::model::{Model, StepId, TransitionId};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// How two activations of a step come to meet.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -44,7 +44,9 @@ impl Activation {
             events.push(Event { by: None, causes: Vec::new() });
         }
         let last = self.path.cycles.len().saturating_sub(1);
-        for (number, cycle) in self.path.cycles.iter().enumerate() {
+        let mut live: Set<StepId> = self.path.start.iter().copied().collect();
+        let mut found = None;
+        'path: for (number, cycle) in self.path.cycles.iter().enumerate() {
             for transition in &cycle.cleared {
                 let arc = &model.transitions[*transition];
                 let causes: Vec<usize> = arc.sources.iter().filter_map(|source| active.get(source).copied()).collect();
@@ -52,18 +54,28 @@ impl Activation {
                 events.push(Event { by: Some(*transition), causes });
                 if number == last && *transition == self.by {
                     let known = active.get(&step).copied().unwrap_or(event);
-                    let mut meeting = meeting(model, &events, known, event);
-                    let (first, second) = (causes_of(&events, known), causes_of(&events, event));
-                    let starts = self.path.start.iter().enumerate();
-                    let starts = starts.filter(|(start, _)| first[*start] || second[*start]);
-                    meeting.starts = starts.map(|(_, step)| *step).collect();
-                    return meeting;
+                    // A search for stability may clear it several times: it is meant where the step is active.
+                    if live.contains(&step) {
+                        found = Some((known, event));
+                        break 'path;
+                    }
+                    found = found.or(Some((known, event)));
                 }
+                arc.sources.iter().for_each(|source| _ = live.remove(source));
+                live.extend(&arc.targets);
                 // The sources stay known: other branches may clear in the same evolution.
                 active.extend(arc.targets.iter().map(|target| (*target, event)));
             }
         }
-        Meeting { parting: Parting::Start, back: None, starts: Vec::new() }
+        let Some((known, event)) = found else {
+            return Meeting { parting: Parting::Start, back: None, starts: Vec::new() };
+        };
+        let mut meeting = meeting(model, &events, known, event);
+        let (first, second) = (causes_of(&events, known), causes_of(&events, event));
+        let starts = self.path.start.iter().enumerate();
+        let starts = starts.filter(|(start, _)| first[*start] || second[*start]);
+        meeting.starts = starts.map(|(_, step)| *step).collect();
+        meeting
     }
 }
 
