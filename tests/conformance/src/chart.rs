@@ -12,11 +12,14 @@ use quote::quote;
 /// What the compiler says about the chart.
 pub fn resolve(text: &str) -> Result<Model, String> {
     let tokens: TokenStream = super::fragments::plain(text).parse().map_err(|error| format!("tokens: {error}"))?;
-    let messages = errors(&compile(&quote!(::grafcet), tokens.clone()).to_string());
+    let messages = errors(&compile(&quote!(::grafcet), tokens).to_string());
     if !messages.is_empty() {
         return Err(messages.join("\n  "));
     }
-    // What the macro accepts resolves without a mistake.
+    // What the macro accepts resolves without a mistake; names of conditions are written out here, so that the interpreter does not
+    // lean on how the compiler does it.
+    let text = super::fragments::written_out(&super::fragments::plain(text));
+    let tokens: TokenStream = text.parse().map_err(|error| format!("tokens: {error}"))?;
     let mut sink = Sink::new();
     let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
     _ = sink.finish();

@@ -40,6 +40,38 @@ pub fn plain(text: &str) -> String {
     text
 }
 
+/// The chart with the named conditions of single lines written out, as whoever has no `let` would write it.
+#[must_use]
+pub fn written_out(text: &str) -> String {
+    let (mut named, mut done) = (Vec::<(&str, String)>::new(), String::new());
+    for line in text.lines() {
+        let whole = |line| named.iter().fold(line, |line: String, (name, of)| replaced(&line, name, of));
+        let one = line.trim().strip_prefix("let ").and_then(|rest| rest.strip_suffix(';')?.split_once(" = "));
+        match one {
+            Some((name, of)) => {
+                let of = format!("({})", whole(of.to_owned()));
+                named.push((name, of));
+            }
+            None => _ = writeln!(done, "{}", whole(line.to_owned())),
+        }
+    }
+    done
+}
+
+/// The line with a name replaced, where it is a word of its own.
+fn replaced(line: &str, name: &str, by: &str) -> String {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let (mut done, mut rest) = (String::new(), line);
+    while let Some(start) = rest.find(name) {
+        let end = start + name.len();
+        let apart = !rest[..start].ends_with(is_word) && !rest[end..].starts_with(is_word);
+        let alone = apart && !(rest[..start].is_empty() && done.ends_with(is_word));
+        _ = write!(done, "{}{}", &rest[..start], if alone { by } else { name });
+        rest = &rest[end..];
+    }
+    done + rest
+}
+
 /// The macro call that makes the chart; where it has fragments, macros that call each other: one for each depth of nesting.
 #[must_use]
 pub fn call(text: &str) -> String {
@@ -70,13 +102,20 @@ fn outermost(text: &str) -> (String, Vec<(&'static str, String)>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{call, plain};
+    use super::{call, plain, written_out};
 
     const CHART: &str = "A -[!frag_e!(a || frag_e!(b && c))]-> B; input a: frag_t!(bool);";
 
     #[test]
     fn what_is_meant() {
         assert_eq!(plain(CHART), "A -[!(a || (b && c))]-> B; input a: bool;");
+    }
+
+    #[test]
+    fn names_are_written_out() {
+        let text = "let go = a || b;\nlet on = rising(go);\ninput gone: bool;\nA -[go && !on]-> B; ago";
+        let whole = "input gone: bool;\nA -[(a || b) && !(rising((a || b)))]-> B; ago\n";
+        assert_eq!(written_out(text), whole);
     }
 
     #[test]

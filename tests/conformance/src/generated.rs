@@ -32,6 +32,27 @@ impl Number for Ticks {
     }
 }
 
+/// The enum of random charts.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Mode {
+    /// Its default.
+    #[default]
+    Off,
+    /// The second.
+    Auto,
+    /// The last.
+    Manual,
+}
+
+impl Number for Mode {
+    fn number(self) -> i128 {
+        self as i128
+    }
+    fn from_number(number: i128) -> Option<Self> {
+        [Self::Off, Self::Auto, Self::Manual].into_iter().find(|mode| mode.number() == number)
+    }
+}
+
 macro_rules! integers {
     ($($ty:ty)*) => {$(
         impl Number for $ty {

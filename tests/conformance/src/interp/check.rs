@@ -6,9 +6,10 @@ use super::continuous::{associations_of, is_continuous};
 use super::value::{Error, default};
 use grafcet_compiler::model::{Association, Effect, Expr, Model, Name, Place, Qualifier, Read, VarId};
 
-/// Every declared type has values here.
+/// Every declared type has values here; of enums those that an input lists.
 pub(super) fn types(model: &Model) -> Result<(), Error> {
-    let inputs = model.inputs.values().map(|i| &i.ty);
+    let unlisted = model.inputs.iter().filter(|(id, _)| model.variants_of(Name::Input(*id)).is_none());
+    let inputs = unlisted.map(|(_, i)| &i.ty);
     let outputs = model.outputs.values().map(|o| &o.ty);
     let vars = model.vars.values().map(|v| &v.ty);
     let params = model.params.values().map(|p| &p.ty);

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::any;
 use super::continuous::{self, asserts};
 use super::hierarchy;
 use super::state::State;
@@ -135,15 +136,16 @@ fn activate(view: &View<'_>) -> Result<Outcome, Error> {
 /// One evolution: what clears on the snapshot, and what the stored actions do.
 fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
     let mut evolution = Evolution { before: view.situation.clone(), ..Evolution::default() };
-    for (id, transition) in view.model.transitions.iter() {
+    let anys = any::clearing(view, |partial| hierarchy::is_free(partial, view.situation, view.model))?;
+    for id in view.model.transitions.ids() {
         if hierarchy::is_enabled(id, view.situation, view.model) {
             evolution.enabled.insert(id);
-            if view.holds(&transition.condition.tree)? {
+            if any::lets(&anys, id, view.model) && view.holds(any::condition(id, view.model))? {
                 evolution.fireable.insert(id);
             }
         }
     }
-    hierarchy::evolve(&mut evolution, view.model)?;
+    hierarchy::evolve(&mut evolution, &anys, view.model)?;
     let outcome = stored::actions(view, &evolution.after, &evolution.cleared)?;
     Ok((evolution, outcome))
 }

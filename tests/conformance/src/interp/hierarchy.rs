@@ -1,11 +1,12 @@
 //! `grafcet`: partial grafcets from the top of the hierarchy to its bottom, enclosures, forcing (A11-A19, A21).
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Evolution;
+use super::any;
 use super::value::Error;
 use super::view::Situation;
-use grafcet_compiler::model::{Force, ForceOrder, Model, Partial, PartialId, StepId, TransitionId};
+use grafcet_compiler::model::{AnyId, Force, ForceOrder, Model, Partial, PartialId, StepId, TransitionId};
 
 /// All partial grafcets, each behind those that enclose or may force it.
 pub(super) fn top_down(model: &Model) -> Result<Vec<PartialId>, Error> {
@@ -70,14 +71,20 @@ pub(super) fn initial_situation(model: &Model) -> Result<Situation, Error> {
 
 /// One evolution of the whole chart, whose situation before and fireable transitions (rule 4) are known. Those that the
 /// hierarchy stops do not clear.
-pub(super) fn evolve(evolution: &mut Evolution, model: &Model) -> Result<(), Error> {
+pub(super) fn evolve(evolution: &mut Evolution, anys: &BTreeMap<PartialId, AnyId>, model: &Model) -> Result<(), Error> {
     for id in top_down(model)? {
         let partial = &model.partials[id];
         let before = &evolution.before;
         let here: Situation = partial.steps.iter().copied().filter(|step| before.contains(step)).collect();
         let after = match forced_to(partial, id, &here, before, &evolution.after, model) {
             Some(after) => after,
-            None => clear(id, &here, &evolution.fireable, model, &mut evolution.cleared),
+            None => {
+                let after = clear(id, &here, &evolution.fireable, model, &mut evolution.cleared);
+                // What an `any` leaves, whatever transitions the model has for it.
+                let left = anys.get(&id).map(|any| any::sources(*any, model)).unwrap_or_default();
+                let targets = anys.get(&id).map(|any| any::targets(*any, model)).unwrap_or_default();
+                after.difference(&left).copied().chain(targets).collect()
+            }
         };
         evolution.after.extend(after);
     }
@@ -135,13 +142,17 @@ fn order_for<'m>(target: PartialId, situation: &Situation, model: &'m Model) -> 
     model.forces.values().rev().find(gives).map(|force| &force.order)
 }
 
+/// Whether neither an order nor a step that encloses it keeps a partial grafcet from clearing (A13, A17).
+pub(super) fn is_free(id: PartialId, situation: &Situation, model: &Model) -> bool {
+    let enclosing = model.partials[id].enclosed_by;
+    order_for(id, situation, model).is_none() && enclosing.is_none_or(|step| situation.contains(&step))
+}
+
 /// A17: whether the transition is enabled: all its source steps are active and so is the enclosing step. What an active step
 /// forces is frozen, also in the evolution in which the order ends (A13).
 pub(super) fn is_enabled(id: TransitionId, situation: &Situation, model: &Model) -> bool {
     let transition = &model.transitions[id];
-    let enclosing = model.partials[transition.partial].enclosed_by;
-    order_for(transition.partial, situation, model).is_none()
-        && transition.sources.iter().chain(&enclosing).all(|step| situation.contains(step))
+    is_free(transition.partial, situation, model) && transition.sources.iter().all(|step| situation.contains(step))
 }
 
 fn initial_steps(partial: &Partial, model: &Model) -> Vec<StepId> {

@@ -6,10 +6,12 @@
 //!
 //! - [`Interpreter`]: the chart as a machine
 //! - `state`, `view`: what it remembers, and the snapshot that an expression sees
+//! - `any`: the transitions from every step, in both dialects
 //! - `sfc`, `control`: IEC 61131-3, one evolution and `ACTION_CONTROL`
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848
 //! - `time`, `value`: delays and timers, values and their arithmetic
 
+mod any;
 mod check;
 mod continuous;
 mod control;

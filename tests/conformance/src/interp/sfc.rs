@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::any;
 use super::control::{ActionControl, Change, Target, Verdict, inputs, target_of};
 use super::state::State;
 use super::value::{Error, Value};
@@ -122,13 +123,17 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
     let mut left = Situation::new();
     let mut targets = Situation::new();
     let mut evolution = Evolution { before: view.situation.clone(), ..Evolution::default() };
+    let anys = any::clearing(view, |_| true)?;
     for (id, transition) in view.model.transitions.iter() {
         if !transition.sources.iter().all(|step| view.situation.contains(step)) {
             continue;
         }
         evolution.enabled.insert(id);
+        if !any::lets(&anys, id, view.model) {
+            continue;
+        }
         let free = transition.sources.iter().all(|step| !left.contains(step));
-        match view.holds(&transition.condition.tree) {
+        match view.holds(any::condition(id, view.model)) {
             Ok(true) => evolution.fireable.insert(id),
             Err(error) if free => return Err(error),
             // An error of a condition that nobody needs, since an earlier branch has decided, is none.
@@ -140,6 +145,11 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
             targets.extend(&transition.targets);
         }
     }
+    for any in anys.into_values() {
+        left.extend(any::sources(any, view.model));
+        targets.extend(any::targets(any, view.model));
+    }
+    left.retain(|step| view.situation.contains(step));
     let stayed: Situation = view.situation.difference(&left).copied().collect();
     let entered = targets.difference(&stayed).copied().collect();
     let after: Situation = stayed.union(&targets).copied().collect();

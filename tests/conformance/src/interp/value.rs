@@ -125,7 +125,8 @@ impl Term {
 /// The value itself, if the type has it.
 pub(super) fn accept(value: Value, ty: &Ty) -> Result<Value, Error> {
     match (value, ty) {
-        (Value::Bool(_), Ty::Bool(_)) | (Value::Ticks(_), Ty::Time(_)) => Ok(value),
+        // A variant is its place in the list; other types are refused from the start.
+        (Value::Bool(_), Ty::Bool(_)) | (Value::Ticks(_), Ty::Time(_)) | (Value::Int(_), Ty::Other(_)) => Ok(value),
         (Value::Int(int), Ty::Int { signed, bits, .. }) => {
             let width = Width { signed: *signed, bits: *bits };
             if width.holds(int) { Ok(value) } else { Err(Error::Overflow(format!("{int} in {bits} bits"))) }

@@ -86,6 +86,11 @@ impl Machine {
             let condition = guard.map_or_else(|| self.condition(partial, from[0]), str::to_owned);
             _ = writeln!(text, "{} -[{condition}]-> {};", list(from), list(to));
         }
+        if self.rng.chance(25) {
+            let except = if self.rng.chance(30) { format!(" except S{last}") } else { String::new() };
+            let condition = *self.rng.pick(&["a && b && c", "rising(d)", "rising(a) && b", "falling(c)"]);
+            _ = writeln!(text, "any{except} -[{condition}]-> S{};", self.rng.pick(&[first, first, last]));
+        }
         text.push_str("}\n");
         let own = self.steps.iter().enumerate().skip(from).filter(|(_, (of, _))| *of == partial);
         (partial, own.map(|(index, _)| index).collect(), text)

@@ -89,17 +89,36 @@ impl Gen {
         if let Some(name) = &part.name {
             lines.push(format!("partial {name} {{"));
         }
-        part.steps.iter().for_each(|step| self.step(step, lines));
-        part.arrows.iter().for_each(|arrow| lines.push(self.arrow(arrow)));
+        self.contents(part, lines);
+        if self.rng.chance(15) {
+            lines.push(self.any(part));
+        }
         if part.name.is_some() {
             lines.push("}".to_owned());
         }
     }
 
+    fn contents(&mut self, part: &Part, lines: &mut Vec<String>) {
+        part.steps.iter().for_each(|step| self.step(step, lines));
+        part.arrows.iter().for_each(|arrow| lines.push(self.arrow(arrow)));
+    }
+
+    /// A transition from every step of a partial grafcet, or from all but one.
+    fn any(&mut self, part: &Part) -> String {
+        self.note("any");
+        let names: Vec<String> = part.steps.iter().map(|step| step.name.clone()).collect();
+        let except = if self.rng.chance(30) { format!(" except {}", self.rng.pick(&names)) } else { String::new() };
+        let to = self.rng.pick(&names).clone();
+        let edge = self.edge(ALL);
+        let condition = if self.rng.chance(30) { self.condition(1, ALL) } else { edge };
+        let count = part.steps.len();
+        if count < 3 { String::new() } else { format!("any{except} -[{condition}]-> {to};") }
+    }
+
     fn step(&mut self, step: &Step, lines: &mut Vec<String>) {
         lines.push(format!("{}step {} {{", step.words, step.name));
         match &step.inner {
-            Inner::Macro(body) => self.part(body, lines),
+            Inner::Macro(body) => self.contents(body, lines),
             Inner::Nothing => {}
             Inner::Enclosed(parts) => parts.iter().for_each(|part| self.part(part, lines)),
         }

@@ -4,6 +4,7 @@
 mod actions;
 mod clocks;
 mod fragments;
+mod words;
 
 use std::fmt::Write as _;
 
@@ -26,7 +27,7 @@ enum Pace {
 }
 
 /// A new kind is a row.
-const KINDS: [Kind; 8] = [
+const KINDS: [Kind; 11] = [
     Kind { name: "small: a time compared", draw: clocks::compared, pace: Pace::Short },
     Kind { name: "small: a self-loop beside branches", draw: clocks::beside, pace: Pace::Short },
     Kind { name: "small: long times in two branches", draw: clocks::long, pace: Pace::Long },
@@ -35,11 +36,14 @@ const KINDS: [Kind; 8] = [
     Kind { name: "small: blinking", draw: clocks::blinking, pace: Pace::Short },
     Kind { name: "small: fragments of macros", draw: fragments::operands, pace: Pace::Short },
     Kind { name: "small: places that conditions test", draw: actions::places, pace: Pace::Short },
+    Kind { name: "small: named conditions", draw: words::named, pace: Pace::Short },
+    Kind { name: "small: from any step", draw: words::any, pace: Pace::Short },
+    Kind { name: "small: an enum", draw: words::modes, pace: Pace::Short },
 ];
 
 const RULES: &str = "several_initial_steps unreachable_step dead_transition stuck_join deadlock never_true always_true \
     conflicting_values set_without_reset reset_without_set unused_input undriven_output unused_variable unused_action \
-    unused_param shadowed_branch overlapping_branches timed_contention unsafe_step";
+    unused_param shadowed_branch overlapping_branches timed_contention unsafe_step unused_let";
 
 /// A chart that is being drawn: inputs `a`, `b`, `c`, a param `t` and outputs `q0` to `q2` are there.
 struct Sketch {
@@ -69,7 +73,8 @@ pub(super) fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         sketch.steps,
         sketch.arrows,
     );
-    let timeline = timeline(&mut sketch.rng, kind.pace, cycles);
+    let modes = sketch.declarations.contains("mode: Mode");
+    let timeline = timeline(&mut sketch.rng, kind.pace, modes, cycles);
     Random { chart: text, timeline, features: std::iter::once(kind.name).collect() }
 }
 
@@ -102,8 +107,9 @@ impl Sketch {
 }
 
 /// Calm enough for times to pass while nothing else happens.
-fn timeline(rng: &mut Rng, pace: Pace, cycles: usize) -> String {
+fn timeline(rng: &mut Rng, pace: Pace, modes: bool, cycles: usize) -> String {
     let mut text = String::new();
+    let mut mode = 0;
     let (mut on, mut now) = ([false; 3], *rng.pick(&[0, 0, 1000, u32::MAX - 20, 0x8000_0000_u32]));
     for _ in 0..cycles {
         match rng.below(100) {
@@ -125,6 +131,10 @@ fn timeline(rng: &mut Rng, pace: Pace, cycles: usize) -> String {
         });
         for (name, on) in ["a ", "b ", "c "].iter().zip(on) {
             text.push_str(if on { name } else { "" });
+        }
+        if modes {
+            mode = if rng.chance(30) { rng.below(3) } else { mode };
+            _ = write!(text, "mode={mode} ");
         }
         _ = writeln!(text, "@{now} | |");
     }
