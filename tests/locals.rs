@@ -1,6 +1,15 @@
 //! Names that Rust binds inside blocks and conditions: each as long as its scope, whatever the chart declares under that name;
 //! and calls that read what they are called on.
 #![allow(clippy::shadow_unrelated)]
+#![allow(
+    clippy::assign_op_pattern,
+    clippy::trivially_copy_pass_by_ref,
+    clippy::redundant_locals,
+    clippy::clone_on_copy,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    reason = "what a user may write is read, not what one should"
+)]
 
 use grafcet::grafcet;
 
@@ -8,7 +17,9 @@ use grafcet::grafcet;
 #[derive(Clone, Copy, Default, PartialEq)]
 pub enum Mode {
     #[default]
+    /// Nothing.
     Off,
+    /// So much.
     Level(u16),
 }
 
@@ -30,7 +41,7 @@ grafcet! {
         step B {
             above if match mode { Mode::Level(x) => x > 10, Mode::Off => false };
             // `q` is the output in step C alone.
-            P0 { if let Some(q) = list.iter().max() { seen = *q; } { let q = x; sum += q; } sum += x; }
+            P0 { { let q = x; sum += q; } if let Some(q) = list.iter().max() { seen = *q; } sum += x; }
         }
         step C {
             q = 9;

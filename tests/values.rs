@@ -42,6 +42,7 @@ fn charts_of_such_types_are_values() {
 }
 
 /// Types of one's own that are called as those of IEC 61131-3.
+#[expect(clippy::upper_case_acronyms, reason = "they are called so there")]
 mod plc {
     pub(crate) type INT = i8;
 }

@@ -51,7 +51,7 @@ grafcet! {
         initial step I;
         step A { high if (|| Some(known(level)? > 100))().unwrap_or(false); P1 { 'told: { let Some(n) = known(level) else { break 'told }; sum = n; } } }
         step B { P1 { sum = 0; for n in 1..level { if n % 2 == 0 { continue; } sum += n; if sum > 9 { break; } } } }
-        I -[go && loop { if level > 3 { break true } else { break level == 1 } }]-> A -[!go]-> B -[go]-> I;
+        I -[go && loop { if level > 3 { break true } else if level < 9 { break level == 1 } }]-> A -[!go]-> B -[go]-> I;
     }
 }
 
