@@ -81,12 +81,23 @@ pub(super) struct ActionControl {
     timers: BTreeMap<Qualifier, Stopwatch>,
     /// The association of each timer that was active last: its time counts.
     time_of: BTreeMap<Qualifier, AssociationId>,
+    /// Rule 7: the association that set a flip-flop last, and so acts while that drives Q.
+    set_by: BTreeMap<Qualifier, AssociationId>,
     /// Q of the cycle before.
     was: bool,
     /// The associations with N, L and D that held Q up in the cycle before.
     holding: BTreeSet<AssociationId>,
-    /// A31: the association driving Q that was active last, the last in the source of several.
-    pub(super) active_last: Option<AssociationId>,
+    /// Rule 7: the association that made Q true when it was so last, the last in the source of several.
+    pub(super) acted_last: Option<AssociationId>,
+}
+
+/// What the function block gives in one cycle.
+struct Drive {
+    q: bool,
+    /// Those of N, L and D that hold by themselves, R or not.
+    terms: BTreeSet<Qualifier>,
+    /// As in [`Verdict`].
+    acts: Option<AssociationId>,
 }
 
 /// What an action control says in one cycle.
@@ -97,8 +108,8 @@ pub(super) struct Verdict {
     pub(super) before: bool,
     /// Q fell because a step with N, L or D was left.
     pub(super) by_leaving: bool,
-    /// The association driving Q that is active now, the last in the source of several; the stored ones are not.
-    pub(super) active: Option<AssociationId>,
+    /// Rule 7: the association that acts, the last in the source of those that alone would make Q true.
+    pub(super) acts: Option<AssociationId>,
     /// The association whose P1 event occurred, the last in the source.
     pub(super) p1: Option<AssociationId>,
     /// The same of P0.
@@ -113,9 +124,10 @@ impl ActionControl {
             flip_flops: set.then_some(Qualifier::S).into_iter().collect(),
             timers: BTreeMap::new(),
             time_of: BTreeMap::new(),
+            set_by: BTreeMap::new(),
             was: false,
             holding: BTreeSet::new(),
-            active_last: None,
+            acted_last: None,
         }
     }
 
@@ -130,14 +142,10 @@ impl ActionControl {
         let model = view.model;
         let here: Vec<_> = self.associations.iter().copied().filter(|id| on.contains(id)).collect();
         let last = |q: Qualifier| here.iter().copied().rfind(|id| model.associations[*id].qualifier == q);
-        let drives = |id: &AssociationId| {
-            !matches!(model.associations[*id].qualifier, Qualifier::R | Qualifier::P1 | Qualifier::P0)
-        };
-        let active = here.iter().copied().rfind(drives);
-        self.active_last = active.or(self.active_last);
 
         let before = std::mem::take(&mut self.holding);
-        let (q, terms) = self.q(&here, change, elapsed, view)?;
+        let Drive { q, terms, acts } = self.q(&here, change, elapsed, view)?;
+        self.acted_last = acts.or(self.acted_last);
         // What D held up ends by leaving also where the step is re-entered: its delay starts again.
         let left = |id: &AssociationId| match model.associations[*id].qualifier {
             // What another step's association of the same qualifier holds up does not end by leaving, but by R.
@@ -149,7 +157,7 @@ impl ActionControl {
             q,
             before: self.was,
             by_leaving: self.was && !q && before.iter().any(left),
-            active,
+            acts,
             p1: last(Qualifier::P1),
             p0: last(Qualifier::P0),
         };
@@ -157,15 +165,8 @@ impl ActionControl {
         Ok(verdict)
     }
 
-    /// The standard's function block; `here` are its inputs that are true. Beside Q those of N, L and D that hold by
-    /// themselves, R or not.
-    fn q(
-        &mut self,
-        here: &[AssociationId],
-        change: &Change,
-        elapsed: u32,
-        view: &View<'_>,
-    ) -> Result<(bool, BTreeSet<Qualifier>), Error> {
+    /// The standard's function block; `here` are its inputs that are true.
+    fn q(&mut self, here: &[AssociationId], change: &Change, elapsed: u32, view: &View<'_>) -> Result<Drive, Error> {
         use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
         let model = view.model;
         let with = |q: Qualifier| here.iter().copied().filter(move |id| model.associations[*id].qualifier == q);
@@ -190,25 +191,23 @@ impl ActionControl {
         let stored_and = self.rs(Sl, input(Sl), reset);
         let stored_limit = self.ton(Sl, stored_and, elapsed, false, view)?;
 
-        let held = |q: Qualifier| match q {
-            N => true,
-            L => !limit,
-            D => delayed,
-            _ => false,
-        };
-        let q = !reset
-            && (input(N)
-                || stored
-                || (input(L) && !limit)
-                || delayed
-                || pulse
-                || stored_then_delayed
-                || delayed_then_stored
-                || (stored_and && !stored_limit));
+        // A flip-flop is that of the association that set it last; DS sets its own only when its delay is over.
+        for (q, sets) in [(S, input(S)), (Sd, input(Sd)), (Ds, delayed_then), (Sl, input(Sl))] {
+            if let Some(id) = with(q).next_back().filter(|_| sets) {
+                self.set_by.insert(q, id);
+            }
+        }
+
         let terms = [(N, input(N)), (L, input(L) && !limit), (D, delayed)];
-        let terms = terms.into_iter().filter(|(_, holds)| *holds).map(|(qualifier, _)| qualifier).collect();
-        self.holding = here.iter().copied().filter(|id| q && held(model.associations[*id].qualifier)).collect();
-        Ok((q, terms))
+        let terms: BTreeSet<Qualifier> = terms.into_iter().filter(|(_, holds)| *holds).map(|(q, _)| q).collect();
+        let driven =
+            [(S, stored), (Sd, stored_then_delayed), (Ds, delayed_then_stored), (Sl, stored_and && !stored_limit)];
+        let by_flip_flop = driven.into_iter().filter(|(_, drives)| *drives).filter_map(|(q, _)| self.set_by.get(&q));
+        let holds = |id: &AssociationId| terms.contains(&model.associations[*id].qualifier);
+        let acts = here.iter().copied().filter(|id| holds(id)).chain(with(P)).chain(by_flip_flop.copied()).max();
+        let q = !reset && (!terms.is_empty() || pulse || driven.iter().any(|(_, drives)| *drives));
+        self.holding = here.iter().copied().filter(|id| q && holds(id)).collect();
+        Ok(Drive { q, terms, acts: acts.filter(|_| q) })
     }
 
     /// The reset-dominant flip-flop of a qualifier.

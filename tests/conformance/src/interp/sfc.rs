@@ -47,7 +47,7 @@ impl Sfc {
         elapsed: u32,
     ) -> Result<Done, Error> {
         let delays = state.sample_delays(model, inputs, params, elapsed)?;
-        // Everything is sampled once per cycle: the edges keep their values while the actions run.
+        // Rule 8: what the evolution sees is compared with what that of the cycle before saw.
         let edges = state.view(model, inputs, params, &delays).sample_edges()?;
         let before = std::mem::replace(&mut state.edges, edges.clone());
         let edges = Edges { before: &before, now: Some(&edges) };
@@ -60,9 +60,20 @@ impl Sfc {
         };
         state.situation.clone_from(&change.after);
         let outputs = state.outputs.clone();
+        let acting = acting_times(&change, &state.times);
+        // Rule 8: what the actions see is compared with what they saw in the cycle before. Sampled once, before the first
+        // of them runs: the edges keep their values meanwhile.
+        let after = View {
+            times: &acting,
+            edges: Edges { before: &state.action_edges, now: None },
+            ..state.view(model, inputs, params, &delays)
+        };
+        let edges = after.sample_edges()?;
+        let before = std::mem::replace(&mut state.action_edges, edges.clone());
+        let edges = Edges { before: &before, now: Some(&edges) };
         let mut scan = Scan {
             leaving: state.times.clone(),
-            acting: acting_times(&change, &state.times),
+            acting,
             change,
             base: View {
                 outputs: &outputs,
@@ -208,7 +219,7 @@ fn set(place: Place, control: &ActionControl, verdict: Verdict, on: &BTreeSet<As
 
 /// Rule 4: `A = Q || falling(Q) || P1 || P0`, told as phases, and how these fall together.
 fn calls(control: &ActionControl, verdict: Verdict) -> Vec<Run> {
-    let Verdict { q, before, by_leaving, active, p1, p0 } = verdict;
+    let Verdict { q, before, by_leaving, acts, p1, p0 } = verdict;
     let position = control.associations[0];
     let mut runs = Vec::new();
     let mut run = |moment, association: Option<AssociationId>, phase| {
@@ -216,23 +227,22 @@ fn calls(control: &ActionControl, verdict: Verdict) -> Vec<Run> {
     };
     let fell = before && !q;
     // P0 together with a final call is one run. Readings chosen: it is the final one, stands with the steps left
-    // whatever ended Q, and has the arguments of P0, whose association is the active one.
+    // whatever ended Q, and has the arguments of P0, which acted last.
     match (p0.is_some(), fell) {
         (true, true) => run(Moment::Leaving, p0, Phase::Final),
         (true, false) => run(Moment::Leaving, p0, Phase::First),
         (false, true) => {
             let moment = if by_leaving { Moment::Leaving } else { Moment::Rest };
-            run(moment, control.active_last, Phase::Final);
+            run(moment, control.acted_last, Phase::Final);
         }
         (false, false) => {}
     }
-    // P1 together with an active Q is one run; its arguments are those of the last of all active associations (A31),
-    // also of those whose time has not begun or has run out.
+    // P1 together with an active Q is one run, with the arguments of the last in the source of those that act (rule 7).
     match (p1, q) {
-        (Some(p1), _) => run(Moment::Entering, active.max(Some(p1)), Phase::First),
+        (Some(p1), _) => run(Moment::Entering, acts.max(Some(p1)), Phase::First),
         (None, true) => {
             let phase = if before { Phase::Repeated } else { Phase::First };
-            run(Moment::Rest, control.active_last, phase);
+            run(Moment::Rest, acts, phase);
         }
         (None, false) => {}
     }

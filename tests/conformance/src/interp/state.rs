@@ -25,6 +25,8 @@ pub(super) struct State {
     pub(super) initial_outputs: Vec<Value>,
     /// The values of the edges' expressions in the snapshot before.
     pub(super) edges: BTreeMap<EdgeId, bool>,
+    /// `sfc`: the same, as the actions of the cycle before saw them.
+    pub(super) action_edges: BTreeMap<EdgeId, bool>,
     delays: BTreeMap<DelayId, Delayed>,
 }
 
@@ -45,6 +47,7 @@ impl State {
             initial_outputs: outputs.clone(),
             outputs,
             edges: BTreeMap::new(),
+            action_edges: BTreeMap::new(),
             delays: BTreeMap::new(),
         })
     }

@@ -71,3 +71,112 @@ fn tested(sketch: &mut Sketch) -> String {
         _ => condition.to_owned(),
     }
 }
+
+/// Edges of step variables, of inputs and of both, in the actions of steps that are entered and left.
+pub(super) fn edges(sketch: &mut Sketch) {
+    sketch.declare("var n: u8 = 0;\noutput m: u8;\noutput v: u8;");
+    let parallel = sketch.rng.chance(40);
+    for (index, name) in ["A", "B", "C"].into_iter().enumerate() {
+        if sketch.grafcet && index > 0 {
+            // Stored actions write from one step alone: two that could do it in one evolution are a mistake (A7).
+            let condition = sketch.word(&["a", "b", "B.X", "2ms/C"]);
+            sketch.step(name, &[format!("N q{index} if {condition};")]);
+            continue;
+        }
+        let lines = [acts(sketch, 0), acts(sketch, 1), acts(sketch, 2)];
+        let count = sketch.rng.between(1, 3);
+        sketch.step(name, &lines[..count]);
+    }
+    let go = sketch.word(&["a", "rising(a)", "true", "!b"]);
+    let on = sketch.word(&["b", "rising(b)", "rising(A.X)", "falling(A.X) || c", "true"]);
+    let back = sketch.word(&["c", "rising(C.X)", "!a", "falling(b)"]);
+    if parallel {
+        sketch.arrow("A", go, "(B, C)");
+        sketch.arrow("(B, C)", back, "A");
+    } else {
+        sketch.arrow("A", go, "B");
+        sketch.arrow("B", on, "C");
+        sketch.arrow("C", back, "A");
+        if sketch.rng.chance(40) {
+            sketch.arrow("B", "rising(c)", "B");
+        }
+    }
+}
+
+fn acts(sketch: &mut Sketch, place: usize) -> String {
+    let edge = sketch.word(&[
+        "rising(A.X)",
+        "rising(B.X)",
+        "falling(B.X)",
+        "rising(C.X)",
+        "falling(A.X)",
+        "rising(a)",
+        "rising(B.X && a)",
+        "falling(A.X || b)",
+        "rising(B.T > 2ms)",
+    ]);
+    if sketch.grafcet {
+        // Conditions of continuous actions have no edges (IEC 60848).
+        return match place {
+            0 => format!("on {edge} n = (n + 1) % 50;"),
+            1 => "P1 m = n;".to_owned(),
+            _ => format!("on {edge} && c v = n;"),
+        };
+    }
+    match (place, sketch.rng.below(3)) {
+        (0, _) => format!("N q0 if {edge};"),
+        (1, 0) => format!("P1 n = (n + 1) % 50 if {edge};"),
+        (1, 1) => format!("P1 {{ if {edge} {{ n = (n + 1) % 50; }} }}"),
+        (1, _) => format!("N {{ if {edge} {{ n = (n + 1) % 50; }} }}"),
+        (_, 0) => format!("N v = 3 if {edge};"),
+        (_, 1) => "P0 m = n;".to_owned(),
+        _ => format!("D 2ms q1 if {edge} || a;"),
+    }
+}
+
+/// One call for several steps under all qualifiers, each with an argument of its own.
+pub(super) fn calls(sketch: &mut Sketch) {
+    sketch.declare("action f(x: u8);\nvar n: u8 = 0;");
+    let parallel = sketch.rng.chance(40);
+    let mut number = 0;
+    for name in ["A", "B", "C", "E"] {
+        let mut lines = Vec::new();
+        for _ in 0..sketch.rng.between(0, 2) {
+            number += 1;
+            let time = sketch.time();
+            let argument = if sketch.rng.chance(20) { "n".to_owned() } else { number.to_string() };
+            let kinds = if sketch.grafcet { 4 } else { 16 };
+            let qualifier = match sketch.rng.below(kinds) {
+                0..=3 => "N".to_owned(),
+                4 | 5 => "S".to_owned(),
+                6 | 7 => "R".to_owned(),
+                8 => "P1".to_owned(),
+                9 => "P0".to_owned(),
+                10 => "P".to_owned(),
+                11 => format!("L {time}"),
+                12 => format!("D {time}"),
+                13 => format!("SD {time}"),
+                14 => format!("DS {time}"),
+                _ => format!("SL {time}"),
+            };
+            let condition = sketch.word(&["", "", " if a", " if !c"]);
+            lines.push(format!("{qualifier} f({argument}){condition};"));
+        }
+        if sketch.rng.chance(30) {
+            lines.push("P1 n = (n + 1) % 50;".to_owned());
+        }
+        sketch.step(name, &lines);
+    }
+    let conditions = [(); 4].map(|()| sketch.word(&["a", "b", "!a", "rising(c)", "3ms/A", "2ms/B", "true", "c"]));
+    if parallel {
+        sketch.arrow("A", conditions[0], "(B, C)");
+        sketch.arrow("(B, C)", conditions[1], "E");
+        sketch.arrow("B", "rising(b)", "B");
+    } else {
+        sketch.arrow("A", conditions[0], "B");
+        sketch.arrow("B", conditions[1], "C");
+        sketch.arrow("C", conditions[2], "E");
+        sketch.arrow("A", "rising(b)", "A");
+    }
+    sketch.arrow("E", conditions[3], "A");
+}
