@@ -19,7 +19,9 @@ pub(super) enum Moment {
     Condition,
     /// An action of an `sfc`: the situation after the evolution, outputs of the cycle before, variables as they are.
     Action,
-    /// The same on leaving a step, whose time is the one it had reached also on a self-loop (A34).
+    /// The same before the first of them: edges (point 8).
+    Late,
+    /// An action on leaving a step, whose time is the one it had reached also on a self-loop (A34).
     Leaving,
     /// A stored action of a `grafcet`: everything from before the evolution (A6).
     Stored,
@@ -34,7 +36,7 @@ impl Moment {
     fn at(self) -> At {
         match self {
             Self::Sample | Self::Condition | Self::Stored => At::Before,
-            Self::Action | Self::Leaving | Self::Start | Self::Stable => At::After,
+            Self::Action | Self::Late | Self::Leaving | Self::Start | Self::Stable => At::After,
         }
     }
 }
@@ -195,8 +197,8 @@ impl Cx<'_> {
                 quote!((#active && self.#since >= #time))
             }
             Read::Rising(_) | Read::Falling(_) if moment == Moment::Start => quote!(false),
-            Read::Rising(id) => names::edge_local(id, true).into_token_stream(),
-            Read::Falling(id) => names::edge_local(id, false).into_token_stream(),
+            Read::Rising(id) => self.edge(id, true, moment).into_token_stream(),
+            Read::Falling(id) => self.edge(id, false, moment).into_token_stream(),
             Read::Delay(id) => {
                 let field = names::delay_field(id);
                 quote!(self.#field.output())
@@ -290,7 +292,7 @@ impl Cx<'_> {
             }
             Moment::Stable => quote!((if #after { #since } else { #p::Ticks::ZERO })),
             Moment::Leaving => quote!((if #before { #reached } else { #p::Ticks::ZERO })),
-            Moment::Action => quote! {
+            Moment::Action | Moment::Late => quote! {
                 (if #after { #since } else if #before { #reached } else { #p::Ticks::ZERO })
             },
         }

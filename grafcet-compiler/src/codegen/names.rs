@@ -198,6 +198,12 @@ pub(super) fn edge_local(id: EdgeId, rising: bool) -> Ident {
     local(&format!("{}_now_{}", if rising { "rising" } else { "falling" }, id.index()))
 }
 
+/// The field and the local of an edge that is sampled behind the evolution.
+pub(super) fn late_edge(id: EdgeId, side: Option<bool>) -> Ident {
+    let side = side.map_or("", |rising| if rising { "rising_now_" } else { "falling_now_" });
+    local(&format!("{side}late_{}", id.index()))
+}
+
 /// The field of a delay.
 pub(super) fn delay_field(id: DelayId) -> Ident {
     local(&format!("delay_{}", id.index()))

@@ -26,7 +26,8 @@ impl Cx<'_> {
         let keep = self.keep_times();
         let commit = self.commit();
         let settle = self.settle();
-        let actions = self.sfc_actions();
+        let (late, actions) = (self.sample_late(), self.sfc_actions());
+        let actions = quote!(#late #actions);
         let second = self.declare_second(&actions);
         let result = self.result();
         // The outputs come first: behind the evolution, the compiler would clear them again in every arm.

@@ -207,6 +207,13 @@ impl Cx<'_> {
         fields.extend(
             edges.map(|(id, rising, falling)| self.flag(&names::edge_field(*id).to_string(), *rising && !falling)),
         );
+        fields.extend(
+            self.plan
+                .memory
+                .late_edges
+                .iter()
+                .map(|(id, rising, falling)| self.flag(&names::late_edge(*id, None).to_string(), *rising && !falling)),
+        );
         fields
     }
 

@@ -185,10 +185,42 @@ impl Cx<'_> {
     pub(super) fn sample_all(&self, none: &TokenStream) -> TokenStream {
         let samples = self.samples().into_iter().map(|sample| match sample {
             Sample::Delay(id) => self.sample_delay(id),
-            Sample::Edge(id) => self.sample_edge(id, none),
-            Sample::Combinational(_) => TokenStream::new(),
+            Sample::Edge(id) if self.plan.memory.edges.iter().any(|(early, ..)| *early == id) => {
+                self.sample_edge(id, none)
+            }
+            Sample::Edge(_) | Sample::Combinational(_) => TokenStream::new(),
         });
         samples.collect()
+    }
+
+    /// `sfc`: the edges that compare what two evolutions have led to.
+    pub(super) fn sample_late(&self) -> TokenStream {
+        let (late, p) = (&self.plan.memory.late_edges, &self.p);
+        if late.is_empty() {
+            return TokenStream::new();
+        }
+        let sampled = self.samples().into_iter().filter_map(|sample| {
+            let (id, rising, falling) = *late.iter().find(|(id, ..)| sample == Sample::Edge(*id))?;
+            let (field, value) = (names::late_edge(id, None), self.value(&self.model.edges[id].of, Moment::Late));
+            let none = (rising && falling).then(|| quote!(&&!first));
+            let [up, down] = [true, false].map(|side| names::late_edge(id, Some(side)));
+            let up = rising.then(|| quote!(let #up = value && !self.#field #none;));
+            let down = falling.then(|| quote!(let #down = !value && self.#field #none;));
+            Some(quote!(let value: #p::bool = #value; #up #down self.#field = value;))
+        });
+        let sampled: TokenStream = sampled.collect();
+        let sides = late.iter().flat_map(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
+        let locals = sides.filter(|(_, used, _)| *used).map(|(id, _, side)| names::late_edge(id, Some(side)));
+        let locals: Vec<_> = locals.collect();
+        let settled = self.unsettle_if(&quote!(#(#locals)||*));
+        quote!(#sampled #settled)
+    }
+
+    /// The local that holds an edge, to what reads it at a moment.
+    pub(super) fn edge(&self, id: EdgeId, rising: bool, moment: Moment) -> Ident {
+        let acts = matches!(moment, Moment::Action | Moment::Late | Moment::Leaving);
+        let late = acts && self.plan.memory.late_edges.iter().any(|(late, ..)| *late == id);
+        if late { names::late_edge(id, Some(rising)) } else { names::edge_local(id, rising) }
     }
 
     /// The edges of this evolution, or those that are the same in each: `none` says that there are none (A26).

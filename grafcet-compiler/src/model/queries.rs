@@ -2,6 +2,7 @@
 
 use std::slice;
 
+use super::ids::EdgeId;
 use super::{
     AnyId, Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId,
     Transition, TransitionId, Tree, Ty, Unary, Variants,
@@ -23,6 +24,18 @@ impl Model {
         all.extend(self.edges.values().map(|edge| &edge.of.reads[..]));
         all.extend(self.delays.values().map(|delay| &delay.of.reads[..]));
         all
+    }
+
+    /// `sfc`: whether an evolution can change what an edge looks at: actions look at it behind the evolution, conditions of
+    /// transitions in front of it.
+    #[must_use]
+    pub fn is_late(&self, id: EdgeId) -> bool {
+        let changes = |read: &Read| match read {
+            Read::Rising(inner) | Read::Falling(inner) => self.is_late(*inner),
+            Read::Name(_) | Read::Delay(_) | Read::Ticks(_) => false,
+            _ => true,
+        };
+        !self.is_grafcet() && self.edges[id].of.reads.iter().any(changes)
     }
 
     /// What actions do, those of steps and those on clearing.

@@ -37,6 +37,8 @@ pub struct Memory {
     pub blinking: Set<StepId>,
     /// Edges, each with whether its rising and its falling side are used.
     pub edges: Vec<(EdgeId, bool, bool)>,
+    /// `sfc`: the same of those that actions look at and an evolution changes: they are sampled behind it.
+    pub late_edges: Vec<(EdgeId, bool, bool)>,
     /// `grafcet`: edges of what stands still in a search, sampled once in front of it: its first evolution sees them (A2).
     pub still_edges: Vec<EdgeId>,
 }
@@ -65,6 +67,7 @@ impl Memory {
             model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
         };
         let timed = timed_steps(model, control, &reads);
+        let (edges, late_edges) = edges(model, &reads);
         let step_times: Vec<_> =
             regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect();
         Self {
@@ -81,11 +84,8 @@ impl Memory {
             blinking: blinking(&reads),
             macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
             still_edges: still_edges(model),
-            edges: model
-                .edges
-                .ids()
-                .map(|id| (id, reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))))
-                .collect(),
+            edges,
+            late_edges,
         }
     }
 
@@ -93,8 +93,38 @@ impl Memory {
     /// first cycle (A26).
     #[must_use]
     pub fn asks_for_start(&self) -> bool {
-        self.edges.iter().any(|(_, rising, falling)| *rising && *falling)
+        self.edges.iter().chain(&self.late_edges).any(|(_, rising, falling)| *rising && *falling)
     }
+}
+
+/// The edges that are sampled in front of an evolution, and those sampled behind it. What an evolution does not change is the
+/// same to both.
+fn edges(model: &Model, all: &Set<Read>) -> (Vec<(EdgeId, bool, bool)>, Vec<(EdgeId, bool, bool)>) {
+    let mut acting: Set<Read> = Set::new();
+    let mut others: Set<Read> = Set::new();
+    acting.extend(model.associations.values().flat_map(Association::reads).flatten().copied());
+    others.extend(model.transitions.values().flat_map(|transition| &transition.condition.reads).copied());
+    others.extend(model.delays.values().flat_map(|delay| &delay.of.reads).copied());
+    // An edge of an edge comes behind it.
+    let looks = |reads: &Set<Read>, id: EdgeId| reads.contains(&Read::Rising(id)) || reads.contains(&Read::Falling(id));
+    for (id, edge) in model.edges.iter().rev() {
+        if looks(&acting, id) {
+            acting.extend(edge.of.reads.iter().copied());
+        }
+        if looks(&others, id) {
+            others.extend(edge.of.reads.iter().copied());
+        }
+    }
+    let sides = |reads: &Set<Read>, id| (id, reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id)));
+    let late = |id: &EdgeId| model.is_late(*id) && looks(&acting, *id);
+    let early = |id: EdgeId| match late(&id) {
+        true => looks(&others, id).then(|| sides(&others, id)),
+        false => Some(sides(all, id)),
+    };
+    (
+        model.edges.ids().filter_map(early).collect(),
+        model.edges.ids().filter(late).map(|id| sides(&acting, id)).collect(),
+    )
 }
 
 fn still_edges(model: &Model) -> Vec<EdgeId> {

@@ -141,7 +141,9 @@ impl Net {
             .iter()
             .map(|(id, t)| compiler.formula(if kept(id) { &t.condition.tree } else { &FALSE }))
             .collect();
+        compiler.in_action = true;
         let mut actions = actions::compile(model, &slots, &mut compiler);
+        compiler.in_action = false;
         let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
         actions.rivals = rivals.collect();
         let watched = watched.iter().map(|tree| compiler.formula(tree)).collect();

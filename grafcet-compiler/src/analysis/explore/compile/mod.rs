@@ -26,6 +26,8 @@ pub(super) struct Compiler<'m> {
     combinational: Map<Place, Option<usize>>,
     /// Inside the expression of an edge.
     in_edge: bool,
+    /// Inside an action: of an `sfc`, its edges compare what two evolutions have led to.
+    pub(super) in_action: bool,
     /// Something is taken as unknown that is not, or only partly.
     pub(super) approximate: bool,
 }
@@ -43,6 +45,7 @@ impl<'m> Compiler<'m> {
             shared: Vec::new(),
             combinational: Map::new(),
             in_edge: false,
+            in_action: false,
             approximate: false,
         }
     }
@@ -130,7 +133,7 @@ impl<'m> Compiler<'m> {
     }
 
     fn edge(&mut self, tree: &Tree, id: EdgeId, edge: fn(usize) -> Formula) -> Formula {
-        if self.in_edge {
+        if self.in_edge || self.in_action && self.model.is_late(id) {
             // What an edge of an edge looks at lies two cycles back.
             return self.unknown(tree);
         }
