@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use super::control::set_by;
 use super::{Cx, derives, names, types};
 use crate::model::{Place, Qualifier, Ty};
 use crate::plan::{RegionId, Target, What};
@@ -265,6 +266,11 @@ impl Cx<'_> {
             if target.remembers_time(self.model, qualifier) {
                 let ty = names::number_type(target.associations.len(), p);
                 fields.push(Field { name: name(&format!("time_{flag}")), ty, initial: quote!(0) });
+            }
+            let stores = !matches!(qualifier, Qualifier::L | Qualifier::D);
+            if stores && target.chooses_under(self.model, qualifier) {
+                let ty = names::number_type(target.associations.len(), p);
+                fields.push(Field { name: name(&set_by(qualifier)), ty, initial: quote!(0) });
             }
         }
         if target.remembers_q && target.remembers_terms(self.model) {

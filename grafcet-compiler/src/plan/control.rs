@@ -18,7 +18,7 @@ pub struct Target {
     pub associations: Vec<AssociationId>,
     /// The value of Q in the cycle before is remembered: something runs when it rises or falls.
     pub remembers_q: bool,
-    /// Several associations give arguments, so the one that was active last is remembered.
+    /// Several associations that drive Q give arguments, so the one that acted last is remembered.
     pub remembers_association: bool,
     /// Associations whose condition in the cycle before is remembered: only what has held Q up ends it by leaving (A29).
     pub remembers_held: Vec<AssociationId>,
@@ -58,6 +58,12 @@ impl Target {
         let stores = [Qualifier::S, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl, Qualifier::P];
         let leavable = self.leavable(model).len();
         leavable > 1 || leavable == 1 && stores.iter().any(|qualifier| self.has(model, *qualifier))
+    }
+
+    /// Whether several associations under the qualifier give arguments of their own: which of them acts is asked.
+    #[must_use]
+    pub fn chooses_under(&self, model: &Model, qualifier: Qualifier) -> bool {
+        self.remembers_association && self.under(model, qualifier).count() > 1
     }
 
     /// Whether associations under a timed qualifier state different times, so that the last one is remembered.
@@ -195,10 +201,10 @@ fn has_q(model: &Model, target: &Target) -> bool {
 fn remembers_association(model: &Model, target: &Target) -> bool {
     let with_arguments = |id: &&AssociationId| {
         let association = &model.associations[**id];
-        association.qualifier != Qualifier::R
+        !matches!(association.qualifier, Qualifier::R | Qualifier::P1 | Qualifier::P0)
             && matches!(&association.effect, Effect::Call(_, arguments) if !arguments.is_empty())
     };
-    target.associations.iter().filter(with_arguments).count() > 1 && has_q(model, target)
+    target.associations.iter().filter(with_arguments).count() > 1
 }
 
 /// Beside another step of the same qualifier, a step that is left need not be the one whose condition held.

@@ -1,7 +1,7 @@
 //! The flags of the targets: what the associations of this cycle say, and what leaving a step says.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
@@ -12,6 +12,23 @@ use crate::sorted::Set;
 
 /// The qualifiers whose timer starts again with a step that is left and re-entered at once.
 const RESTARTED: [Qualifier; 3] = [Qualifier::L, Qualifier::D, Qualifier::Ds];
+
+/// The qualifiers of which it is seen anew in each cycle which association acts; the others set flip-flops.
+const NUMBERED: [Qualifier; 7] =
+    [Qualifier::P0, Qualifier::P1, Qualifier::N, Qualifier::P, Qualifier::L, Qualifier::D, Qualifier::Ds];
+
+/// What holds the number of the association that acts under a qualifier.
+fn numbers(qualifier: Qualifier) -> String {
+    match qualifier {
+        Qualifier::S | Qualifier::Sd | Qualifier::Sl => set_by(qualifier),
+        _ => names::flag(qualifier).replace("flag", "number"),
+    }
+}
+
+/// The field that holds the number of the association that has set a flip-flop last.
+pub(in crate::codegen) fn set_by(qualifier: Qualifier) -> String {
+    names::flag(qualifier).replace("flag", "set_by")
+}
 
 impl Cx<'_> {
     /// The flags of all targets, their conditions read before the first action runs.
@@ -41,12 +58,13 @@ impl Cx<'_> {
             let left = self.left(index, target, qualifier);
             quote!(let mut #left = false;)
         });
-        let chooses = |qualifier: &&(Qualifier, &str)| {
-            target.what == What::Runs && self.has_choice(target) && target.has(self.model, qualifier.0)
+        let chooses = |qualifier: &Qualifier| match qualifier {
+            Qualifier::P0 | Qualifier::P1 => target.has(self.model, *qualifier),
+            _ => target.chooses_under(self.model, *qualifier),
         };
-        let numbers = [(Qualifier::P0, "number_p0"), (Qualifier::P1, "number_p1")];
-        let numbers = numbers.iter().filter(chooses).map(|(_, prefix)| {
-            let number = names::target(prefix, self.model, index, target);
+        let choice = target.what == What::Runs && self.has_choice(target);
+        let numbers = NUMBERED.into_iter().filter(|qualifier| choice && chooses(qualifier)).map(|qualifier| {
+            let number = names::target(&numbers(qualifier), self.model, index, target);
             let ty = names::number_type(target.associations.len(), &self.p);
             quote!(let mut #number: #ty = 0;)
         });
@@ -94,19 +112,39 @@ impl Cx<'_> {
         }
     }
 
-    /// Which association's arguments a run takes: the last active one in source order, never an R (A31).
+    /// The last association of a qualifier in source order that is active: a run takes the arguments of one that acts. P1, P0
+    /// and R have no part in that of the others; what sets a flip-flop acts as long as that drives Q.
     fn note_number(&self, id: AssociationId, association: &Association, index: usize, target: &Target) -> TokenStream {
-        if target.what != What::Runs || association.qualifier == Qualifier::R || !self.has_choice(target) {
+        let qualifier = association.qualifier;
+        if target.what != What::Runs || qualifier == Qualifier::R || !self.has_choice(target) {
             return TokenStream::new();
         }
         let number = names::association_number(target, id);
+        let name = names::target(&numbers(qualifier), self.model, index, target);
+        match qualifier {
+            Qualifier::P0 | Qualifier::P1 => quote!(#name = #number;),
+            _ if !target.chooses_under(self.model, qualifier) => TokenStream::new(),
+            Qualifier::S | Qualifier::Sd | Qualifier::Sl => quote!(self.#name = #number;),
+            _ => quote!(#name = #number;),
+        }
+    }
+
+    /// The association under a qualifier that acts while this drives Q; and for DS, what is done when its delay is over.
+    pub(super) fn number_of(&self, index: usize, target: &Target, qualifier: Qualifier) -> (TokenStream, TokenStream) {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let (leaving, entering, remembered) = (name("number_p0"), name("number_p1"), name("association"));
-        match association.qualifier {
-            Qualifier::P0 => quote!(#leaving = #number;),
-            Qualifier::P1 => quote!(#entering = #number;),
-            _ if target.has(self.model, Qualifier::P1) => quote!(#entering = #number; self.#remembered = #number;),
-            _ => quote!(self.#remembered = #number;),
+        if !target.chooses_under(self.model, qualifier) {
+            let number = target.under(self.model, qualifier).next().map(|id| names::association_number(target, id));
+            return (quote!(#number), TokenStream::new());
+        }
+        let number = name(&numbers(qualifier));
+        match qualifier {
+            Qualifier::Ds => {
+                let set_by = name(&set_by(qualifier));
+                let done = name("done_flag_ds");
+                (quote!(self.#set_by), quote!(if #done { self.#set_by = #number; }))
+            }
+            Qualifier::S | Qualifier::Sd | Qualifier::Sl => (quote!(self.#number), TokenStream::new()),
+            _ => (number.to_token_stream(), TokenStream::new()),
         }
     }
 

@@ -3,6 +3,8 @@
 mod flags;
 mod runs;
 
+pub(super) use flags::set_by;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -46,11 +48,16 @@ impl Cx<'_> {
             quote!(false)
         };
         let mut statements = TokenStream::new();
-        let mut terms = Vec::new();
+        let (mut terms, mut acting) = (Vec::new(), Vec::new());
         for qualifier in LEVELS.into_iter().chain([Qualifier::P]) {
             if qualifier != Qualifier::R && target.has(self.model, qualifier) {
                 let (statement, term) = self.term(index, target, qualifier, &reset);
                 statements.extend(statement);
+                if target.remembers_association {
+                    let (number, note) = self.number_of(index, target, qualifier);
+                    statements.extend(note);
+                    acting.push((term.clone(), number));
+                }
                 terms.push(term);
             }
         }
@@ -64,7 +71,31 @@ impl Cx<'_> {
             _ if terms.is_empty() => quote!(false),
             _ => quote!((#(#terms)||*)),
         };
-        quote!(#statements let #q = !#reset && #any;)
+        let acts = target.remembers_association.then(|| self.note_acting(index, target, &acting));
+        quote!(#statements let #q = !#reset && #any; #acts)
+    }
+
+    /// Remembers which association acts: the last in the source of those that alone would make Q true.
+    fn note_acting(&self, index: usize, target: &Target, acting: &[(TokenStream, TokenStream)]) -> TokenStream {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let (q, remembered) = (name("q"), name("association"));
+        // The first of all is what it is anyway.
+        let above: Vec<_> = acting.iter().filter(|(_, number)| number.to_string() != "0").cloned().collect();
+        let note = match (acting.len(), &above[..]) {
+            (_, []) => quote!(self.#remembered = 0;),
+            (1, [(_, number)]) => quote!(self.#remembered = #number;),
+            (_, [(term, number)]) => quote!(self.#remembered = if #term { #number } else { 0 };),
+            (_, [(first, number), others @ ..]) => {
+                let ty = names::number_type(target.associations.len(), &self.p);
+                let (terms, numbers): (Vec<_>, Vec<_>) = others.iter().cloned().unzip();
+                quote! {
+                    let mut acts: #ty = if #first { #number } else { 0 };
+                    #(if #terms && acts < #numbers { acts = #numbers; })*
+                    self.#remembered = acts;
+                }
+            }
+        };
+        quote!(if #q { #note })
     }
 
     /// One term of Q and the statements that prepare it.

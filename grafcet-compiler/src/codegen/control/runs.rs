@@ -141,7 +141,7 @@ impl Cx<'_> {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let number = match kind {
             RunKind::P0 => name("number_p0").into_token_stream(),
-            RunKind::P1 => name("number_p1").into_token_stream(),
+            RunKind::P1 => self.number_on_entry(index, target),
             RunKind::Level => {
                 let field = name("association");
                 quote!(self.#field)
@@ -153,6 +153,25 @@ impl Cx<'_> {
         });
         let last = one(last);
         quote!(#unsettle match #number { #(#arms)* _ => { #last } })
+    }
+
+    /// P1 together with an active Q is one run, with the arguments of the last in the source of those that act.
+    fn number_on_entry(&self, index: usize, target: &Target) -> TokenStream {
+        let name = |prefix: &str| names::target(prefix, self.model, index, target);
+        let (q, p1) = (name("q"), name("number_p1"));
+        let levels = |id: &&AssociationId| {
+            !matches!(self.model.associations[**id].qualifier, Qualifier::R | Qualifier::P0 | Qualifier::P1)
+        };
+        let Some(level) = target.associations.iter().find(levels) else { return p1.into_token_stream() };
+        let acts = if target.remembers_association {
+            let field = name("association");
+            quote!(self.#field)
+        } else if target.associations.first() == Some(level) {
+            return p1.into_token_stream();
+        } else {
+            names::association_number(target, *level).into_token_stream()
+        };
+        quote!(if #q && #acts > #p1 { #acts } else { #p1 })
     }
 
     /// The effect of an action that runs.
