@@ -461,6 +461,7 @@ impl Batch {
         }
         let mut flag_n_heat = false;
         let mut left_flag_n_heat = false;
+        let mut number_n_heat: ::grafcet::__private::u8 = 0;
         let mut flag_n_pump = false;
         let mut flag_r_pump = false;
         let mut flag_d_pump = false;
@@ -468,7 +469,7 @@ impl Batch {
         match self.region_1 {
             __BatchRegion1::Heat => {
                 flag_n_heat = true;
-                self.association_heat = 0;
+                number_n_heat = 0;
                 flag_d_pump = true;
             }
             _ => {}
@@ -476,7 +477,7 @@ impl Batch {
         match self.region_0 {
             __BatchRegion0::Stir => {
                 flag_n_heat = true;
-                self.association_heat = 1;
+                number_n_heat = 1;
                 flag_sd_pump = true;
             }
             __BatchRegion0::Drain => {
@@ -491,6 +492,9 @@ impl Batch {
             _ => {}
         }
         let q_heat = !false && (flag_n_heat);
+        if q_heat {
+            self.association_heat = number_n_heat;
+        }
         let done_flag_d_pump = self
             .timer_flag_d_pump
             .update(
