@@ -8,6 +8,9 @@ use crate::model::{
 };
 use crate::sorted::Set;
 
+/// An edge, with whether its rising and its falling side are used.
+pub(super) type UsedEdge = (EdgeId, bool, bool);
+
 /// The remembered values.
 pub struct Memory {
     /// Variables; a combinational one is computed from the situation and not remembered.
@@ -36,9 +39,9 @@ pub struct Memory {
     /// Steps whose activation something blinks from.
     pub blinking: Set<StepId>,
     /// Edges, each with whether its rising and its falling side are used.
-    pub edges: Vec<(EdgeId, bool, bool)>,
+    pub edges: Vec<UsedEdge>,
     /// `sfc`: the same of those that actions look at and an evolution changes: they are sampled behind it.
-    pub late_edges: Vec<(EdgeId, bool, bool)>,
+    pub late_edges: Vec<UsedEdge>,
     /// `grafcet`: edges of what stands still in a search, sampled once in front of it: its first evolution sees them (A2).
     pub still_edges: Vec<EdgeId>,
 }
@@ -99,7 +102,7 @@ impl Memory {
 
 /// The edges that are sampled in front of an evolution, and those sampled behind it. What an evolution does not change is the
 /// same to both.
-fn edges(model: &Model, all: &Set<Read>) -> (Vec<(EdgeId, bool, bool)>, Vec<(EdgeId, bool, bool)>) {
+fn edges(model: &Model, all: &Set<Read>) -> (Vec<UsedEdge>, Vec<UsedEdge>) {
     let mut acting: Set<Read> = Set::new();
     let mut others: Set<Read> = Set::new();
     acting.extend(model.associations.values().flat_map(Association::reads).flatten().copied());
@@ -117,9 +120,8 @@ fn edges(model: &Model, all: &Set<Read>) -> (Vec<(EdgeId, bool, bool)>, Vec<(Edg
     }
     let sides = |reads: &Set<Read>, id| (id, reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id)));
     let late = |id: &EdgeId| model.is_late(*id) && looks(&acting, *id);
-    let early = |id: EdgeId| match late(&id) {
-        true => looks(&others, id).then(|| sides(&others, id)),
-        false => Some(sides(all, id)),
+    let early = |id: EdgeId| {
+        if late(&id) { looks(&others, id).then(|| sides(&others, id)) } else { Some(sides(all, id)) }
     };
     (
         model.edges.ids().filter_map(early).collect(),

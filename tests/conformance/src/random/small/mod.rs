@@ -27,11 +27,7 @@ enum Pace {
 }
 
 /// A new kind is a row.
-<<<<<<< HEAD
-const KINDS: [Kind; 11] = [
-=======
-const KINDS: [Kind; 10] = [
->>>>>>> b68ece3 (The interpreter follows points 7 and 8 of sfc: arguments of shared calls, edges in actions; random charts of both)
+const KINDS: [Kind; 13] = [
     Kind { name: "small: a time compared", draw: clocks::compared, pace: Pace::Short },
     Kind { name: "small: a self-loop beside branches", draw: clocks::beside, pace: Pace::Short },
     Kind { name: "small: long times in two branches", draw: clocks::long, pace: Pace::Long },
@@ -40,14 +36,11 @@ const KINDS: [Kind; 10] = [
     Kind { name: "small: blinking", draw: clocks::blinking, pace: Pace::Short },
     Kind { name: "small: fragments of macros", draw: fragments::operands, pace: Pace::Short },
     Kind { name: "small: places that conditions test", draw: actions::places, pace: Pace::Short },
-<<<<<<< HEAD
     Kind { name: "small: named conditions", draw: words::named, pace: Pace::Short },
     Kind { name: "small: from any step", draw: words::any, pace: Pace::Short },
     Kind { name: "small: an enum", draw: words::modes, pace: Pace::Short },
-=======
     Kind { name: "small: edges in actions", draw: actions::edges, pace: Pace::Short },
     Kind { name: "small: calls that steps share", draw: actions::calls, pace: Pace::Short },
->>>>>>> b68ece3 (The interpreter follows points 7 and 8 of sfc: arguments of shared calls, edges in actions; random charts of both)
 ];
 
 const RULES: &str = "several_initial_steps unreachable_step dead_transition stuck_join deadlock never_true always_true \
