@@ -9,6 +9,7 @@ use proc_macro2::{Span, TokenStream};
 use syn::{Attribute, Block, Expr, Ident, LitInt, Path, Type, Visibility};
 
 use crate::diagnostic::{Mark, Severity};
+pub use crate::qualifier::Qualifier;
 
 /// `pub sfc Motor { … }`
 pub struct Chart {
@@ -227,24 +228,6 @@ pub struct Association {
     pub target: Target,
     /// `ready`
     pub condition: Option<Expr>,
-}
-
-/// The qualifiers of IEC 61131-3, and `on` of IEC 60848.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
-pub enum Qualifier {
-    N,
-    S,
-    R,
-    L,
-    D,
-    P,
-    P1,
-    P0,
-    Sd,
-    Ds,
-    Sl,
-    /// `on event`: the stored action on event.
-    On,
 }
 
 /// The time of a qualifier.

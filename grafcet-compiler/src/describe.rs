@@ -3,7 +3,7 @@
 use grafcet_core::description::{self, Description};
 use proc_macro2::Ident;
 
-use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, Qualifier, StepId, TimeRef, Transition};
+use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, StepId, TimeRef, Transition};
 
 /// Calls `f` with the description of a chart.
 pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R) -> R {
@@ -132,7 +132,7 @@ fn step_texts(model: &Model, id: StepId) -> StepTexts {
         let association = &model.associations[*id];
         let condition = association.condition.as_ref().or(association.event.as_ref());
         ActionTexts {
-            qualifier: qualifier(association.qualifier),
+            qualifier: association.qualifier.word(),
             time: association.time.map(|at| time(model, at)).unwrap_or_default(),
             condition: condition.map(|condition| condition.text.clone()).unwrap_or_default(),
             text: effect(model, &association.effect),
@@ -143,23 +143,6 @@ fn step_texts(model: &Model, id: StepId) -> StepTexts {
         format!("{} {{{}}}", partial(model, force.target), order(model, &force.order))
     });
     StepTexts { name: plain(&step.name), actions: actions.collect(), forces: forces.collect() }
-}
-
-fn qualifier(qualifier: Qualifier) -> &'static str {
-    match qualifier {
-        Qualifier::N => "N",
-        Qualifier::S => "S",
-        Qualifier::R => "R",
-        Qualifier::L => "L",
-        Qualifier::D => "D",
-        Qualifier::P => "P",
-        Qualifier::P1 => "P1",
-        Qualifier::P0 => "P0",
-        Qualifier::Sd => "SD",
-        Qualifier::Ds => "DS",
-        Qualifier::Sl => "SL",
-        Qualifier::On => "on",
-    }
 }
 
 /// `relay`, `count = count + 1`, `heat(80)`, `count += 1;`

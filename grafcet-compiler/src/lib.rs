@@ -13,6 +13,7 @@ mod methods;
 pub mod model;
 pub mod parse;
 pub mod plan;
+mod qualifier;
 pub mod sorted;
 mod visit;
 

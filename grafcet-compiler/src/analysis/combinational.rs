@@ -23,7 +23,7 @@ pub fn in_order(model: &Model) -> Vec<VarId> {
 /// The continuous actions that assert a variable.
 pub fn asserted(model: &Model, var: VarId) -> impl Iterator<Item = &Association> {
     model.associations.values().filter(move |association| {
-        matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
+        association.qualifier.is_continuous()
             && matches!(association.effect, Effect::Control(Place::Var(place)) if place == var)
     })
 }

@@ -9,7 +9,7 @@ use crate::sorted::Set;
 pub fn mixed(model: &Model) -> Set<Place> {
     let (mut lasting, mut written) = (Set::new(), Set::new());
     for association in model.associations.values() {
-        let continuous = matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
+        let continuous = association.qualifier.is_continuous();
         let lasts = match &association.effect {
             Effect::Control(_) => continuous || !model.is_grafcet(),
             Effect::Assign(Place::Output(_), _) => {

@@ -6,7 +6,7 @@ use super::explore::{Limits, Rival, rivals_meeting};
 use super::{Concurrency, Condition, Logic, meeting};
 use crate::model::{
     Association, AssociationId, Effect, Expr, ForceOrder, Id, Model, PartialId, Place, Qualifier, Read, StepId,
-    TransitionId, Tree, Unary,
+    TransitionId, Tree, Trigger, Unary,
 };
 use crate::sorted::{Map, Set};
 
@@ -144,11 +144,10 @@ impl<'m> Race<'m> {
                 (Effect::Control(_), qualifier) => Some(Tree::Bool(qualifier == Qualifier::S)),
                 (effect, _) => constant(effect),
             };
-            let when = match association.qualifier {
-                Qualifier::P0 => When::Left(association.step),
-                Qualifier::P1 | Qualifier::P => When::Entered(association.step),
-                Qualifier::S | Qualifier::R if model.is_grafcet() => When::Entered(association.step),
-                _ => When::Active(association.step),
+            let when = match association.qualifier.trigger(model.dialect) {
+                Trigger::Deactivation => When::Left(association.step),
+                Trigger::Activation => When::Entered(association.step),
+                Trigger::Active | Trigger::Event => When::Active(association.step),
             };
             let conditions: Vec<_> = association.condition.iter().chain(&association.event).collect();
             for place in association.effect.writes() {

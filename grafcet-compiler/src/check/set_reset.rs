@@ -95,11 +95,10 @@ fn collect(model: &Model) -> Map<Stored, Uses> {
             }
             Effect::Assign(place, value) if is_bool(model, *place) => {
                 let uses = all.or_default(Stored::Place(*place));
-                match association.qualifier {
-                    Qualifier::P1 | Qualifier::P0 | Qualifier::On => {
-                        assign(uses, &value.tree, association.mark, association.step);
-                    }
-                    _ => uses.unknown = true,
+                if association.qualifier.runs_once() {
+                    assign(uses, &value.tree, association.mark, association.step);
+                } else {
+                    uses.unknown = true;
                 }
             }
             Effect::Call(..) | Effect::Assign(..) => {}
@@ -127,7 +126,7 @@ fn control(uses: &mut Uses, association: &Association) {
     let mark = association.qualifier_mark.unwrap_or(target).to(target);
     let write = Write { mark, step: association.step, is_assignment: false };
     match association.qualifier {
-        Qualifier::S | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl => uses.sets.push(write),
+        qualifier if qualifier.has_flip_flop() => uses.sets.push(write),
         Qualifier::R => uses.resets.push(write),
         _ => uses.shows.push(association.step),
     }

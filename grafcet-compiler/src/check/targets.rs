@@ -3,7 +3,7 @@
 use quote::ToTokens;
 
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::model::{Association, Effect, Model, Place, Qualifier, Tree, Ty};
+use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier, Tree, Ty};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     for association in model.associations.values() {
@@ -44,19 +44,19 @@ pub(super) fn mistake(model: &Model, association: &Association) -> Option<(Mark,
 
 /// Qualifiers that only the other standard has.
 fn other_dialect(model: &Model, qualifier: Qualifier) -> Option<String> {
-    let word = word(qualifier);
-    match qualifier {
-        Qualifier::P | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl if model.is_grafcet() => Some(format!(
+    let word = qualifier.word();
+    if qualifier.is_of(model.dialect) {
+        return None;
+    }
+    Some(match model.dialect {
+        Dialect::Grafcet => format!(
             "`{word}` is a qualifier of IEC 61131-3 and a `grafcet` does not have it; \
              write a condition, such as `q if 5s/Step`, or a stored action: `S`, `R`, `P1`, `P0` or `on`"
-        )),
-        Qualifier::On if !model.is_grafcet() => Some(
-            "an action on an event is a form of IEC 60848 and an `sfc` does not have it; \
-             write a step that waits for the event, or `N q if rising(…)`"
-                .to_owned(),
         ),
-        _ => None,
-    }
+        Dialect::Sfc => "an action on an event is a form of IEC 60848 and an `sfc` does not have it; \
+             write a step that waits for the event, or `N q if rising(…)`"
+            .to_owned(),
+    })
 }
 
 /// A name like `boool` is no known type: an alias of `bool`, or a slip of the pen that rustc reports.
@@ -110,10 +110,10 @@ fn starts_true(model: &Model, place: Place) -> bool {
 
 /// A bare boolean behind a qualifier that runs something once.
 fn once(model: &Model, qualifier: Qualifier, place: Place) -> Option<String> {
-    if !matches!(qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On) {
+    if !qualifier.runs_once() {
         return None;
     }
-    let (name, word) = (model.place_name(place), word(qualifier));
+    let (name, word) = (model.place_name(place), qualifier.word());
     let assignment = match qualifier {
         Qualifier::On => format!("on … {name} = true"),
         _ => format!("{word} {name} = true"),
@@ -128,7 +128,7 @@ fn once(model: &Model, qualifier: Qualifier, place: Place) -> Option<String> {
 
 /// `speed = e` behind a qualifier.
 fn assign(model: &Model, qualifier: Qualifier, place: Place, value: &str) -> Option<String> {
-    let (name, word) = (model.place_name(place), word(qualifier));
+    let (name, word) = (model.place_name(place), qualifier.word());
     match (qualifier, place) {
         (Qualifier::N, Place::Var(_)) if model.is_grafcet() => Some(format!(
             "`{name}` is a variable, which a `grafcet` writes at an instant, not while a step is active; \
@@ -146,7 +146,7 @@ fn assign(model: &Model, qualifier: Qualifier, place: Place, value: &str) -> Opt
 
 /// A call or a block behind a qualifier.
 fn body(model: &Model, qualifier: Qualifier, what: &str) -> Option<String> {
-    let word = word(qualifier);
+    let word = qualifier.word();
     match qualifier {
         Qualifier::R if what == "a block" => Some(
             "`R` ends an action that another step has set, and a block is an action of its own; \
@@ -160,23 +160,5 @@ fn body(model: &Model, qualifier: Qualifier, what: &str) -> Option<String> {
             Some("a block runs at an instant in a `grafcet`, not while a step is active; write `P1 { … }`".to_owned())
         }
         _ => None,
-    }
-}
-
-/// A qualifier as the user writes it.
-fn word(qualifier: Qualifier) -> &'static str {
-    match qualifier {
-        Qualifier::N => "N",
-        Qualifier::S => "S",
-        Qualifier::R => "R",
-        Qualifier::L => "L",
-        Qualifier::D => "D",
-        Qualifier::P => "P",
-        Qualifier::P1 => "P1",
-        Qualifier::P0 => "P0",
-        Qualifier::Sd => "SD",
-        Qualifier::Ds => "DS",
-        Qualifier::Sl => "SL",
-        Qualifier::On => "on",
     }
 }

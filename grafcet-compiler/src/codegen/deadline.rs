@@ -114,7 +114,7 @@ impl Cx<'_> {
         let p = &self.p;
         let mut tokens = TokenStream::new();
         for (index, target) in self.plan.control.targets.iter().enumerate() {
-            for qualifier in [Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl] {
+            for qualifier in Qualifier::ALL.into_iter().filter(|qualifier| qualifier.has_time()) {
                 if target.has(self.model, qualifier) {
                     let prefix = format!("timer_{}", names::flag(qualifier));
                     let timer = names::target(&prefix, self.model, index, target);

@@ -273,22 +273,9 @@ pub(super) fn target(prefix: &str, model: &Model, index: usize, target: &Target)
     }
 }
 
-/// The prefix of a target's flag for a qualifier.
-pub(super) fn flag(qualifier: Qualifier) -> &'static str {
-    match qualifier {
-        Qualifier::N => "flag_n",
-        Qualifier::S => "flag_s",
-        Qualifier::R => "flag_r",
-        Qualifier::L => "flag_l",
-        Qualifier::D => "flag_d",
-        Qualifier::P => "flag_p",
-        Qualifier::P1 => "flag_p1",
-        Qualifier::P0 => "flag_p0",
-        Qualifier::Sd => "flag_sd",
-        Qualifier::Ds => "flag_ds",
-        Qualifier::Sl => "flag_sl",
-        Qualifier::On => "flag_on",
-    }
+/// The prefix of a target's flag for a qualifier: `flag_sd`.
+pub(super) fn flag(qualifier: Qualifier) -> String {
+    format!("flag_{}", qualifier.word().to_lowercase())
 }
 
 /// The number of an association among those of its target, as it is remembered.

@@ -250,16 +250,18 @@ impl Cx<'_> {
         let p = &self.p;
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let mut fields = Vec::new();
-        for qualifier in [Qualifier::S, Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl] {
+        for qualifier in
+            Qualifier::ALL.into_iter().filter(|qualifier| qualifier.has_flip_flop() || qualifier.has_time())
+        {
             if !target.has(self.model, qualifier) {
                 continue;
             }
             let flag = names::flag(qualifier);
-            if !matches!(qualifier, Qualifier::L | Qualifier::D) {
+            if qualifier.has_flip_flop() {
                 let initial = qualifier == Qualifier::S && self.starts_set(target);
                 fields.push(self.flag(&name(&format!("memory_{flag}")).to_string(), initial));
             }
-            if qualifier != Qualifier::S {
+            if qualifier.has_time() {
                 let (ty, initial) = (quote!(#p::OnDelay), quote!(#p::OnDelay::new()));
                 fields.push(Field { name: name(&format!("timer_{flag}")), ty, initial });
             }
@@ -267,8 +269,7 @@ impl Cx<'_> {
                 let ty = names::number_type(target.associations.len(), p);
                 fields.push(Field { name: name(&format!("time_{flag}")), ty, initial: quote!(0) });
             }
-            let stores = !matches!(qualifier, Qualifier::L | Qualifier::D);
-            if stores && target.chooses_under(self.model, qualifier) {
+            if qualifier.has_flip_flop() && target.chooses_under(self.model, qualifier) {
                 let ty = names::number_type(target.associations.len(), p);
                 fields.push(Field { name: name(&set_by(qualifier)), ty, initial: quote!(0) });
             }
@@ -296,10 +297,7 @@ impl Cx<'_> {
 
     /// A boolean that only S and R control starts with its initial value.
     fn starts_set(&self, target: &Target) -> bool {
-        let only = target
-            .associations
-            .iter()
-            .all(|id| matches!(self.model.associations[*id].qualifier, Qualifier::S | Qualifier::R));
+        let only = target.associations.iter().all(|id| self.model.associations[*id].qualifier.sets_or_resets());
         let init = match target.what {
             What::Boolean(Place::Output(id)) => self.model.outputs[id].init.as_ref(),
             What::Boolean(Place::Var(id)) => self.model.vars[id].init.as_ref(),

@@ -10,7 +10,9 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names, types};
-use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId};
+use crate::model::{
+    Association, AssociationId, Dialect, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId, Trigger,
+};
 use crate::plan::{Below, is_stored, source_order};
 use crate::sorted::Set;
 
@@ -277,9 +279,9 @@ fn is_event_call(association: &Association) -> bool {
 
 /// When a stored action acts; `None` for a continuous one.
 fn instant(association: &Association) -> Option<Instant> {
-    is_stored(association).then_some(match association.qualifier {
-        Qualifier::P0 => Instant::Deactivation,
-        Qualifier::On => Instant::Event,
-        _ => Instant::Activation,
+    is_stored(association).then_some(match association.qualifier.trigger(Dialect::Grafcet) {
+        Trigger::Deactivation => Instant::Deactivation,
+        Trigger::Event => Instant::Event,
+        Trigger::Active | Trigger::Activation => Instant::Activation,
     })
 }

@@ -13,8 +13,9 @@ mod resolve;
 use proc_macro2::Span;
 use syn::{Attribute, Ident, Visibility};
 
-pub use crate::ast::{Derive, Dialect, LevelAttr, Qualifier, Variant};
+pub use crate::ast::{Derive, Dialect, LevelAttr, Variant};
 use crate::diagnostic::Mark;
+pub use crate::qualifier::{Qualifier, Trigger};
 pub use expr::{Binary, Blink, Blinker, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
 pub use ids::{
     ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, OutputId, ParamId,

@@ -348,8 +348,7 @@ impl Association {
     /// Whether the action of a `grafcet` acts at an instant.
     #[must_use]
     pub fn is_stored(&self) -> bool {
-        use super::Qualifier::{On, P0, P1, R, S};
-        matches!(self.qualifier, S | R | P1 | P0 | On)
+        self.qualifier.is_stored_action()
     }
 
     /// What its expressions read, one list an expression: condition, event and effect.

@@ -7,28 +7,10 @@ use super::{Error, Input, Result, chain, condition, foreign, target, time, words
 use crate::ast::{Association, Qualifier, Target, TimeArg};
 use crate::diagnostic::{Mark, Sink};
 
-const QUALIFIERS: &[(&str, Qualifier)] = &[
-    ("N", Qualifier::N),
-    ("S", Qualifier::S),
-    ("R", Qualifier::R),
-    ("L", Qualifier::L),
-    ("D", Qualifier::D),
-    ("P", Qualifier::P),
-    ("P1", Qualifier::P1),
-    ("P0", Qualifier::P0),
-    ("SD", Qualifier::Sd),
-    ("DS", Qualifier::Ds),
-    ("SL", Qualifier::Sl),
-];
-
 const ALL: &str = "the qualifiers are N, S, R, L, D, P, P1, P0, SD, DS and SL";
 
-fn qualifier(word: &str) -> Option<Qualifier> {
-    QUALIFIERS.iter().find(|(name, _)| word == *name).map(|(_, qualifier)| *qualifier)
-}
-
 pub(crate) fn is_qualifier(word: &str) -> bool {
-    qualifier(word).is_some()
+    Qualifier::of_letters(word).is_some()
 }
 
 /// Whether a line certainly begins here, also where no line breaks are known.
@@ -125,7 +107,7 @@ fn ends(input: &Input) -> bool {
 fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
     let Some(word) = input.word() else { return Ok(None) };
     let behind = input.next();
-    let Some(qualifier) = qualifier(word) else {
+    let Some(qualifier) = Qualifier::of_letters(word) else {
         return unknown(input, word).map(|()| None);
     };
     if behind.at(":") && !behind.at(":=") {
@@ -148,7 +130,7 @@ fn take_qualifier(input: &mut Input) -> Result<Option<(Qualifier, Span)>> {
         qualifier
     };
     if ends(input) {
-        let example = if takes_time(qualifier) { format!("{word} 5s q") } else { format!("{word} q") };
+        let example = if qualifier.has_time() { format!("{word} 5s q") } else { format!("{word} q") };
         return Err(Error::new(span, format!("the qualifier `{word}` acts on something: `{example};`")));
     }
     Ok(Some((qualifier, span)))
@@ -176,7 +158,7 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
         return Err(Error::new(mark, message));
     }
     let upper = word.to_uppercase();
-    Err(input.error(if QUALIFIERS.iter().any(|(name, _)| *name == upper) {
+    Err(input.error(if is_qualifier(&upper) {
         format!("qualifiers are capital letters: write `{upper}`")
     } else if words::meant(word) == Some("step") {
         "a step cannot stand in a step; a `macro step` or an `enclosing step` holds others".to_owned()
@@ -189,14 +171,10 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
     }))
 }
 
-fn takes_time(qualifier: Qualifier) -> bool {
-    matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl)
-}
-
 /// The time of a qualifier that has one.
 fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink) -> Result<Option<TimeArg>> {
     let Some((qualifier, span)) = qualifier else { return Ok(None) };
-    let word = QUALIFIERS.iter().find(|(_, known)| *known == qualifier).map_or("on", |(name, _)| name);
+    let word = qualifier.word();
     if let Some((_, time)) = foreign::iec_time(input) {
         let start = *input;
         input.bump();
@@ -204,14 +182,14 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
         sink.notation(start.span(), format!("a time is written with its unit alone: `{time}`"));
     }
     if let Some(literal) = input.literal() {
-        if takes_time(qualifier) {
+        if qualifier.has_time() {
             return Ok(time::parse(input, literal, sink).map(TimeArg::Literal));
         }
         sink.notation(input.span(), format!("`{word}` takes no time; those that do are L, D, SD, DS and SL"));
         input.bump();
         return Ok(None);
     }
-    if !takes_time(qualifier) {
+    if !qualifier.has_time() {
         return Ok(None);
     }
     // `L soak q`: a name is the time where a target follows it.

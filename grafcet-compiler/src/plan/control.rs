@@ -48,16 +48,21 @@ impl Target {
     /// The qualifiers it has whose end can come from leaving a step.
     #[must_use]
     pub fn leavable(&self, model: &Model) -> Vec<Qualifier> {
-        let qualifiers = [Qualifier::N, Qualifier::L, Qualifier::D];
-        qualifiers.into_iter().filter(|qualifier| self.has(model, *qualifier)).collect()
+        Qualifier::ALL
+            .into_iter()
+            .filter(|qualifier| qualifier.is_continuous() && self.has(model, *qualifier))
+            .collect()
     }
 
     /// Which of them held in the cycle before does not follow from Q alone, so it is remembered.
     #[must_use]
     pub fn remembers_terms(&self, model: &Model) -> bool {
-        let stores = [Qualifier::S, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl, Qualifier::P];
+        let others = |id: &AssociationId| {
+            let qualifier = model.associations[*id].qualifier;
+            qualifier.drives_q() && !qualifier.is_continuous()
+        };
         let leavable = self.leavable(model).len();
-        leavable > 1 || leavable == 1 && stores.iter().any(|qualifier| self.has(model, *qualifier))
+        leavable > 1 || leavable == 1 && self.associations.iter().any(others)
     }
 
     /// Whether several associations under the qualifier give arguments of their own: which of them acts is asked.
@@ -184,7 +189,7 @@ fn is_local(simple: &[bool], association: &Association) -> bool {
         Effect::Control(Place::Output(output)) => simple[output.index()],
         Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => true,
         Effect::Assign(..) | Effect::Block(_) => {
-            matches!(association.qualifier, Qualifier::P1 | Qualifier::P0)
+            association.qualifier.runs_once()
                 || association.qualifier == Qualifier::N && association.condition.is_none()
         }
         _ => false,
@@ -193,15 +198,13 @@ fn is_local(simple: &[bool], association: &Association) -> bool {
 
 /// Whether anything but single runs (P1, P0) and resets belongs to the target.
 fn has_q(model: &Model, target: &Target) -> bool {
-    let single =
-        |id: &AssociationId| matches!(model.associations[*id].qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::R);
-    !target.associations.iter().all(single)
+    target.associations.iter().any(|id| model.associations[*id].qualifier.drives_q())
 }
 
 fn remembers_association(model: &Model, target: &Target) -> bool {
     let with_arguments = |id: &&AssociationId| {
         let association = &model.associations[**id];
-        !matches!(association.qualifier, Qualifier::R | Qualifier::P1 | Qualifier::P0)
+        association.qualifier.drives_q()
             && matches!(&association.effect, Effect::Call(_, arguments) if !arguments.is_empty())
     };
     target.associations.iter().filter(with_arguments).count() > 1
@@ -215,7 +218,7 @@ fn remembers_held(model: &Model, concurrency: &Concurrency, target: &Target) -> 
     let leavable = |id: &AssociationId| {
         let association = &model.associations[*id];
         let beside = |other: AssociationId| concurrency.together(association.step, model.associations[other].step);
-        matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
+        association.qualifier.is_continuous()
             && association.condition.is_some()
             && target.under(model, association.qualifier).any(beside)
     };

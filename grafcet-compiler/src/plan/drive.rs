@@ -58,10 +58,7 @@ fn of(concurrency: &Concurrency, uses: &Uses<'_>, output: OutputId) -> Drive {
 /// Whether an association is about this cycle only.
 fn is_continuous(association: &Association) -> bool {
     match association.effect {
-        Effect::Control(_) => !matches!(
-            association.qualifier,
-            Qualifier::S | Qualifier::R | Qualifier::Sd | Qualifier::Ds | Qualifier::Sl
-        ),
+        Effect::Control(_) => !association.qualifier.has_flip_flop() && association.qualifier != Qualifier::R,
         Effect::Assign(..) => association.qualifier == Qualifier::N,
         Effect::Call(..) | Effect::Block(_) => false,
     }

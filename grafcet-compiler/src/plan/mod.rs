@@ -152,7 +152,7 @@ fn has_start(model: &Model, initial: &Set<StepId>, memory: &Memory) -> bool {
         model.steps[step].associations.iter().map(|id| &model.associations[*id]).any(|association| {
             match (association.qualifier, &association.effect) {
                 (_, Effect::Call(..)) => true,
-                (Qualifier::N | Qualifier::L | Qualifier::D, _) => false,
+                (qualifier, _) if qualifier.is_continuous() => false,
                 (Qualifier::S, Effect::Control(place)) => !has(place, true),
                 (Qualifier::R, Effect::Control(place)) => !has(place, false),
                 _ => true,

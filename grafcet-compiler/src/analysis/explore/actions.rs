@@ -150,10 +150,7 @@ struct Compile<'c, 'm> {
 impl Compile<'_, '_> {
     fn stored(&mut self, model: &Model, actions: &mut Actions) {
         for (id, association) in model.associations.iter() {
-            let stored = matches!(
-                association.qualifier,
-                Qualifier::S | Qualifier::R | Qualifier::P1 | Qualifier::P0 | Qualifier::On
-            );
+            let stored = association.is_stored();
             let on = association.qualifier == Qualifier::On;
             if stored && (on || self.is_followed(&association.effect)) {
                 actions.stored_of.or_default(association.step.index()).push(actions.stored.len());

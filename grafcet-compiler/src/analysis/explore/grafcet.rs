@@ -8,7 +8,7 @@ use super::scene::{Scene, Snapshot, State, When};
 use super::sfc::perform;
 use super::slots::Bit;
 use super::waiting;
-use crate::model::Qualifier;
+use crate::model::{Dialect, Trigger};
 
 /// What the stored actions of one evolution do together.
 struct Outcome {
@@ -189,10 +189,10 @@ fn run(scene: &mut Scene<'_>, action: &Action, outcome: &mut Outcome) {
 fn occurs(scene: &mut Scene<'_>, action: &Action, before: &[usize], after: &[usize]) -> bool {
     let was = before.binary_search(&action.step).is_ok();
     let is = after.binary_search(&action.step).is_ok();
-    let occurs = match action.qualifier {
-        Qualifier::P0 => was && !is,
-        Qualifier::On => was,
-        _ => !was && is,
+    let occurs = match action.qualifier.trigger(Dialect::Grafcet) {
+        Trigger::Deactivation => was && !is,
+        Trigger::Event => was,
+        Trigger::Active | Trigger::Activation => !was && is,
     };
     if !occurs {
         return false;

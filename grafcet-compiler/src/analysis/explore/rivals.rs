@@ -8,7 +8,7 @@ use super::net::Net;
 use super::scene::{Scene, When};
 use super::search::Search;
 use crate::analysis::is_constant_read;
-use crate::model::{Association, Id, Model, Name, Qualifier, Read, TransitionId, Tree};
+use crate::model::{Association, Dialect, Id, Model, Name, Qualifier, Read, TransitionId, Tree, Trigger};
 
 /// A stored action of a `grafcet` that is watched beside another.
 #[derive(Clone, Copy)]
@@ -56,10 +56,10 @@ impl Watched {
         match &self.at {
             At::Step(step, qualifier) => {
                 let (was, is) = (before.binary_search(step).is_ok(), after.binary_search(step).is_ok());
-                match qualifier {
-                    Qualifier::P0 => was && !is,
-                    Qualifier::On => was,
-                    _ => !was && is,
+                match qualifier.trigger(Dialect::Grafcet) {
+                    Trigger::Deactivation => was && !is,
+                    Trigger::Event => was,
+                    Trigger::Active | Trigger::Activation => !was && is,
                 }
             }
             At::Transition(transition) => cleared.contains(transition),

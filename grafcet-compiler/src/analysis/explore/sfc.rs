@@ -5,7 +5,7 @@ use super::cycle::{Done, evolve, note_doubled, tried};
 use super::formula::Formula;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
-use crate::model::Qualifier;
+use crate::model::{Dialect, Qualifier, Trigger};
 
 /// How the evolution changed the situation.
 struct Change {
@@ -143,7 +143,7 @@ fn control(scene: &mut Scene<'_>, change: &Change, (slot, timed): (usize, &Timed
         }
     }
     let reset = on.contains(&Qualifier::R);
-    if by.iter().all(|action| matches!(action.qualifier, Qualifier::S | Qualifier::R)) {
+    if by.iter().all(|action| action.qualifier.sets_or_resets()) {
         return kept(scene.now.slots[slot], on.contains(&Qualifier::S), reset);
     }
     let mut q = Bit::from(on.contains(&Qualifier::N) || on.contains(&Qualifier::P));
@@ -179,10 +179,10 @@ fn has_come(scene: &mut Scene<'_>, timed: &Timed, qualifier: Qualifier) -> bool 
 
 /// Whether the step flag or the event of an association is true, and its condition.
 fn is_on(scene: &mut Scene<'_>, change: &Change, action: &Action) -> bool {
-    let steps = match action.qualifier {
-        Qualifier::P | Qualifier::P1 => &change.entered,
-        Qualifier::P0 => &change.left,
-        _ => &scene.now.active,
+    let steps = match action.qualifier.trigger(Dialect::Sfc) {
+        Trigger::Activation => &change.entered,
+        Trigger::Deactivation => &change.left,
+        Trigger::Active | Trigger::Event => &scene.now.active,
     };
     steps.contains(&action.step) && action.condition.as_ref().is_none_or(|condition| evaluate(scene, condition))
 }

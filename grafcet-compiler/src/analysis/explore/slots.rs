@@ -174,9 +174,9 @@ impl<'m> Writers<'m> {
     /// The qualifiers that need a flip-flop of their own.
     fn flip_flops(&self, model: &Model, place: Place) -> Vec<Qualifier> {
         let with = |wanted: Qualifier| self.associations(model, place).any(|a| a.qualifier == wanted);
-        let stored = self.associations(model, place).all(|a| matches!(a.qualifier, Qualifier::S | Qualifier::R));
-        let all = [Qualifier::S, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
-        all.into_iter().filter(|qualifier| !stored && with(*qualifier)).collect()
+        let stored = self.associations(model, place).all(|a| a.qualifier.sets_or_resets());
+        let has = |qualifier: &Qualifier| qualifier.has_flip_flop() && !stored && with(*qualifier);
+        Qualifier::ALL.into_iter().filter(has).collect()
     }
 
     /// Whether an output has no memory, and nothing in the chart reads it.
@@ -184,7 +184,7 @@ impl<'m> Writers<'m> {
         let Place::Output(id) = place else { return false };
         let read = model.expressions().iter().any(|reads| reads.contains(&Read::Name(Name::Output(id))));
         let control = |a: &Association| matches!(a.effect, Effect::Control(_));
-        let stored = |a: &Association| matches!(a.qualifier, Qualifier::S | Qualifier::R);
+        let stored = |a: &Association| a.qualifier.sets_or_resets();
         let all = || self.associations(model, place);
         let computed = all().all(control) && !all().all(stored) || all().all(|a| a.qualifier == Qualifier::N);
         !read && computed && all().next().is_some()
@@ -201,7 +201,7 @@ fn fits_grafcet(association: &Association) -> bool {
 
 fn fits_sfc(association: &Association, place: Place) -> bool {
     match (&association.effect, association.qualifier) {
-        (Effect::Control(_), qualifier) => !matches!(qualifier, Qualifier::P1 | Qualifier::P0 | Qualifier::On),
+        (Effect::Control(_), qualifier) => !qualifier.runs_once(),
         (_, Qualifier::P1 | Qualifier::P0) => true,
         (Effect::Assign(..), Qualifier::N) if matches!(place, Place::Output(_)) => true,
         // Whether it was active in the cycle before decides about its final scan.

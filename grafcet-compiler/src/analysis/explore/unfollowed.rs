@@ -2,7 +2,7 @@
 
 use super::formula::{Atom, Kind};
 use super::slots::Slots;
-use crate::model::{Association, Binary, Effect, Model, Name, Qualifier, Read, Step, Tree};
+use crate::model::{Association, Binary, Effect, Model, Name, Read, Step, Tree};
 use crate::sorted::Map;
 
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
@@ -67,9 +67,7 @@ fn names(tree: &Tree) -> Vec<Name> {
 /// The steps and the transitions with stored actions that write what is not followed.
 pub(super) fn writers(model: &Model, slots: &Slots) -> (Vec<bool>, Vec<bool>) {
     let more = |effect: &Effect| effect.writes().iter().any(|place| !slots.numbers.contains_key(place));
-    let stored = |association: &Association| {
-        !matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D) && more(&association.effect)
-    };
+    let stored = |association: &Association| !association.qualifier.is_continuous() && more(&association.effect);
     let of_step = |step: &Step| step.associations.iter().any(|id| stored(&model.associations[*id]));
     let steps = model.steps.values().map(of_step).collect();
     (steps, model.transitions.values().map(|transition| transition.clearing.iter().any(more)).collect())

@@ -6,23 +6,13 @@ use quote::{ToTokens, quote};
 use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
 use crate::codegen::{Cx, names};
-use crate::model::{Association, AssociationId, Effect, Id, Qualifier};
+use crate::model::{Association, AssociationId, Effect, Id, Qualifier, Trigger};
 use crate::plan::{Target, What, source_order};
 use crate::sorted::Set;
 
-/// The qualifiers whose timer starts again with a step that is left and re-entered at once.
-const RESTARTED: [Qualifier; 3] = [Qualifier::L, Qualifier::D, Qualifier::Ds];
-
-/// The qualifiers of which it is seen anew in each cycle which association acts; the others set flip-flops.
-const NUMBERED: [Qualifier; 7] =
-    [Qualifier::P0, Qualifier::P1, Qualifier::N, Qualifier::P, Qualifier::L, Qualifier::D, Qualifier::Ds];
-
 /// What holds the number of the association that acts under a qualifier.
 fn numbers(qualifier: Qualifier) -> String {
-    match qualifier {
-        Qualifier::S | Qualifier::Sd | Qualifier::Sl => set_by(qualifier),
-        _ => names::flag(qualifier).replace("flag", "number"),
-    }
+    if qualifier.stores_at_once() { set_by(qualifier) } else { names::flag(qualifier).replace("flag", "number") }
 }
 
 /// The field that holds the number of the association that has set a flip-flop last.
@@ -47,27 +37,33 @@ impl Cx<'_> {
         let flags = target.associations.iter().map(|id| self.model.associations[*id].qualifier);
         let flags: Set<Qualifier> = flags.collect();
         let flags = flags.iter().map(|qualifier| {
-            let flag = names::target(names::flag(*qualifier), self.model, index, target);
+            let flag = names::target(&names::flag(*qualifier), self.model, index, target);
             quote!(let mut #flag = false;)
         });
-        let restarts = RESTARTED.into_iter().filter(|qualifier| self.restarts(target, *qualifier)).map(|qualifier| {
-            let restart = self.restart(index, target, qualifier);
-            quote!(let mut #restart = false;)
-        });
+        let restarts =
+            Qualifier::ALL.into_iter().filter(|qualifier| self.restarts(target, *qualifier)).map(|qualifier| {
+                let restart = self.restart(index, target, qualifier);
+                quote!(let mut #restart = false;)
+            });
         let left = self.leavable(target).into_iter().map(|qualifier| {
             let left = self.left(index, target, qualifier);
             quote!(let mut #left = false;)
         });
         let chooses = |qualifier: &Qualifier| match qualifier {
-            Qualifier::P0 | Qualifier::P1 => target.has(self.model, *qualifier),
+            _ if qualifier.runs_once() => target.has(self.model, *qualifier),
             _ => target.chooses_under(self.model, *qualifier),
         };
+        // Of the others the flip-flop remembers which association has set it.
+        let seen_anew = |qualifier: &Qualifier| !qualifier.stores_at_once() && *qualifier != Qualifier::R;
         let choice = target.what == What::Runs && self.has_choice(target);
-        let numbers = NUMBERED.into_iter().filter(|qualifier| choice && chooses(qualifier)).map(|qualifier| {
-            let number = names::target(&numbers(qualifier), self.model, index, target);
-            let ty = names::number_type(target.associations.len(), &self.p);
-            quote!(let mut #number: #ty = 0;)
-        });
+        let numbers = Qualifier::ALL
+            .into_iter()
+            .filter(|qualifier| choice && seen_anew(qualifier) && chooses(qualifier))
+            .map(|qualifier| {
+                let number = names::target(&numbers(qualifier), self.model, index, target);
+                let ty = names::number_type(target.associations.len(), &self.p);
+                quote!(let mut #number: #ty = 0;)
+            });
         let held = target.remembers_held.iter().map(|id| {
             let (before, held) = self.held_before(*id, index, target);
             quote!(let #before = self.#held; self.#held = false;)
@@ -78,7 +74,7 @@ impl Cx<'_> {
     /// What one association adds to the flags of its target.
     fn gather(&self, id: AssociationId, index: usize) -> Item {
         let (association, target) = (&self.model.associations[id], &self.plan.control.targets[index]);
-        let flag = names::target(names::flag(association.qualifier), self.model, index, target);
+        let flag = names::target(&names::flag(association.qualifier), self.model, index, target);
         let number = self.note_number(id, association, index, target);
         let mut set = quote!(#flag = true; #number);
         if target.remembers_time(self.model, association.qualifier) {
@@ -97,10 +93,10 @@ impl Cx<'_> {
         }
         let step = association.step;
         let region = self.plan.regions.of_step(step);
-        match association.qualifier {
-            Qualifier::P0 => self.if_left(step, &set),
-            Qualifier::P1 | Qualifier::P => self.if_entered(step, &set),
-            _ => {
+        match association.qualifier.trigger(self.model.dialect) {
+            Trigger::Deactivation => self.if_left(step, &set),
+            Trigger::Activation => self.if_entered(step, &set),
+            Trigger::Active | Trigger::Event => {
                 let qualifier = association.qualifier;
                 let again = self.plan.sees_reentry[region] && self.restarts(target, qualifier);
                 let restart = again.then(|| {
@@ -122,9 +118,9 @@ impl Cx<'_> {
         let number = names::association_number(target, id);
         let name = names::target(&numbers(qualifier), self.model, index, target);
         match qualifier {
-            Qualifier::P0 | Qualifier::P1 => quote!(#name = #number;),
+            _ if qualifier.runs_once() => quote!(#name = #number;),
             _ if !target.chooses_under(self.model, qualifier) => TokenStream::new(),
-            Qualifier::S | Qualifier::Sd | Qualifier::Sl => quote!(self.#name = #number;),
+            _ if qualifier.stores_at_once() => quote!(self.#name = #number;),
             _ => quote!(#name = #number;),
         }
     }
@@ -143,7 +139,7 @@ impl Cx<'_> {
                 let done = name("done_flag_ds");
                 (quote!(self.#set_by), quote!(if #done { self.#set_by = #number; }))
             }
-            Qualifier::S | Qualifier::Sd | Qualifier::Sl => (quote!(self.#number), TokenStream::new()),
+            _ if qualifier.stores_at_once() => (quote!(self.#number), TokenStream::new()),
             _ => (number.to_token_stream(), TokenStream::new()),
         }
     }
@@ -161,7 +157,7 @@ impl Cx<'_> {
     /// An association of the target under this qualifier, whose timer starts again with its step, can be re-entered (A4s).
     pub(super) fn restarts(&self, target: &Target, qualifier: Qualifier) -> bool {
         let reentered = |id| self.plan.sees_reentry[self.plan.regions.of_step(self.model.associations[id].step)];
-        RESTARTED.contains(&qualifier) && target.under(self.model, qualifier).any(reentered)
+        qualifier.restarts_with_step() && target.under(self.model, qualifier).any(reentered)
     }
 
     /// The local that says that such a step has been re-entered.

@@ -12,10 +12,6 @@ use super::{Cx, names};
 use crate::model::{Qualifier, TimeRef};
 use crate::plan::{Target, What};
 
-/// The qualifiers whose flag is the activity of a step; the others are events.
-const LEVELS: [Qualifier; 8] =
-    [Qualifier::N, Qualifier::S, Qualifier::R, Qualifier::L, Qualifier::D, Qualifier::Sd, Qualifier::Ds, Qualifier::Sl];
-
 impl Cx<'_> {
     /// Whether the end of N, L or D by leaving a step has caused the fall of Q (A29).
     fn by_leaving(&self, index: usize, target: &Target) -> Option<TokenStream> {
@@ -42,15 +38,15 @@ impl Cx<'_> {
     /// ```
     fn q(&self, index: usize, target: &Target) -> TokenStream {
         let reset = if target.has(self.model, Qualifier::R) {
-            let flag = names::target(names::flag(Qualifier::R), self.model, index, target);
+            let flag = names::target(&names::flag(Qualifier::R), self.model, index, target);
             quote!(#flag)
         } else {
             quote!(false)
         };
         let mut statements = TokenStream::new();
         let (mut terms, mut acting) = (Vec::new(), Vec::new());
-        for qualifier in LEVELS.into_iter().chain([Qualifier::P]) {
-            if qualifier != Qualifier::R && target.has(self.model, qualifier) {
+        for qualifier in Qualifier::ALL.into_iter().filter(|qualifier| qualifier.drives_q()) {
+            if target.has(self.model, qualifier) {
                 let (statement, term) = self.term(index, target, qualifier, &reset);
                 statements.extend(statement);
                 if target.remembers_association {
@@ -107,7 +103,7 @@ impl Cx<'_> {
         reset: &TokenStream,
     ) -> (TokenStream, TokenStream) {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let flag = name(names::flag(qualifier));
+        let flag = name(&names::flag(qualifier));
         let store = |input: &TokenStream| {
             let memory = name(&format!("memory_{}", names::flag(qualifier)));
             (quote!(self.#memory = (self.#memory || #input) && !#reset;), quote!(self.#memory))

@@ -40,7 +40,7 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
-        let p0 = target.has(self.model, Qualifier::P0).then(|| name(names::flag(Qualifier::P0)));
+        let p0 = target.has(self.model, Qualifier::P0).then(|| name(&names::flag(Qualifier::P0)));
         let (q, kept) = (name("q"), name("kept_q"));
         let falls = target.remembers_q.then(|| quote!(self.#kept && !#q));
         let leaving = self.by_leaving(index, target);
@@ -63,7 +63,7 @@ impl Cx<'_> {
         if target.what != What::Runs || !target.has(self.model, Qualifier::P1) {
             return TokenStream::new();
         }
-        let p1 = names::target(names::flag(Qualifier::P1), self.model, index, target);
+        let p1 = names::target(&names::flag(Qualifier::P1), self.model, index, target);
         let run = self.run(index, target, &quote!(First), RunKind::P1);
         quote!(if #p1 { #run })
     }
@@ -92,8 +92,8 @@ impl Cx<'_> {
         let done = |qualifier, prefix: &str| {
             target.has(self.model, qualifier).then(|| name(prefix)).map(|flag| quote!(&& !#flag))
         };
-        let not_p1 = done(Qualifier::P1, names::flag(Qualifier::P1));
-        let not_p0 = done(Qualifier::P0, names::flag(Qualifier::P0));
+        let not_p1 = done(Qualifier::P1, &names::flag(Qualifier::P1));
+        let not_p0 = done(Qualifier::P0, &names::flag(Qualifier::P0));
         let not_left = self.by_leaving(index, target).map(|left| quote!(&& !#left));
         let kept_terms = self.leavable(target).into_iter().filter(|_| target.remembers_terms(self.model));
         let kept_terms = kept_terms.map(|qualifier| {
@@ -129,7 +129,7 @@ impl Cx<'_> {
         let of_kind = |id: &AssociationId| match (kind, self.model.associations[*id].qualifier) {
             (RunKind::P0, qualifier) => qualifier == Qualifier::P0,
             (RunKind::P1, qualifier) => qualifier != Qualifier::P0,
-            (RunKind::Level, qualifier) => !matches!(qualifier, Qualifier::P0 | Qualifier::P1),
+            (RunKind::Level, qualifier) => !qualifier.runs_once(),
         };
         let runs: Vec<_> = runs.filter(of_kind).collect();
         let one = |id: &AssociationId| self.effect_run(&self.model.associations[*id].effect, phase, moment);
@@ -159,9 +159,7 @@ impl Cx<'_> {
     fn number_on_entry(&self, index: usize, target: &Target) -> TokenStream {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let (q, p1) = (name("q"), name("number_p1"));
-        let levels = |id: &&AssociationId| {
-            !matches!(self.model.associations[**id].qualifier, Qualifier::R | Qualifier::P0 | Qualifier::P1)
-        };
+        let levels = |id: &&AssociationId| self.model.associations[**id].qualifier.drives_q();
         let Some(level) = target.associations.iter().find(levels) else { return p1.into_token_stream() };
         let acts = if target.remembers_association {
             let field = name("association");

@@ -209,11 +209,10 @@ impl<'m> Compiler<'m> {
         };
         let mut asserted = Vec::new();
         for association in model.associations.values() {
-            let when = match association.qualifier {
-                Qualifier::N | Qualifier::L | Qualifier::D => association.effect.continuous_value(place),
-                _ => None,
-            };
-            let Some(assigned) = when else { continue };
+            if !association.qualifier.is_continuous() {
+                continue;
+            }
+            let Some(assigned) = association.effect.continuous_value(place) else { continue };
             let active = Tree::Read(Read::Active(association.step));
             let mut asserts = self.formula(&active);
             if let Some(time) = association.time {
@@ -288,12 +287,11 @@ fn var_is_continuous(model: &Model, id: VarId) -> bool {
 }
 
 fn output_is_continuous(model: &Model, id: OutputId) -> bool {
-    let continuous = |qualifier| matches!(qualifier, Qualifier::N | Qualifier::L | Qualifier::D);
     let mut of_place =
         model.associations.values().filter(|a| a.effect.continuous_value(Place::Output(id)).is_some()).peekable();
     matches!(model.outputs[id].ty, Ty::Bool(_))
         && of_place.peek().is_some()
-        && of_place.all(|association| continuous(association.qualifier))
+        && of_place.all(|association| association.qualifier.is_continuous())
 }
 
 /// Whether actions that are not followed can change the value within a cycle.
