@@ -8,7 +8,7 @@
 use proc_macro2::{Span, TokenStream};
 use syn::{Attribute, Block, Expr, Ident, LitInt, Path, Type, Visibility};
 
-use crate::diagnostic::{Mark, Severity};
+use crate::mark::Mark;
 pub use crate::qualifier::Qualifier;
 
 /// `pub sfc Motor { … }`
@@ -50,6 +50,17 @@ pub struct Derive {
     pub when: Option<TokenStream>,
     pub traits: Vec<Path>,
     pub mark: Mark,
+}
+
+/// How loud a broken rule is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
+pub enum Severity {
+    /// Not shown.
+    Allow,
+    /// A compiler warning at the user's tokens.
+    Warn,
+    /// A compile error.
+    Deny,
 }
 
 /// `allow(grafcet::unreachable_step)`

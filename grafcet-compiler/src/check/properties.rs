@@ -3,7 +3,7 @@
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
 use super::waits::Stays;
-use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation, text};
+use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation};
 use crate::analysis::{Logic, Nesting, mixed, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
@@ -139,7 +139,7 @@ impl Report<'_> {
             Doubt::Inputs { at, inputs } => self.too_many(at, inputs),
             Doubt::Unfollowed(values) => {
                 let mut texts: Vec<String> = Vec::new();
-                for text in values.iter().map(|tree| format!("`{}`", text(self.model, tree))) {
+                for text in values.iter().map(|tree| format!("`{}`", self.model.tree_text(tree))) {
                     if !texts.contains(&text) {
                         texts.push(text);
                     }
@@ -163,7 +163,7 @@ impl Report<'_> {
     fn too_many(&self, at: &[StepId], inputs: &[Tree]) -> String {
         const SHOWN: usize = 8;
         let names: Vec<String> =
-            inputs.iter().take(SHOWN).map(|input| format!("`{}`", text(self.model, input))).collect();
+            inputs.iter().take(SHOWN).map(|input| format!("`{}`", self.model.tree_text(input))).collect();
         let rest = inputs.len().saturating_sub(SHOWN);
         let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
         format!(
@@ -192,7 +192,7 @@ impl Report<'_> {
             if let Some(time) = times.iter().find(reads).filter(|_| leaves) {
                 let message = format!(
                     "this condition reads `{}`: once it is too late, it needs another way beside it",
-                    text(model, &time.what)
+                    model.tree_text(&time.what)
                 );
                 notes.push((transition.condition.mark, message));
             }

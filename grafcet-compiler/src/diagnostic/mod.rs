@@ -1,15 +1,15 @@
 //! Where mistakes go: the sink, the table of rules, and how both look to the user.
 
 mod emit;
-mod mark;
 pub mod rules;
 
 use proc_macro2::TokenStream;
 
-pub use mark::Mark;
-pub use rules::{Rule, Severity};
+pub use rules::Rule;
 
+pub use crate::ast::Severity;
 use crate::ast::{Dialect, LevelAttr};
+pub use crate::mark::Mark;
 use crate::sorted::Set;
 
 /// One mistake: a message for each participant, the culprit first.

@@ -1,17 +1,6 @@
 //! The table of rules: one row a rule, in the order of the page of rules.
 
-use crate::ast::{Dialect, LevelAttr};
-
-/// How loud a broken rule is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
-pub enum Severity {
-    /// Not shown.
-    Allow,
-    /// A compiler warning at the user's tokens.
-    Warn,
-    /// A compile error.
-    Deny,
-}
+use crate::ast::{Dialect, LevelAttr, Severity};
 
 /// A rule of the checker.
 #[derive(Debug)]

@@ -9,6 +9,7 @@ mod ids;
 pub mod placeholder;
 mod queries;
 mod resolve;
+mod text;
 
 use proc_macro2::Span;
 use syn::{Attribute, Ident, Visibility};

@@ -4,8 +4,8 @@ use std::slice;
 
 use super::ids::EdgeId;
 use super::{
-    AnyId, Association, Binary, Blink, Blinker, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId,
-    Transition, TransitionId, Tree, Ty, Unary, Variants,
+    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, Transition, TransitionId, Tree, Ty,
+    Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
 
@@ -81,14 +81,6 @@ impl Model {
         }
     }
 
-    /// `Mode::Auto`, where that is what a value is compared with.
-    #[must_use]
-    pub fn variant_text(&self, value: &Tree, other: &Tree) -> Option<String> {
-        let (variants, Tree::Int(place)) = (self.variants_of_tree(value)?, other) else { return None };
-        let ty = variants.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
-        Some(format!("{ty}::{}", variants.text(*place, *place)))
-    }
-
     /// The lint attributes around a transition, the innermost first.
     #[must_use]
     pub fn levels_of_transition<'m>(&'m self, transition: &'m Transition) -> Vec<&'m [LevelAttr]> {
@@ -121,40 +113,9 @@ impl Model {
         is_other(a, b) || is_other(b, a) || comes_first(a, b) || comes_first(b, a)
     }
 
-    /// `any`, `any except (A, B)`
-    #[must_use]
-    pub fn any_text(&self, any: AnyId) -> String {
-        match &self.anys[any].except[..] {
-            [] => "any".to_owned(),
-            [one] => format!("any except {one}"),
-            several => {
-                let names: Vec<_> = several.iter().map(ToString::to_string).collect();
-                format!("any except ({})", names.join(", "))
-            }
-        }
-    }
-
     /// The transitions as they stand in the source: of those for which an `any` stands the first.
     pub fn drawn_transitions(&self) -> impl Iterator<Item = (TransitionId, &Transition)> {
         self.transitions.iter().filter(|(id, transition)| transition.any.is_none_or(|any| self.anys[any].first == *id))
-    }
-
-    /// A transition in a sentence: `` `A → B` ``, or its name.
-    #[must_use]
-    pub fn transition_text(&self, transition: &Transition) -> String {
-        let side = |steps: &[StepId]| match steps {
-            [step] => self.steps[*step].name.to_string(),
-            _ => {
-                let names: Vec<_> = steps.iter().map(|step| self.steps[*step].name.to_string()).collect();
-                format!("({})", names.join(", "))
-            }
-        };
-        let from = transition.any.map_or_else(|| side(&transition.sources), |any| self.any_text(any));
-        let to = side(&transition.targets);
-        match &transition.name {
-            Some(name) => format!("`{name}: {from} → {to}`"),
-            None => format!("`{from} → {to}`"),
-        }
     }
 
     /// The lint attributes of a declared place, without those of the chart.
@@ -201,38 +162,6 @@ impl Model {
     #[must_use]
     pub fn is_time(&self, name: Name) -> bool {
         matches!(self.ty(name), Ty::Time(_))
-    }
-
-    /// A number of ticks as one writes a time: `5s`.
-    #[must_use]
-    pub fn time_text(&self, ticks: i128) -> String {
-        const UNITS: [(&str, i128); 6] = [
-            ("h", 3_600_000_000_000),
-            ("m", 60_000_000_000),
-            ("s", 1_000_000_000),
-            ("ms", 1_000_000),
-            ("us", 1_000),
-            ("ns", 1),
-        ];
-        let nanos = ticks.saturating_mul(i128::from(self.clock_nanos));
-        let unit = UNITS.iter().find(|(_, size)| nanos != 0 && nanos % size == 0);
-        let (name, size) = unit.copied().unwrap_or(("s", 1_000_000_000));
-        format!("{}{name}", nanos / size)
-    }
-
-    /// `blink(700ms/300ms, Step)`
-    #[must_use]
-    pub fn blink_text(&self, Blink { of, on, off }: Blink) -> String {
-        let of = match of {
-            Blinker::Step(step) => &self.steps[step].name,
-            Blinker::Macro(id) => &self.macros[id].name,
-        };
-        let parts = if on == off {
-            self.time_text(i128::from(on))
-        } else {
-            format!("{}/{}", self.time_text(i128::from(on)), self.time_text(i128::from(off)))
-        };
-        format!("blink({parts}, {of})")
     }
 
     /// The type of a place.

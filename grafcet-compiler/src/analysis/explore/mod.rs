@@ -43,7 +43,7 @@ mod waiting;
 mod ways;
 mod whole;
 
-pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation, text};
+pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
 pub use rivals::{Rival, rivals_meeting};
 pub use settles::settles;
 pub use tokens::{Meeting, Parting};

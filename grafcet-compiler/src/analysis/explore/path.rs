@@ -1,7 +1,7 @@
 //! Ways through a chart, as the verdicts show them.
 
 use crate::analysis::numbers::{Float, float};
-use crate::model::{Binary, Model, Name, PartialId, Read, StepId, TimeRef, TransitionId, Tree, Unary};
+use crate::model::{Binary, Model, PartialId, Read, StepId, TransitionId, Tree};
 
 /// A sequence of cycles from the initial situation on.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -131,12 +131,12 @@ impl Given {
     /// `start`, `!stop`, `level >= 10`.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
-        let what = text(model, &self.what);
+        let what = model.tree_text(&self.what);
         if let (Some(float), Demand::Within(low, high)) = (float(model, &self.what), self.demand) {
             return float_text(&what, float, low, high);
         }
         if let (Tree::Binary(Binary::Lt, a, b), Demand::Within(low, high)) = (&self.what, self.demand) {
-            return compared(&text(model, a), &text(model, b), low, high);
+            return compared(&model.tree_text(a), &model.tree_text(b), low, high);
         }
         if let (Some(variants), Demand::Within(low, high)) = (model.variants_of_tree(&self.what), self.demand) {
             let (first, last) = variants.range();
@@ -205,83 +205,5 @@ fn is_time(model: &Model, tree: &Tree) -> bool {
         Tree::Read(Read::Since(_) | Read::MacroSince(_)) => true,
         Tree::Read(Read::Name(name)) => model.is_time(*name),
         _ => false,
-    }
-}
-
-/// An expression as the user would write it.
-#[must_use]
-pub fn text(model: &Model, tree: &Tree) -> String {
-    match tree {
-        Tree::Bool(value) => value.to_string(),
-        Tree::Int(value) => value.to_string(),
-        Tree::Read(read) => read_text(model, *read),
-        Tree::Elapsed(time, step) => read_text(model, Read::Elapsed(*time, *step)),
-        Tree::MacroElapsed(time, id) => read_text(model, Read::MacroElapsed(*time, *id)),
-        Tree::Unary(Unary::Not, inner) => format!("!{}", text(model, inner)),
-        Tree::Unary(Unary::Neg, inner) => format!("-{}", text(model, inner)),
-        Tree::Binary(operator, a, b) => {
-            let pair = model.variant_text(a, b).map(|b| (text(model, a), b));
-            if let Some((a, b)) = pair.or_else(|| model.variant_text(b, a).map(|a| (a, text(model, b)))) {
-                return format!("{a} {} {b}", symbol(*operator));
-            }
-            let part = |tree: &Tree| match tree {
-                Tree::Binary(..) => format!("({})", text(model, tree)),
-                _ => text(model, tree),
-            };
-            format!("{} {} {}", part(a), symbol(*operator), part(b))
-        }
-        Tree::Opaque { text, .. } => text.clone(),
-    }
-}
-
-fn read_text(model: &Model, read: Read) -> String {
-    let step = |id: StepId| model.steps[id].name.to_string();
-    match read {
-        Read::Name(name) => model.value_name(name).to_string(),
-        Read::Active(id) => format!("{}.X", step(id)),
-        Read::Since(id) => format!("{}.T", step(id)),
-        Read::MacroActive(id) => format!("{}.X", model.macros[id].name),
-        Read::MacroSince(id) => format!("{}.T", model.macros[id].name),
-        Read::Rising(id) => format!("rising({})", model.edges[id].of.text),
-        Read::Falling(id) => format!("falling({})", model.edges[id].of.text),
-        Read::Delay(id) => {
-            let delay = &model.delays[id];
-            format!("{}/({})/{}", time(model, delay.on), delay.of.text, time(model, delay.off))
-        }
-        Read::Ticks(ticks) => model.time_text(i128::from(ticks)),
-        Read::Elapsed(at, id) => format!("{}/{}", time(model, at), step(id)),
-        Read::MacroElapsed(at, id) => format!("{}/{}", time(model, at), model.macros[id].name),
-        Read::Blink(blink) => model.blink_text(blink),
-    }
-}
-
-fn time(model: &Model, time: TimeRef) -> String {
-    match time {
-        TimeRef::Ticks(ticks) => model.time_text(i128::from(ticks)),
-        TimeRef::Param(id) => model.value_name(Name::Param(id)).to_string(),
-        TimeRef::Var(id) => model.value_name(Name::Var(id)).to_string(),
-    }
-}
-
-fn symbol(operator: Binary) -> &'static str {
-    match operator {
-        Binary::And => "&&",
-        Binary::Or => "||",
-        Binary::BitAnd => "&",
-        Binary::BitOr => "|",
-        Binary::BitXor => "^",
-        Binary::Eq => "==",
-        Binary::Ne => "!=",
-        Binary::Lt => "<",
-        Binary::Le => "<=",
-        Binary::Gt => ">",
-        Binary::Ge => ">=",
-        Binary::Add => "+",
-        Binary::Sub => "-",
-        Binary::Mul => "*",
-        Binary::Div => "/",
-        Binary::Rem => "%",
-        Binary::Shl => "<<",
-        Binary::Shr => ">>",
     }
 }

@@ -47,7 +47,7 @@ impl Mark {
 
     /// Tells marks apart, also where the toolchain gives no positions. It says nothing about their order.
     #[must_use]
-    pub(super) fn key(&self) -> String {
+    pub(crate) fn key(&self) -> String {
         format!("{:?} {:?}", self.start, self.end)
     }
 }

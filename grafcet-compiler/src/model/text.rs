@@ -1,0 +1,174 @@
+//! What the model says in words: expressions, times, transitions as the user would write them.
+
+use super::{AnyId, Binary, Blink, Blinker, Model, Name, Read, StepId, TimeRef, Transition, Tree, Unary};
+
+impl Model {
+    /// An expression as the user would write it.
+    #[must_use]
+    pub fn tree_text(&self, tree: &Tree) -> String {
+        match tree {
+            Tree::Bool(value) => value.to_string(),
+            Tree::Int(value) => value.to_string(),
+            Tree::Read(read) => self.read_text(*read),
+            Tree::Elapsed(time, step) => self.read_text(Read::Elapsed(*time, *step)),
+            Tree::MacroElapsed(time, id) => self.read_text(Read::MacroElapsed(*time, *id)),
+            Tree::Unary(operator, inner) => {
+                let sign = if *operator == Unary::Not { "!" } else { "-" };
+                format!("{sign}{}", self.operand_text(inner))
+            }
+            Tree::Binary(operator, a, b) => {
+                let sign = operator.symbol();
+                if let Some(b) = self.variant_text(a, b) {
+                    return format!("{} {sign} {b}", self.operand_text(a));
+                }
+                if let Some(a) = self.variant_text(b, a) {
+                    return format!("{a} {sign} {}", self.operand_text(b));
+                }
+                format!("{} {sign} {}", self.operand_text(a), self.operand_text(b))
+            }
+            Tree::Opaque { text, .. } => text.clone(),
+        }
+    }
+
+    /// The same beside an operator.
+    #[must_use]
+    pub fn operand_text(&self, tree: &Tree) -> String {
+        let text = self.tree_text(tree);
+        if matches!(tree, Tree::Binary(..)) { format!("({text})") } else { text }
+    }
+
+    /// What is read, as the user would write it.
+    #[must_use]
+    pub fn read_text(&self, read: Read) -> String {
+        match read {
+            Read::Name(name) => self.value_name(name).to_string(),
+            Read::Active(step) => format!("{}.X", self.steps[step].name),
+            Read::Since(step) => format!("{}.T", self.steps[step].name),
+            Read::MacroActive(id) => format!("{}.X", self.macros[id].name),
+            Read::MacroSince(id) => format!("{}.T", self.macros[id].name),
+            Read::Rising(id) => format!("rising({})", self.edges[id].of.text),
+            Read::Falling(id) => format!("falling({})", self.edges[id].of.text),
+            Read::Delay(id) => {
+                let delay = &self.delays[id];
+                let is_long = delay.of.text.contains(' ');
+                let of = if is_long { format!("({})", delay.of.text) } else { delay.of.text.clone() };
+                match delay.off {
+                    TimeRef::Ticks(0) => format!("{}/{of}", self.time_ref_text(delay.on)),
+                    off => format!("{}/{of}/{}", self.time_ref_text(delay.on), self.time_ref_text(off)),
+                }
+            }
+            Read::Ticks(ticks) => self.time_text(i128::from(ticks)),
+            Read::Elapsed(time, step) => format!("{}/{}", self.time_ref_text(time), self.steps[step].name),
+            Read::MacroElapsed(time, id) => format!("{}/{}", self.time_ref_text(time), self.macros[id].name),
+            Read::Blink(blink) => self.blink_text(blink),
+        }
+    }
+
+    /// `5s`, or the name of what holds the time.
+    #[must_use]
+    pub fn time_ref_text(&self, time: TimeRef) -> String {
+        match time {
+            TimeRef::Ticks(ticks) => self.time_text(i128::from(ticks)),
+            TimeRef::Param(id) => self.value_name(Name::Param(id)).to_string(),
+            TimeRef::Var(id) => self.value_name(Name::Var(id)).to_string(),
+        }
+    }
+
+    /// A number of ticks as one writes a time: `5s`.
+    #[must_use]
+    pub fn time_text(&self, ticks: i128) -> String {
+        const UNITS: [(&str, i128); 6] = [
+            ("h", 3_600_000_000_000),
+            ("m", 60_000_000_000),
+            ("s", 1_000_000_000),
+            ("ms", 1_000_000),
+            ("us", 1_000),
+            ("ns", 1),
+        ];
+        let nanos = ticks.saturating_mul(i128::from(self.clock_nanos));
+        let unit = UNITS.iter().find(|(_, size)| nanos != 0 && nanos % size == 0);
+        let (name, size) = unit.copied().unwrap_or(("s", 1_000_000_000));
+        format!("{}{name}", nanos / size)
+    }
+
+    /// `blink(700ms/300ms, Step)`
+    #[must_use]
+    pub fn blink_text(&self, Blink { of, on, off }: Blink) -> String {
+        let of = match of {
+            Blinker::Step(step) => &self.steps[step].name,
+            Blinker::Macro(id) => &self.macros[id].name,
+        };
+        let parts = if on == off {
+            self.time_text(i128::from(on))
+        } else {
+            format!("{}/{}", self.time_text(i128::from(on)), self.time_text(i128::from(off)))
+        };
+        format!("blink({parts}, {of})")
+    }
+
+    /// `Mode::Auto`, where that is what a value is compared with.
+    #[must_use]
+    pub fn variant_text(&self, value: &Tree, other: &Tree) -> Option<String> {
+        let (variants, Tree::Int(place)) = (self.variants_of_tree(value)?, other) else { return None };
+        let ty = variants.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+        Some(format!("{ty}::{}", variants.text(*place, *place)))
+    }
+
+    /// `any`, `any except (A, B)`
+    #[must_use]
+    pub fn any_text(&self, any: AnyId) -> String {
+        match &self.anys[any].except[..] {
+            [] => "any".to_owned(),
+            [one] => format!("any except {one}"),
+            several => {
+                let names: Vec<_> = several.iter().map(ToString::to_string).collect();
+                format!("any except ({})", names.join(", "))
+            }
+        }
+    }
+
+    /// A transition in a sentence: `` `A → B` ``, or its name.
+    #[must_use]
+    pub fn transition_text(&self, transition: &Transition) -> String {
+        let side = |steps: &[StepId]| match steps {
+            [step] => self.steps[*step].name.to_string(),
+            _ => {
+                let names: Vec<_> = steps.iter().map(|step| self.steps[*step].name.to_string()).collect();
+                format!("({})", names.join(", "))
+            }
+        };
+        let from = transition.any.map_or_else(|| side(&transition.sources), |any| self.any_text(any));
+        let to = side(&transition.targets);
+        match &transition.name {
+            Some(name) => format!("`{name}: {from} → {to}`"),
+            None => format!("`{from} → {to}`"),
+        }
+    }
+}
+
+impl Binary {
+    /// How the operator is written.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::And => "&&",
+            Self::Or => "||",
+            Self::BitAnd => "&",
+            Self::BitOr => "|",
+            Self::BitXor => "^",
+            Self::Eq => "==",
+            Self::Ne => "!=",
+            Self::Lt => "<",
+            Self::Le => "<=",
+            Self::Gt => ">",
+            Self::Ge => ">=",
+            Self::Add => "+",
+            Self::Sub => "-",
+            Self::Mul => "*",
+            Self::Div => "/",
+            Self::Rem => "%",
+            Self::Shl => "<<",
+            Self::Shr => ">>",
+        }
+    }
+}
