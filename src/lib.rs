@@ -160,7 +160,8 @@ pub mod __private {
     pub use __by_edition as by_edition;
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
-        ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, sooner, until, until_change,
+        ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, situation, sooner, until,
+        until_change,
     };
     pub use grafcet_macros::chart;
     pub use heapless;

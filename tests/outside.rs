@@ -23,6 +23,7 @@ mod press {
             input heat: f32;
             input wait: time;
             output lower: bool;
+            /// How often it has come down.
             var strokes: u16 = 3;
             var pause: time = 2s;
             var ratio: f32 = 0.5;
@@ -65,6 +66,32 @@ fn names_are_text() {
     assert_eq!(format!("{}|{:>6}|", PressStep::r#in, PressStep::Hold), "in|  Hold|");
     assert_eq!(format!("{} {}", PressTransition::InToHold, PressTransition::BackHome), "InToHold BackHome");
     assert_eq!(PressTransition::BackHome.name(), "BackHome");
+}
+
+/// In generic code, too: one step where only one can be active, else all that are, in the order of declaration.
+fn shown<C: Chart>(chart: &C) -> String {
+    format!("{}", chart.situation())
+}
+
+#[test]
+fn situations_are_text() {
+    let mut alone = alone::Drill::new();
+    let (mut branch, mut flags) = (branch::Drill::new(), branch_flags::Drill::new());
+    assert_eq!([shown(&alone), shown(&branch), shown(&flags)], ["Rest"; 3]);
+    for go in [false, true] {
+        alone.cycle(&alone::DrillInputs { go, back: false });
+        branch.cycle(&branch::DrillInputs { go, back: false });
+        flags.cycle(&branch_flags::DrillInputs { go, back: false });
+    }
+    assert_eq!(shown(&alone), "Work");
+    assert_eq!([shown(&branch), shown(&flags)], ["Work, Beside"; 2]);
+    let situation = branch.situation();
+    assert_eq!(
+        format!("{situation:<14}|{situation:^15}|{situation:>14}"),
+        "Work, Beside  | Work, Beside  |  Work, Beside"
+    );
+    assert_eq!(format!("{situation:3}{situation:.>13}"), "Work, Beside.Work, Beside");
+    assert_eq!(format!("{situation:?}"), "{Work, Beside}");
 }
 
 #[test]
@@ -150,4 +177,37 @@ grafcet! {
 #[test]
 fn what_is_not_used_is_no_warning() {
     assert!(!Quiet::new().cycle(&QuietInputs { on: false }).run);
+}
+
+mod described {
+    grafcet::grafcet! {
+        pub(super) sfc Feed {
+            input auto, next, stop: bool;
+            output belt: bool;
+            /// Somebody wants
+            /// the next part.
+            let go = auto || rising(next);
+            let idle = !go;
+
+            initial step Wait;
+            step Run { N belt; }
+            step r#loop { N belt; }
+            step Stopped;
+            Wait -[go]-> Run -[idle]-> r#loop -[go]-> Wait;
+            any except (Wait, r#loop) -[halt: stop]-> Stopped -[!stop]-> Wait;
+        }
+    }
+}
+
+/// What stands for others is data of its own: no text has to be taken apart.
+#[test]
+fn names_and_any_are_described() {
+    use grafcet::description::{Any, Let};
+    let chart = described::Feed::CHART;
+    let go = Let::new("go", "auto || rising(next)").documented("Somebody wants the next part.");
+    assert_eq!(chart.lets, [go, Let::new("idle", "!go")]);
+    let halt = chart.transitions.iter().find(|transition| transition.name == "halt").expect("the transition");
+    assert_eq!((halt.condition, halt.sources, halt.targets), ("stop", &[][..], &[3][..]));
+    assert_eq!(halt.any, Some(Any { steps: &[1], except: &["Wait", "loop"] }));
+    assert_eq!(chart.transitions.iter().filter(|transition| transition.any.is_some()).count(), 1);
 }

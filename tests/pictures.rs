@@ -24,8 +24,19 @@ const PICTURES: &str = "tests/pictures";
 const SHOWN: [&str; 4] = ["motor", "line24v", "cell", "press"];
 
 /// Those that are recorded as text, too, with their Mermaid diagram.
-const TEXTS: [&str; 9] =
-    ["motor", "line24v", "cell", "recipe", "branch_on_result", "jumps", "nested", "hierarchy", "qualifiers_grafcet"];
+const TEXTS: [&str; 11] = [
+    "motor",
+    "line24v",
+    "cell",
+    "recipe",
+    "branch_on_result",
+    "jumps",
+    "nested",
+    "hierarchy",
+    "qualifiers_grafcet",
+    "stop_anywhere",
+    "stop_anywhere_2",
+];
 
 #[test]
 fn pictures_are_as_recorded() {

@@ -22,18 +22,16 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             forces,
         })
         .collect();
-    // An `any` has no lines to what it leaves.
-    let sources = |t: &Transition| if t.any.is_some() { Vec::new() } else { numbers(&t.sources) };
-    let ends: Vec<[Vec<usize>; 2]> =
-        model.drawn_transitions().map(|(_, t)| [sources(t), numbers(&t.targets)]).collect();
-    let clearing: Vec<Vec<&str>> = texts.transitions.iter().map(|(.., clearing)| strs(clearing)).collect();
-    let transitions = texts.transitions.iter().zip(ends.iter().zip(&clearing));
+    let ends: Vec<Ends> = model.drawn_transitions().map(|(_, t)| Ends::of(model, t)).collect();
+    let lists: Vec<[Vec<&str>; 2]> = texts.transitions.iter().map(|t| [strs(&t.clearing), strs(&t.except)]).collect();
+    let transitions = texts.transitions.iter().zip(ends.iter().zip(&lists));
     let transitions: Vec<_> = transitions
-        .map(|((name, condition, _), ([sources, targets], clearing))| description::Transition {
-            name,
-            sources,
-            targets,
-            condition,
+        .map(|(texts, (ends, [clearing, except]))| description::Transition {
+            name: &texts.name,
+            sources: &ends.sources,
+            any: ends.any.as_ref().map(|steps| description::Any { steps, except }),
+            targets: &ends.targets,
+            condition: &texts.condition,
             clearing,
         })
         .collect();
@@ -55,6 +53,9 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             doc: &m.doc,
         })
         .collect();
+    let lets = model.lets.values().zip(&texts.lets);
+    let lets: Vec<_> =
+        lets.map(|(named, name)| description::Let { name, text: &named.text, doc: &named.doc }).collect();
     let dialect = match model.dialect {
         Dialect::Sfc => description::Dialect::Sfc,
         Dialect::Grafcet => description::Dialect::Grafcet,
@@ -66,7 +67,24 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
         macros: &macros,
         steps: &steps,
         transitions: &transitions,
+        lets: &lets,
     })
+}
+
+/// The steps at both ends of a transition, by their numbers.
+struct Ends {
+    sources: Vec<usize>,
+    /// What an `any` leaves, to which it has no lines.
+    any: Option<Vec<usize>>,
+    targets: Vec<usize>,
+}
+
+impl Ends {
+    fn of(model: &Model, transition: &Transition) -> Self {
+        let any = transition.any.map(|any| numbers(&model.anys[any].sources));
+        let sources = if any.is_some() { Vec::new() } else { numbers(&transition.sources) };
+        Self { sources, any, targets: numbers(&transition.targets) }
+    }
 }
 
 /// The texts that the description borrows.
@@ -75,8 +93,16 @@ struct Texts {
     partials: Vec<String>,
     macros: Vec<String>,
     steps: Vec<StepTexts>,
-    /// Name, condition and clearing actions.
-    transitions: Vec<(String, String, Vec<String>)>,
+    transitions: Vec<TransitionTexts>,
+    lets: Vec<String>,
+}
+
+struct TransitionTexts {
+    name: String,
+    condition: String,
+    clearing: Vec<String>,
+    /// What an `any` leaves out.
+    except: Vec<String>,
 }
 
 struct StepTexts {
@@ -108,13 +134,11 @@ impl StepTexts {
 
 impl Texts {
     fn of(model: &Model) -> Self {
-        let transition = |t: &Transition| {
-            let clearing = t.clearing.iter().map(|done| effect(model, done)).collect();
-            let condition = match t.any {
-                Some(any) => format!("{}: {}", model.any_text(any), t.condition.text),
-                None => t.condition.text.clone(),
-            };
-            (t.name.as_ref().map(plain).unwrap_or_default(), condition, clearing)
+        let transition = |t: &Transition| TransitionTexts {
+            name: t.name.as_ref().map(plain).unwrap_or_default(),
+            condition: t.condition.text.clone(),
+            clearing: t.clearing.iter().map(|done| effect(model, done)).collect(),
+            except: t.any.map_or_else(Vec::new, |any| model.anys[any].except.iter().map(plain).collect()),
         };
         Self {
             name: plain(&model.name),
@@ -122,6 +146,7 @@ impl Texts {
             macros: model.macros.values().map(|m| plain(&m.name)).collect(),
             steps: model.steps.ids().map(|step| step_texts(model, step)).collect(),
             transitions: model.drawn_transitions().map(|(_, t)| transition(t)).collect(),
+            lets: model.lets.values().map(|named| plain(&named.name)).collect(),
         }
     }
 }

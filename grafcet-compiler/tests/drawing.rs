@@ -279,7 +279,7 @@ fn many_branches_are_drawn_densely() {
 /// A description can be made by hand, and then says what it likes.
 #[test]
 fn a_wrong_description_is_drawn_somehow() {
-    use grafcet_core::description::{Description, Dialect, MacroStep, Partial, Step, Transition};
+    use grafcet_core::description::{Description, Dialect, Let, MacroStep, Partial, Step, Transition};
     let chart = Description {
         name: "Wrong",
         dialect: Dialect::Grafcet,
@@ -290,7 +290,10 @@ fn a_wrong_description_is_drawn_somehow() {
             Transition::new("", &[0, 0, 8], &[1, 1, 0], "", &[""]),
             Transition::new("t", &[], &[], "x\ny", &[]),
             Transition::new("", &[1], &[1], "a", &[]),
+            Transition::new("", &[0], &[1], "b", &[]).from_any(&[7], &["", "C"]),
+            Transition::new("", &[], &[], "c", &[]).from_any(&[], &[]),
         ],
+        lets: &[Let::new("", ""), Let::new("x\ny", "a\nb").documented("\n")],
     };
     assert!(!grafcet_draw::text(&chart, &()).is_empty());
     assert!(!grafcet_draw::svg(&chart, &()).contains('\n'));
@@ -352,6 +355,44 @@ fn doc_comments_are_shown() {
     assert!(!shown.iter().any(|text| text.contains("Not drawn")), "{shown:?}");
 }
 
+/// What a name stands for is listed beside the chart, with the first paragraph of its doc comment; also of one too large to be
+/// drawn, and of one that nothing uses.
+#[test]
+fn named_conditions_are_listed() {
+    let lets = "/// Somebody wants\n/// the next part.\n///\n/// Not drawn.\nlet go = auto || rising(next);
+                #[allow(grafcet::unused_let)] let idle = !go;";
+    let shown = |rest: &str| {
+        texts(&format!(
+            "sfc S {{ input auto, next: bool; {lets} initial step A; step B; {rest} A -[go]-> B -[!go]-> A; }}"
+        ))
+    };
+    let (mut steps, mut chain) = (String::new(), String::new());
+    for n in 1..152 {
+        let _ = write!(steps, "step C{n}; ");
+        let _ = write!(chain, "C{n} -[auto]-> ");
+    }
+    let many = format!("{steps} A -[next]-> {chain} A;");
+    for shown in [shown(""), shown(&many)] {
+        for wanted in ["go = auto || rising(next)", "Somebody wants the next part.", "idle = !go"] {
+            assert!(shown.iter().any(|text| text == wanted), "{wanted} in {shown:?}");
+        }
+        assert!(!shown.iter().any(|text| text.contains("Not drawn")), "{shown:?}");
+    }
+}
+
+/// What an `any` leaves stands above its transition; where it leads to a step above, a name does.
+#[test]
+fn any_is_a_connector() {
+    let steps = "input a, b: bool; initial step A; step B; step C; A -[a]-> B -[!a]-> A; C -[a && !b]-> A;";
+    let shown = texts(&format!("sfc S {{ {steps} any except B -[b]-> C; }}"));
+    assert!(shown.contains(&"any except B".to_owned()) && shown.contains(&"b".to_owned()), "{shown:?}");
+    let chart = format!("grafcet G {{ {steps} any -[home: b]-> A; A -[b]-> C; }}");
+    let drawing = drawing(chart.parse().expect("tokens")).expect("a drawing");
+    assert_eq!((arrows(&drawing, Heading::Down), arrows(&drawing, Heading::Left)), (1, 1));
+    let shown = texts(&chart);
+    assert_eq!(["any", "home"].map(|word| shown.iter().filter(|text| *text == word).count()), [1, 2], "{shown:?}");
+}
+
 /// The words that there is one more take as much room as the last one.
 #[test]
 fn a_last_single_line_is_shown() {
@@ -367,6 +408,7 @@ fn a_last_single_line_is_shown() {
             macros: &[],
             steps: &steps,
             transitions: &[],
+            lets: &[],
         };
         grafcet_draw::text(&chart, &())
     };
@@ -383,6 +425,7 @@ fn a_last_single_line_is_shown() {
             macros: &[],
             steps: &[Step::new("S", 0, &[], &[])],
             transitions: &transitions,
+            lets: &[],
         };
         grafcet_draw::text(&chart, &())
     };

@@ -34,6 +34,19 @@ grafcet Plant {
     #       ^^^^^^^                        ^              ^^^^^        ^^^         ^^^^^      ^^^^^
 }";
 
+/// Named conditions, where they are declared and used, also by each other and in macros; a local name is another.
+const NAMES: &str = "\
+sfc Feed {
+    input a, b: bool; output q: bool; var n: u8 = 0;
+    let go = a || rising(b); let both = go && matches!(n, 1 if go);
+    #   ^^                       ^^^^   ^^                     ^^
+    initial step Off;
+    step On { N q if go; P1 { let go = n; n = go; } }
+    #           ^    ^^
+    Off -[go]-> On -[!both && !go]-> Off;
+    ^^^   ^^    ^^    ^^^^     ^^    ^^^
+}";
+
 /// The lines of the chart alone, and the marked words with their line and column.
 fn read(text: &str) -> (String, Vec<(String, usize, usize)>) {
     let (mut chart, mut marked) = (Vec::new(), Vec::new());
@@ -78,7 +91,7 @@ fn mentioned(chart: &str) -> Vec<(String, usize, usize)> {
 
 #[test]
 fn names_are_mentioned_where_they_stand() {
-    for text in [CHART, HIERARCHY] {
+    for text in [CHART, HIERARCHY, NAMES] {
         let (chart, marked) = read(text);
         assert_eq!(mentioned(&chart), marked);
     }
@@ -87,8 +100,8 @@ fn names_are_mentioned_where_they_stand() {
 /// A chart with a mistake has them, too.
 #[test]
 fn names_are_mentioned_in_a_chart_with_a_mistake() {
-    for text in [CHART, HIERARCHY] {
+    for text in [CHART, HIERARCHY, NAMES] {
         let (chart, marked) = read(text);
-        assert_eq!(mentioned(&chart.replace("[a]", "[x]")), marked);
+        assert_eq!(mentioned(&chart.replace("[a]", "[x]").replace("= n;", "= x;")), marked);
     }
 }

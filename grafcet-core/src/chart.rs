@@ -18,7 +18,7 @@ pub trait Chart {
     /// The names of the transitions.
     type Transition: Copy + Eq + Debug + Display + 'static;
     /// The situation: which steps are active.
-    type Situation: Copy + Eq + Debug;
+    type Situation: Copy + Eq + Debug + Display;
     /// What carries out the chart's code actions; `()` where it has none.
     type Actions<'a>: ?Sized;
 

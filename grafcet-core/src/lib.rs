@@ -8,6 +8,8 @@ pub mod description;
 #[cfg(any(feature = "fugit", feature = "embassy-time"))]
 mod instants;
 mod phase;
+#[doc(hidden)]
+pub mod situation;
 mod ticks;
 mod time;
 #[doc(hidden)]

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::figure::Scene;
 use crate::graph::{Graph, Kind, layered};
+use crate::scene::Scene;
 use crate::sheets::{Link, Node, Sheet, pieces};
 
 /// What has more rows than this is folded.
@@ -44,7 +44,7 @@ impl Layers {
             match item.kind {
                 Kind::Node(node) => drop(layers.nodes.insert(node, item.layer)),
                 Kind::Transition(id) => drop(layers.links.insert(id, item.layer)),
-                Kind::Jump(_) | Kind::Pass | Kind::Rise => {}
+                Kind::Jump(_) | Kind::Any(_) | Kind::Pass | Kind::Rise => {}
             }
         }
         layers

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::figure::Scene;
+use crate::scene::Scene;
 use crate::search::{Search, ranks};
 use crate::sequence::{Sequence, sequence};
 use crate::sheets::{Link, Node, Sheet};
@@ -26,6 +26,8 @@ pub(crate) enum Kind {
     Jump(Node),
     /// By its number in the description, in layers of odd numbers.
     Transition(usize),
+    /// In place of the steps above a transition that is written as `any`: what it leaves. By the transition's number.
+    Any(usize),
     /// A line on its way down.
     Pass,
     /// A line on its way up.
@@ -90,7 +92,7 @@ pub(crate) fn layered(scene: &Scene<'_>, net: &Sheet) -> Graph {
     search.run(&roots);
     let layers = ranks(&search);
     let sequence = sequence(&search, &layers.0);
-    Builder::of(&search, layers).build(&sequence, scene.ranks())
+    Builder::of(&search, scene, layers).build(&sequence)
 }
 
 /// In a circle that can be entered in several places, what leads back depends on the branch that is followed first: the one with which
@@ -126,13 +128,14 @@ type Returns = (usize, Vec<usize>);
 /// Items and hops from what the search has found.
 struct Builder<'s> {
     search: &'s Search<'s>,
+    scene: &'s Scene<'s>,
     graph: Graph,
     node_item: Vec<usize>,
     link_item: Vec<usize>,
 }
 
 impl<'s> Builder<'s> {
-    fn of(search: &'s Search<'s>, (node_layer, link_layer): (Vec<usize>, Vec<usize>)) -> Self {
+    fn of(search: &'s Search<'s>, scene: &'s Scene<'s>, (node_layer, link_layer): (Vec<usize>, Vec<usize>)) -> Self {
         let mut graph = Graph::default();
         let key = |key: Option<i64>| key.unwrap_or_default() * 4;
         let mut item = |kind, layer, key| {
@@ -146,10 +149,10 @@ impl<'s> Builder<'s> {
         let transition =
             |(i, link): (usize, &Link)| item(Kind::Transition(link.transition), link_layer[i], key(search.link_key[i]));
         let link_item = links.map(transition).collect();
-        Self { search, graph, node_item, link_item }
+        Self { search, scene, graph, node_item, link_item }
     }
 
-    fn build(mut self, sequence: &Sequence, ranked: bool) -> Graph {
+    fn build(mut self, sequence: &Sequence) -> Graph {
         let number = |ways: &[(usize, usize, usize)], from: usize, to: usize| {
             ways.iter().find(|way| (way.0, way.1) == (from, to)).map(|way| way.2)
         };
@@ -159,9 +162,14 @@ impl<'s> Builder<'s> {
                 let straight = number(&sequence.down, *source, link);
                 let hop = self.descend(self.node_item[*source], self.link_item[link], straight);
                 branches[*source] += 1;
-                if ranked && self.search.out[*source].len() > 1 {
+                if self.scene.ranks() && self.search.out[*source].len() > 1 {
                     self.graph.ranks.insert(hop, branches[*source]);
                 }
+            }
+        }
+        for link in 0..self.link_item.len() {
+            if self.is_any(link) {
+                self.connector(link);
             }
         }
         let (looped, jumps) = self.split();
@@ -187,6 +195,18 @@ impl<'s> Builder<'s> {
             self.graph.layers[item.layer].push(id);
         }
         self.graph
+    }
+
+    fn is_any(&self, link: usize) -> bool {
+        self.scene.any(self.search.net.links[link].transition).is_some()
+    }
+
+    /// What an `any` leaves, above it.
+    fn connector(&mut self, link: usize) {
+        let below = self.link_item[link];
+        let (layer, key) = (self.layer(below).saturating_sub(1), self.graph.items[below].key);
+        let connector = self.item(Kind::Any(self.search.net.links[link].transition), layer, key);
+        self.graph.hops.push((connector, below));
     }
 
     fn layer(&self, item: usize) -> usize {
@@ -247,7 +267,8 @@ impl<'s> Builder<'s> {
         let mut looped: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         let rising = &search.back;
         for (link, target) in rising {
-            if search.targets[*link].len() == 1 {
+            // What can come from anywhere is no way back of the net.
+            if search.targets[*link].len() == 1 && !self.is_any(*link) {
                 looped.entry(*target).or_default().push(*link);
             }
         }

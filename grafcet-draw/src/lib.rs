@@ -8,11 +8,13 @@
 mod figure;
 mod fold;
 mod graph;
+mod legend;
 mod mermaid;
 mod net;
 mod order;
 mod place;
 mod route;
+mod scene;
 mod search;
 mod sequence;
 mod shape;
@@ -24,8 +26,8 @@ mod wrap;
 use grafcet_core::ActiveSteps;
 use grafcet_core::description::Description;
 
-use figure::{Density, Scene};
 pub use mermaid::mermaid;
+use scene::{Density, Scene};
 pub use shape::{Drawing, Frame, Heading, Shape};
 
 /// A chart of more steps than this is not drawn step by step.
@@ -41,8 +43,8 @@ const NARROW: i32 = 40;
 
 /// Lays a chart out, with the steps marked that are active in `situation` (`&()` marks none).
 ///
-/// Partial grafcets stand side by side, expansions of macro-steps and enclosures beside them. Of a chart that
-/// [`is_large`] there is an overview: one box for each of these, with what it holds.
+/// Partial grafcets stand side by side, expansions of macro-steps and enclosures beside them, in the end what named
+/// conditions stand for. Of a chart that [`is_large`] there is an overview: one box for each of these, with what it holds.
 #[must_use]
 pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> Drawing {
     within(chart, situation, WIDTH)
@@ -52,14 +54,14 @@ pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) 
 fn within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), width: i32) -> Drawing {
     let sheets = sheets::sheets(chart);
     if is_large(chart) {
-        return overview(&sheets, width);
+        return overview(&sheets, legend::legend(chart), width);
     }
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
     let scene = Scene { chart, active, density: Density::ROOMY };
     let drawn = sheets
         .iter()
         .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&scene, sheet), width - 4, (3, 1))));
-    shape::pack(drawn.collect(), width, (2, 1))
+    shape::pack(drawn.chain(legend::legend(chart)).collect(), width, (2, 1))
 }
 
 /// Whether a chart is too large to be drawn step by step: it has more than 150 steps or 600 transitions.
@@ -101,7 +103,7 @@ fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
         return inside;
     }
     let mut sheet = Drawing::default();
-    let about = wrap::wrap(doc, inside.width.max(NARROW), figure::LINES);
+    let about = wrap::wrap(doc, inside.width.max(NARROW), scene::LINES);
     let about: Vec<&String> = about.iter().filter(|line| !line.is_empty()).collect();
     let texts = about.iter().map(|line| wrap::width(line)).max().unwrap_or(0).max(wrap::width(title));
     let width = inside.width.max(texts) + 4;
@@ -118,7 +120,7 @@ fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
 }
 
 /// One box for each sheet, so many that the overview stays one.
-fn overview(sheets: &[sheets::Sheet], width: i32) -> Drawing {
+fn overview(sheets: &[sheets::Sheet], legend: Option<Drawing>, width: i32) -> Drawing {
     const MOST: usize = 60;
     let mut boxes: Vec<Drawing> = Vec::new();
     // One more takes no more room than the words that there is one more.
@@ -138,5 +140,6 @@ fn overview(sheets: &[sheets::Sheet], width: i32) -> Drawing {
         more.text((0, 0), &text);
         boxes.push(more);
     }
+    boxes.extend(legend);
     shape::pack(boxes, width, (2, 1))
 }

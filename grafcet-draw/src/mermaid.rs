@@ -2,12 +2,13 @@
 
 use std::fmt::Write as _;
 
-use grafcet_core::description::{Description, Step};
+use grafcet_core::description::{Description, Let, Step};
 
-use crate::figure::assigned;
+use crate::scene::{any_text, assigned};
 
 /// The text of a Mermaid diagram: steps are boxes with their actions, initial ones with a double frame, and transitions are
-/// arrows with their conditions; where parallel branches begin or end, a transition is a node of its own.
+/// arrows with their conditions; where parallel branches begin or end, a transition is a node of its own. What an `any` leaves
+/// is a rounded box, and what named conditions stand for is a flag by itself.
 #[must_use]
 pub fn mermaid(chart: &Description<'_>) -> String {
     let mut out = String::from("flowchart TD\n");
@@ -32,11 +33,21 @@ pub fn mermaid(chart: &Description<'_>) -> String {
             text = format!("{}: {text}", transition.name);
         }
         let text = escape(&text);
+        if let Some(any) = &transition.any {
+            let _ = writeln!(out, "    a{id}([\"{}\"])", escape(&any_text(any)));
+            if let [to] = transition.targets {
+                let _ = writeln!(out, "    a{id} -->|\"{text}\"| s{to}");
+                continue;
+            }
+        }
         if let ([from], [to]) = (transition.sources, transition.targets) {
             let _ = writeln!(out, "    s{from} -->|\"{text}\"| s{to}");
             continue;
         }
         let _ = writeln!(out, "    t{id}{{{{\"{text}\"}}}}");
+        if transition.any.is_some() {
+            let _ = writeln!(out, "    a{id} --> t{id}");
+        }
         for from in transition.sources {
             let _ = writeln!(out, "    s{from} --> t{id}");
         }
@@ -44,7 +55,20 @@ pub fn mermaid(chart: &Description<'_>) -> String {
             let _ = writeln!(out, "    t{id} --> s{to}");
         }
     }
+    if !chart.lets.is_empty() {
+        let lines: Vec<String> = chart.lets.iter().map(stands_for).collect();
+        let _ = writeln!(out, "    names>\"{}\"]", lines.join("<br>"));
+    }
     out
+}
+
+/// `go = auto || rising(next)`, with what is said of it.
+fn stands_for(named: &Let<'_>) -> String {
+    let mut text = escape(&format!("{} = {}", named.name, named.text));
+    if !named.doc.is_empty() {
+        let _ = write!(text, "<br>{}", escape(named.doc));
+    }
+    text
 }
 
 fn label(step: &Step<'_>) -> String {

@@ -1,11 +1,12 @@
 //! One net on paper.
 
-use crate::figure::{Density, Extent, Figure, Origin, References, Scene};
+use crate::figure::{Extent, Figure};
 use crate::fold::columns;
 use crate::graph::{Graph, Kind, layered};
 use crate::order::order;
 use crate::place::place;
 use crate::route::{Channel, channel};
+use crate::scene::{Density, Origin, References, Scene};
 use crate::shape::{Drawing, Heading, Shape};
 use crate::sheets::{Sheet, pieces};
 use crate::wrap::width;
@@ -74,9 +75,8 @@ fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
         let channel = &channels[layer];
         let y = last + 1 + channel.height;
         channel.draw(last, y, &mut drawing);
-        // Steps beside each other stand at one height, whatever is above them.
         let rise = items.iter().map(|id| figures[*id].ports().0).max().unwrap_or(0);
-        let lowered = |id: usize| if figures[id].is_step() { rise - figures[id].ports().0 } else { 0 };
+        let lowered = |id: usize| figures[id].lowered(rise);
         last = y + items.iter().map(|id| extents[*id].height + lowered(*id)).max().unwrap_or(0);
         rows.push((y, last));
         for id in items {

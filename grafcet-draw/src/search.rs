@@ -151,7 +151,8 @@ impl<'n> Search<'n> {
     }
 }
 
-/// The layers of nodes and transitions: each below all that leads to it.
+/// The layers of nodes and transitions: each below all that leads to it. What nothing leads to, as a source transition, stands
+/// closely above what it leads to.
 pub(crate) fn ranks(search: &Search<'_>) -> (Vec<usize>, Vec<usize>) {
     let mut nodes = vec![0; search.out.len()];
     let mut links = vec![1; search.sources.len()];
@@ -159,7 +160,6 @@ pub(crate) fn ranks(search: &Search<'_>) -> (Vec<usize>, Vec<usize>) {
     search.forward.iter().flatten().for_each(|node| above[*node] += 1);
     let mut waiting: Vec<usize> = search.sources.iter().map(Vec::len).collect();
     let mut ready: Vec<usize> = (0..nodes.len()).filter(|node| above[*node] == 0).collect();
-    // Source transitions stand in the layer below the first.
     let mut done: Vec<usize> = (0..links.len()).filter(|link| waiting[*link] == 0).collect();
     loop {
         while let Some(link) = done.pop() {
@@ -171,7 +171,7 @@ pub(crate) fn ranks(search: &Search<'_>) -> (Vec<usize>, Vec<usize>) {
                 }
             }
         }
-        let Some(node) = ready.pop() else { return (nodes, links) };
+        let Some(node) = ready.pop() else { break };
         for link in &search.out[node] {
             links[*link] = links[*link].max(nodes[node] + 1);
             waiting[*link] -= 1;
@@ -180,4 +180,9 @@ pub(crate) fn ranks(search: &Search<'_>) -> (Vec<usize>, Vec<usize>) {
             }
         }
     }
+    for (link, targets) in search.forward.iter().enumerate().filter(|(link, _)| search.sources[*link].is_empty()) {
+        let upper = targets.iter().map(|node| nodes[*node]).min();
+        links[link] = upper.map_or(links[link], |upper| upper - 1);
+    }
+    (nodes, links)
 }

@@ -64,8 +64,10 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
         };
         let one = |link: &&(Vec<Node>, Vec<Node>)| rooms_of(link).windows(2).all(|pair| pair[0] == pair[1]);
         let (sources, targets) = links.iter().find(one).unwrap_or(&links[0]).clone();
-        // One without any steps, as `any -[off]-> ()`, stands in the first net.
-        let first = sources.first().or(targets.first()).map(|node| room(chart, *node));
+        // An `any` stands in the net that it leaves, outside of its macro-steps; one of a description made by hand without any
+        // steps in the first net.
+        let net = described.any.and_then(|any| chart.steps.get(*any.steps.first()?)).map(|step| (step.partial, None));
+        let first = net.or_else(|| sources.first().or(targets.first()).map(|node| room(chart, *node)));
         let Some(place) = first.or(rooms.keys().next().copied()) else { continue };
         let link = Link { transition, sources, targets, jumps: Vec::new() };
         rooms.entry(place).or_default().links.push(link);

@@ -1,6 +1,6 @@
 //! Texts in squares.
 
-use crate::figure::NAME;
+use crate::scene::NAME;
 
 /// How many squares a text takes. Characters of the wide scripts take two.
 pub(crate) fn width(text: &str) -> i32 {

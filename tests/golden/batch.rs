@@ -325,6 +325,21 @@ impl ::grafcet::__private::core::fmt::Debug for BatchSituation {
         set.finish()
     }
 }
+/// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
+impl ::grafcet::__private::core::fmt::Display for BatchSituation {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        ::grafcet::__private::situation::write(
+            self,
+            <Batch as ::grafcet::__private::Chart>::STEPS
+                .iter()
+                .map(|step| (*step).name()),
+            f,
+        )
+    }
+}
 impl Batch {
     /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
     /// situation.
@@ -921,6 +936,7 @@ impl Batch {
             transitions: &d::table::transitions::<
                 4,
             >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            lets: &[],
         }
     };
 }

@@ -330,6 +330,21 @@ impl ::grafcet::__private::core::fmt::Debug for CellSituation {
         set.finish()
     }
 }
+/// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
+impl ::grafcet::__private::core::fmt::Display for CellSituation {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        ::grafcet::__private::situation::write(
+            self,
+            <Cell as ::grafcet::__private::Chart>::STEPS
+                .iter()
+                .map(|step| (*step).name()),
+            f,
+        )
+    }
+}
 impl Cell {
     /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
     /// situation.
@@ -730,6 +745,7 @@ impl Cell {
             transitions: &d::table::transitions::<
                 9,
             >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            lets: &[],
         }
     };
 }

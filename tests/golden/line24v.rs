@@ -412,6 +412,7 @@ impl Line24V {
             transitions: &d::table::transitions::<
                 4,
             >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            lets: &[],
         }
     };
 }

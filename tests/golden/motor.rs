@@ -307,6 +307,7 @@ impl Motor {
             transitions: &d::table::transitions::<
                 2,
             >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            lets: &[],
         }
     };
 }

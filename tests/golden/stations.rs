@@ -209,6 +209,21 @@ impl ::grafcet::__private::core::fmt::Debug for StationsSituation {
         set.finish()
     }
 }
+/// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
+impl ::grafcet::__private::core::fmt::Display for StationsSituation {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        ::grafcet::__private::situation::write(
+            self,
+            <Stations as ::grafcet::__private::Chart>::STEPS
+                .iter()
+                .map(|step| (*step).name()),
+            f,
+        )
+    }
+}
 impl Stations {
     /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
     /// situation.
@@ -525,6 +540,7 @@ impl Stations {
             transitions: &d::table::transitions::<
                 5,
             >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            lets: &[],
         }
     };
 }

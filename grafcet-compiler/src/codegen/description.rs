@@ -1,6 +1,6 @@
 //! `Motor::CHART`, and the drawing in the documentation of `Motor`.
 
-use grafcet_core::description::{Action, Description, Dialect, MacroStep, Partial, Step, Transition, table};
+use grafcet_core::description::{Action, Any, Description, Dialect, Let, MacroStep, Partial, Step, Transition, table};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -48,26 +48,46 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
 }
 
 fn description(chart: &Description<'_>) -> TokenStream {
-    let Description { name, dialect, partials, macros, steps, transitions } = chart;
+    let Description { name, dialect, partials, macros, steps, transitions, lets } = chart;
     let dialect = match dialect {
         Dialect::Sfc => quote!(d::Dialect::Sfc),
         Dialect::Grafcet => quote!(d::Dialect::Grafcet),
     };
     let (partials, macros) = (partials.iter().map(partial), macros.iter().map(macro_step));
     let (step_count, steps) = (number(steps.len()), step_tables(steps));
-    let (transition_count, transitions) = (number(transitions.len()), transition_tables(transitions));
+    let (tables, transitions) = (transition_tables(transitions), all_transitions(transitions));
+    let lets = lets.iter().map(named);
     quote! {
         #steps
-        #transitions
+        #tables
         d::Description {
             name: #name,
             dialect: #dialect,
             partials: &[#(#partials),*],
             macros: &[#(#macros),*],
             steps: &d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
-            transitions: &d::table::transitions::<#transition_count>(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            transitions: &#transitions,
+            lets: &[#(#lets),*],
         }
     }
+}
+
+/// Out of the tables; what an `any` leaves, of which a chart has few, stands beside them.
+fn all_transitions(transitions: &[Transition<'_>]) -> TokenStream {
+    let count = number(transitions.len());
+    let all = quote!(d::table::transitions::<#count>(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING));
+    let anys = transitions.iter().enumerate().filter_map(|(id, transition)| {
+        let (id, Any { steps, except }) = (number(id), transition.any?);
+        let steps = steps.iter().copied().map(number);
+        Some(quote!((#id, d::Any { steps: &[#(#steps),*], except: &[#(#except),*] })))
+    });
+    let anys: Vec<TokenStream> = anys.collect();
+    if anys.is_empty() { all } else { quote!(d::table::with_any(#all, &[#(#anys),*])) }
+}
+
+fn named(Let { name, text, doc }: &Let<'_>) -> TokenStream {
+    let documented = documented(doc);
+    quote!(d::Let::new(#name, #text) #documented)
 }
 
 fn partial(Partial { name, enclosed_by, doc }: &Partial<'_>) -> TokenStream {

@@ -1,5 +1,5 @@
 //! What editors find at names that the code does not repeat where they stand: steps in chains, outputs and code actions
-//! behind qualifiers, macro-steps, partial grafcets, variables that actions write.
+//! behind qualifiers, macro-steps, partial grafcets, variables that actions write, named conditions.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -10,7 +10,7 @@ use crate::model::{Mention, Model};
 
 /// A function that mentions each of them at the user's tokens, for rust-analyzer alone, which sets this `cfg`.
 pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
-    let [mut steps, mut outputs, mut calls, mut vars, mut macros, mut partials] = [const { Vec::new() }; 6];
+    let [mut steps, mut outputs, mut calls, mut vars, mut macros, mut partials, mut lets] = [const { Vec::new() }; 7];
     for (mention, span) in &model.mentions {
         let (mentioned, name) = match mention {
             Mention::Step(id) => (&mut steps, Some(&model.steps[*id].name)),
@@ -18,6 +18,7 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
             Mention::Action(id) => (&mut calls, Some(&model.actions[*id].name)),
             Mention::Var(id) => (&mut vars, Some(&model.vars[*id].name)),
             Mention::Macro(id) => (&mut macros, Some(&model.macros[*id].name)),
+            Mention::Let(id) => (&mut lets, Some(&model.lets[*id].name)),
             Mention::Partial(id) => (&mut partials, model.partials[*id].name.as_ref()),
         };
         mentioned.extend(name.map(|name| at(name, *span)));
@@ -30,7 +31,7 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
     let calls = (!calls.is_empty()).then(|| quote!(let _ = (#(A::#calls,)*);));
     let macros = named("MacroStep", model.macros.values().map(|macro_step| &macro_step.name), &macros);
     let partials = named("Partial", model.partials.values().filter_map(|partial| partial.name.as_ref()), &partials);
-    let vars = variables(model, &vars, p);
+    let (vars, lets) = (variables(model, &vars, p), conditions(model, &lets));
     quote! {
         #[allow(unexpected_cfgs)]
         const _: () = {
@@ -42,6 +43,7 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
                 #macros
                 #partials
                 #vars
+                #lets
             }
         };
     }
@@ -51,6 +53,15 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
 fn named<'m>(kind: &str, declared: impl Iterator<Item = &'m Ident>, mentioned: &[Ident]) -> Option<TokenStream> {
     let kind = format_ident!("{kind}");
     (!mentioned.is_empty()).then(|| quote!({ enum #kind { #(#declared,)* } let _ = [#(#kind::#mentioned),*]; }))
+}
+
+/// The same of named conditions, with what they stand for.
+fn conditions(model: &Model, mentioned: &[Ident]) -> Option<TokenStream> {
+    let declared = model.lets.values().map(|named| {
+        let (name, doc) = (&named.name, format!("`{}`\n\n{}", named.text, named.doc));
+        quote!(#[doc = #doc] #name,)
+    });
+    (!model.lets.is_empty()).then(|| quote!({ enum Let { #(#declared)* } let _: &[Let] = &[#(Let::#mentioned),*]; }))
 }
 
 /// The same of variables, which have a type.

@@ -74,8 +74,8 @@ pub(super) fn vars(cx: &Cx<'_>) -> Option<TokenStream> {
     let (vis, chart, name, levels) = (&model.vis, &model.name, vars_name(model), types::levels(model));
     let fields = vars.iter().map(|id| {
         let (field, ty) = (public(&model.vars[*id].name), types::rust_type(&model.vars[*id].ty, p));
-        let doc = format!("Variable `{field}`.");
-        quote!(#[doc = #doc] pub #field: #ty,)
+        let docs = types::docs(&model.vars[*id].attrs, &format!("Variable `{field}`."));
+        quote!(#docs pub #field: #ty,)
     });
     let values = vars.iter().map(|id| {
         let (field, held) = (public(&model.vars[*id].name), names::var_field(model, *id));

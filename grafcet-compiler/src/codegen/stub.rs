@@ -68,7 +68,7 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         quote!(#record #[allow(missing_docs, dead_code, unreachable_code)] impl #params { #new })
     });
     let vars = (!model.vars.is_empty()).then(|| {
-        let declared = model.vars.values().map(|var| (&[][..], &var.name, &var.ty));
+        let declared = model.vars.values().map(|var| (&var.attrs[..], &var.name, &var.ty));
         record(&outside::vars_name(model), none(), declared.collect())
     });
     quote!(#chart #inputs #default #outputs #params #vars)
@@ -135,7 +135,7 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
         #[allow(missing_docs, dead_code, unused_variables, clippy::all)]
         impl #chart {
             #vis const CHART: #p::description::Description<'static> = #p::description::Description {
-                name: "", dialect: #p::description::Dialect::Sfc, partials: &[], macros: &[], steps: &[], transitions: &[],
+                name: "", dialect: #p::description::Dialect::Sfc, partials: &[], macros: &[], steps: &[], transitions: &[], lets: &[],
             };
             #vis const fn new() -> Self { Self {} }
             #recipe

@@ -88,6 +88,8 @@ pub enum Mention {
     Var(VarId),
     /// Where it is called.
     Action(ActionId),
+    /// Where it is used.
+    Let(LetId),
 }
 
 /// `assume never b1 && b3;`
@@ -166,6 +168,7 @@ pub struct Output {
 /// `var count: u16 = 0;`
 pub struct Var {
     pub name: Ident,
+    pub attrs: Vec<Attribute>,
     pub levels: Vec<LevelAttr>,
     pub ty: Ty,
     pub init: Option<Expr>,
@@ -184,6 +187,8 @@ pub struct Param {
 pub struct Let {
     pub name: Ident,
     pub levels: Vec<LevelAttr>,
+    /// The first paragraph of its doc comment.
+    pub doc: String,
     /// What it stands for, as written.
     pub text: String,
     /// The values in it, used or not.

@@ -1,6 +1,6 @@
 //! Descriptions made at random, without a chart in text: more kinds of nets than people draw.
 
-use grafcet_core::description::{Action, Description, Dialect, Partial, Step, Transition};
+use grafcet_core::description::{Action, Description, Dialect, Let, Partial, Step, Transition};
 
 use crate::random::Rng;
 
@@ -54,11 +54,25 @@ pub(crate) fn net(seed: u64, f: impl FnOnce(&Description<'_>)) {
             (name, format!("c{n}{long}"))
         })
         .collect();
+    let left: Vec<&str> = names.iter().map(String::as_str).collect();
     let transitions: Vec<Transition<'_>> = ends
         .iter()
         .zip(&texts)
-        .map(|((sources, targets), (name, condition))| Transition::new(name, sources, targets, condition, &[]))
+        .map(|((sources, targets), (name, condition))| {
+            let transition = Transition::new(name, sources, targets, condition, &[]);
+            let any = sources.is_empty() && rng.chance(50);
+            let except = &left[..rng.below(left.len().min(6))];
+            if any { transition.from_any(&[0], except) } else { transition }
+        })
         .collect();
+    let lets = [
+        Let::new("go", "auto || rising(next)")
+            .documented("Somebody wants the next one, and there is still room for it on the belt."),
+        Let::new(
+            "halt",
+            "stop || !guard_is_closed && !key_is_turned_to_the_left || over_temperature || pressure_is_low",
+        ),
+    ];
     f(&Description {
         name: "Made",
         dialect: if seed % 2 == 0 { Dialect::Sfc } else { Dialect::Grafcet },
@@ -66,5 +80,6 @@ pub(crate) fn net(seed: u64, f: impl FnOnce(&Description<'_>)) {
         macros: &[],
         steps: &steps,
         transitions: &transitions,
+        lets: &lets[..rng.below(3)],
     });
 }

@@ -18,7 +18,7 @@ mod svg;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use grafcet_core::description::{Description, Dialect};
+use grafcet_core::description::{Any, Description, Dialect};
 
 use net::{Net, Read};
 use parts::Parts;
@@ -54,6 +54,7 @@ fn expected(chart: &Description<'_>) -> Net {
         .iter()
         .map(|t| Read {
             sources: names(t.sources),
+            any: t.any.map(any).unwrap_or_default(),
             targets: names(t.targets),
             name: t.name.to_owned(),
             text: text(t.condition, t.clearing),
@@ -69,7 +70,20 @@ fn expected(chart: &Description<'_>) -> Net {
             ranks.insert(step.name.to_owned(), texts);
         }
     }
-    Net { steps, transitions, ranks, faults: Vec::new() }
+    let mut legend = String::new();
+    for named in chart.lets {
+        legend.extend([named.name, "=", named.text, named.doc]);
+    }
+    Net { steps, transitions, ranks, legend: legend.replace(' ', ""), faults: Vec::new() }
+}
+
+/// `anyexcept(A,B)`
+fn any(any: Any<'_>) -> String {
+    match any.except {
+        [] => "any".to_owned(),
+        [one] => format!("anyexcept{one}"),
+        several => format!("anyexcept({})", several.join(",")),
+    }
 }
 
 fn text(condition: &str, clearing: &[&str]) -> String {
@@ -105,6 +119,9 @@ fn differences(chart: &Description<'_>, read: Net) -> Vec<String> {
     if expected.steps != read.steps {
         said.push(format!("the steps {:?} are read as {:?}", expected.steps, read.steps));
     }
+    if !read.legend.contains('…') && expected.legend != read.legend {
+        said.push(format!("the names `{}` are read as `{}`", expected.legend, read.legend));
+    }
     let alike = |(wanted, read): (&String, &String)| match read.split_once('…') {
         Some((begin, _)) => wanted.starts_with(begin),
         None => wanted == read,
@@ -120,7 +137,11 @@ fn differences(chart: &Description<'_>, read: Net) -> Vec<String> {
             let text = read.text.split('…').next().unwrap_or_default();
             let texts =
                 if read.text.contains('…') { wanted.text.starts_with(text) } else { wanted.text == read.text };
-            read.sources == wanted.sources && read.targets == wanted.targets && read.name == wanted.name && texts
+            let any = match read.any.split_once('…') {
+                Some((begin, _)) => wanted.any.starts_with(begin),
+                None => wanted.any == read.any,
+            };
+            any && read.sources == wanted.sources && read.targets == wanted.targets && read.name == wanted.name && texts
         };
         match transitions.iter().position(same) {
             Some(found) => drop(transitions.remove(found)),
@@ -144,12 +165,13 @@ fn told(chart: &Description<'_>) -> Vec<String> {
     differences(chart, net::net(&svg::seen(Parts::of(&grafcet_draw::svg(chart, &())))))
 }
 
-/// The same of the drawing in characters, but for the frames around nets and what initial macro-steps look like.
+/// The same of the drawing in characters, but for the frames around nets and names, and what initial macro-steps look like.
 fn told_of_text(chart: &Description<'_>) -> Vec<String> {
     let mut seen = svg::seen(characters::parts(&grafcet_draw::text(chart, &())));
     seen.pieces.retain(|piece| !piece.ends.is_empty());
     let mut read = net::net(&seen);
-    read.steps = expected(chart).steps;
+    let expected = expected(chart);
+    (read.steps, read.legend) = (expected.steps, expected.legend);
     differences(chart, read)
 }
 
@@ -210,7 +232,7 @@ fn any_nets_are_read_back() {
 /// The check itself: what is left out of a picture, or looks connected, is read as something else.
 #[test]
 fn what_is_drawn_wrongly_is_seen() {
-    let (mut dots, mut gaps, mut numbers) = (0, 0, 0);
+    let (mut dots, mut gaps, mut numbers, mut anys) = (0, 0, 0, 0);
     for seed in 0..150 {
         made::net(seed, |chart| {
             let svg = grafcet_draw::svg(chart, &());
@@ -234,12 +256,21 @@ fn what_is_drawn_wrongly_is_seen() {
                 numbers += 1;
                 assert!(wrong(&svg.replacen(">1</text>", ">7</text>", 1)), "{seed}: another number");
             }
+            if svg.contains(">any") {
+                anys += 1;
+                assert!(wrong(&svg.replacen(">any", ">all", 1)), "{seed}: other words above a transition");
+                assert!(wrong(&svg.replacen(">any</text>", ">any except A</text>", 1)) || !svg.contains(">any</text>"));
+            }
+            if svg.contains(">go = ") && !svg.contains('…') {
+                assert!(wrong(&svg.replacen(">go = ", ">go = !", 1)), "{seed}: another meaning of a name");
+            }
             if svg.contains("l4 9h-8z") {
                 assert!(wrong(&svg.replace("l4 9h-8z", "l4 -9h-8z")), "{seed}: arrows turned");
             }
         });
     }
-    assert!(dots > 10 && gaps > 10 && numbers > 10, "{dots} with dots, {gaps} with gaps, {numbers} with numbers");
+    let found = format!("{dots} with dots, {gaps} with gaps, {numbers} with numbers, {anys} with `any`");
+    assert!([dots, gaps, numbers, anys].iter().all(|count| *count > 10), "{found}");
 }
 
 /// Double lines without their gaps of ten pixels: what begins so far behind the end of another in the same row goes on.

@@ -39,6 +39,8 @@ pub(crate) enum End {
     To(String),
     /// An arrow from names.
     From(String),
+    /// Words above a line of its own: what an `any` leaves.
+    Any(String),
 }
 
 /// A piece of line: all that is connected without a bar, box or double line between.
@@ -58,6 +60,8 @@ pub(crate) struct Seen {
     pub(crate) bars: Vec<Bar>,
     pub(crate) doubles: usize,
     pub(crate) pieces: Vec<Piece>,
+    /// What is written in a frame in which nothing is drawn.
+    pub(crate) legend: String,
     /// What cannot be read, whatever it should mean.
     pub(crate) faults: Vec<String>,
 }
@@ -66,6 +70,8 @@ pub(crate) struct Seen {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Read {
     pub(crate) sources: Vec<String>,
+    /// `anyexceptA`: without blanks, as lines may be broken there.
+    pub(crate) any: String,
     pub(crate) targets: Vec<String>,
     pub(crate) name: String,
     pub(crate) text: String,
@@ -79,6 +85,8 @@ pub(crate) struct Net {
     pub(crate) transitions: Vec<Read>,
     /// For each step with numbers at its branches: the texts of the transitions, in the order of the numbers.
     pub(crate) ranks: BTreeMap<String, Vec<String>>,
+    /// What named conditions stand for, without blanks.
+    pub(crate) legend: String,
     pub(crate) faults: Vec<String>,
 }
 
@@ -89,7 +97,8 @@ pub(crate) fn net(seen: &Seen) -> Net {
     for (bar, shown) in seen.bars.iter().enumerate() {
         let sources = reader.sources(bar);
         let targets = reader.targets(bar);
-        transitions.push(Read { sources, targets, name: shown.name.clone(), text: shown.text.clone() });
+        let any = reader.any(bar);
+        transitions.push(Read { sources, any, targets, name: shown.name.clone(), text: shown.text.clone() });
     }
     for piece in &seen.pieces {
         reader.piece(piece);
@@ -99,7 +108,7 @@ pub(crate) fn net(seen: &Seen) -> Net {
     transitions.sort();
     let mut steps: Vec<_> = seen.boxes.iter().map(|b| (b.name.clone(), b.initial, b.sheet.clone())).collect();
     steps.sort();
-    Net { steps, transitions, ranks, faults: reader.faults }
+    Net { steps, transitions, ranks, legend: seen.legend.clone(), faults: reader.faults }
 }
 
 struct Reader<'s> {
@@ -166,14 +175,21 @@ impl Reader<'_> {
                 .iter()
                 .filter_map(|end| if let End::Bottom(id) = end { Some(self.name(*id)) } else { None })
                 .collect();
-            let none = steps.is_empty() && ends.len() > 1;
-            if steps.len() > 1 || none || doubles.len() == 1 && steps.is_empty() {
+            let any = ends.iter().any(|end| matches!(end, End::Any(_)));
+            let none = steps.is_empty() && ends.len() > if any { 2 } else { 1 };
+            if steps.len() + usize::from(any) > 1 || none || doubles.len() == 1 && steps.is_empty() {
                 self.faults.push(format!("a line to a transition: {}", self.shown(ends)));
             }
             names.extend(steps);
         }
         names.sort();
         names
+    }
+
+    /// The words above its line where it has one of its own.
+    fn any(&self, bar: usize) -> String {
+        let ends = self.seen.pieces.iter().filter(|piece| piece.ends.contains(&End::Over(bar))).flat_map(|p| &p.ends);
+        ends.filter_map(|end| if let End::Any(words) = end { Some(words.as_str()) } else { None }).collect()
     }
 
     fn targets(&mut self, bar: usize) -> Vec<String> {
@@ -254,7 +270,11 @@ impl Reader<'_> {
         for (to, bars) in &self.from {
             let origins = |bar: &usize| match &transitions[*bar] {
                 // One without steps before it has its name there.
-                Read { sources, name, .. } if sources.is_empty() => vec![if name.is_empty() { "()" } else { name }],
+                Read { sources, any, name, .. } if sources.is_empty() => match (&**name, &**any) {
+                    ("", "") => vec!["()"],
+                    ("", _) => vec!["any"],
+                    _ => vec![name.as_str()],
+                },
                 Read { sources, .. } => sources.iter().map(String::as_str).collect(),
             };
             let mut expected: Vec<&str> = bars.iter().flat_map(origins).collect();

@@ -20,7 +20,7 @@ fn connected(seen: &Seen) -> Vec<Vec<usize>> {
         End::Top(id) | End::Bottom(id) => Some((0, *id)),
         End::Over(id) | End::Under(id) => Some((1, *id)),
         End::OnDouble(id) | End::BelowDouble(id) => Some((2, *id)),
-        End::To(_) | End::From(_) => None,
+        End::To(_) | End::From(_) | End::Any(_) => None,
     };
     let mut groups: Vec<Vec<(u8, usize)>> = Vec::new();
     for piece in &seen.pieces {

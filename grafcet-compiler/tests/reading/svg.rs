@@ -50,6 +50,7 @@ pub(crate) fn seen(mut parts: Parts) -> Seen {
     let steps = boxes.into_iter().filter(|rect| !actions.contains(rect)).collect();
     let mut reader = Reader { drawn, parts, steps, actions, doubles: Vec::new(), seen: Seen::default() };
     reader.boxes(&inner, &sheets);
+    reader.legend(&sheets);
     reader.clear();
     reader.doubles();
     reader.bars();
@@ -288,6 +289,7 @@ impl Reader {
             return ends;
         }
         let down = self.parts.upright[line - level];
+        ends.extend(self.any(down).map(End::Any));
         for (id, rect) in self.steps.iter().enumerate() {
             let beside = rect.x <= down.at && down.at <= rect.x + rect.w;
             if beside && down.to == rect.y {
@@ -323,6 +325,33 @@ impl Reader {
             }
         }
         ends
+    }
+}
+
+impl Reader {
+    /// The words above the upper end of a line that begins there: it is longer than the stem of a bar.
+    fn any(&self, down: Line) -> Option<String> {
+        let over = |y: i32| {
+            let at = |text: &&Text| text.y == y && text.x < down.at && down.at < text.x + text.width;
+            self.parts.texts.iter().find(at).map(|text| text.says.as_str())
+        };
+        // A line of characters begins with the square in which it is.
+        let last =
+            [16, 8].into_iter().map(|gap| down.from - gap).find(|y| down.to - down.from > 8 && over(*y).is_some())?;
+        let mut lines: Vec<&str> = (0..).map_while(|row| over(last - 16 * row)).collect();
+        lines.reverse();
+        lines.concat().starts_with("any").then(|| lines.concat().replace(' ', ""))
+    }
+
+    /// What is written in frames around nothing that is drawn, from top to bottom.
+    fn legend(&mut self, sheets: &[Rect]) {
+        let empty = |sheet: &&Rect| !self.steps.iter().any(|step| sheet.holds((step.x, step.y)));
+        for sheet in sheets.iter().filter(empty) {
+            let inside = self.parts.texts.iter().filter(|text| sheet.holds((text.x, text.y)));
+            let mut texts: Vec<&Text> = inside.collect();
+            texts.sort_by_key(|text| text.y);
+            self.seen.legend.extend(texts.iter().map(|text| text.says.replace(' ', "")));
+        }
     }
 }
 

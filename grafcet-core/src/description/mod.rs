@@ -22,6 +22,8 @@ pub struct Description<'a> {
     pub steps: &'a [Step<'a>],
     /// All transitions.
     pub transitions: &'a [Transition<'a>],
+    /// The named conditions, which the texts use by their names.
+    pub lets: &'a [Let<'a>],
 }
 
 /// By whose rules a chart evolves.
@@ -96,14 +98,36 @@ pub struct Action<'a> {
 pub struct Transition<'a> {
     /// Empty where it has none.
     pub name: &'a str,
-    /// The steps before it; none for a source transition, and for an `any`, which its condition names (`any except A: stop`).
+    /// The steps before it, which are all active where it clears; none for a source transition, and for an `any`.
     pub sources: &'a [usize],
+    /// What an `any` leaves; none for all other transitions.
+    pub any: Option<Any<'a>>,
     /// The steps behind it; none for a sink transition.
     pub targets: &'a [usize],
     /// The transition condition as it stands in the source.
     pub condition: &'a str,
     /// What is done when it clears, in source order.
     pub clearing: &'a [&'a str],
+}
+
+/// What a transition leaves that is written as `any`: those of many steps that are active.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Any<'a> {
+    /// The steps of its net that it leaves: all but its targets and what is left out.
+    pub steps: &'a [usize],
+    /// What is left out, as it is written: the names of steps and macro-steps.
+    pub except: &'a [&'a str],
+}
+
+/// A named condition, `let go = auto || rising(next);`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Let<'a> {
+    /// `go`
+    pub name: &'a str,
+    /// `auto || rising(next)`
+    pub text: &'a str,
+    /// What its doc comment says first, up to an empty line.
+    pub doc: &'a str,
 }
 
 impl<'a> Partial<'a> {
@@ -190,7 +214,27 @@ impl<'a> Transition<'a> {
         condition: &'a str,
         clearing: &'a [&'a str],
     ) -> Self {
-        Self { name, sources, targets, condition, clearing }
+        Self { name, sources, any: None, targets, condition, clearing }
+    }
+
+    /// The same as one that leaves whatever is active of these steps: all of its net but its targets and what `except` names.
+    #[must_use]
+    pub const fn from_any(self, steps: &'a [usize], except: &'a [&'a str]) -> Self {
+        Self { any: Some(Any { steps, except }), ..self }
+    }
+}
+
+impl<'a> Let<'a> {
+    /// A name for a condition.
+    #[must_use]
+    pub const fn new(name: &'a str, text: &'a str) -> Self {
+        Self { name, text, doc: "" }
+    }
+
+    /// The same with a doc comment.
+    #[must_use]
+    pub const fn documented(self, doc: &'a str) -> Self {
+        Self { doc, ..self }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Descriptions out of flat tables: a compiler takes far longer for values within values. For the code that the macro
 //! generates; what is not in the tables ends the evaluation of the constant.
 
-use super::{Action, Step, Transition};
+use super::{Action, Any, Step, Transition};
 
 /// What texts are.
 pub type Text = &'static str;
@@ -83,10 +83,25 @@ pub const fn transitions<'a, const N: usize>(
     all
 }
 
+/// The same transitions, of which some, by their numbers, are `any`.
+#[must_use]
+pub const fn with_any<'a, const N: usize>(
+    mut all: [Transition<'a>; N],
+    anys: &[(usize, Any<'a>)],
+) -> [Transition<'a>; N] {
+    let mut number = 0;
+    while number < anys.len() {
+        let (transition, any) = anys[number];
+        all[transition] = all[transition].from_any(any.steps, any.except);
+        number += 1;
+    }
+    all
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{INITIAL, LINKED, actions, steps, transitions};
-    use crate::description::{Action, Step, Transition};
+    use super::{INITIAL, LINKED, actions, steps, transitions, with_any};
+    use crate::description::{Action, Any, Step, Transition};
 
     #[test]
     fn each_step_gets_its_own() {
@@ -115,5 +130,12 @@ mod tests {
             Transition::new("", &[4, 5], &[], "c", &["y = 2", "z = 3"]),
         ];
         assert_eq!(all, expected);
+    }
+    #[test]
+    fn some_transitions_are_any() {
+        let plain = [Transition::new("", &[0], &[1], "a", &[]), Transition::new("stop", &[], &[2], "b", &[])];
+        let all = with_any(plain, &[(1, Any { steps: &[0, 1], except: &["C"] })]);
+        assert_eq!(all, [plain[0], plain[1].from_any(&[0, 1], &["C"])]);
+        assert_eq!(all[1].any, Some(Any { steps: &[0, 1], except: &["C"] }));
     }
 }

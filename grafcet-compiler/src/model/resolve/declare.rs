@@ -72,7 +72,7 @@ impl Resolver<'_> {
                 DeclKind::Output => {
                     Name::Output(self.model.outputs.push(Output { name, attrs, levels, ty, init: None }))
                 }
-                DeclKind::Var => Name::Var(self.model.vars.push(Var { name, levels, ty, init: None })),
+                DeclKind::Var => Name::Var(self.model.vars.push(Var { name, attrs, levels, ty, init: None })),
                 DeclKind::Param => Name::Param(self.model.params.push(Param { name, attrs, levels, ty, init: None })),
             };
             self.scope.declare(declared, Meaning::Value(value), self.sink);
@@ -284,7 +284,7 @@ fn partial(
 }
 
 /// What a doc comment says up to an empty line, on one line.
-fn first_paragraph(attrs: &[syn::Attribute]) -> String {
+pub(super) fn first_paragraph(attrs: &[syn::Attribute]) -> String {
     let text = |attr: &syn::Attribute| match &attr.meta {
         syn::Meta::NameValue(doc) if doc.path.is_ident("doc") => match &doc.value {
             syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Some(text.value()),

@@ -6,12 +6,13 @@ use quote::ToTokens;
 
 use super::Resolver;
 use super::blink::Owner;
+use super::declare::first_paragraph;
 use super::expr::{Lower, Seen, resolve_condition, single_name};
 use super::otherwise::in_parentheses;
 use super::scope::{Meaning, spelled};
 use crate::ast;
 use crate::diagnostic::Mark;
-use crate::model::{Expr, Id, Let, LetId, Name, Tree};
+use crate::model::{Expr, Id, Let, LetId, Mention, Name, Tree};
 use crate::sorted::Set;
 
 /// How deep an expression may be with all names in place: what the guard of the parser lets through.
@@ -75,7 +76,8 @@ impl Resolver<'_> {
         let before = [model.inputs.len(), model.outputs.len(), model.vars.len(), model.params.len()];
         let text = super::text::of(&item.value);
         let levels = item.attrs.levels.clone();
-        let id = model.lets.push(Let { name: spelled(&item.name), levels, text, mentions: Vec::new(), used: false });
+        let (name, doc) = (spelled(&item.name), first_paragraph(&item.attrs.passed_on));
+        let id = model.lets.push(Let { name, levels, doc, text, mentions: Vec::new(), used: false });
         let value = item.value.clone();
         self.lets.push(Named { value, before, known: None, broken: false, size: Size::default() });
         self.scope.declare(&item.name, Meaning::Let(id), self.sink);
@@ -258,6 +260,7 @@ impl Lower<'_, '_> {
 
     /// The expression that `name` stands for; what it reads is read here.
     fn expression_of(&mut self, name: &Ident, id: LetId) -> Option<Expr> {
+        self.resolver.model.mentions.push((Mention::Let(id), name.span()));
         if self.resolver.is_ahead(name, id) {
             return None;
         }
