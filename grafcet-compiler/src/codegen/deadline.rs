@@ -5,7 +5,9 @@ use quote::quote;
 
 use super::situation::At;
 use super::{Cx, names};
-use crate::model::{Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Qualifier, Read, StepId, TimeRef, Tree};
+use crate::model::{
+    Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Place, Qualifier, Read, StepId, TimeRef, Tree,
+};
 use crate::sorted::Set;
 
 /// At which times of a step something changes.
@@ -56,7 +58,13 @@ impl Cx<'_> {
             quote!(soonest = #p::sooner(soonest, self.#field.remaining(#on, #off));)
         });
         let timers = self.timers();
-        let at_once = if self.remembers_settled() { quote!(!self.settled) } else { self.first() };
+        let left_over = if self.remembers_settled() { quote!(!self.settled) } else { self.first() };
+        let unknown = self.restless().into_iter().map(|steps| {
+            let active = steps.iter().map(|step| self.in_step(At::Now, *step));
+            let active: Vec<_> = active.collect();
+            if active.is_empty() { quote!(true) } else { quote!(#(#active)&&*) }
+        });
+        let at_once = quote!(#left_over #(|| #unknown)*);
         Some(quote! {
             /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
             /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
@@ -124,6 +132,31 @@ impl Cx<'_> {
             }
         }
         tokens
+    }
+
+    /// The steps, each time all of them together, with which each cycle asks for a call that may have another value each time.
+    fn restless(&self) -> Set<Vec<StepId>> {
+        let model = self.model;
+        let mut found = Set::new();
+        for transition in model.transitions.values().filter(|transition| transition.condition.tree.may_differ()) {
+            found.insert(transition.sources.clone());
+        }
+        for association in model.associations.values() {
+            let value = match &association.effect {
+                Effect::Assign(Place::Output(_), value) if association.qualifier == Qualifier::N => Some(value),
+                _ => None,
+            };
+            let mut asked = association.condition.iter().chain(&association.event).chain(value);
+            if asked.any(|expr| expr.tree.may_differ()) {
+                found.insert(vec![association.step]);
+            }
+        }
+        // Edges and delays are sampled in every cycle.
+        let mut sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
+        if sampled.any(|of| of.tree.may_differ()) {
+            found.insert(Vec::new());
+        }
+        found
     }
 
     /// Every time of a step that an expression looks at.

@@ -210,8 +210,15 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let moment = if part == Part::Deactivation { Moment::Leaving } else { Moment::Action };
-        let (unsettle, run) = (self.unsettle(), self.effect_run(&association.effect, &TokenStream::new(), moment));
-        self.under_condition(association, quote!(#unsettle #run))
+        let nothing = TokenStream::new();
+        let run = if part == Part::Rest {
+            self.unsettling_run(&association.effect, &nothing, moment)
+        } else {
+            // A step is entered or left in such a cycle.
+            let (unsettle, run) = (self.unsettle(), self.effect_run(&association.effect, &nothing, moment));
+            quote!(#unsettle #run)
+        };
+        self.under_condition(association, run)
     }
 
     /// Times begin where a step has been entered, and `settled` says whether the next cycle would do the same as this one, were

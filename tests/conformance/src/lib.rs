@@ -23,6 +23,7 @@ pub mod simpler;
 
 use std::collections::BTreeMap;
 
+pub use interp::Rest;
 pub use reader::Expected as Shown;
 
 /// Values by name; `true` is 1, times are in ticks.
@@ -53,6 +54,11 @@ pub trait Subject {
 
     /// The generated `next_deadline`; `None` also for a chart without time.
     fn next_deadline(&self) -> Option<u32>;
+
+    /// The interpreter's word on whether the last cycle left something to the next one; none where nobody asks for time.
+    fn rest(&self) -> Option<Rest> {
+        None
+    }
 }
 
 /// A compiled chart with its text and its timeline.

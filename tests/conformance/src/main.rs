@@ -47,6 +47,11 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
         let mut batch = Vec::new();
         while batch.len() < BATCH.min(options.charts - accepted) {
             let made = random::chart(number, grafcet, options.cycles);
+            if options.with.as_ref().is_some_and(|with| made.features.iter().all(|feature| !feature.contains(&**with)))
+            {
+                number += 1;
+                continue;
+            }
             match chart::resolve(&made.chart) {
                 Ok(_) => {
                     made.features.iter().for_each(|feature| *features.entry((*feature).to_owned()).or_default() += 1);

@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 const USAGE: &str = "\
-conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N] [--folder PATH]
+conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with WORDS] [--number N] [--shrink N] [--folder PATH]
 
   --charts   charts of each dialect (default 150)
   --cycles   cycles of each chart (default 500)
   --seed     which charts (default 1)
+  --with     only charts with something that the table below a report names so
   --number   begins with the chart of this number, as the report gives it behind `s` or `g`
   --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
   --folder   where the crates are written and built (default: in the target folder)";
@@ -17,6 +18,7 @@ pub(crate) struct Options {
     pub(crate) charts: usize,
     pub(crate) cycles: usize,
     seed: u64,
+    pub(crate) with: Option<String>,
     number: Option<u64>,
     pub(crate) shrink: usize,
     /// Whether `grafcet`.
@@ -34,6 +36,7 @@ impl Options {
             charts: 150,
             cycles: 500,
             seed: 1,
+            with: None,
             number: None,
             shrink: 1,
             dialects: vec![false, true],
@@ -47,6 +50,7 @@ impl Options {
                 "--charts" => options.charts = count()?,
                 "--cycles" => options.cycles = count()?,
                 "--seed" => options.seed = number()?,
+                "--with" => options.with = Some(value),
                 "--number" => options.number = Some(number()?),
                 "--shrink" => options.shrink = count()?,
                 "--dialect" => {

@@ -1,6 +1,6 @@
 //! The interpreter as a [`Subject`].
 
-use crate::interp::{Call, Interpreter, Phase, Situation, Value};
+use crate::interp::{Call, Interpreter, Phase, Rest, Situation, Value};
 use grafcet_compiler::model::{Model, Ty};
 
 use crate::{Shown, Subject, Values};
@@ -9,6 +9,7 @@ use crate::{Shown, Subject, Values};
 pub struct Interpreted<'m> {
     model: &'m Model,
     machine: Interpreter<'m>,
+    rest: Option<Rest>,
 }
 
 impl<'m> Interpreted<'m> {
@@ -18,7 +19,7 @@ impl<'m> Interpreted<'m> {
     /// The interpreter does not understand the chart.
     pub fn new(model: &'m Model) -> Result<Self, String> {
         let machine = Interpreter::new(model).map_err(|error| error.to_string())?;
-        Ok(Self { model, machine })
+        Ok(Self { model, machine, rest: None })
     }
 
     fn show(&self, situation: &Situation, outputs: &[Value]) -> Shown {
@@ -47,7 +48,11 @@ impl Subject for Interpreted<'_> {
     fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {
         let given = |name: String| inputs.get(&name).copied().unwrap_or_default();
         let inputs: Vec<Value> = self.model.inputs.values().map(|i| value(given(plain(&i.name)), &i.ty)).collect();
+        let before = self.machine.memory().clone();
         let cycle = self.machine.cycle(&inputs, now).map_err(|error| error.to_string())?;
+        // Arithmetic that leaves its type in the next cycle is no mistake of this one.
+        let rest = || self.machine.rest(&before, &cycle, &inputs, now).ok();
+        self.rest = self.model.uses_time().then(rest).flatten();
         let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
         Ok(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) })
     }
@@ -71,6 +76,10 @@ impl Subject for Interpreted<'_> {
 
     fn next_deadline(&self) -> Option<u32> {
         None
+    }
+
+    fn rest(&self) -> Option<Rest> {
+        self.rest
     }
 }
 

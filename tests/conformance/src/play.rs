@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::reader::{Kind, Line};
-use crate::{Shown, Subject};
+use crate::{Rest, Shown, Subject};
 
 /// Where two subjects, or a subject and the file, say different things.
 #[derive(Debug, PartialEq, Eq)]
@@ -78,12 +78,25 @@ pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &
             Kind::Shows(_) | Kind::Wakes(_) => Ok((oracle.shown(), subject.shown())),
         };
         match both {
-            Ok((expected, found)) if found == expected => {}
+            Ok((expected, found)) if found == expected => at_once(subject, oracle, line)?,
             Ok((expected, found)) => return Err(failure(line, &expected.to_string(), &found.to_string())),
             Err(error) => return Err(failure(line, "no error of the interpreter", &error)),
         }
     }
     Ok(())
+}
+
+/// Whether the subject asks for a cycle at once where there is something to do, and nowhere else.
+fn at_once(subject: &dyn Subject, oracle: &dyn Subject, line: &Line) -> Result<(), Difference> {
+    let Kind::Cycle { now, .. } = &line.kind else { return Ok(()) };
+    let Some(rest) = oracle.rest() else { return Ok(()) };
+    let wakes = subject.next_deadline();
+    let wrong = match rest {
+        Rest::Goes => wakes != Some(*now),
+        Rest::Looks => false,
+        Rest::Sleeps => wakes == Some(*now),
+    };
+    if wrong { Err(failure(line, &format!("{rest:?}"), &format!("next deadline {wakes:?}"))) } else { Ok(()) }
 }
 
 fn failure(line: &Line, expected: &str, found: &str) -> Difference {

@@ -6,8 +6,8 @@ use quote::{ToTokens, quote};
 use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
 use crate::codegen::situation::At;
-use crate::codegen::{Cx, names};
-use crate::model::{AssociationId, Effect, Id, Place, Qualifier};
+use crate::codegen::{Cx, names, types};
+use crate::model::{AssociationId, Effect, Expr, Id, Place, Qualifier, Ty};
 use crate::plan::{Target, What, source_order};
 
 impl Cx<'_> {
@@ -135,8 +135,7 @@ impl Cx<'_> {
         let one = |id: &AssociationId| self.effect_run(&self.model.associations[*id].effect, phase, moment);
         let Some((last, others)) = runs.split_last() else { return TokenStream::new() };
         if !self.has_choice(target) || others.is_empty() {
-            let run = one(last);
-            return quote!(#unsettle #run);
+            return self.unsettling_run(&self.model.associations[*last].effect, phase, moment);
         }
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let number = match kind {
@@ -172,6 +171,29 @@ impl Cx<'_> {
         quote!(if #q && #acts > #p1 { #acts } else { #p1 })
     }
 
+    /// The same in an `sfc`: the next cycle has something to do where it changed something. Nobody sees whether a call or a block did.
+    pub(in crate::codegen) fn unsettling_run(
+        &self,
+        effect: &Effect,
+        phase: &TokenStream,
+        moment: Moment,
+    ) -> TokenStream {
+        let (unsettle, model) = (self.unsettle(), self.model);
+        match effect {
+            Effect::Assign(place, value) if unsettle.is_some() && is_followed(model.place_ty(*place), value) => {
+                let (field, value, p) = (names::place_field(model, *place), self.value(value, moment), &self.p);
+                let ty = model.place_ty(*place);
+                let rust = types::rust_type(ty, p);
+                let changes = types::compare(ty, &quote!(value), &quote!(!=), &quote!(self.#field), p);
+                quote!({ let value: #rust = #value; if #changes { #unsettle self.#field = value; } })
+            }
+            _ => {
+                let run = self.effect_run(effect, phase, moment);
+                quote!(#unsettle #run)
+            }
+        }
+    }
+
     /// The effect of an action that runs.
     pub(in crate::codegen) fn effect_run(&self, effect: &Effect, phase: &TokenStream, moment: Moment) -> TokenStream {
         match effect {
@@ -187,6 +209,12 @@ impl Cx<'_> {
             Effect::Control(_) => TokenStream::new(),
         }
     }
+}
+
+/// Whether a value is another one only where something it reads is, and it can be seen whether it is. A type of the user's compares as it likes.
+fn is_followed(ty: &Ty, value: &Expr) -> bool {
+    let known = matches!(ty, Ty::Bool(_) | Ty::Int { .. } | Ty::Time(_)) || ty.is_float();
+    known && !value.tree.may_differ()
 }
 
 /// Which associations a run is of.

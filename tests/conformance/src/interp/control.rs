@@ -131,6 +131,11 @@ impl ActionControl {
         }
     }
 
+    /// Timers that stand still.
+    pub(super) fn forget_times(&mut self) {
+        self.timers.values_mut().for_each(Stopwatch::forget_time);
+    }
+
     /// One scan.
     pub(super) fn scan(
         &mut self,

@@ -9,6 +9,7 @@
 //! - `any`: the transitions from every step, in both dialects
 //! - `sfc`, `control`: IEC 61131-3, one evolution and `ACTION_CONTROL`
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848
+//! - `rest`: whether the next cycle has something to do without an input and without time
 //! - `time`, `value`: delays and timers, values and their arithmetic
 
 mod any;
@@ -17,6 +18,7 @@ mod continuous;
 mod control;
 mod grafcet;
 mod hierarchy;
+mod rest;
 mod sfc;
 mod state;
 mod stored;
@@ -27,6 +29,7 @@ mod view;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::grafcet::Grafcet;
+pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;
 pub use self::value::{Error, Value};
@@ -70,6 +73,8 @@ pub struct Cycle {
     /// `grafcet`: the evolutions of the search that changed something; the activation of the initial situation is not
     /// counted. `sfc`: one where a transition was cleared.
     pub evolutions: u32,
+    /// `sfc`: a block ran, or an assignment found another value than it wrote.
+    pub stirred: bool,
     /// Every evolution that was looked at, in their order. In `grafcet` the last one has not taken place: it changed nothing,
     /// or the bound stopped it. The activation of the initial situation is none.
     pub seen: Vec<Evolution>,
@@ -171,20 +176,20 @@ impl<'m> Interpreter<'m> {
         let Memory { state, machine } = &mut self.memory;
         let elapsed = state.advance(now);
         let given = (inputs, &self.params[..]);
-        let (calls, stable, evolutions, seen) = match machine {
+        let (calls, stable, evolutions, stirred, seen) = match machine {
             Machine::Sfc(sfc) => {
                 let scan = sfc.cycle(self.model, state, given, elapsed)?;
                 let evolved = scan.evolution.as_ref().is_some_and(|evolution| !evolution.cleared.is_empty());
-                (scan.calls, true, u32::from(evolved), scan.evolution.into_iter().collect())
+                (scan.calls, true, u32::from(evolved), scan.stirred, scan.evolution.into_iter().collect())
             }
             Machine::Grafcet(grafcet) => {
                 let search = grafcet.cycle(self.model, state, given, elapsed, self.max_evolutions)?;
-                (search.calls, search.stable, search.evolutions, search.seen)
+                (search.calls, search.stable, search.evolutions, false, search.seen)
             }
         };
         state.first = false;
         let (outputs, active) = (state.outputs.clone(), state.situation.clone());
-        Ok(Cycle { outputs, active, calls, stable, evolutions, seen })
+        Ok(Cycle { outputs, active, calls, stable, evolutions, stirred, seen })
     }
 
     /// Whether an expression over inputs, outputs and steps holds at the end of the last cycle, whose inputs are given.

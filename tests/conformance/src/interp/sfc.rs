@@ -20,6 +20,8 @@ pub(super) struct Sfc {
 pub(super) struct Done {
     /// In the order in which they were made.
     pub(super) calls: Vec<Call>,
+    /// A block ran, or an assignment found another value than it wrote.
+    pub(super) stirred: bool,
     /// The evolution; a first cycle has none.
     pub(super) evolution: Option<Evolution>,
 }
@@ -86,12 +88,18 @@ impl Sfc {
             vars: state.vars.clone(),
             next: outputs.clone(),
             calls: Vec::new(),
+            stirred: false,
         };
         self.act(&mut scan, elapsed, state)?;
-        let Scan { vars, next, calls, change, acting, .. } = scan;
+        let Scan { vars, next, calls, stirred, change, acting, .. } = scan;
         (state.vars, state.outputs, state.times) = (vars, next, acting);
         state.times.enter(model, &change.after);
-        Ok(Done { calls, evolution })
+        Ok(Done { calls, stirred, evolution })
+    }
+
+    /// Timers that stand still.
+    pub(super) fn forget_times(&mut self) {
+        self.controls.values_mut().for_each(ActionControl::forget_times);
     }
 
     /// Rule 4 and 5: every action control is scanned, then the actions run in their order (A29).
@@ -263,6 +271,7 @@ struct Scan<'a> {
     /// The outputs this cycle will return.
     next: Vec<Value>,
     calls: Vec<Call>,
+    stirred: bool,
 }
 
 impl Scan<'_> {
@@ -295,6 +304,11 @@ impl Scan<'_> {
             Effect::Control(_) => {}
             Effect::Assign(place, value) => {
                 let value = view.value_for(*place, &value.tree)?;
+                let found = match place {
+                    Place::Output(id) => self.next[id.index()],
+                    Place::Var(id) => self.vars[id.index()],
+                };
+                self.stirred |= found != value;
                 self.write(*place, value);
             }
             Effect::Call(action, args) => {
@@ -303,6 +317,7 @@ impl Scan<'_> {
             }
             Effect::Block(code) => {
                 let written = view.run(statements(code)?)?;
+                self.stirred = true;
                 for (place, value) in written {
                     self.write(place, value);
                 }

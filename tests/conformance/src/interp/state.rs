@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::hierarchy;
+use super::rest::still;
 use super::time::{self, Delayed};
 use super::value::{Error, Value, default};
 use super::view::{Edges, Situation, Times, View};
@@ -60,6 +61,14 @@ impl State {
         let times = self.times.steps.values_mut().chain(self.times.macros.values_mut());
         times.for_each(|time| *time = time.saturating_add(u64::from(elapsed)).min(self.longest));
         elapsed
+    }
+
+    /// How much time has passed does not matter.
+    pub(super) fn forget_times(&mut self) {
+        self.now = 0;
+        still(&mut self.times.steps);
+        still(&mut self.times.macros);
+        self.delays.values_mut().for_each(Delayed::forget_times);
     }
 
     /// The snapshot of the present state. Edges are evaluated against the memory; in a first cycle there are none (A26).

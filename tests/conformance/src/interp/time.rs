@@ -20,6 +20,11 @@ impl Stopwatch {
         self.running = signal;
     }
 
+    /// How long does not matter.
+    pub(super) fn forget_time(&mut self) {
+        self.elapsed = 0;
+    }
+
     /// Whether the signal has been there for `time`; a time of zero counts as elapsed at once (A35).
     pub(super) fn reached(self, time: u32) -> bool {
         self.running && self.elapsed >= time
@@ -35,6 +40,12 @@ pub(super) struct Delayed {
 }
 
 impl Delayed {
+    /// How long does not matter.
+    pub(super) fn forget_times(&mut self) {
+        self.on.forget_time();
+        self.off.forget_time();
+    }
+
     fn step(&mut self, signal: bool, elapsed: u32, (on, off): (u32, u32)) {
         self.on.step(signal, elapsed, false);
         self.off.step(!signal, elapsed, false);

@@ -4,6 +4,7 @@
 mod actions;
 mod clocks;
 mod fragments;
+mod values;
 mod words;
 
 use std::fmt::Write as _;
@@ -27,7 +28,7 @@ enum Pace {
 }
 
 /// A new kind is a row.
-const KINDS: [Kind; 13] = [
+const KINDS: [Kind; 14] = [
     Kind { name: "small: a time compared", draw: clocks::compared, pace: Pace::Short },
     Kind { name: "small: a self-loop beside branches", draw: clocks::beside, pace: Pace::Short },
     Kind { name: "small: long times in two branches", draw: clocks::long, pace: Pace::Long },
@@ -41,6 +42,7 @@ const KINDS: [Kind; 13] = [
     Kind { name: "small: an enum", draw: words::modes, pace: Pace::Short },
     Kind { name: "small: edges in actions", draw: actions::edges, pace: Pace::Short },
     Kind { name: "small: calls that steps share", draw: actions::calls, pace: Pace::Short },
+    Kind { name: "small: values assigned", draw: values::assigned, pace: Pace::Short },
 ];
 
 const RULES: &str = "several_initial_steps unreachable_step dead_transition stuck_join deadlock never_true always_true \
