@@ -228,7 +228,7 @@ fn is_active(cx: &Cx<'_>) -> TokenStream {
 fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let region = cx.plan.regions.of_step(step);
     let active = cx.in_step(At::Now, step);
-    let starts = if cx.has_flags() { cx.plan.has_start } else { cx.has_start_variant(region) };
+    let starts = if cx.plan.shape.is_flags() { cx.plan.has_start } else { cx.has_start_variant(region) };
     let starting = (starts && cx.plan.initial.contains(&step)).then(|| {
         let starting = cx.is_starting(At::Now);
         quote!(|| #starting)
@@ -243,7 +243,7 @@ fn situation_type(cx: &Cx<'_>) -> TokenStream {
 }
 
 fn situation(cx: &Cx<'_>) -> TokenStream {
-    if cx.has_flags() {
+    if cx.plan.shape.is_flags() {
         return situation_of_flags(cx);
     }
     let entered = |region| {
@@ -300,7 +300,7 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
         let (field, ty) = (names::region_field(region, plan), cx.names.region(region, plan));
         quote!(#field: #ty,)
     });
-    let fields: TokenStream = if cx.has_flags() {
+    let fields: TokenStream = if cx.plan.shape.is_flags() {
         let bytes = Literal::usize_suffixed(cx.flag_bytes());
         quote!(steps: [#p::u8; #bytes])
     } else {
@@ -308,7 +308,7 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
     };
     let arms = model.steps.ids().map(|id| {
         let step = step_name(cx, id);
-        if cx.has_flags() {
+        if cx.plan.shape.is_flags() {
             let active = shown_in(id);
             return quote!(#step => #active,);
         }

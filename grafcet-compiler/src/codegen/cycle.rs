@@ -20,7 +20,7 @@ impl Cx<'_> {
 
     /// The situation before the evolution.
     pub(super) fn befores(&self) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let before = names::before(0, self.plan);
             return quote!(let #before = self.situation;);
         }
@@ -45,11 +45,11 @@ impl Cx<'_> {
     /// The situation before the evolution, and the one after it as far as nothing clears. Where the evolution happens in
     /// place, what `code` looks at of the situation before, and the one after is the chart's own.
     pub(super) fn snapshot(&self, code: &TokenStream) -> TokenStream {
-        let in_place = self.in_place();
+        let in_place = self.plan.shape.is_in_place();
         let befores = if in_place { self.befores_for(code) } else { self.befores() };
         let afters = (0..self.plan.regions.all().len()).map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            let own = !self.is_one_match() && !in_place && !self.has_flags();
+            let own = !self.plan.shape.is_sequence() && !in_place && !self.plan.shape.is_flags();
             let declare = own.then(|| quote!(let mut #after = #before;));
             let again = self.plan.sees_reentry[region].then(|| {
                 let again = names::again(region, self.plan);
@@ -57,7 +57,7 @@ impl Cx<'_> {
             });
             quote!(#declare #again)
         });
-        let flags = self.has_flags().then(|| {
+        let flags = self.plan.shape.is_flags().then(|| {
             let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
             quote!(let mut #after = #before;)
         });
@@ -66,10 +66,10 @@ impl Cx<'_> {
 
     /// The situation after the evolution becomes the chart's, where it is not already.
     pub(super) fn commit(&self) -> TokenStream {
-        if self.in_place() || !self.model.is_grafcet() && self.is_long {
+        if self.plan.shape.is_in_place() || !self.model.is_grafcet() && self.plan.shape.is_long() {
             return TokenStream::new();
         }
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let after = names::after(0, self.plan);
             return quote!(self.situation = #after;);
         }

@@ -13,7 +13,7 @@ impl Cx<'_> {
         if regions.is_empty() {
             return None;
         }
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             return Some(self.encoding_of_flags());
         }
         let bytes = bytes((0..regions.len()).map(|region| self.region_bytes(region)).sum());

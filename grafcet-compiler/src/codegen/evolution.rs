@@ -8,7 +8,7 @@ use super::branches::Branch;
 use super::situation::At;
 use super::{Cx, names};
 use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
-use crate::plan::RegionId;
+use crate::plan::{Form, RegionId};
 use crate::sorted::Map;
 
 /// From so many steps on, one arm for all that end alike is less code than an arm for each.
@@ -17,7 +17,7 @@ const ALIKE: usize = 4;
 impl Cx<'_> {
     /// Statements that change the `after` of every region by the transitions that clear.
     pub(super) fn evolve(&self) -> TokenStream {
-        if self.descends() {
+        if self.plan.shape.descends {
             return self.descend();
         }
         let declare = self.plan.evolution.entered_last.iter().map(|step| {
@@ -35,8 +35,11 @@ impl Cx<'_> {
     /// Whether several transitions of an `any` may clear together, of which one alone does what is done on clearing.
     fn acts_for_several(&self, any: AnyId) -> bool {
         let first = &self.model.transitions[self.model.anys[any].first];
-        let regions =
-            if self.has_flags() { self.plan.most_active } else { self.plan.regions.of_partial(first.partial).count() };
+        let regions = if self.plan.shape.is_flags() {
+            self.plan.most_active
+        } else {
+            self.plan.regions.of_partial(first.partial).count()
+        };
         !first.clearing.is_empty() && regions > 1
     }
 
@@ -54,15 +57,18 @@ impl Cx<'_> {
 
     /// A partial grafcet, unless a forcing order or its enclosing step decides about it.
     fn evolve_partial(&self, partial: PartialId) -> TokenStream {
-        if self.is_one_match() {
-            return self.one_match();
+        match self.plan.shape.form {
+            Form::Sequence | Form::LongSequence => self.one_match(),
+            Form::InPlace => self.under_masters(partial, &self.evolve_in_place(partial)),
+            Form::Flags | Form::Compared => self.evolve_compared(partial),
         }
-        if let Some(evolve) = self.evolve_in_place(partial) {
-            return self.under_masters(partial, &evolve);
-        }
+    }
+
+    /// A partial grafcet, of which the situation after is a copy.
+    fn evolve_compared(&self, partial: PartialId) -> TokenStream {
         let contests = self.plan.evolution.contests.iter().map(|contest| self.contest(contest));
         let regions: Vec<_> = self.plan.regions.of_partial(partial).collect();
-        let transitions = if self.has_flags() {
+        let transitions = if self.plan.shape.is_flags() {
             let steps = self.model.partials[partial].steps.iter();
             let arms = steps.filter_map(|step| Some((*step, self.leave_step(*step)?)));
             vec![self.visit(At::Before, &arms.collect::<Vec<_>>())]
@@ -77,7 +83,7 @@ impl Cx<'_> {
         }
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let starting = self.is_starting(At::Before);
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let (initial, moved, after) = (self.initial_flags(), self.note_moved(), names::after(0, self.plan));
             return quote!(if #starting { #after = #initial; #moved } else { #evolve });
         }
@@ -91,25 +97,12 @@ impl Cx<'_> {
         quote!(if #starting { #(#enter)* } else { #evolve })
     }
 
-    /// Whether the evolution is one `match` from a step to the next: one region, each transition from one step to one,
-    /// and in a `grafcet` no change but that of the situation.
-    pub(super) fn is_one_match(&self) -> bool {
-        let search = self.only_situation
-            && self.model.transitions.values().any(|t| t.sources != t.targets)
-            && self.plan.evolution.exclusive.iter().all(|exclusive| *exclusive);
-        self.plan.regions.is_single()
-            && self.model.partials.len() == 1
-            && (!self.model.is_grafcet() || search)
-            && self.plan.evolution.entered_last.is_empty()
-            && self.model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1)
-    }
-
     /// `let after = match before { Off => if … { On } else { Off }, … };`
     ///
     /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
     pub(super) fn one_match(&self) -> TokenStream {
         let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
-        if self.is_long {
+        if self.plan.shape.is_long() {
             return self.long();
         }
         if self.model.is_grafcet() {
@@ -121,7 +114,7 @@ impl Cx<'_> {
                 let (variant, next) = (self.variant(*step), self.next_step(*step));
                 quote!(#variant => #next,)
             });
-            let unless = (!self.breaks_out()).then(|| quote!(if #after == #before { #stop; }));
+            let unless = (!self.plan.shape.breaks_out).then(|| quote!(if #after == #before { #stop; }));
             return quote!(let #after = match #before { #(#arms)* #rest }; #unless);
         }
         let arms = self.alike().into_iter().map(|steps| {
@@ -135,7 +128,7 @@ impl Cx<'_> {
         });
         let start = self.has_start_variant(0).then(|| {
             let (start, initial) = (self.start(), self.initial(0));
-            let begin = self.begins_on_entry().then(|| self.begin_initial());
+            let begin = self.plan.shape.begins_on_entry.then(|| self.begin_initial());
             let moved = self.note_moved();
             quote!(#start => { #begin #moved #initial })
         });
@@ -193,14 +186,8 @@ impl Cx<'_> {
 
     /// A path on which nothing clears: in a search it is the end of it.
     fn stay(&self, step: StepId) -> TokenStream {
-        let breaks_out = self.breaks_out() || self.model.is_grafcet() && self.is_long;
+        let breaks_out = self.plan.shape.breaks_out || self.model.is_grafcet() && self.plan.shape.is_long();
         if breaks_out { self.stop() } else { self.variant(step) }
-    }
-
-    /// Whether the paths of a search that clear nothing leave it with `break`. That is the faster code; in a longer chart
-    /// paths that all end in a state are the smaller one.
-    pub(super) fn breaks_out(&self) -> bool {
-        self.model.is_grafcet() && self.is_one_match() && self.model.steps.len() <= 24
     }
 
     /// What clearing does beside the situation, and the step it leads to.

@@ -8,7 +8,7 @@ use super::segments::Item;
 use super::{Cx, names};
 use crate::analysis::combinational;
 use crate::model::{ActionId, Association, Effect, Place, VarId};
-use crate::plan::source_order;
+use crate::plan::{Search, Undo, source_order};
 
 impl Cx<'_> {
     /// The body of `cycle`.
@@ -61,7 +61,7 @@ impl Cx<'_> {
 
     /// The search for stability.
     fn search(&self) -> TokenStream {
-        if self.walks() {
+        if self.plan.shape.walks() {
             return self.walk();
         }
         let combinational = self.all_combinational(Moment::Condition);
@@ -78,8 +78,8 @@ impl Cx<'_> {
         let opaque = self.opaque_inputs();
         // In place, an evolution reads each state where it uses it: held in registers, the states would be moved from one to
         // another on every way.
-        let (once, each) = if self.in_place() { (opaque, Some(self.fence())) } else { (None, opaque) };
-        let fence = (self.breaks_out() && !self.evolves_once()).then(|| self.fence());
+        let (once, each) = if self.plan.shape.is_in_place() { (opaque, Some(self.fence())) } else { (None, opaque) };
+        let fence = (self.plan.shape.breaks_out && !self.plan.shape.evolves_once()).then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
         let gone =
@@ -94,7 +94,7 @@ impl Cx<'_> {
         let (snapshot, end) = (self.snapshot(&code), self.end_of_search());
         let body = quote!({ #each #snapshot #code #end });
         let label = self.search_label().map(|label| quote!(#label:));
-        let again = (!self.evolves_once()).then(|| quote!(loop));
+        let again = (!self.plan.shape.evolves_once()).then(|| quote!(loop));
         quote! {
             #declare_bound
             #declare_edges
@@ -111,7 +111,8 @@ impl Cx<'_> {
     /// active step asks for.
     pub(super) fn opaque_inputs(&self) -> Option<TokenStream> {
         let p = &self.p;
-        let reads = !self.model.inputs.is_empty() && !self.evolves_apart() && !self.evolves_once();
+        let reads =
+            !self.model.inputs.is_empty() && !self.plan.shape.evolves_apart() && !self.plan.shape.evolves_once();
         reads.then(|| quote!(let inputs = #p::core::hint::black_box(inputs);))
     }
 
@@ -130,21 +131,21 @@ impl Cx<'_> {
 
     /// One evolution, or the end of the search where nothing changes.
     fn evolve_or_stop(&self, rest: &TokenStream) -> TokenStream {
-        if self.is_one_match() {
+        if self.plan.shape.is_sequence() {
             return self.one_match();
         }
         let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let unchanged = self.unchanged();
-        if !self.in_place() {
+        if !self.plan.shape.is_in_place() {
             let (moved, evolve) = (self.declare_moved(), self.evolve());
             return quote!(#declare #moved #evolve #collect if #unchanged { break; });
         }
         let afters = self.afters_for(&quote!(#collect #rest));
-        if self.evolves_apart() {
+        if self.plan.shape.evolves_apart() {
             let (evolve, probe) = (names::evolve(), self.probe());
             return quote!(#probe if !self.#evolve(inputs) { break; } #afters);
         }
-        let keep = self.takes_back().then(|| self.keep_states().0);
+        let keep = self.plan.shape.takes_back().then(|| self.keep_states().0);
         let (moved, evolve) = (self.declare_moved(), self.evolve());
         quote!(#declare #moved #keep #evolve #afters #collect if #unchanged { break; })
     }
@@ -166,24 +167,23 @@ impl Cx<'_> {
 
     /// A25: the situation is a fixed point, and nothing else is to be done.
     fn unchanged(&self) -> TokenStream {
-        let same = if self.notes_moves() { vec![quote!(!moved)] } else { self.is_same() };
+        let same = if self.plan.shape.notes_moves { vec![quote!(!moved)] } else { self.is_same() };
         let terms: Vec<_> = same.into_iter().chain(self.collected_unchanged()).collect();
         if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
     }
 
     /// A30: the end of a search that does not become stable.
     fn bound(&self) -> (TokenStream, TokenStream) {
-        if !self.plan.may_be_unstable {
-            return (TokenStream::new(), TokenStream::new());
-        }
+        let Search::Bounded(undo) = self.plan.shape.search else { return Default::default() };
         let (limit, p) = (Literal::u32_unsuffixed(self.plan.max_evolutions), &self.p);
-        let put_back = if self.takes_back() { self.keep_states().1 } else { self.keep_edges().1 };
         let declare = quote! {
             let mut evolutions_left: #p::u32 = #limit;
         };
-        if self.evolves_apart() {
-            return (declare, quote!(evolutions_left -= 1;));
-        }
+        let put_back = match undo {
+            Undo::Copy => return (declare, quote!(evolutions_left -= 1;)),
+            Undo::PutBack => self.keep_states().1,
+            Undo::Nothing => self.keep_edges().1,
+        };
         let (mark, unsettle) = (self.mark(true), self.unsettle());
         let bound = quote! {
             if evolutions_left == 0 {
@@ -199,7 +199,7 @@ impl Cx<'_> {
 
     /// The mark of an unstable search is taken away at the begin of the next cycle.
     fn forget_instability(&self) -> Option<TokenStream> {
-        (self.is_marked(0) && !self.walks()).then(|| self.mark(false))
+        (self.is_marked(0) && !self.plan.shape.walks()).then(|| self.mark(false))
     }
 
     /// The situation the search has reached, for the continuous actions.
@@ -210,17 +210,20 @@ impl Cx<'_> {
         }
         let states = (0..self.plan.regions.all().len()).map(|region| {
             let after = names::after(region, self.plan);
-            let state =
-                if self.walks() && self.is_long { names::walked().to_token_stream() } else { self.plain_state(region) };
+            let state = if self.plan.shape.walks() && self.plan.shape.is_long() {
+                names::walked().to_token_stream()
+            } else {
+                self.plain_state(region)
+            };
             quote!(let #after = #state;)
         });
         let combinational = self.all_combinational(Moment::Stable);
-        if self.in_place() {
+        if self.plan.shape.is_in_place() {
             let fence = self.fence();
             let states = self.afters_for(&quote!(#combinational #rest));
             return quote!(#fence #states #combinational);
         }
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let after = names::after(0, self.plan);
             return quote!(let #after = self.situation; #combinational);
         }

@@ -15,7 +15,11 @@ impl Cx<'_> {
     /// `evolve`, unless something above decides: first forcing, then what follows for enclosures (A15).
     pub(super) fn under_masters(&self, partial: PartialId, evolve: &TokenStream) -> TokenStream {
         let is_active = |step| {
-            if self.in_place() { self.in_step(At::Now, step) } else { bare(self.is_active(step, Moment::Stable)) }
+            if self.plan.shape.is_in_place() {
+                self.in_step(At::Now, step)
+            } else {
+                bare(self.is_active(step, Moment::Stable))
+            }
         };
         let forces: Vec<_> = self.model.forces.values().filter(|force| force.target == partial).collect();
         if !forces.is_empty() {
@@ -46,11 +50,6 @@ impl Cx<'_> {
         steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).collect()
     }
 
-    /// Whether partial grafcets evolve in place from the top downwards, each only where nothing above it has decided about it.
-    pub(super) fn descends(&self) -> bool {
-        self.model.partials.len() > 1 && self.in_place() && self.plan.descent != Descent::Compares
-    }
-
     /// An evolution of all partial grafcets, from the top downwards.
     pub(super) fn descend(&self) -> TokenStream {
         let partials = self.plan.evolution.partials.iter();
@@ -67,7 +66,7 @@ impl Cx<'_> {
             }
         });
         let evolve = partials.map(|id| {
-            let evolve = self.within_outer(*id, self.evolve_in_place(*id).unwrap_or_default());
+            let evolve = self.within_outer(*id, self.evolve_in_place(*id));
             if is_top(self.model, *id) {
                 return evolve;
             }
@@ -115,7 +114,7 @@ impl Cx<'_> {
 
     /// What a transition does to the partial grafcets below its own, where they evolve behind it.
     pub(super) fn below(&self, transition: &Transition) -> Below {
-        if self.descends() { Below::of(self.model, &self.plan.regions, transition) } else { Below::default() }
+        if self.plan.shape.descends { Below::of(self.model, &self.plan.regions, transition) } else { Below::default() }
     }
 
     /// The states that a transition gives the regions below it.

@@ -8,11 +8,8 @@ use syn::Lifetime;
 
 use super::bind::Moment;
 use super::{Cx, names};
-use crate::model::{Id, StepId, Transition, Tree};
+use crate::model::{StepId, Tree};
 use crate::sorted::Map;
-
-/// From how many steps with one transition on a table is smaller than code.
-const LONG: usize = 20;
 
 /// How many actions have to set an output before a `true` for all of them is smaller.
 const SET: usize = 6;
@@ -24,29 +21,6 @@ struct Shared {
 }
 
 impl Cx<'_> {
-    /// Whether the evolution is one `match`, and enough steps, two of three, have but one transition.
-    pub(super) fn finds_long(&self) -> bool {
-        let Some(region) = self.plan.regions.all().first() else { return false };
-        let exits = || region.steps.iter().filter(|step| self.only_exit(**step).is_some()).count();
-        region.steps.len() >= LONG
-            && !region.may_be_empty
-            && self.is_one_match()
-            && exits() >= LONG.max(region.steps.len() * 2 / 3)
-    }
-
-    /// The transition of a step that has but one, which does nothing but lead to another step.
-    fn only_exit(&self, step: StepId) -> Option<&Transition> {
-        let [id] = self.plan.evolution.owned[step.index()][..] else { return None };
-        let transition = &self.model.transitions[id];
-        (transition.clearing.is_empty() && transition.sources != transition.targets).then_some(transition)
-    }
-
-    /// Whether a transition leads from a step to another one.
-    fn leads_on(&self, step: StepId) -> bool {
-        let mut transitions = self.plan.evolution.owned[step.index()].iter().map(|id| &self.model.transitions[*id]);
-        transitions.any(|transition| transition.sources != transition.targets)
-    }
-
     /// `let after = …;`, and in an `sfc` the chart's own situation, which is left alone where nothing clears. In a search
     /// that ends it.
     pub(super) fn long(&self) -> TokenStream {
@@ -55,7 +29,9 @@ impl Cx<'_> {
         let stay = if self.model.is_grafcet() { self.stop() } else { quote!(break #label #before) };
         let wait = self.wait(&stay);
         let found = self.behind(&next, &stay);
-        let branches = self.model.steps.ids().any(|step| self.only_exit(step).is_none() && self.leads_on(step));
+        let branches = self.model.steps.ids().any(|step| {
+            self.plan.evolution.only_exit(self.model, step).is_none() && self.plan.evolution.leads_on(self.model, step)
+        });
         match self.model.is_grafcet() {
             true if branches => quote!(let #after = #label: { #wait #found #next };),
             true => quote!(#wait #found let #after = #next;),
@@ -69,7 +45,7 @@ impl Cx<'_> {
     /// `let next = …;`, the step behind the active one, where that has but one transition.
     fn behind(&self, next: &Ident, stay: &TokenStream) -> TokenStream {
         let (before, steps) = (names::before(0, self.plan), &self.plan.regions.all()[0].steps);
-        let target = |step: StepId| self.only_exit(step)?.targets.first().copied();
+        let target = |step: StepId| self.plan.evolution.only_exit(self.model, step)?.targets.first().copied();
         if self.model.small {
             let computed = self.in_order_but(steps, target);
             return quote!(let #next = #computed;);
@@ -112,7 +88,7 @@ impl Cx<'_> {
         let (label, next, state) = (evolved(), names::local("next"), self.next_step(step));
         if self.model.is_grafcet() {
             // Every path of a step that nothing leads on from ends the search already.
-            return if self.leads_on(step) { quote!(break #label #state) } else { state };
+            return if self.plan.evolution.leads_on(self.model, step) { quote!(break #label #state) } else { state };
         }
         let commit = self.set_state(0, &quote!(#next));
         quote!(let #next = #state; #commit break #label #next)
@@ -138,7 +114,7 @@ impl Cx<'_> {
 
     /// Under `optimize size` what the steps do, that of several steps once; `None` where few do the same.
     pub(super) fn shared_actions(&self, state: &TokenStream, arms: &[(StepId, TokenStream)]) -> Option<TokenStream> {
-        if !self.model.small || !self.is_long {
+        if !self.model.small || !self.plan.shape.is_long() {
             return None;
         }
         // In the other direction than the conditions: LLVM would see where two tables are alike, and copy the actions.
@@ -187,7 +163,7 @@ impl Cx<'_> {
     /// What the steps wait for.
     fn waits(&self, stay: &TokenStream) -> Vec<Shared> {
         share(self.plan.regions.all()[0].steps.iter().map(|step| {
-            let test = match self.only_exit(*step).map(|exit| &exit.condition) {
+            let test = match self.plan.evolution.only_exit(self.model, *step).map(|exit| &exit.condition) {
                 None => self.leave_long(*step),
                 Some(condition) if condition.tree == Tree::Bool(true) => TokenStream::new(),
                 Some(condition) => {

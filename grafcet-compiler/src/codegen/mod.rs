@@ -48,18 +48,12 @@ struct Cx<'m> {
     names: Names,
     /// The facade's hidden module, by absolute path.
     p: TokenStream,
-    /// An evolution changes the situation or nothing.
-    only_situation: bool,
-    /// The evolution is that of a long chart, see [`long`].
-    is_long: bool,
 }
 
 /// The items of a chart.
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
     let (names, p) = (Names::of(model), quote!(#root::__private));
-    let mut cx = Cx { model, plan, names, p, only_situation: false, is_long: false };
-    cx.only_situation = cx.collected_unchanged().is_empty();
-    cx.is_long = cx.finds_long();
+    let cx = Cx { model, plan, names, p };
     let types = types::all(&cx);
     let recipe = recipe::all(&cx);
     let state = state::all(&cx);

@@ -11,36 +11,7 @@ use crate::model::{PartialId, TransitionId};
 use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
 
-/// Up to so many fields, keeping them in each evolution takes less than calling it as a function and once more on a copy; with
-/// more, it takes a tenth more flash and more.
-const FEW: usize = 3;
-
 impl Cx<'_> {
-    /// The nests of branches, where evolutions happen in place.
-    ///
-    /// Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
-    /// evolution reads and writes would have to be copied too.
-    fn nests(&self) -> Option<&[Nest]> {
-        let memory = &self.plan.memory;
-        let copies = self.only_situation && memory.edges.is_empty() && memory.combinational.is_empty();
-        self.plan.nests.as_deref().filter(|_| !self.plan.may_be_unstable || copies)
-    }
-
-    /// Whether an evolution changes the situation in place.
-    pub(super) fn in_place(&self) -> bool {
-        self.nests().is_some()
-    }
-
-    /// Whether the evolution is a function of its own, so that a search without end can try another one on a copy.
-    pub(super) fn evolves_apart(&self) -> bool {
-        self.in_place() && self.plan.may_be_unstable && !self.takes_back()
-    }
-
-    /// Whether a search without end takes its last evolution back.
-    pub(super) fn takes_back(&self) -> bool {
-        self.in_place() && self.plan.may_be_unstable && self.changed_in_place().len() <= FEW
-    }
-
     /// Keeps what an evolution in place changes, and puts it back.
     pub(super) fn keep_states(&self) -> (TokenStream, TokenStream) {
         let fields = self.changed_in_place();
@@ -51,42 +22,29 @@ impl Cx<'_> {
     /// The fields that an evolution in place changes where a transition clears.
     fn changed_in_place(&self) -> Vec<Ident> {
         let states = (0..self.plan.regions.all().len()).map(|region| names::region_field(region, self.plan));
-        let times = self.counted_regions().filter(|_| self.begins_on_entry());
+        let times = self.counted_regions().filter(|_| self.plan.shape.begins_on_entry);
         let times = times.flat_map(|region| self.counters_of(region));
         let places = self.written_at_once();
         let places = places.iter().map(|place| names::place_field(self.model, *place));
         states.chain(times).chain(places).collect()
     }
 
-    /// Whether the evolution notes in `moved` that it has changed the situation.
-    pub(super) fn notes_moves(&self) -> bool {
-        let search = self.model.is_grafcet();
-        let in_arms = !search && self.is_one_match() && !self.is_long;
-        let sees = self.in_place() || in_arms || self.has_flags() && self.changes_by_clearing();
-        sees && (search || self.plan.memory.time)
-    }
-
-    /// Whether a transition that clears changes the situation: no other one gives back what it takes away.
-    fn changes_by_clearing(&self) -> bool {
-        self.model.partials.len() == 1 && self.plan.evolution.entered_last.is_empty()
-    }
-
     /// An `sfc` only wants to know for `next_deadline`.
     pub(super) fn declare_moved(&self) -> Option<TokenStream> {
         if self.model.is_grafcet() {
-            return self.notes_moves().then(|| quote!(let mut moved = false;));
+            return self.plan.shape.notes_moves.then(|| quote!(let mut moved = false;));
         }
         self.assume_settled()
     }
 
     pub(super) fn note_moved(&self) -> Option<TokenStream> {
         let search = self.model.is_grafcet();
-        self.notes_moves().then(|| if search { quote!(moved = true;) } else { quote!(self.settled = false;) })
+        self.plan.shape.notes_moves.then(|| if search { quote!(moved = true;) } else { quote!(self.settled = false;) })
     }
 
     /// `state` is that of the region after the evolution.
     pub(super) fn enter_state(&self, region: RegionId, state: &TokenStream) -> TokenStream {
-        if self.in_place() {
+        if self.plan.shape.is_in_place() {
             return self.set_state(region, state);
         }
         let after = names::after(region, self.plan);
@@ -95,30 +53,30 @@ impl Cx<'_> {
 
     /// Writes to many regions: from four neighbours on, LLVM calls `memset` on a processor without unaligned stores.
     pub(super) fn few_at_a_time(&self, writes: &[TokenStream]) -> TokenStream {
-        let fence = self.in_place().then(|| self.fence());
+        let fence = self.plan.shape.is_in_place().then(|| self.fence());
         let mut groups = writes.chunks(3);
         let first: TokenStream = groups.next().into_iter().flatten().cloned().collect();
         let rest = groups.map(|group| quote!(#fence #(#group)*));
         quote!(#first #(#rest)*)
     }
 
-    /// The evolution of a partial grafcet in place, if the chart is one for it.
-    pub(super) fn evolve_in_place(&self, partial: PartialId) -> Option<TokenStream> {
+    /// The evolution of a partial grafcet in place.
+    pub(super) fn evolve_in_place(&self, partial: PartialId) -> TokenStream {
         let here = |nest: &&Nest| self.plan.regions.all()[nest.head].partial == partial;
-        let nests: Vec<_> = self.nests()?.iter().filter(here).collect();
+        let nests: Vec<_> = self.plan.nests.iter().flatten().filter(here).collect();
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let start = (!self.model.is_grafcet()).then(|| {
             let (enter, moved) = (self.enter_initial(), self.note_moved());
             (self.start(), quote!({ #enter #moved }))
         });
-        Some(match (&nests[..], start) {
+        match (&nests[..], start) {
             ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
             (nests, Some((_, enter))) => {
                 let (starting, evolve) = (self.is_starting(At::Now), nests.iter().map(|nest| self.nest(nest, None)));
                 quote!(if #starting #enter else { #(#evolve)* })
             }
             (nests, None) => nests.iter().map(|nest| self.nest(nest, None)).collect(),
-        })
+        }
     }
 
     /// `match` on the head for the steps that are active alone, with what happens beside them behind it.
@@ -155,7 +113,7 @@ impl Cx<'_> {
         };
         let whole = nest.regions.len() == 1 && nest.alone.iter().all(|(_, leaving)| leaving.iter().all(only_steps));
         // In a search most branches wait: a jump that writes nothing is the shorter way.
-        if !whole || self.notes_moves() {
+        if !whole || self.plan.shape.notes_moves {
             return None;
         }
         let arms = nest.alone.iter().map(|(step, _)| {
@@ -204,7 +162,7 @@ impl Cx<'_> {
 
     /// The function that does one evolution and says whether it has changed the situation.
     pub(super) fn evolve_function(&self) -> Option<TokenStream> {
-        let evolve = self.evolves_apart().then(|| self.evolve())?;
+        let evolve = self.plan.shape.evolves_apart().then(|| self.evolve())?;
         let (p, inputs, name) = (&self.p, &self.names.inputs, names::evolve());
         let befores = self.befores_for(&evolve);
         let copied = super::requirements::copied(self.model, &self.p);

@@ -102,7 +102,7 @@ impl Cx<'_> {
             };
             association.condition.iter().chain(value).any(opaque)
         });
-        if !calls && !self.has_flags() {
+        if !calls && !self.plan.shape.is_flags() {
             let mut regions = Vec::new();
             for region in items.iter().map(|item| self.region_of(item)) {
                 if !regions.contains(&region) {
@@ -130,7 +130,7 @@ impl Cx<'_> {
     /// Whether an item of this region belongs into the segment. With a bit for each step that is one of a step behind all
     /// of the segment, or any where only one step is active.
     fn joins(&self, segment: &Segment, region: RegionId) -> bool {
-        if !self.has_flags() {
+        if !self.plan.shape.is_flags() {
             return segment.region == region;
         }
         let behind = |(last, _): &(StepId, TokenStream)| self.plan.regions.of_step(*last) <= region;
@@ -153,13 +153,13 @@ impl Cx<'_> {
 
     /// The second step, where the chart has two and one of them is active.
     fn second_of_two(&self) -> Option<StepId> {
-        let two = self.model.steps.len() == 2 && self.is_one_match();
+        let two = self.model.steps.len() == 2 && self.plan.shape.is_sequence();
         two.then(|| self.model.steps.ids().nth(1)).flatten()
     }
 
     fn segment(&self, segment: Segment) -> TokenStream {
         let Segment { before, region, mut arms, .. } = segment;
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             arms.sort_by_key(|(step, _)| *step);
             return self.visit(if before { At::Before } else { At::After }, &arms);
         }
@@ -177,7 +177,11 @@ impl Cx<'_> {
 
     /// The state of a region after the evolution, where it happens in place not held in a register until then.
     pub(super) fn state_after(&self, region: RegionId) -> TokenStream {
-        if self.in_place() { self.plain_state(region) } else { names::after(region, self.plan).to_token_stream() }
+        if self.plan.shape.is_in_place() {
+            self.plain_state(region)
+        } else {
+            names::after(region, self.plan).to_token_stream()
+        }
     }
 
     /// The arm for the states that `arms` leave out.
@@ -219,7 +223,7 @@ impl Cx<'_> {
 
     /// Where one step is active at most, an evolution of a search that changes anything goes from one step to another.
     fn always_moves(&self) -> bool {
-        self.model.is_grafcet() && self.plan.most_active == 1 && self.only_situation
+        self.model.is_grafcet() && self.plan.most_active == 1 && self.plan.shape.only_situation
     }
 
     /// `|| again`, where a step of the region can be left and entered in one evolution.

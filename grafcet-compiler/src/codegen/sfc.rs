@@ -33,7 +33,7 @@ impl Cx<'_> {
         // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
         let rest = quote!(#settle #second #actions #result);
-        let afters = self.in_place().then(|| {
+        let afters = self.plan.shape.is_in_place().then(|| {
             let (fence, afters) = (self.fence(), self.afters_for(&rest));
             quote!(#fence #afters)
         });
@@ -153,7 +153,7 @@ impl Cx<'_> {
         let writes = |other: &Association| other.effect.writes().contains(&place);
         association.qualifier == Qualifier::N
             && association.condition.as_ref().is_some_and(|condition| !condition.tree.is_opaque())
-            && self.is_one_match()
+            && self.plan.shape.is_sequence()
             && self.model.steps.len() <= SHORT
             && self.model.associations.values().filter(|other| writes(other)).count() == 1
     }
@@ -229,12 +229,12 @@ impl Cx<'_> {
         }
         let restart = self.restart_times();
         let edges = self.edge_names();
-        if self.notes_moves() {
+        if self.plan.shape.notes_moves {
             let edges = (!edges.is_empty()).then(|| quote!(if #(#edges)||* { self.settled = false; }));
             return quote!(#restart #edges);
         }
         let regions = 0..self.plan.regions.all().len();
-        let compared = if self.has_flags() { 0..1 } else { regions.clone() };
+        let compared = if self.plan.shape.is_flags() { 0..1 } else { regions.clone() };
         let again = regions.filter(|region| self.plan.sees_reentry[*region]);
         let again: Vec<_> = again.map(|region| names::again(region, self.plan)).collect();
         let changed = compared.map(|region| {

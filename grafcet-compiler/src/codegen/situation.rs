@@ -31,7 +31,7 @@ impl Cx<'_> {
 
     /// Whether a step is active: `before == __MotorState::Off`, `before[0] & 1 != 0`.
     pub(super) fn in_step(&self, at: At, step: StepId) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             return self.bit(at, step.index(), true);
         }
         let (state, variant) = (self.state(at, self.plan.regions.of_step(step)), self.variant(step));
@@ -40,7 +40,7 @@ impl Cx<'_> {
 
     /// Whether a step is not active.
     pub(super) fn not_in_step(&self, at: At, step: StepId) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             return self.bit(at, step.index(), false);
         }
         let (state, variant) = (self.state(at, self.plan.regions.of_step(step)), self.variant(step));
@@ -49,7 +49,7 @@ impl Cx<'_> {
 
     /// Whether the evolution has changed the state of a region.
     pub(super) fn is_changed(&self, region: RegionId) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             // A region is a step.
             let (before, after) = (self.byte_of(At::Before, region), self.byte_of(At::After, region));
             let mask = place(region).1;
@@ -61,7 +61,7 @@ impl Cx<'_> {
 
     /// Whether the first cycle is still to come.
     pub(super) fn is_starting(&self, at: At) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             return self.bit(at, self.start_bit(), true);
         }
         let (state, start) = (self.state(at, 0), self.start());
@@ -70,7 +70,7 @@ impl Cx<'_> {
 
     /// A step is active from this evolution on.
     pub(super) fn enter(&self, step: StepId) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let (byte, mask) = (self.byte_of(At::After, step.index()), place(step.index()).1);
             return quote!(#byte |= #mask;);
         }
@@ -79,7 +79,7 @@ impl Cx<'_> {
 
     /// A step is not active any more, and no other one of its region is.
     pub(super) fn leave_empty(&self, step: StepId) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let (byte, mask) = (self.byte_of(At::After, step.index()), place(step.index()).1);
             return quote!(#byte &= !#mask;);
         }
@@ -95,7 +95,7 @@ impl Cx<'_> {
 
     /// Makes exactly these steps of a partial grafcet active.
     pub(super) fn set_situation(&self, partial: PartialId, steps: &[StepId]) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             return self.set_flags(&self.model.partials[partial].steps, steps);
         }
         let regions = self.plan.regions.of_partial(partial).map(|region| {
@@ -116,7 +116,7 @@ impl Cx<'_> {
     /// The initial situation, entered by an evolution of its own in the first cycle.
     pub(super) fn enter_initial(&self) -> TokenStream {
         let begin = self.begin_initial();
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let initial = self.initial_flags();
             return quote!(self.situation = #initial; #begin);
         }
@@ -127,7 +127,7 @@ impl Cx<'_> {
 
     /// Takes the mark of an unstable search away, or sets it (A30).
     pub(super) fn mark(&self, unstable: bool) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let (byte, mask) = (self.byte_of(At::Now, self.mark_bit()), place(self.mark_bit()).1);
             return if unstable { quote!(#byte |= #mask;) } else { quote!(#byte &= !#mask;) };
         }
@@ -141,7 +141,7 @@ impl Cx<'_> {
 
     /// Whether the mark of an unstable search is not there.
     pub(super) fn is_unmarked(&self) -> TokenStream {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             return self.bit(At::Now, self.mark_bit(), false);
         }
         let field = names::region_field(0, self.plan);
@@ -150,7 +150,7 @@ impl Cx<'_> {
 
     /// Whether the evolution has not changed the situation, as one comparison for each region.
     pub(super) fn is_same(&self) -> Vec<TokenStream> {
-        let regions = 0..if self.has_flags() { 1 } else { self.plan.regions.all().len() };
+        let regions = 0..if self.plan.shape.is_flags() { 1 } else { self.plan.regions.all().len() };
         let same = regions.map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             quote!(#after == #before)
@@ -161,11 +161,6 @@ impl Cx<'_> {
 
 /// A bit for each step.
 impl Cx<'_> {
-    /// `encoding flags;`
-    pub(super) fn has_flags(&self) -> bool {
-        self.plan.regions.are_flags()
-    }
-
     /// The bytes of the situation: a bit for each step, one for "the first cycle is still to come" and one for "the last
     /// search did not become stable", where there are such cycles.
     pub(super) fn flag_bytes(&self) -> usize {

@@ -9,7 +9,7 @@ use crate::model::{Place, Qualifier, Ty};
 use crate::plan::{RegionId, Target, What};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
-    let enums = if cx.has_flags() { 0 } else { cx.plan.regions.all().len() };
+    let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
     let regions: TokenStream = (0..enums).map(|region| region_enum(cx, region)).collect();
     let chart = chart_struct(cx);
     quote!(#regions #chart)
@@ -162,7 +162,7 @@ impl Cx<'_> {
     }
 
     fn region_fields(&self) -> Vec<Field> {
-        if self.has_flags() {
+        if self.plan.shape.is_flags() {
             let (p, bytes) = (&self.p, Literal::usize_suffixed(self.flag_bytes()));
             return vec![Field {
                 name: names::local("situation"),

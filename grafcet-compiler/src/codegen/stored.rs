@@ -155,8 +155,7 @@ impl Cx<'_> {
 
     /// Whether a stored action acts where a transition clears, and not behind the evolution.
     fn acts_at_once(&self, id: AssociationId) -> bool {
-        let descends = self.model.partials.len() == 1 || self.descends();
-        self.in_place() && descends && self.plan.stored.at_any_time.contains(&id)
+        self.plan.shape.at_once.contains(&id)
     }
 
     /// The places that such actions write.

@@ -84,7 +84,7 @@ impl Cx<'_> {
     /// A step that has been entered begins its time; one that stays (A4g) goes on.
     pub(super) fn restart_times(&self) -> TokenStream {
         let p = &self.p;
-        let regions = self.counted_regions().filter(|_| !self.begins_on_entry()).map(|region| {
+        let regions = self.counted_regions().filter(|_| !self.plan.shape.begins_on_entry).map(|region| {
             let (changed, again, begin) = (self.is_changed(region), self.or_again(region), self.begin_region(region));
             quote!(if #changed #again { #begin })
         });
@@ -113,19 +113,11 @@ impl Cx<'_> {
         quote!(self.#since #ticks)
     }
 
-    /// Whether a transition that clears begins the times of the steps it enters.
-    pub(super) fn begins_on_entry(&self) -> bool {
-        // An evolution that the bound forbids has been found by then.
-        let never_taken_back = !self.plan.may_be_unstable || self.walks();
-        let in_arms = self.is_one_match() && !self.is_long && never_taken_back;
-        (self.in_place() || in_arms) && self.plan.memory.begins_on_entry
-    }
-
     /// A step that is entered begins its time. One that is left at once goes on with it in a `grafcet` (A4g), but not in an `sfc`
     /// (A4s).
     pub(super) fn begin_time(&self, step: StepId, transition: &Transition) -> Option<TokenStream> {
         let stays = self.model.is_grafcet() && transition.sources.contains(&step);
-        let begins = self.begins_on_entry() && self.is_counted(step) && !stays;
+        let begins = self.plan.shape.begins_on_entry && self.is_counted(step) && !stays;
         begins.then(|| self.begin_region(self.plan.regions.of_step(step)))
     }
 

@@ -8,24 +8,16 @@ use syn::Lifetime;
 
 use super::bind::Moment;
 use super::{Cx, names};
+use crate::plan::{Form, Search};
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
 const FEW: usize = 3;
 
 impl Cx<'_> {
-    /// Whether the search is such a walk. What edges compare with would change in an evolution too.
-    pub(super) fn walks(&self) -> bool {
-        self.model.is_grafcet()
-            && self.plan.may_be_unstable
-            && self.plan.comes_back
-            && self.plan.memory.edges.is_empty()
-            && self.is_one_match()
-    }
-
     /// Whether the region's enum is as wide as a register, which saves widening the state in every evolution. The field holds
     /// a byte all the same, and so does a table.
     pub(super) fn is_wide(&self) -> bool {
-        self.walks() && (self.model.small || !self.is_long)
+        self.plan.shape.walks() && (self.model.small || !self.plan.shape.is_long())
     }
 
     /// The search. The chart's own situation is without the mark as soon as the walk begins.
@@ -41,9 +33,9 @@ impl Cx<'_> {
         let (unsettle, delayed) = (self.unsettle(), self.unsettle_delays());
         let opaque = self.opaque_inputs();
         // Where a table leads from step to step, that costs some bytes and is faster.
-        let for_all = self.model.steps.len() < FEW || self.is_long && !self.model.small;
+        let for_all = self.model.steps.len() < FEW || self.plan.shape.is_long() && !self.model.small;
         let (once, each) = if for_all { (opaque, None) } else { (None, opaque) };
-        let fence = self.breaks_out().then(|| self.fence());
+        let fence = self.plan.shape.breaks_out.then(|| self.fence());
         quote! {
             #time
             let mut #state = #first;
@@ -70,28 +62,19 @@ impl Cx<'_> {
 
     /// The label of the search, where `break` alone would leave something within it.
     pub(super) fn search_label(&self) -> Option<Lifetime> {
-        (self.walks() || self.is_long || self.evolves_once()).then(label)
-    }
-
-    /// Whether each search ends with its first evolution.
-    pub(super) fn evolves_once(&self) -> bool {
-        self.plan.search_ends.always() && self.knows_ends()
+        (self.plan.shape.walks() || self.plan.shape.is_long() || self.plan.shape.evolves_once()).then(label)
     }
 
     /// The end of a search with the activation of a step that nothing can leave at once.
     pub(super) fn end_of_search(&self) -> Option<TokenStream> {
         let ends = &self.plan.search_ends;
-        let some = !ends.always() && !ends.steps().is_empty() && self.knows_ends();
+        let known = self.plan.shape.form == Form::Sequence && self.plan.shape.search == Search::Ends;
+        let some = known && !ends.steps().is_empty();
         some.then(|| {
             let (after, stop, p) = (names::after(0, self.plan), self.stop(), &self.p);
             let ends = ends.steps().iter().map(|step| self.variant(*step));
             quote!(if #p::core::matches!(#after, #(#ends)|*) { #stop; })
         })
-    }
-
-    /// Whether the search is one for which the plan knows where it ends.
-    fn knows_ends(&self) -> bool {
-        self.model.is_grafcet() && !self.plan.may_be_unstable && !self.is_long && self.is_one_match()
     }
 
     /// `break`, out of the search.

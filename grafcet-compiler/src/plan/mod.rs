@@ -10,6 +10,7 @@ mod evolution;
 mod memory;
 mod nest;
 mod regions;
+mod shape;
 mod stored;
 
 pub use below::Descent;
@@ -20,6 +21,7 @@ pub use evolution::Evolution;
 pub use memory::{Counted, Memory, Phase};
 pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
+pub use shape::{Form, Search, Shape, Undo};
 pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Concurrency, Ends, Races, Stability, explore, hierarchy};
@@ -37,6 +39,8 @@ pub struct Plan {
     /// As many steps as this can be active together, as far as is known.
     pub most_active: usize,
     pub evolution: Evolution,
+    /// The form of its code.
+    pub shape: Shape,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
     /// How partial grafcets that evolve in place know what those above them have decided.
@@ -58,9 +62,6 @@ pub struct Plan {
     pub search_ends: Ends,
     /// After how many evolutions that changed something such a search is given up.
     pub max_evolutions: u32,
-    /// A search of a chart whose situation is one step that takes so many evolutions is certain to go on: a step has come
-    /// back by then.
-    pub comes_back: bool,
 }
 
 impl Plan {
@@ -87,18 +88,37 @@ impl Plan {
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         let stored = Stored::of(model, races);
         let memory = Memory::of(model, &regions, &drives, &control);
+        let nests = Nest::all(model, &regions, &evolution, &concurrency);
+        let descent = Descent::of(model, &regions, &concurrency);
+        let may_be_unstable = stability.as_ref().is_some_and(|stability| may_be_unstable(model, &stored, stability));
+        let search_ends = stability.map(Stability::ends).unwrap_or_default();
+        let comes_back = Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len();
+        let shape = Shape::of(
+            model,
+            &shape::Known {
+                regions: &regions,
+                evolution: &evolution,
+                memory: &memory,
+                stored: &stored,
+                descent,
+                search_ends: &search_ends,
+                nests: nests.is_some(),
+                may_be_unstable,
+                comes_back,
+            },
+        );
         Self {
             has_start: has_start(model, &initial, &memory),
             memory,
-            nests: Nest::all(model, &regions, &evolution, &concurrency),
-            descent: Descent::of(model, &regions, &concurrency),
+            nests,
+            descent,
+            shape,
             one_step,
             most_active,
             sees_reentry,
-            may_be_unstable: stability.as_ref().is_some_and(|stability| may_be_unstable(model, &stored, stability)),
-            search_ends: stability.map(Stability::ends).unwrap_or_default(),
+            may_be_unstable,
+            search_ends,
             max_evolutions: max_evolutions(model),
-            comes_back: Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len(),
             stored,
             regions,
             evolution,
