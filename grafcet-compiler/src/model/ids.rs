@@ -3,6 +3,57 @@
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut};
 
+/// What others build upon, as loops: the standard library's own go through four functions more, for each closure anew, and whoever
+/// uses the macro builds it without optimisation.
+macro_rules! searches {
+    () => {
+        fn fold<B, F: FnMut(B, Self::Item) -> B>(mut self, begin: B, mut join: F) -> B {
+            let mut joined = begin;
+            while let Some(item) = self.next() {
+                joined = join(joined, item);
+            }
+            joined
+        }
+
+        fn any<F: FnMut(Self::Item) -> bool>(&mut self, mut test: F) -> bool {
+            while let Some(item) = self.next() {
+                if test(item) {
+                    return true;
+                }
+            }
+            false
+        }
+
+        fn all<F: FnMut(Self::Item) -> bool>(&mut self, mut test: F) -> bool {
+            while let Some(item) = self.next() {
+                if !test(item) {
+                    return false;
+                }
+            }
+            true
+        }
+
+        fn find<P: FnMut(&Self::Item) -> bool>(&mut self, mut test: P) -> Option<Self::Item> {
+            while let Some(item) = self.next() {
+                if test(&item) {
+                    return Some(item);
+                }
+            }
+            None
+        }
+
+        fn find_map<B, F: FnMut(Self::Item) -> Option<B>>(&mut self, mut look: F) -> Option<B> {
+            while let Some(item) = self.next() {
+                let found = look(item);
+                if found.is_some() {
+                    return found;
+                }
+            }
+            None
+        }
+    };
+}
+
 /// An index into one arena.
 pub trait Id: Copy {
     /// From the position of declaration.
@@ -44,14 +95,15 @@ impl<I: Id, T> Arena<I, T> {
     }
 
     /// All ids, in the order of declaration.
-    pub fn ids(&self) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + use<I, T> {
-        (0..self.items.len()).map(I::new)
+    #[must_use]
+    pub fn ids(&self) -> Ids<I> {
+        Ids { from: 0, to: self.items.len(), id: PhantomData }
     }
 
     /// All values with their ids.
     #[must_use]
-    pub fn iter(&self) -> impl DoubleEndedIterator<Item = (I, &T)> + ExactSizeIterator {
-        self.items.iter().enumerate().map(|(i, v)| (I::new(i), v))
+    pub fn iter(&self) -> Entries<'_, I, T> {
+        Entries { ids: self.ids(), items: &self.items }
     }
 
     /// All values.
@@ -72,6 +124,80 @@ impl<I: Id, T> IndexMut<I> for Arena<I, T> {
         &mut self.items[id.index()]
     }
 }
+
+/// The ids of an arena, in the order of declaration.
+#[derive(Clone)]
+pub struct Ids<I> {
+    from: usize,
+    to: usize,
+    id: PhantomData<I>,
+}
+
+impl<I: Id> Iterator for Ids<I> {
+    type Item = I;
+
+    fn next(&mut self) -> Option<I> {
+        if self.from == self.to {
+            return None;
+        }
+        self.from += 1;
+        Some(I::new(self.from - 1))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.to - self.from, Some(self.to - self.from))
+    }
+
+    searches!();
+}
+
+impl<I: Id> DoubleEndedIterator for Ids<I> {
+    fn next_back(&mut self) -> Option<I> {
+        if self.from == self.to {
+            return None;
+        }
+        self.to -= 1;
+        Some(I::new(self.to))
+    }
+}
+
+impl<I: Id> ExactSizeIterator for Ids<I> {}
+
+/// The values of an arena with their ids, in the order of declaration.
+pub struct Entries<'a, I, T> {
+    ids: Ids<I>,
+    items: &'a [T],
+}
+
+impl<I: Clone, T> Clone for Entries<'_, I, T> {
+    fn clone(&self) -> Self {
+        Self { ids: self.ids.clone(), items: self.items }
+    }
+}
+
+impl<'a, I: Id, T> Iterator for Entries<'a, I, T> {
+    type Item = (I, &'a T);
+
+    fn next(&mut self) -> Option<(I, &'a T)> {
+        let id = self.ids.next()?;
+        Some((id, &self.items[id.index()]))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.ids.size_hint()
+    }
+
+    searches!();
+}
+
+impl<I: Id, T> DoubleEndedIterator for Entries<'_, I, T> {
+    fn next_back(&mut self) -> Option<Self::Item> {
+        let id = self.ids.next_back()?;
+        Some((id, &self.items[id.index()]))
+    }
+}
+
+impl<I: Id, T> ExactSizeIterator for Entries<'_, I, T> {}
 
 macro_rules! ids {
     ($($(#[$doc:meta])* $name:ident;)*) => {$(
