@@ -3,13 +3,14 @@
 use grafcet_core::description::{self, Description};
 use proc_macro2::Ident;
 
+use crate::list::List;
 use crate::model::{Dialect, Effect, ForceOrder, Id, Model, PartialId, StepId, TimeRef, Transition};
 
 /// Calls `f` with the description of a chart.
 pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R) -> R {
     let texts = Texts::of(model);
-    let actions: Vec<Vec<_>> = texts.steps.iter().map(StepTexts::actions).collect();
-    let forces: Vec<Vec<&str>> = texts.steps.iter().map(|step| strs(&step.forces)).collect();
+    let actions: Vec<Vec<_>> = texts.steps.iter().map(StepTexts::actions).list();
+    let forces: Vec<Vec<&str>> = texts.steps.iter().map(|step| strs(&step.forces)).list();
     let steps = model.steps.values().zip(&texts.steps).zip(actions.iter().zip(&forces));
     let steps: Vec<_> = steps
         .map(|((step, texts), (actions, forces))| description::Step {
@@ -21,9 +22,9 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             actions,
             forces,
         })
-        .collect();
-    let ends: Vec<Ends> = model.drawn_transitions().map(|(_, t)| Ends::of(model, t)).collect();
-    let lists: Vec<[Vec<&str>; 2]> = texts.transitions.iter().map(|t| [strs(&t.clearing), strs(&t.except)]).collect();
+        .list();
+    let ends: Vec<Ends> = model.drawn_transitions().map(|(_, t)| Ends::of(model, t)).list();
+    let lists: Vec<[Vec<&str>; 2]> = texts.transitions.iter().map(|t| [strs(&t.clearing), strs(&t.except)]).list();
     let transitions = texts.transitions.iter().zip(ends.iter().zip(&lists));
     let transitions: Vec<_> = transitions
         .map(|(texts, (ends, [clearing, except]))| description::Transition {
@@ -34,7 +35,7 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             condition: &texts.condition,
             clearing,
         })
-        .collect();
+        .list();
     let partials = model.partials.values().zip(&texts.partials);
     let partials: Vec<_> = partials
         .map(|(partial, name)| description::Partial {
@@ -42,7 +43,7 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             enclosed_by: partial.enclosed_by.map(Id::index),
             doc: &partial.doc,
         })
-        .collect();
+        .list();
     let macros = model.macros.values().zip(&texts.macros);
     let macros: Vec<_> = macros
         .map(|(m, name)| description::MacroStep {
@@ -52,10 +53,9 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             exit: m.exit.index(),
             doc: &m.doc,
         })
-        .collect();
+        .list();
     let lets = model.lets.values().zip(&texts.lets);
-    let lets: Vec<_> =
-        lets.map(|(named, name)| description::Let { name, text: &named.text, doc: &named.doc }).collect();
+    let lets: Vec<_> = lets.map(|(named, name)| description::Let { name, text: &named.text, doc: &named.doc }).list();
     let dialect = match model.dialect {
         Dialect::Sfc => description::Dialect::Sfc,
         Dialect::Grafcet => description::Dialect::Grafcet,
@@ -128,7 +128,7 @@ impl StepTexts {
                 condition: &texts.condition,
                 text: &texts.text,
             })
-            .collect()
+            .list()
     }
 }
 
@@ -137,16 +137,16 @@ impl Texts {
         let transition = |t: &Transition| TransitionTexts {
             name: t.name.as_ref().map(plain).unwrap_or_default(),
             condition: t.condition.text.clone(),
-            clearing: t.clearing.iter().map(|done| effect(model, done)).collect(),
-            except: t.any.map_or_else(Vec::new, |any| model.anys[any].except.iter().map(plain).collect()),
+            clearing: t.clearing.iter().map(|done| effect(model, done)).list(),
+            except: t.any.map_or_else(Vec::new, |any| model.anys[any].except.iter().map(plain).list()),
         };
         Self {
             name: plain(&model.name),
-            partials: model.partials.values().map(|p| p.name.as_ref().map(plain).unwrap_or_default()).collect(),
-            macros: model.macros.values().map(|m| plain(&m.name)).collect(),
-            steps: model.steps.ids().map(|step| step_texts(model, step)).collect(),
-            transitions: model.drawn_transitions().map(|(_, t)| transition(t)).collect(),
-            lets: model.lets.values().map(|named| plain(&named.name)).collect(),
+            partials: model.partials.values().map(|p| p.name.as_ref().map(plain).unwrap_or_default()).list(),
+            macros: model.macros.values().map(|m| plain(&m.name)).list(),
+            steps: model.steps.ids().map(|step| step_texts(model, step)).list(),
+            transitions: model.drawn_transitions().map(|(_, t)| transition(t)).list(),
+            lets: model.lets.values().map(|named| plain(&named.name)).list(),
         }
     }
 }
@@ -167,7 +167,7 @@ fn step_texts(model: &Model, id: StepId) -> StepTexts {
         let force = &model.forces[*id];
         format!("{} {{{}}}", partial(model, force.target), order(model, &force.order))
     });
-    StepTexts { name: plain(&step.name), actions: actions.collect(), forces: forces.collect() }
+    StepTexts { name: plain(&step.name), actions: actions.list(), forces: forces.list() }
 }
 
 /// `relay`, `count = count + 1`, `heat(80)`, `count += 1;`
@@ -176,7 +176,7 @@ fn effect(model: &Model, effect: &Effect) -> String {
         Effect::Control(place) => plain(model.place_name(*place)),
         Effect::Assign(place, value) => format!("{} = {}", plain(model.place_name(*place)), value.text),
         Effect::Call(action, arguments) => {
-            let arguments: Vec<&str> = arguments.iter().map(|argument| argument.text.as_str()).collect();
+            let arguments: Vec<&str> = arguments.iter().map(|argument| argument.text.as_str()).list();
             format!("{}({})", plain(&model.actions[*action].name), arguments.join(", "))
         }
         Effect::Block(code) => code.text.clone(),
@@ -198,7 +198,7 @@ fn partial(model: &Model, id: PartialId) -> String {
 fn order(model: &Model, order: &ForceOrder) -> String {
     match order {
         ForceOrder::Steps(steps) => {
-            let names: Vec<String> = steps.iter().map(|step| plain(&model.steps[*step].name)).collect();
+            let names: Vec<String> = steps.iter().map(|step| plain(&model.steps[*step].name)).list();
             names.join(", ")
         }
         ForceOrder::Hold => "*".to_owned(),
@@ -212,9 +212,9 @@ fn plain(name: &Ident) -> String {
 }
 
 fn numbers(steps: &[StepId]) -> Vec<usize> {
-    steps.iter().map(|step| step.index()).collect()
+    steps.iter().map(|step| step.index()).list()
 }
 
 fn strs(texts: &[String]) -> Vec<&str> {
-    texts.iter().map(String::as_str).collect()
+    texts.iter().map(String::as_str).list()
 }

@@ -9,6 +9,7 @@ pub mod check;
 mod codegen;
 pub mod describe;
 pub mod diagnostic;
+mod list;
 mod mark;
 mod methods;
 pub mod model;

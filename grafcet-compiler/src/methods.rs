@@ -7,6 +7,7 @@
 use proc_macro2::Ident;
 use syn::{Expr, ExprMethodCall, Member, Type};
 
+use crate::list::List;
 use crate::model::Ty;
 
 /// The name that a place is a part of: `a` of `a.b[1]`.
@@ -23,12 +24,12 @@ pub(crate) fn root(expr: &Expr) -> Option<&Ident> {
 /// The names whose places an assignment to `left` writes: `a` and `b` of `(a, b.c) = …`.
 pub(crate) fn targets(left: &Expr) -> Vec<&Ident> {
     match left {
-        Expr::Tuple(tuple) => tuple.elems.iter().flat_map(targets).collect(),
-        Expr::Array(array) => array.elems.iter().flat_map(targets).collect(),
-        Expr::Call(call) => call.args.iter().flat_map(targets).collect(),
-        Expr::Struct(fields) => fields.fields.iter().flat_map(|field| targets(&field.expr)).collect(),
+        Expr::Tuple(tuple) => tuple.elems.iter().flat_map(targets).list(),
+        Expr::Array(array) => array.elems.iter().flat_map(targets).list(),
+        Expr::Call(call) => call.args.iter().flat_map(targets).list(),
+        Expr::Struct(fields) => fields.fields.iter().flat_map(|field| targets(&field.expr)).list(),
         Expr::Paren(paren) => targets(&paren.expr),
-        place => root(place).into_iter().collect(),
+        place => root(place).into_iter().list(),
     }
 }
 
@@ -110,8 +111,8 @@ pub(crate) fn kind_of(rust: &Type) -> Kind<'_> {
 }
 
 fn of_path(path: &syn::Path) -> Kind<'_> {
-    let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).list();
+    let names: Vec<&str> = names.iter().map(String::as_str).list();
     match &names[..] {
         [number] if PRIMITIVE.contains(number) => Kind::Number,
         ["Option"] | ["core" | "std", "option", "Option"] => Kind::Option,

@@ -1,5 +1,6 @@
 //! Boolean variables of a `grafcet` that continuous actions assert: they hold no value of their own (A22).
 
+use crate::list::List;
 use crate::model::{Association, Binary, Effect, Model, Name, Place, Qualifier, Read, Tree, Unary, VarId};
 use crate::sorted::Set;
 
@@ -9,7 +10,7 @@ pub fn in_order(model: &Model) -> Vec<VarId> {
     if !model.is_grafcet() {
         return Vec::new();
     }
-    let mut waiting: Vec<VarId> = model.vars.ids().filter(|var| asserted(model, *var).next().is_some()).collect();
+    let mut waiting: Vec<VarId> = model.vars.ids().filter(|var| asserted(model, *var).next().is_some()).list();
     let mut order = Vec::new();
     loop {
         let ready = |var: &VarId| reads(model, *var).iter().all(|other| !waiting.contains(other));

@@ -8,6 +8,7 @@
 use std::collections::VecDeque;
 
 use super::{Logic, Relation, pairs};
+use crate::list::List;
 use crate::model::{Any, ForceOrder, Id, Model, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -152,7 +153,7 @@ impl<'m> Search<'m> {
             left
         };
         Self {
-            left: model.anys.values().map(leaves).collect(),
+            left: model.anys.values().map(leaves).list(),
             model,
             relation: Relation::new(steps),
             reachable: vec![false; steps],
@@ -161,12 +162,7 @@ impl<'m> Search<'m> {
             work: VecDeque::new(),
             queued: vec![false; model.transitions.len()],
             leaving,
-            sourceless: model
-                .transitions
-                .iter()
-                .filter(|(_, t)| t.sources.is_empty())
-                .map(|(id, _)| id.index())
-                .collect(),
+            sourceless: model.transitions.iter().filter(|(_, t)| t.sources.is_empty()).map(|(id, _)| id.index()).list(),
         }
     }
 
@@ -188,7 +184,7 @@ impl<'m> Search<'m> {
     /// Groups of steps of a partial grafcet that become active together.
     fn starts(&self, partial: PartialId) -> Vec<Vec<StepId>> {
         let steps = &self.model.partials[partial].steps;
-        let pick = |wanted: &dyn Fn(StepId) -> bool| steps.iter().copied().filter(|s| wanted(*s)).collect::<Vec<_>>();
+        let pick = |wanted: &dyn Fn(StepId) -> bool| steps.iter().copied().filter(|s| wanted(*s)).list();
         let mut groups = vec![pick(&|s| self.model.steps[s].initial), pick(&|s| self.model.steps[s].linked)];
         for force in self.model.forces.values().filter(|f| f.target == partial) {
             if let ForceOrder::Steps(forced) = &force.order {
@@ -202,7 +198,7 @@ impl<'m> Search<'m> {
         if self.model.partials.len() == 1 {
             return;
         }
-        let ids: Vec<_> = self.model.steps.ids().collect();
+        let ids: Vec<_> = self.model.steps.ids().list();
         for (i, a) in ids.iter().enumerate() {
             for b in &ids[i + 1..] {
                 if self.model.steps[*a].partial != self.model.steps[*b].partial {
@@ -214,10 +210,10 @@ impl<'m> Search<'m> {
 
     /// IEC 60848 rule 4: branches that are not exclusive clear together.
     fn seed_overlapping_branches(&mut self, logic: &Logic<'_>) {
-        let transitions: Vec<&Transition> = self.model.transitions.values().collect();
+        let transitions: Vec<&Transition> = self.model.transitions.values().list();
         for leaving in self.leaving.clone() {
             let read = |index: &usize| (*index, logic.condition(&transitions[*index].condition.tree));
-            let conditions: Vec<_> = leaving.iter().filter(|_| leaving.len() > 1).map(read).collect();
+            let conditions: Vec<_> = leaving.iter().filter(|_| leaving.len() > 1).map(read).list();
             for (i, (a, first)) in conditions.iter().enumerate() {
                 for (b, second) in &conditions[i + 1..] {
                     let ids = [*a, *b].map(TransitionId::new);
@@ -234,8 +230,8 @@ impl<'m> Search<'m> {
         if self.model.partials.values().all(|partial| partial.enclosed_by.is_none()) {
             return;
         }
-        let ids: Vec<_> = self.model.steps.ids().collect();
-        let outside: Vec<Vec<StepId>> = ids.iter().map(|step| self.enclosing(*step)).collect();
+        let ids: Vec<_> = self.model.steps.ids().list();
+        let outside: Vec<Vec<StepId>> = ids.iter().map(|step| self.enclosing(*step)).list();
         let mut relation = Relation::new(ids.len());
         for a in &ids {
             for b in &ids[a.index() + 1..] {
@@ -297,7 +293,7 @@ impl<'m> Search<'m> {
     /// What clearing a transition can lead to.
     fn fire(&mut self, index: usize) {
         let transition = &self.model.transitions.values().as_slice()[index];
-        let sources: Vec<usize> = transition.sources.iter().map(|s| s.index()).collect();
+        let sources: Vec<usize> = transition.sources.iter().map(|s| s.index()).list();
         let enabled = sources.iter().all(|s| self.reachable[*s])
             && sources.iter().enumerate().all(|(i, a)| sources[i + 1..].iter().all(|b| self.relation.contains(*a, *b)));
         if !enabled {
@@ -324,7 +320,7 @@ impl<'m> Search<'m> {
         if !std::mem::replace(&mut self.reachable[step.index()], true) {
             self.queue_leaving(step.index());
             // Steps can be related before they are reached: what leaves one of them now has a bystander.
-            for related in self.relation.of(step.index()).collect::<Vec<_>>() {
+            for related in self.relation.of(step.index()).list() {
                 self.queue_leaving(related);
             }
             // A source transition can clear at any time, so its targets meet every reachable step.

@@ -1,5 +1,6 @@
 //! Which partial grafcets act on which, and the initial situation that follows from it.
 
+use crate::list::List;
 use crate::model::{ForceOrder, Model, PartialId, StepId};
 use crate::sorted::Set;
 
@@ -8,7 +9,7 @@ use crate::sorted::Set;
 #[must_use]
 pub fn top_down(model: &Model) -> Vec<PartialId> {
     let mut order: Vec<PartialId> = Vec::new();
-    let mut waiting: Vec<PartialId> = model.partials.ids().collect();
+    let mut waiting: Vec<PartialId> = model.partials.ids().list();
     loop {
         let ready = |id: &PartialId| masters(model, *id).iter().all(|master| order.contains(master));
         let Some(next) = waiting.iter().position(ready) else { break };
@@ -23,7 +24,7 @@ pub fn top_down(model: &Model) -> Vec<PartialId> {
 pub fn masters(model: &Model, partial: PartialId) -> Vec<PartialId> {
     let enclosing = model.partials[partial].enclosed_by.into_iter();
     let forcing = model.forces.values().filter(|force| force.target == partial).map(|force| force.step);
-    enclosing.chain(forcing).map(|step| model.steps[step].partial).collect()
+    enclosing.chain(forcing).map(|step| model.steps[step].partial).list()
 }
 
 /// The initial situation: the initial steps, what an initial step forces (A11), and inside an enclosing step that is
@@ -35,7 +36,7 @@ pub fn initial_situation(model: &Model) -> Set<StepId> {
     for id in top_down(model) {
         let partial = &model.partials[id];
         let steps = |wanted: fn(&crate::model::Step) -> bool| {
-            partial.steps.iter().copied().filter(|step| wanted(&model.steps[*step])).collect::<Vec<_>>()
+            partial.steps.iter().copied().filter(|step| wanted(&model.steps[*step])).list()
         };
         let order = model.forces.values().find(|force| force.target == id && active.contains(&force.step));
         match (order.map(|force| &force.order), partial.enclosed_by) {

@@ -1,6 +1,7 @@
 //! Which things meet, of those that belong to steps.
 
 use super::Concurrency;
+use crate::list::List;
 use crate::model::StepId;
 use crate::sorted::{Map, Set};
 
@@ -24,8 +25,8 @@ pub(crate) fn pairs(concurrency: &Concurrency, things: &[(usize, Option<StepId>)
                 .chain([*step])
                 .filter_map(|other| at.get(&other))
                 .flat_map(|things| things.iter().copied())
-                .collect(),
-            None => things.iter().map(|(other, _)| *other).collect(),
+                .list(),
+            None => things.iter().map(|(other, _)| *other).list(),
         };
         for other in others.into_iter().filter(|other| other != thing) {
             if found.len() >= PAIRS {

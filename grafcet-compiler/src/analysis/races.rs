@@ -4,6 +4,7 @@
 
 use super::explore::{Limits, Rival, rivals_meeting};
 use super::{Concurrency, Condition, Logic, meeting};
+use crate::list::List;
 use crate::model::{
     Association, AssociationId, Effect, Expr, ForceOrder, Id, Model, PartialId, Place, Qualifier, Read, StepId,
     TransitionId, Tree, Trigger, Unary,
@@ -33,13 +34,13 @@ impl Races {
         let race = Race::new(model, concurrency, Logic::within(model, concurrency, never));
         let mut pairs: Vec<(Place, Write<'_>, Write<'_>)> = Vec::new();
         for (place, writes) in race.collect() {
-            let causes: Vec<Set<Cause>> = writes.iter().map(|write| race.causes(write.when, 0)).collect();
+            let causes: Vec<Set<Cause>> = writes.iter().map(|write| race.causes(write.when, 0)).list();
             let things: Vec<_> = writes
                 .iter()
                 .zip(&causes)
                 .enumerate()
                 .flat_map(|(i, (write, causes))| race.steps_of(write, causes).into_iter().map(move |step| (i, step)))
-                .collect();
+                .list();
             for (i, j) in meeting::pairs(concurrency, &things) {
                 let (first, second) = (&writes[i], &writes[j]);
                 if race.can_meet((first, &causes[i]), (second, &causes[j])) {
@@ -50,7 +51,7 @@ impl Races {
         // What holds pair by pair may never come about in the course of the chart.
         if model.is_grafcet() && !pairs.is_empty() {
             let rivals: Vec<(Rival<'_>, Rival<'_>)> =
-                pairs.iter().map(|(_, first, second)| (first.rival(model), second.rival(model))).collect();
+                pairs.iter().map(|(_, first, second)| (first.rival(model), second.rival(model))).list();
             let mut met = rivals_meeting(model, limits, &rivals, never).into_iter();
             pairs.retain(|_| met.next() != Some(false));
         }
@@ -58,7 +59,7 @@ impl Races {
         let all = pairs
             .into_iter()
             .filter(|(place, _, second)| reported.insert((*place, drawn(model, second.writer), second.number)));
-        Self { all: all.map(|(place, first, second)| (place, first.writer, second.writer)).collect() }
+        Self { all: all.map(|(place, first, second)| (place, first.writer, second.writer)).list() }
     }
 
     /// Whether several stored actions can write the place in one evolution.
@@ -149,7 +150,7 @@ impl<'m> Race<'m> {
                 Trigger::Activation => When::Entered(association.step),
                 Trigger::Active | Trigger::Event => When::Active(association.step),
             };
-            let conditions: Vec<_> = association.condition.iter().chain(&association.event).collect();
+            let conditions: Vec<_> = association.condition.iter().chain(&association.event).list();
             for place in association.effect.writes() {
                 let (value, conditions) = (value.clone(), conditions.clone());
                 all.or_default(*place).push(Write { value, when, conditions, writer: Writer::Action(id), number: 0 });
@@ -211,7 +212,7 @@ impl<'m> Race<'m> {
     /// The conditions under which an action runs, and those of what it follows from.
     fn conditions(&self, write: &Write<'_>, cause: Cause) -> Vec<Condition> {
         let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
-        let mut all: Vec<Condition> = write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).collect();
+        let mut all: Vec<Condition> = write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).list();
         match cause {
             Cause::Transition(id) => {
                 let transition = &self.model.transitions[id];
@@ -236,17 +237,15 @@ impl<'m> Race<'m> {
     fn exclude(&self, a: (&Write<'_>, Cause), b: (&Write<'_>, Cause)) -> bool {
         // In an `sfc` those of actions are read behind the evolution, those of transitions before it.
         if !self.model.is_grafcet() && (!a.0.conditions.is_empty() || !b.0.conditions.is_empty()) {
-            let of = |write: &Write<'_>| {
-                write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).collect::<Vec<_>>()
-            };
+            let of = |write: &Write<'_>| write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).list();
             return self.impossible(of(a.0).into_iter().chain(of(b.0)));
         }
         self.impossible(self.conditions(a.0, a.1).into_iter().chain(self.conditions(b.0, b.1)))
     }
 
     fn impossible(&self, all: impl Iterator<Item = Condition>) -> bool {
-        let all: Vec<Condition> = all.collect();
-        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).collect();
+        let all: Vec<Condition> = all.list();
+        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).list();
         self.logic.impossible(&goals)
     }
 
@@ -306,7 +305,7 @@ impl<'m> Race<'m> {
                     Cause::Transition(id) => self.model.transitions[*id].sources.first().copied(),
                     Cause::While(step) => Some(*step),
                 })
-                .collect(),
+                .list(),
         }
     }
 
@@ -330,7 +329,7 @@ impl<'m> Race<'m> {
     fn prevents(&self, clears: TransitionId, other: TransitionId) -> bool {
         let (clears, mut partial) = (&self.model.transitions[clears], self.model.transitions[other].partial);
         let orders = || clears.targets.iter().flat_map(|step| &self.model.steps[*step].forces);
-        let mut orders = orders().map(|id| &self.model.forces[*id]).collect::<Vec<_>>();
+        let mut orders = orders().map(|id| &self.model.forces[*id]).list();
         if orders.iter().any(|force| force.target == partial) {
             return true;
         }

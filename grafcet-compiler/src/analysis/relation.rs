@@ -1,5 +1,6 @@
 //! A symmetric relation between things counted from 0.
 
+use crate::list::List;
 use std::vec;
 
 /// Pairs of indices, one bit each.
@@ -52,7 +53,7 @@ impl Relation {
         for (word, known) in words.iter_mut().zip(self.row(to)) {
             *word &= !known;
         }
-        set(&words).into_iter().take_while(|item| *item < self.size).collect()
+        set(&words).into_iter().take_while(|item| *item < self.size).list()
     }
 
     fn row(&self, a: usize) -> &[u64] {

@@ -1,4 +1,5 @@
 //! Disjoint sets of numbers.
+use crate::list::List;
 
 /// Numbers, of which some belong together.
 pub struct Union {
@@ -9,7 +10,7 @@ impl Union {
     /// The numbers below `size`, each by itself.
     #[must_use]
     pub fn new(size: usize) -> Self {
-        Self { parents: (0..size).collect() }
+        Self { parents: (0..size).list() }
     }
 
     /// The least number of those that an item belongs to.

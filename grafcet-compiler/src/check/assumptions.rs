@@ -2,6 +2,7 @@
 
 use crate::analysis::{Condition, Logic};
 use crate::diagnostic::Sink;
+use crate::list::List;
 use crate::model::{Assumption, Model};
 
 /// Reports assumptions that together exclude every input, and none that could be missing among them. A mistake of notation:
@@ -9,12 +10,12 @@ use crate::model::{Assumption, Model};
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     let logic = Logic::new(model);
     let read = |assumption: &'_ Assumption| logic.condition(&assumption.never.tree);
-    let conditions: Vec<Condition> = model.assumptions.iter().map(read).collect();
+    let conditions: Vec<Condition> = model.assumptions.iter().map(read).list();
     let exclude_all = |those: &[usize]| {
-        let goals: Vec<_> = those.iter().map(|index| (&conditions[*index], false)).collect();
+        let goals: Vec<_> = those.iter().map(|index| (&conditions[*index], false)).list();
         logic.impossible(&goals)
     };
-    let mut culprits: Vec<usize> = (0..conditions.len()).collect();
+    let mut culprits: Vec<usize> = (0..conditions.len()).list();
     if culprits.is_empty() || !exclude_all(&culprits) {
         return;
     }

@@ -3,6 +3,7 @@
 use super::drawing;
 use crate::analysis::{Answer, Concurrency, Condition, Logic};
 use crate::diagnostic::{Sink, rules};
+use crate::list::List;
 use crate::model::{Binary, Id, LevelAttr, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -36,7 +37,7 @@ impl Branches<'_> {
             if before.is_empty() {
                 continue;
             }
-            let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).collect();
+            let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).list();
             before.reverse();
             if model.is_grafcet() {
                 self.overlapping(id, &before, sink);
@@ -65,7 +66,7 @@ impl Branches<'_> {
             self.model.transitions[*id].condition.reads.iter().all(still)
         };
         for leaving in self.leaving().into_iter().filter(|branches| self.model.is_grafcet() && branches.len() > 1) {
-            let leaving: Vec<TransitionId> = leaving.into_iter().filter(known).collect();
+            let leaving: Vec<TransitionId> = leaving.into_iter().filter(known).list();
             for (i, a) in leaving.iter().enumerate() {
                 for b in &leaving[i + 1..] {
                     if presumed.len() < PRESUMED && self.is_undecided(*a, *b) {
@@ -100,10 +101,10 @@ impl Branches<'_> {
         // One that is enabled whenever this one is.
         let wins = |other: &&TransitionId| self.model.transitions[**other].sources.iter().all(|s| sources.contains(s));
         let mut first: Vec<(TransitionId, &Condition)> =
-            before.iter().filter(wins).map(|other| (*other, self.condition(*other))).collect();
+            before.iter().filter(wins).map(|other| (*other, self.condition(*other))).list();
         let own = self.condition(id);
         let implied = |by: &[(TransitionId, &Condition)]| {
-            self.logic.implies(own, &by.iter().map(|(_, condition)| *condition).collect::<Vec<_>>())
+            self.logic.implies(own, &by.iter().map(|(_, condition)| *condition).list())
         };
         if first.is_empty() || !implied(&first) {
             return false;
@@ -122,7 +123,7 @@ impl Branches<'_> {
                 }
             }
         }
-        let shadowing: Vec<TransitionId> = first.iter().map(|(other, _)| *other).collect();
+        let shadowing: Vec<TransitionId> = first.iter().map(|(other, _)| *other).list();
         match shadowing[..] {
             _ if shadowing.iter().any(|other| self.always.contains(other)) => {}
             [one] if self.is_duplicate(one, id) => drawing::duplicate_transition(self.model, one, id, sink),
@@ -185,10 +186,9 @@ impl Branches<'_> {
             let (first, second) = (&self.model.transitions[*other], &self.model.transitions[id]);
             let steps: Set<StepId> = first.sources.iter().chain(&second.sources).copied().collect();
             let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
-            let active: Vec<Condition> = steps.iter().map(active).collect();
+            let active: Vec<Condition> = steps.iter().map(active).list();
             let goals = [(self.condition(*other), true), (own, true)];
-            let Answer::Witness(inputs) = self.logic.certainly_together(&goals, &active.iter().collect::<Vec<_>>())
-            else {
+            let Answer::Witness(inputs) = self.logic.certainly_together(&goals, &active.iter().list()) else {
                 continue;
             };
             let when = if inputs.is_empty() { "always".to_owned() } else { format!("with `{inputs}`") };

@@ -4,6 +4,7 @@ use super::branches::never_else;
 use crate::analysis::explore::situation;
 use crate::analysis::{Answer, Condition, Logic};
 use crate::diagnostic::{Rule, Severity, Sink, rules};
+use crate::list::List;
 use crate::model::{Binary, Expr, LevelAttr, Model, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -95,8 +96,8 @@ fn holds_while_enabled(logic: &Logic<'_>, transition: &Transition) -> bool {
     }
     let condition = &logic.condition(&transition.condition.tree);
     let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
-    let active: Vec<Condition> = transition.sources.iter().map(active).collect();
-    let mut goals: Vec<_> = active.iter().map(|source| (source, true)).collect();
+    let active: Vec<Condition> = transition.sources.iter().map(active).list();
+    let mut goals: Vec<_> = active.iter().map(|source| (source, true)).list();
     if logic.impossible(&goals) {
         return false;
     }
@@ -140,7 +141,7 @@ fn apart(model: &Model, logic: &Logic<'_>, tree: &Tree) -> Option<String> {
         }
     }
     let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
-    let active: Vec<Condition> = steps.iter().map(active).collect();
+    let active: Vec<Condition> = steps.iter().map(active).list();
     let pairs = (0..steps.len()).flat_map(|a| (a + 1..steps.len()).map(move |b| (a, b)));
     let mut apart = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
     let (a, b) = apart.next()?;
@@ -209,8 +210,8 @@ pub(super) fn has_edge(expr: &Expr) -> bool {
 
 /// Whether the condition certainly can hold while none of its edges does.
 fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Condition) -> bool {
-    let edges: Vec<Condition> = edges(expr).map(|read| logic.condition(&Tree::Read(read))).collect();
-    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).collect();
+    let edges: Vec<Condition> = edges(expr).map(|read| logic.condition(&Tree::Read(read))).list();
+    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).list();
     goals.push((condition, true));
     matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_))
 }

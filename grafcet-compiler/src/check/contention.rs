@@ -2,6 +2,7 @@
 
 use crate::analysis::{Concurrency, Condition, Logic, meeting};
 use crate::diagnostic::{Rule, Sink, rules};
+use crate::list::List;
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, TimeRef, Tree};
 use crate::sorted::{Map, Set};
 
@@ -38,7 +39,7 @@ impl Contention<'_> {
             }
         }
         for (output, all) in of_output {
-            let associations: Vec<&Association> = all.iter().map(|(association, _)| *association).collect();
+            let associations: Vec<&Association> = all.iter().map(|(association, _)| *association).list();
             let differ = |i: usize, j: usize| all[i].1 != all[j].1;
             for (i, j) in self.meetings(&associations, differ) {
                 let name = &self.model.outputs[output].name;
@@ -100,10 +101,10 @@ impl Contention<'_> {
 
     /// The pairs of associations that can act at the same time; each is paired with the first one before it.
     fn meetings(&self, all: &[&Association], differ: impl Fn(usize, usize) -> bool) -> Vec<(usize, usize)> {
-        let things: Vec<_> = all.iter().enumerate().map(|(i, association)| (i, Some(association.step))).collect();
+        let things: Vec<_> = all.iter().enumerate().map(|(i, association)| (i, Some(association.step))).list();
         let mut reported = Set::new();
         let pairs = meeting::pairs(self.concurrency, &things).into_iter();
-        pairs.filter(|(i, j)| differ(*i, *j) && !self.exclude(all[*i], all[*j]) && reported.insert(*j)).collect()
+        pairs.filter(|(i, j)| differ(*i, *j) && !self.exclude(all[*i], all[*j]) && reported.insert(*j)).list()
     }
 
     /// Whether the two never act at the same time.
@@ -111,10 +112,10 @@ impl Contention<'_> {
         let of = |association: &Association| {
             let condition = association.condition.iter().map(|expr| self.logic.of_action(&expr.tree));
             let active = self.logic.condition(&Tree::Read(Read::Active(association.step)));
-            condition.chain([active]).collect::<Vec<Condition>>()
+            condition.chain([active]).list()
         };
-        let all: Vec<Condition> = of(a).into_iter().chain(of(b)).collect();
-        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).collect();
+        let all: Vec<Condition> = of(a).into_iter().chain(of(b)).list();
+        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).list();
         self.logic.impossible(&goals)
     }
 

@@ -5,6 +5,7 @@ use quote::ToTokens;
 
 use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Effect, Expr, Model, Name, Place, Read, VarId};
 use crate::plan::is_stored;
 use crate::sorted::Set;
@@ -40,7 +41,7 @@ fn reads_continuous(model: &Model, sink: &mut Sink) {
 /// What the user's expressions and blocks read, with their tokens.
 fn expressions(model: &Model) -> Vec<(&[Read], TokenStream)> {
     let effects = model.effects();
-    let mut exprs: Vec<&Expr> = model.transitions.values().map(|t| &t.condition).collect();
+    let mut exprs: Vec<&Expr> = model.transitions.values().map(|t| &t.condition).list();
     for association in model.associations.values() {
         exprs.extend(association.condition.iter().chain(&association.event));
     }
@@ -75,7 +76,7 @@ fn combinational_circles(model: &Model, sink: &mut Sink) {
     let order = combinational::in_order(model);
     let mut known: Set<VarId> = Set::new();
     for var in &order {
-        let waits: Vec<VarId> = combinational::reads(model, *var).into_iter().filter(|v| order.contains(v)).collect();
+        let waits: Vec<VarId> = combinational::reads(model, *var).into_iter().filter(|v| order.contains(v)).list();
         if waits.iter().all(|other| known.contains(other)) {
             known.insert(*var);
             continue;
@@ -85,7 +86,7 @@ fn combinational_circles(model: &Model, sink: &mut Sink) {
             "`{}` follows from itself: {} in its condition depends on it in turn; break the circle with a stored \
              variable (`S`, `R`)",
             model.vars[*var].name,
-            waits.iter().map(|other| format!("`{}`", model.vars[*other].name)).collect::<Vec<_>>().join(", ")
+            waits.iter().map(|other| format!("`{}`", model.vars[*other].name)).list().join(", ")
         );
         sink.rule(&rules::COMBINATIONAL_CIRCLE, &[], vec![(association.mark, message)]);
     }

@@ -1,6 +1,7 @@
 //! The rules of drawing: initial steps, doubled transitions, steps on their own.
 
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId, TransitionId};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -12,7 +13,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 /// Every chart starts somewhere; a sequential function chart in exactly one step (IEC 61131-3).
 fn initial_steps(model: &Model, sink: &mut Sink) {
     for (id, partial) in model.partials.iter() {
-        let initial: Vec<StepId> = partial.steps.iter().copied().filter(|step| model.steps[*step].initial).collect();
+        let initial: Vec<StepId> = partial.steps.iter().copied().filter(|step| model.steps[*step].initial).list();
         if initial.is_empty() {
             if !model.incomplete && !is_started_elsewhere(model, id) {
                 no_initial_step(model, id, sink);
@@ -28,8 +29,8 @@ fn initial_steps(model: &Model, sink: &mut Sink) {
                 (Mark::from(name), message)
             };
             let own = initial.iter().map(|step| &model.steps[*step].levels[..]);
-            let scopes: Vec<_> = own.chain([&model.levels[..]]).collect();
-            sink.rule(&rules::SEVERAL_INITIAL_STEPS, &scopes, initial.iter().map(note).collect());
+            let scopes: Vec<_> = own.chain([&model.levels[..]]).list();
+            sink.rule(&rules::SEVERAL_INITIAL_STEPS, &scopes, initial.iter().map(note).list());
         }
     }
 }
@@ -99,7 +100,7 @@ fn names(model: &Model, steps: &[StepId]) -> String {
     match steps {
         [step] => format!("`{}`", model.steps[*step].name),
         _ => {
-            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
             format!("`({})`", names.join(", "))
         }
     }

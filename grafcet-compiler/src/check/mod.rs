@@ -29,6 +29,7 @@ use self::silent::{Silent, Told};
 use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Concurrency, Logic, Races, mixed};
 use crate::diagnostic::{Sink, rules};
+use crate::list::List;
 use crate::model::{Model, Name, Read, Tree};
 
 /// The rules that need no more than the drawing itself; most hold on a chart with unresolved parts too.
@@ -50,7 +51,7 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order. Returned are the races that were
 /// found, whatever the chart says of them: they are facts for the plan too.
 pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
-    let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
+    let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).list();
     let never = &assumed[..];
     let independent = Concurrency::assuming(model, never);
     let concurrency = independent.across_partials(model);
@@ -59,7 +60,7 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     let mixed = mixed(model);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let (exploration, aways) = properties::check(model, &logic, limits, never, sink);
-    let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).collect();
+    let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).list();
     let conditions::Said { never: mut said, always } = conditions::check(model, &logic, &conditions, sink);
     // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and behind an evolution act
     // in the same cycle, so that steps can race which are never active together.
@@ -83,7 +84,7 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     let partings = if presumed.is_empty() {
         safety::check(model, &exploration, sink)
     } else {
-        let never: Vec<&Tree> = never.iter().copied().chain(&presumed).collect();
+        let never: Vec<&Tree> = never.iter().copied().chain(&presumed).list();
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
     };
     let stays = waits::check(model, &independent, &exploration, &dead, &mut told, sink);

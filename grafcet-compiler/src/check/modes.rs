@@ -4,6 +4,7 @@ use syn::Ident;
 
 use super::targets;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Association, Dialect, Effect, Model, Place, Qualifier};
 use crate::plan::is_stored;
 
@@ -70,7 +71,7 @@ fn uses(model: &Model, place: Place) -> Vec<Use> {
         place: format!("step `{}`", model.steps[association.step].name),
         unsure: association.effect.unsure(place).map(str::to_owned),
     });
-    let mut uses: Vec<Use> = of_steps.collect();
+    let mut uses: Vec<Use> = of_steps.list();
     for transition in model.transitions.values().filter(|_| model.is_grafcet()) {
         for effect in transition.clearing.iter().filter(|effect| effect.writes().contains(&place)) {
             uses.push(Use {

@@ -6,6 +6,7 @@ use super::waits::Stays;
 use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation};
 use crate::analysis::{Logic, Nesting, mixed, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
+use crate::list::List;
 use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -32,8 +33,8 @@ pub(super) fn check<'m>(
         .filter(|property| !property.claim.expressions().iter().any(|expr| reads_any(expr, &mixed)))
         .filter_map(|property| Some((property, property.claim.violation()?)))
         .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))))
-        .collect();
-    let watched: Vec<&Tree> = open.iter().map(|(_, violation)| violation).collect();
+        .list();
+    let watched: Vec<&Tree> = open.iter().map(|(_, violation)| violation).list();
     let exploration = Exploration::assuming(model, &limits, &watched, never);
     let report = Report { model, limits };
     for (index, (property, _)) in open.iter().enumerate() {
@@ -163,7 +164,7 @@ impl Report<'_> {
     fn too_many(&self, at: &[StepId], inputs: &[Tree]) -> String {
         const SHOWN: usize = 8;
         let names: Vec<String> =
-            inputs.iter().take(SHOWN).map(|input| format!("`{}`", self.model.tree_text(input))).collect();
+            inputs.iter().take(SHOWN).map(|input| format!("`{}`", self.model.tree_text(input))).list();
         let rest = inputs.len().saturating_sub(SHOWN);
         let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
         format!(
@@ -179,7 +180,7 @@ impl Report<'_> {
 
     fn too_late(&self, property: &Property, home: (&str, Mark), times: &[&Given], path: &Path, sink: &mut Sink) {
         let (model, (home, mark)) = (self.model, home);
-        let texts: Vec<String> = times.iter().map(|given| given.text(model)).collect();
+        let texts: Vec<String> = times.iter().map(|given| given.text(model)).list();
         let (late, lost) = (texts.join(" && "), situation(model, path.end()));
         let message = format!(
             "who waits in `{lost}` until `{late}` has no way back to exactly {home}; draw one, or correct the property\n{}",
@@ -256,7 +257,7 @@ fn grouped(number: u64) -> String {
 /// The times that have passed at the end of a way.
 fn times(path: &Path) -> Vec<&Given> {
     let given = path.cycles.last().into_iter().flat_map(|cycle| &cycle.given);
-    given.filter(|given| matches!(given.what, Tree::Read(Read::Since(_) | Read::MacroSince(_)))).collect()
+    given.filter(|given| matches!(given.what, Tree::Read(Read::Since(_) | Read::MacroSince(_)))).list()
 }
 
 /// Whether something that is read is this time.

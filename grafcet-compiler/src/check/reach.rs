@@ -10,6 +10,7 @@ use crate::analysis::Concurrency;
 use crate::analysis::explore::{Exploration, StuckJoin, situation};
 use crate::analysis::hierarchy::initial_situation;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Blinker, Dialect, ForceOrder, Id, Model, Step, StepId, Transition, TransitionId};
 use crate::sorted::Set;
 
@@ -109,9 +110,9 @@ pub(super) fn read_steps(model: &Model, id: TransitionId) -> impl Iterator<Item 
 /// The dead transitions that only wait for steps which other dead ones lead to.
 fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>) -> Set<TransitionId> {
     let waits_for = |id: &TransitionId| -> Vec<StepId> {
-        read_steps(model, *id).filter(|step| !exploration.reachable(*step)).collect()
+        read_steps(model, *id).filter(|step| !exploration.reachable(*step)).list()
     };
-    let mut open: Vec<(TransitionId, Vec<StepId>)> = dead.iter().map(|id| (*id, waits_for(id))).collect();
+    let mut open: Vec<(TransitionId, Vec<StepId>)> = dead.iter().map(|id| (*id, waits_for(id))).list();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
@@ -123,7 +124,7 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>
     let mut behind = vec![false; model.steps.len()];
     let mut follow = Set::new();
     let causes = open.iter().filter(|(_, waits)| waits.is_empty());
-    let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).collect();
+    let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).list();
     // Of steps to which no arrow leads it has been said.
     let drawn = drawn(model);
     work.extend(model.steps.ids().filter(|step| !drawn[step.index()]));
@@ -167,7 +168,7 @@ pub(super) fn idle(model: &Model, exploration: &Exploration) -> Set<TransitionId
 /// The steps to which arrows lead from where the chart starts, whatever the conditions.
 fn drawn(model: &Model) -> Vec<bool> {
     let mut drawn = vec![false; model.steps.len()];
-    let mut work: Vec<StepId> = initial_situation(model).into_iter().collect();
+    let mut work: Vec<StepId> = initial_situation(model).into_iter().list();
     work.extend(model.steps.iter().filter(|(_, step)| step.linked).map(|(id, _)| id));
     for force in model.forces.values() {
         match &force.order {
@@ -179,7 +180,7 @@ fn drawn(model: &Model) -> Vec<bool> {
             }
         }
     }
-    let mut missing: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).collect();
+    let mut missing: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).list();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));

@@ -6,6 +6,7 @@
 
 use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
@@ -64,7 +65,7 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
             notes.push((model.transitions[parting].mark, message));
         }
     }
-    let starts: Vec<StepId> = meeting.starts.iter().filter(|start| model.steps[**start].initial).copied().collect();
+    let starts: Vec<StepId> = meeting.starts.iter().filter(|start| model.steps[**start].initial).copied().list();
     if let (Parting::Start, [first, others @ ..]) = (meeting.parting, &starts[..]) {
         notes.extend(others.iter().map(|other| {
             let (name, first) = (&model.steps[*other].name, &model.steps[*first].name);

@@ -8,6 +8,7 @@ use super::reach;
 use crate::analysis::Concurrency;
 use crate::analysis::explore::Exploration;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Model, Read, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -28,7 +29,7 @@ impl Silent<'_> {
     /// Says what is dead and not explained, one cause after the other.
     pub(super) fn check(&self, mut told: Told, sink: &mut Sink) {
         let idle = reach::idle(self.model, self.exploration);
-        let lost: Vec<StepId> = self.model.steps.ids().filter(|step| !self.exploration.reachable(*step)).collect();
+        let lost: Vec<StepId> = self.model.steps.ids().filter(|step| !self.exploration.reachable(*step)).list();
         if idle.is_empty() && lost.is_empty() {
             return;
         }
@@ -107,6 +108,6 @@ impl Silent<'_> {
 
     /// The steps that are never active and that its condition reads.
     fn waits_for(&self, id: TransitionId) -> Vec<StepId> {
-        reach::read_steps(self.model, id).filter(|step| !self.exploration.reachable(*step)).collect()
+        reach::read_steps(self.model, id).filter(|step| !self.exploration.reachable(*step)).list()
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::analysis::{Concurrency, hierarchy};
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Force, ForceOrder, Model, PartialId};
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
@@ -120,7 +121,7 @@ fn missing_initial_steps(model: &Model, sink: &mut Sink) {
 
 /// A14: two orders that may force one partial grafcet at the same time.
 pub(super) fn two_masters(model: &Model, concurrency: &Concurrency, sink: &mut Sink) {
-    let forces: Vec<&Force> = model.forces.values().collect();
+    let forces: Vec<&Force> = model.forces.values().list();
     for (i, first) in forces.iter().enumerate() {
         for second in &forces[i + 1..] {
             let together = first.step == second.step || concurrency.together(first.step, second.step);

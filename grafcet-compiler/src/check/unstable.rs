@@ -3,6 +3,7 @@
 use crate::analysis::circles::{Circle, Circles};
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -35,7 +36,7 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
             text(model, &circle)
         );
         let levels = |id: &TransitionId| &model.transitions[*id].levels[..];
-        let mut scopes: Vec<&[LevelAttr]> = circle.transitions.iter().map(levels).collect();
+        let mut scopes: Vec<&[LevelAttr]> = circle.transitions.iter().map(levels).list();
         scopes.extend(circle.transitions.first().map(|id| &model.partials[model.transitions[*id].partial].levels[..]));
         scopes.push(&model.levels);
         sink.rule(&rules::POSSIBLE_INSTABILITY, &scopes, notes(model, &circle, &message));
@@ -45,8 +46,8 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
 fn notes(model: &Model, circle: &Circle, message: &str) -> Vec<(Mark, String)> {
     let mut seen = Set::new();
     let once = |id: &&TransitionId| model.transitions[**id].any.is_none_or(|any| seen.insert(any));
-    let transitions: Vec<&TransitionId> = circle.transitions.iter().filter(once).collect();
-    transitions.into_iter().map(|id| (model.transitions[*id].mark, message.to_owned())).collect()
+    let transitions: Vec<&TransitionId> = circle.transitions.iter().filter(once).list();
+    transitions.into_iter().map(|id| (model.transitions[*id].mark, message.to_owned())).list()
 }
 
 /// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.
@@ -54,17 +55,17 @@ fn text(model: &Model, circle: &Circle) -> String {
     let side = |steps: &[StepId]| match steps {
         [step] => model.steps[*step].name.to_string(),
         _ => {
-            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+            let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
             format!("({})", names.join(", "))
         }
     };
     let partials: Set<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
     let path = |partial: &PartialId| {
         let all = circle.transitions.iter().map(|id| &model.transitions[*id]);
-        let own: Vec<_> = all.filter(|transition| transition.partial == *partial).collect();
-        let mut parts: Vec<String> = own.iter().map(|transition| side(&transition.sources)).collect();
+        let own: Vec<_> = all.filter(|transition| transition.partial == *partial).list();
+        let mut parts: Vec<String> = own.iter().map(|transition| side(&transition.sources)).list();
         parts.extend(own.last().map(|last| side(&last.targets)));
         format!("`{}`", parts.join(" → "))
     };
-    partials.iter().map(path).collect::<Vec<_>>().join(" with ")
+    partials.iter().map(path).list().join(" with ")
 }

@@ -7,6 +7,7 @@ use super::silent::Told;
 use crate::analysis::Concurrency;
 use crate::analysis::explore::{Deadlock, Exploration, StuckJoin, situation};
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -42,7 +43,7 @@ pub(super) fn check(
         transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
     }
     let contended: Vec<&Deadlock> =
-        exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).collect();
+        exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).list();
     for deadlock in smallest(&contended) {
         let errors = sink.errors();
         contention(model, exploration, deadlock, sink);
@@ -75,7 +76,7 @@ pub(super) fn check(
         waiting.contains(step) || leaving[step.index()].iter().any(|transition| dead.contains(transition))
     };
     let ends: Vec<&Deadlock> =
-        exploration.deadlocks().iter().filter(|deadlock| !deadlock.steps.iter().any(explained)).collect();
+        exploration.deadlocks().iter().filter(|deadlock| !deadlock.steps.iter().any(explained)).list();
     for deadlock in smallest(&ends) {
         let errors = sink.errors();
         report(model, deadlock, &leaving, sink);
@@ -114,7 +115,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
     let note = |step: &StepId| {
         let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
         let missing = joins.flat_map(|stuck| &model.transitions[stuck.join].sources);
-        let mut missing: Vec<StepId> = missing.filter(|source| !deadlock.steps.contains(source)).copied().collect();
+        let mut missing: Vec<StepId> = missing.filter(|source| !deadlock.steps.contains(source)).copied().list();
         missing.sort_unstable();
         missing.dedup();
         let name = &model.steps[*step].name;
@@ -125,7 +126,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
         );
         (Mark::from(name), message)
     };
-    deadlocked(model, deadlock, deadlock.steps.iter().map(note).collect(), sink);
+    deadlocked(model, deadlock, deadlock.steps.iter().map(note).list(), sink);
 }
 
 fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
@@ -188,7 +189,7 @@ fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sin
         };
         (Mark::from(name), message)
     };
-    deadlocked(model, deadlock, deadlock.steps.iter().map(note).collect(), sink);
+    deadlocked(model, deadlock, deadlock.steps.iter().map(note).list(), sink);
 }
 
 fn deadlocked(model: &Model, deadlock: &Deadlock, mut notes: Vec<(Mark, String)>, sink: &mut Sink) {
@@ -197,7 +198,7 @@ fn deadlocked(model: &Model, deadlock: &Deadlock, mut notes: Vec<(Mark, String)>
         first.push('\n');
         first.push_str(&deadlock.path.table(model));
     }
-    let mut scopes: Vec<&[LevelAttr]> = deadlock.steps.iter().map(|step| &model.steps[*step].levels[..]).collect();
+    let mut scopes: Vec<&[LevelAttr]> = deadlock.steps.iter().map(|step| &model.steps[*step].levels[..]).list();
     scopes.extend([&model.partials[deadlock.partial].levels[..], &model.levels]);
     sink.rule(&rules::DEADLOCK, &scopes, notes);
 }

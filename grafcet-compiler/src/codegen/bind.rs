@@ -5,6 +5,7 @@ use quote::{ToTokens, quote, quote_spanned};
 
 use super::situation::At;
 use super::{Cx, names, writes};
+use crate::list::List;
 use crate::model::{
     Binary, Blink, Blinker, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder,
 };
@@ -91,7 +92,7 @@ impl Cx<'_> {
             }
             other => other.into(),
         };
-        tokens.into_iter().map(one).collect()
+        tokens.into_iter().map(one).tokens()
     }
 
     /// A block of the user: what it may write is a copy, which `commit` takes over.
@@ -144,7 +145,7 @@ impl Cx<'_> {
             let value = bare(value);
             quote!(#unused let #name = #value;)
         };
-        reads.iter().map(one).collect()
+        reads.iter().map(one).tokens()
     }
 
     fn read(&self, read: Read, moment: Moment) -> TokenStream {
@@ -324,7 +325,7 @@ pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
             }
             _ => None,
         })
-        .collect();
+        .tokens();
     let tokens = &expr.tokens;
     if bindings.is_empty() { tokens.to_token_stream() } else { quote!({ #bindings #tokens }) }
 }

@@ -5,6 +5,7 @@ use quote::{ToTokens, quote};
 
 use super::Cx;
 use super::bind::Moment;
+use crate::list::List;
 use crate::model::{Binary, Expr, Read, Tree, placeholder};
 
 /// One branch: under which condition it is taken, `None` for "always", and what it does.
@@ -65,7 +66,7 @@ impl Cx<'_> {
                 };
                 name.is_some_and(|name| mentions(tokens.to_token_stream(), &name.to_string()))
             };
-            let reads = condition.reads.iter().copied().filter(mentioned).collect();
+            let reads = condition.reads.iter().copied().filter(mentioned).list();
             Expr { tree, tokens, reads, text: condition.text.clone(), mark: condition.mark }
         };
         let rest = tree.1.zip(tokens.1).map(|(tree, tokens)| part(tree, tokens));

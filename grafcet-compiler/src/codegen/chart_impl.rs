@@ -7,6 +7,7 @@ use super::bind::Moment;
 use super::situation::{At, shown_in};
 use super::state::step_name;
 use super::{Cx, derives, names, requirements, types};
+use crate::list::List;
 use crate::model::StepId;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_exactly`, `is_stable`, `next_deadline`.
@@ -65,8 +66,7 @@ pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
 fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     let Cx { model, p, names, .. } = cx;
     let (vis, inputs) = (&model.vis, &names.inputs);
-    let excluded: Vec<_> =
-        (0..model.assumptions.len()).map(|index| names::local(&format!("excluded_{index}"))).collect();
+    let excluded: Vec<_> = (0..model.assumptions.len()).map(|index| names::local(&format!("excluded_{index}"))).list();
     let values = model.assumptions.iter().map(|assumption| cx.value(&assumption.never, Moment::Condition));
     let reads_nothing = model.assumptions.iter().all(|assumption| assumption.never.reads.is_empty());
     let copied = requirements::copied(model, p);
@@ -208,7 +208,7 @@ fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
             let (active, name) = (holds(cx, id), step_name(cx, id));
             quote!(if #active { let _ = #steps.push(#name); })
         };
-        cx.model.steps.ids().map(push).collect()
+        cx.model.steps.ids().map(push).tokens()
     };
     (capacity, quote!(let mut #steps = #p::heapless::Vec::new(); #pushes #steps))
 }
@@ -280,7 +280,7 @@ fn situation_of_flags(cx: &Cx<'_>) -> TokenStream {
         let (name, shown) = (&cx.names.situation, cx.shown_flags());
         return quote!(#shown #name { steps });
     }
-    let mut steps: Vec<_> = cx.model.steps.ids().collect();
+    let mut steps: Vec<_> = cx.model.steps.ids().list();
     let last = steps.pop().map(|step| step_name(cx, step));
     let others = steps.into_iter().map(|step| {
         let (active, name) = (holds(cx, step), step_name(cx, step));
@@ -304,7 +304,7 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
         let bytes = Literal::usize_suffixed(cx.flag_bytes());
         quote!(steps: [#p::u8; #bytes])
     } else {
-        fields.collect()
+        fields.tokens()
     };
     let arms = model.steps.ids().map(|id| {
         let step = step_name(cx, id);

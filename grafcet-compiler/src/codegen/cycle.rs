@@ -6,6 +6,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{ActionId, Dialect, Expr};
 use crate::plan::RegionId;
 
@@ -24,7 +25,7 @@ impl Cx<'_> {
             let before = names::before(0, self.plan);
             return quote!(let #before = self.situation;);
         }
-        (0..self.plan.regions.all().len()).map(|region| self.before(region)).collect()
+        (0..self.plan.regions.all().len()).map(|region| self.before(region)).tokens()
     }
 
     /// The state of a region before the evolution.

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{
     Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Place, Qualifier, Read, StepId, TimeRef, Tree,
 };
@@ -61,7 +62,7 @@ impl Cx<'_> {
         let left_over = if self.remembers_settled() { quote!(!self.settled) } else { self.first() };
         let unknown = self.restless().into_iter().map(|steps| {
             let active = steps.iter().map(|step| self.in_step(At::Now, *step));
-            let active: Vec<_> = active.collect();
+            let active: Vec<_> = active.list();
             if active.is_empty() { quote!(true) } else { quote!(#(#active)&&*) }
         });
         let at_once = quote!(#left_over #(|| #unknown)*);
@@ -93,7 +94,7 @@ impl Cx<'_> {
             Clock::Step(step) => (self.in_step(At::Now, step), self.counted(self.plan.regions.of_step(step))),
             Clock::Macro(id) => {
                 let active = self.model.macros[id].steps.iter().map(|step| self.in_step(At::Now, *step));
-                let (active, since) = (active.collect::<Vec<_>>(), names::macro_time(id));
+                let (active, since) = (active.list(), names::macro_time(id));
                 (quote!(#(#active)||*), quote!(self.#since))
             }
         };

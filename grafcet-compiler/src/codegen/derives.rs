@@ -5,6 +5,7 @@ use quote::{ToTokens, format_ident, quote};
 use syn::{Path, Type};
 
 use super::requirements;
+use crate::list::List;
 use crate::model::{Model, Ty};
 
 /// The traits that a type derives on its own.
@@ -17,7 +18,7 @@ pub(super) struct Derives {
 
 /// Of a struct with fields of these types. Of a user's own type only what a chart needs is asked for.
 pub(super) fn of<'t>(types: impl Iterator<Item = &'t Ty>) -> Derives {
-    let types: Vec<_> = types.collect();
+    let types: Vec<_> = types.list();
     let foreign = requirements::distinct(types.iter().copied(), requirements::is_copy);
     let mut derives = vec!["Clone", "Copy"];
     if types.iter().all(|ty| !matches!(ty, Ty::Other(_)) || ty.is_float()) {
@@ -57,7 +58,7 @@ impl Derives {
             let (module, name) = (format_ident!("{}", module(name)), format_ident!("{name}"));
             quote!(#p::core::#module::#name)
         });
-        let own: Vec<_> = own.collect();
+        let own: Vec<_> = own.list();
         let own = (!own.is_empty()).then(|| quote!(#[derive(#(#own),*)]));
         let users = self.users(model, &["Default"]);
         quote!(#own #users)
@@ -87,14 +88,14 @@ impl Derives {
         let has =
             |path: &&Path| !standard(path).is_some_and(|name| self.names.iter().chain(others).any(|own| name == *own));
         let attributes = model.derives.iter().map(|derive| {
-            let traits: Vec<&Path> = derive.traits.iter().filter(has).collect();
+            let traits: Vec<&Path> = derive.traits.iter().filter(has).list();
             match &derive.when {
                 _ if traits.is_empty() => TokenStream::new(),
                 None => quote!(#[derive(#(#traits),*)]),
                 Some(when) => quote!(#[cfg_attr(#when, derive(#(#traits),*))]),
             }
         });
-        attributes.collect()
+        attributes.tokens()
     }
 }
 

@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 
 use super::Cx;
 use crate::describe::with_description;
+use crate::list::List;
 
 /// The chart as it is drawn, in the documentation alone: editors that show the source's comments show no picture.
 pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {
@@ -81,7 +82,7 @@ fn all_transitions(transitions: &[Transition<'_>]) -> TokenStream {
         let steps = steps.iter().copied().map(number);
         Some(quote!((#id, d::Any { steps: &[#(#steps),*], except: &[#(#except),*] })))
     });
-    let anys: Vec<TokenStream> = anys.collect();
+    let anys: Vec<TokenStream> = anys.list();
     if anys.is_empty() { all } else { quote!(d::table::with_any(#all, &[#(#anys),*])) }
 }
 
@@ -120,7 +121,7 @@ fn step_tables(steps: &[Step<'_>]) -> TokenStream {
     let names = texts("STEPS", steps.iter().map(|step| step.name));
     let numbers = numbers("STEP_NUMBERS", &quote!(Number), steps.iter().flat_map(row));
     let forces = texts("FORCES", steps.iter().flat_map(|step| step.forces).copied());
-    let actions: Vec<&Action<'_>> = steps.iter().flat_map(|step| step.actions).collect();
+    let actions: Vec<&Action<'_>> = steps.iter().flat_map(|step| step.actions).list();
     let count = number(actions.len());
     let parts = actions.iter().flat_map(|a| [a.qualifier, a.time, a.condition, a.text]);
     let actions = texts("ACTIONS", parts);
@@ -147,13 +148,13 @@ fn transition_tables(transitions: &[Transition<'_>]) -> TokenStream {
 }
 
 fn texts<'t>(name: &str, texts: impl Iterator<Item = &'t str>) -> TokenStream {
-    let texts: Vec<&str> = texts.collect();
+    let texts: Vec<&str> = texts.list();
     let (name, count) = (format_ident!("{name}"), number(texts.len()));
     quote!(static #name: [d::table::Text; #count] = [#(#texts),*];)
 }
 
 fn numbers(name: &str, ty: &TokenStream, numbers: impl Iterator<Item = Literal>) -> TokenStream {
-    let numbers: Vec<Literal> = numbers.collect();
+    let numbers: Vec<Literal> = numbers.list();
     let (name, count) = (format_ident!("{name}"), number(numbers.len()));
     quote!(static #name: [d::table::#ty; #count] = [#(#numbers),*];)
 }

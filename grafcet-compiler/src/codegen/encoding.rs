@@ -1,6 +1,7 @@
 //! What the documentation of a chart's type says about its encoding.
 
 use super::{Cx, names};
+use crate::list::List;
 use crate::plan::{Region, RegionId};
 
 /// How many sets of steps, and of each how many steps, are named.
@@ -18,7 +19,7 @@ impl Cx<'_> {
         }
         let bytes = bytes((0..regions.len()).map(|region| self.region_bytes(region)).sum());
         let [region] = regions else {
-            let mut sets: Vec<_> = regions.iter().take(named(regions.len())).map(|region| self.set(region)).collect();
+            let mut sets: Vec<_> = regions.iter().take(named(regions.len())).map(|region| self.set(region)).list();
             sets.extend(more(regions.len()));
             let sets = sets.join("\n- ");
             return Some(format!(
@@ -61,7 +62,7 @@ impl Cx<'_> {
     fn set(&self, region: &Region) -> String {
         let named = region.steps.iter().take(named(region.steps.len()));
         let named = named.map(|step| format!("`{}`", names::private_variant(self.model, *step)));
-        named.chain(more(region.steps.len())).collect::<Vec<_>>().join(", ")
+        named.chain(more(region.steps.len())).list().join(", ")
     }
 }
 

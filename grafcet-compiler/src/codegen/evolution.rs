@@ -7,6 +7,7 @@ use super::bind::Moment;
 use super::branches::Branch;
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::plan::{Form, RegionId};
 use crate::sorted::Map;
@@ -67,13 +68,13 @@ impl Cx<'_> {
     /// A partial grafcet, of which the situation after is a copy.
     fn evolve_compared(&self, partial: PartialId) -> TokenStream {
         let contests = self.plan.evolution.contests.iter().map(|contest| self.contest(contest));
-        let regions: Vec<_> = self.plan.regions.of_partial(partial).collect();
+        let regions: Vec<_> = self.plan.regions.of_partial(partial).list();
         let transitions = if self.plan.shape.is_flags() {
             let steps = self.model.partials[partial].steps.iter();
             let arms = steps.filter_map(|step| Some((*step, self.leave_step(*step)?)));
-            vec![self.visit(At::Before, &arms.collect::<Vec<_>>())]
+            vec![self.visit(At::Before, &arms.list())]
         } else {
-            regions.iter().map(|region| self.evolve_region(*region)).collect()
+            regions.iter().map(|region| self.evolve_region(*region)).list()
         };
         let sources = self.source_transitions(partial);
         let late = self.enter_late(partial);
@@ -108,7 +109,7 @@ impl Cx<'_> {
         if self.model.is_grafcet() {
             let stop = self.stop();
             let leaving = |step: &&StepId| !self.plan.evolution.owned[step.index()].is_empty();
-            let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).collect();
+            let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).list();
             let rest = (steps.len() < self.states(0)).then(|| quote!(_ => #stop,));
             let arms = steps.into_iter().map(|step| {
                 let (variant, next) = (self.variant(*step), self.next_step(*step));
@@ -174,7 +175,7 @@ impl Cx<'_> {
             return stay.clone();
         }
         let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });
-        self.branches(branches.collect(), stay)
+        self.branches(branches.list(), stay)
     }
 
     /// The condition of a transition behind the other branches of its steps, `None` for `true` and for `else`.
@@ -195,7 +196,7 @@ impl Cx<'_> {
         let transition = &self.model.transitions[id];
         if self.model.is_grafcet() && transition.sources == transition.targets {
             // A4g: nothing happens to a step that is left and entered at once.
-            return transition.sources.iter().map(|step| self.stay(*step)).collect();
+            return transition.sources.iter().map(|step| self.stay(*step)).tokens();
         }
         let actions = self.clearing_actions(id);
         let (stays, seen) = (transition.sources == transition.targets, self.plan.sees_reentry[0]);
@@ -214,7 +215,7 @@ impl Cx<'_> {
         let before = names::before(region, self.plan);
         let steps = &self.plan.regions.all()[region].steps;
         let arms = steps.iter().filter_map(|step| Some((self.variant(*step), self.leave_step(*step)?)));
-        let arms: Vec<_> = arms.map(|(variant, body)| quote!(#variant => { #body })).collect();
+        let arms: Vec<_> = arms.map(|(variant, body)| quote!(#variant => { #body })).list();
         let alone = !self.model.is_grafcet() && self.plan.regions.all().len() == 1;
         let start = (alone && self.has_start_variant(region)).then(|| {
             let (start, initial, after) = (self.start(), self.initial(region), names::after(region, self.plan));
@@ -241,12 +242,12 @@ impl Cx<'_> {
     /// evaluated once.
     fn all_of(&self, leaving: &[TransitionId]) -> TokenStream {
         let otherwise = |id: &TransitionId| self.model.transitions[*id].plain_else();
-        let elses: Vec<_> = leaving.iter().filter_map(|id| Some((id, otherwise(id)?))).collect();
+        let elses: Vec<_> = leaving.iter().filter_map(|id| Some((id, otherwise(id)?))).list();
         let declare = elses.iter().map(|(id, _)| {
             let other = names::other_branch(**id);
             quote!(let mut #other = false;)
         });
-        let declare: TokenStream = declare.collect();
+        let declare: TokenStream = declare.tokens();
         let transitions = leaving.iter().map(|id| {
             let clear = self.clear(*id);
             if otherwise(id).is_some() {
@@ -264,7 +265,7 @@ impl Cx<'_> {
     pub(super) fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
         if leaving.len() > 1 && leaving.iter().all(|id| self.model.transitions[*id].sources.len() == 1) {
             let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear(*id) });
-            return self.branches(branches.collect(), &TokenStream::new());
+            return self.branches(branches.list(), &TokenStream::new());
         }
         let mut chain = TokenStream::new();
         for (i, id) in leaving.iter().enumerate() {
@@ -286,13 +287,13 @@ impl Cx<'_> {
     /// `None` is "always".
     fn enabled(&self, id: TransitionId) -> Option<TokenStream> {
         let condition = self.condition(id).map(|condition| self.value(&condition, Moment::Condition));
-        let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().chain(condition).collect();
+        let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().chain(condition).list();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
     /// Whether the sources of a transition behind its first one are active.
     fn other_sources(&self, transition: &Transition) -> Vec<TokenStream> {
-        transition.sources.iter().skip(1).map(|step| self.is_active(*step, Moment::Condition)).collect()
+        transition.sources.iter().skip(1).map(|step| self.is_active(*step, Moment::Condition)).list()
     }
 
     fn if_enabled(&self, id: TransitionId, then: &TokenStream) -> TokenStream {
@@ -305,14 +306,14 @@ impl Cx<'_> {
     /// A28: transitions that compete for the sources of an AND-convergence, by priority.
     fn contest(&self, contest: &[TransitionId]) -> TokenStream {
         let mut sources: Vec<StepId> =
-            contest.iter().flat_map(|id| &self.model.transitions[*id].sources).copied().collect();
+            contest.iter().flat_map(|id| &self.model.transitions[*id].sources).copied().list();
         sources.sort_unstable();
         sources.dedup();
         let declare = sources.iter().map(|step| names::left_local(*step)).map(|left| quote!(let mut #left = false;));
         let transitions = contest.iter().map(|id| {
             let transition = &self.model.transitions[*id];
             let active = transition.sources.iter().map(|step| self.is_active(*step, Moment::Condition));
-            let left: Vec<_> = transition.sources.iter().map(|step| names::left_local(*step)).collect();
+            let left: Vec<_> = transition.sources.iter().map(|step| names::left_local(*step)).list();
             // Nothing has left the sources of an `else`: none of the other branches could clear.
             let condition =
                 transition.plain_else().is_none().then(|| self.value(&transition.condition, Moment::Condition));
@@ -327,14 +328,14 @@ impl Cx<'_> {
     fn source_transitions(&self, partial: PartialId) -> TokenStream {
         let sources = self.model.partials[partial].transitions.iter();
         let sources = sources.filter(|id| self.model.transitions[**id].sources.is_empty());
-        sources.map(|id| self.if_enabled(*id, &self.clear(*id))).collect()
+        sources.map(|id| self.if_enabled(*id, &self.clear(*id))).tokens()
     }
 
     /// The effect of clearing a transition: on the situation, and the actions on clearing.
     pub(super) fn clear(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
         let leave = transition.sources.iter().map(|source| self.leave(*source, transition));
-        let mut writes: Vec<_> = leave.filter(|leave| !leave.is_empty()).collect();
+        let mut writes: Vec<_> = leave.filter(|leave| !leave.is_empty()).list();
         for target in &transition.targets {
             let region = self.plan.regions.of_step(*target);
             if self.plan.evolution.entered_last.contains(target) {
@@ -384,6 +385,6 @@ impl Cx<'_> {
             let (is_entered, enter) = (names::enter_local(*step), self.enter(*step));
             quote!(if #is_entered { #again #enter })
         })
-        .collect()
+        .tokens()
     }
 }

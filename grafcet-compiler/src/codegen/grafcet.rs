@@ -7,6 +7,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::{Cx, names};
 use crate::analysis::combinational;
+use crate::list::List;
 use crate::model::{ActionId, Association, Effect, Place, VarId};
 use crate::plan::{Search, Undo, source_order};
 
@@ -168,7 +169,7 @@ impl Cx<'_> {
     /// A25: the situation is a fixed point, and nothing else is to be done.
     fn unchanged(&self) -> TokenStream {
         let same = if self.plan.shape.notes_moves { vec![quote!(!moved)] } else { self.is_same() };
-        let terms: Vec<_> = same.into_iter().chain(self.collected_unchanged()).collect();
+        let terms: Vec<_> = same.into_iter().chain(self.collected_unchanged()).list();
         if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
     }
 
@@ -232,7 +233,7 @@ impl Cx<'_> {
 
     /// Variables that follow from the situation (A22), each behind those it reads.
     pub(super) fn all_combinational(&self, moment: Moment) -> TokenStream {
-        self.plan.memory.combinational.iter().map(|var| self.combinational(*var, moment)).collect()
+        self.plan.memory.combinational.iter().map(|var| self.combinational(*var, moment)).tokens()
     }
 
     /// A variable that follows from the situation.
@@ -301,7 +302,7 @@ impl Cx<'_> {
                 }
             }
         }
-        actions.into_iter().map(|action| self.continuous_call(action)).collect()
+        actions.into_iter().map(|action| self.continuous_call(action)).tokens()
     }
 
     fn continuous_call(&self, action: ActionId) -> TokenStream {
@@ -361,7 +362,7 @@ impl Cx<'_> {
             !crate::plan::is_stored(association)
                 && matches!(association.effect, Effect::Call(other, _) if other == action)
         };
-        source_order(self.model).map(|id| &self.model.associations[id]).filter(calls).collect()
+        source_order(self.model).map(|id| &self.model.associations[id]).filter(calls).list()
     }
 
     /// Several associations give arguments, so the last active one is remembered.

@@ -7,6 +7,7 @@ use syn::Lifetime;
 use super::bind::{Moment, bare};
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{ForceOrder, Id, PartialId, StepId, Transition};
 use crate::plan::{Below, Descent, directly, is_top};
 use crate::sorted::Set;
@@ -21,7 +22,7 @@ impl Cx<'_> {
                 bare(self.is_active(step, Moment::Stable))
             }
         };
-        let forces: Vec<_> = self.model.forces.values().filter(|force| force.target == partial).collect();
+        let forces: Vec<_> = self.model.forces.values().filter(|force| force.target == partial).list();
         if !forces.is_empty() {
             // A11: an order that is there after the evolution shows in it.
             let orders = forces.iter().map(|force| {
@@ -47,7 +48,7 @@ impl Cx<'_> {
 
     fn marked(&self, partial: PartialId, wanted: fn(&crate::model::Step) -> bool) -> Vec<StepId> {
         let steps = &self.model.partials[partial].steps;
-        steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).collect()
+        steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).list()
     }
 
     /// An evolution of all partial grafcets, from the top downwards.
@@ -55,7 +56,7 @@ impl Cx<'_> {
         let partials = self.plan.evolution.partials.iter();
         if self.plan.descent == Descent::Jumps {
             let top = partials.filter(|id| is_top(self.model, **id));
-            return top.map(|partial| self.jump_or_descend(*partial)).collect();
+            return top.map(|partial| self.jump_or_descend(*partial)).tokens();
         }
         let below = partials.clone().filter(|id| !is_top(self.model, **id));
         let declare = below.map(|id| {
@@ -94,7 +95,7 @@ impl Cx<'_> {
     /// Whether one of the partial grafcets was forced before the evolution. A13: in the one in which the order ends it is still
     /// frozen.
     fn frozen(&self, partials: impl IntoIterator<Item = PartialId>) -> Option<TokenStream> {
-        let partials: Vec<_> = partials.into_iter().collect();
+        let partials: Vec<_> = partials.into_iter().list();
         let forces = self.model.forces.values().filter(|force| partials.contains(&force.target));
         let forcing: Set<_> = forces.map(|force| force.step).collect();
         let frozen = forcing.iter().map(|step| self.in_step(At::Before, *step));
@@ -120,7 +121,7 @@ impl Cx<'_> {
     /// The states that a transition gives the regions below it.
     pub(super) fn overwrite_below(&self, below: &Below) -> Vec<TokenStream> {
         let state = |step: &Option<StepId>, region| step.map_or_else(|| self.empty(region), |step| self.variant(step));
-        below.states.iter().map(|(region, step)| self.enter_state(*region, &state(step, *region))).collect()
+        below.states.iter().map(|(region, step)| self.enter_state(*region, &state(step, *region))).list()
     }
 
     /// Nothing below a transition of this partial grafcet clears any more, where it decides about something there.

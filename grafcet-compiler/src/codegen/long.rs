@@ -8,6 +8,7 @@ use syn::Lifetime;
 
 use super::bind::Moment;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{StepId, Tree};
 use crate::sorted::Map;
 
@@ -124,7 +125,7 @@ impl Cx<'_> {
         }
         let (p, on) = (&self.p, names::local("on"));
         // One `true` for all outputs, which LLVM would load anew for each.
-        let set: Vec<Option<TokenStream>> = shared.iter().map(|shared| set_to(&on, &shared.then)).collect();
+        let set: Vec<Option<TokenStream>> = shared.iter().map(|shared| set_to(&on, &shared.then)).list();
         if set.iter().flatten().count() < SET {
             return Some(self.by_table(state, &shared));
         }
@@ -145,7 +146,7 @@ impl Cx<'_> {
         let steps = self.plan.regions.all()[0].steps.iter().map(|step| self.variant(*step));
         let start = self.has_start_variant(0).then(|| self.start());
         let table: Vec<&Ident> =
-            steps.chain(start).map(|state| of_state.get(&state.to_string()).unwrap_or(&nothing)).collect();
+            steps.chain(start).map(|state| of_state.get(&state.to_string()).unwrap_or(&nothing)).list();
         let length = Literal::usize_suffixed(table.len());
         let rest = table.contains(&&nothing).then_some(&nothing);
         let variants = (0..shared.len()).map(variant).chain(rest.cloned());

@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::list::List;
 use crate::model::{
     ActionId, AnyId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId,
     Transition, TransitionId, VarId,
@@ -362,7 +363,7 @@ fn transitions(model: &Model) -> Vec<Ident> {
         }
         names[id.index()] = Some(Ident::new(&name, transition.mark.start));
     }
-    names.into_iter().flatten().collect()
+    names.into_iter().flatten().list()
 }
 
 fn from_steps(model: &Model, transition: &Transition) -> String {
@@ -370,7 +371,7 @@ fn from_steps(model: &Model, transition: &Transition) -> String {
         if steps.is_empty() {
             return none.to_owned();
         }
-        let names: Vec<_> = steps.iter().map(|step| camel(&model.steps[*step].name.to_string())).collect();
+        let names: Vec<_> = steps.iter().map(|step| camel(&model.steps[*step].name.to_string())).list();
         names.join("And")
     };
     let sources = if transition.any.is_some() { "Any".to_owned() } else { list(&transition.sources, "Source") };

@@ -7,6 +7,7 @@ use quote::quote;
 use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{PartialId, TransitionId};
 use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
@@ -15,7 +16,7 @@ impl Cx<'_> {
     /// Keeps what an evolution in place changes, and puts it back.
     pub(super) fn keep_states(&self) -> (TokenStream, TokenStream) {
         let fields = self.changed_in_place();
-        let kept: Vec<_> = fields.iter().map(names::kept).collect();
+        let kept: Vec<_> = fields.iter().map(names::kept).list();
         (quote!(#(let #kept = self.#fields;)*), quote!(#(self.#fields = #kept;)*))
     }
 
@@ -26,7 +27,7 @@ impl Cx<'_> {
         let times = times.flat_map(|region| self.counters_of(region));
         let places = self.written_at_once();
         let places = places.iter().map(|place| names::place_field(self.model, *place));
-        states.chain(times).chain(places).collect()
+        states.chain(times).chain(places).list()
     }
 
     /// An `sfc` only wants to know for `next_deadline`.
@@ -55,7 +56,7 @@ impl Cx<'_> {
     pub(super) fn few_at_a_time(&self, writes: &[TokenStream]) -> TokenStream {
         let fence = self.plan.shape.is_in_place().then(|| self.fence());
         let mut groups = writes.chunks(3);
-        let first: TokenStream = groups.next().into_iter().flatten().cloned().collect();
+        let first: TokenStream = groups.next().into_iter().flatten().cloned().tokens();
         let rest = groups.map(|group| quote!(#fence #(#group)*));
         quote!(#first #(#rest)*)
     }
@@ -63,7 +64,7 @@ impl Cx<'_> {
     /// The evolution of a partial grafcet in place.
     pub(super) fn evolve_in_place(&self, partial: PartialId) -> TokenStream {
         let here = |nest: &&Nest| self.plan.regions.all()[nest.head].partial == partial;
-        let nests: Vec<_> = self.plan.nests.iter().flatten().filter(here).collect();
+        let nests: Vec<_> = self.plan.nests.iter().flatten().filter(here).list();
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let start = (!self.model.is_grafcet()).then(|| {
             let (enter, moved) = (self.enter_initial(), self.note_moved());
@@ -75,13 +76,13 @@ impl Cx<'_> {
                 let (starting, evolve) = (self.is_starting(At::Now), nests.iter().map(|nest| self.nest(nest, None)));
                 quote!(if #starting #enter else { #(#evolve)* })
             }
-            (nests, None) => nests.iter().map(|nest| self.nest(nest, None)).collect(),
+            (nests, None) => nests.iter().map(|nest| self.nest(nest, None)).tokens(),
         }
     }
 
     /// `match` on the head for the steps that are active alone, with what happens beside them behind it.
     fn nest(&self, nest: &Nest, start: Option<&TokenStream>) -> TokenStream {
-        let inner: TokenStream = nest.inner.iter().map(|inner| self.nest(inner, None)).collect();
+        let inner: TokenStream = nest.inner.iter().map(|inner| self.nest(inner, None)).tokens();
         let inner = nest.common.iter().rev().fold(inner, |otherwise, id| {
             let (enabled, clear) = (self.enabled_in_place(*id), self.clear(*id));
             let otherwise = (!otherwise.is_empty()).then(|| quote!(else { #otherwise }));
@@ -130,7 +131,7 @@ impl Cx<'_> {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
         let condition = self.condition(id).map(|condition| self.value(&condition, Moment::Condition));
-        let terms: Vec<_> = sources.chain(condition).collect();
+        let terms: Vec<_> = sources.chain(condition).list();
         quote!(#(#terms)&&*)
     }
 
@@ -157,7 +158,7 @@ impl Cx<'_> {
         let is_named = |after: &Ident| named.contains(&after.to_string());
         let all = 0..self.plan.regions.all().len();
         let all = all.map(|region| (names::after(region, self.plan), self.plain_state(region)));
-        all.filter(|(after, _)| is_named(after)).map(|(after, state)| quote!(let #after = #state;)).collect()
+        all.filter(|(after, _)| is_named(after)).map(|(after, state)| quote!(let #after = #state;)).tokens()
     }
 
     /// The function that does one evolution and says whether it has changed the situation.

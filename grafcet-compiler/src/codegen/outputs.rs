@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::bind::Moment;
 use super::{Cx, names, types};
+use crate::list::List;
 use crate::model::{Association, Id, OutputId, Qualifier};
 
 impl Cx<'_> {
@@ -62,16 +63,13 @@ impl Cx<'_> {
             _ => self.elapsed(time, association.step, moment),
         });
         let condition = association.condition.as_ref().map(|condition| self.value(condition, moment));
-        let terms: Vec<_> = limit.into_iter().chain(condition).collect();
+        let terms: Vec<_> = limit.into_iter().chain(condition).list();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
     /// The flags of resets that come behind everything that sets.
     pub(super) fn declare_resets(&self) -> TokenStream {
-        self.reset_outputs()
-            .map(|id| names::output_reset(self.model, id))
-            .map(|r| quote!(let mut #r = false;))
-            .collect()
+        self.reset_outputs().map(|id| names::output_reset(self.model, id)).map(|r| quote!(let mut #r = false;)).tokens()
     }
 
     /// Reset dominates.
@@ -86,7 +84,7 @@ impl Cx<'_> {
                 let continuous = drive.continuous.then(|| quote!(#local = false;));
                 quote!(if #reset { #stored #continuous })
             })
-            .collect()
+            .tokens()
     }
 
     /// A stored output that others read has changed.

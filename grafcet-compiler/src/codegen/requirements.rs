@@ -5,6 +5,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Expr, Lit, Type};
 
+use crate::list::List;
 use crate::model::{Model, Ty};
 use crate::sorted::Set;
 
@@ -16,7 +17,7 @@ pub(super) fn copied(model: &Model, p: &TokenStream) -> TokenStream {
     let vars = model.vars.values().map(|var| &var.ty);
     let params = model.params.values().map(|param| &param.ty);
     let foreign = distinct(inputs.chain(outputs).chain(vars).chain(params), is_copy);
-    foreign.iter().map(|ty| call(ty, &quote!(copied), &TokenStream::new(), p)).map(|call| quote!(#call;)).collect()
+    foreign.iter().map(|ty| call(ty, &quote!(copied), &TokenStream::new(), p)).map(|call| quote!(#call;)).tokens()
 }
 
 /// The default of a type.

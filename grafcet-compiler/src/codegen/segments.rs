@@ -6,6 +6,7 @@ use quote::{ToTokens, quote};
 use super::nest::mentions;
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{Association, Effect, Expr, StepId};
 use crate::plan::{RegionId, is_stored};
 use crate::sorted::Map;
@@ -46,7 +47,7 @@ impl Cx<'_> {
     /// One `match` for each run of items that look at the same region: their order is kept, since of a region's steps
     /// only one is active, and a step that is not active costs nothing.
     pub(super) fn in_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
-        self.all_in_order(items.into_iter().collect())
+        self.all_in_order(items.into_iter().list())
     }
 
     fn all_in_order(&self, items: Vec<Item>) -> TokenStream {
@@ -88,7 +89,7 @@ impl Cx<'_> {
     /// One `match` for each region, for items of which none sees what another one does. Where conditions or values call
     /// functions of the user, those keep their order.
     pub(super) fn in_any_order(&self, items: impl IntoIterator<Item = Item>) -> TokenStream {
-        self.all_in_any_order(items.into_iter().filter(|item| !item.is_empty()).collect())
+        self.all_in_any_order(items.into_iter().filter(|item| !item.is_empty()).list())
     }
 
     fn all_in_any_order(&self, mut items: Vec<Item>) -> TokenStream {

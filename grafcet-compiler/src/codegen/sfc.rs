@@ -7,6 +7,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::plan::{Target, source_order};
 
@@ -236,7 +237,7 @@ impl Cx<'_> {
         let regions = 0..self.plan.regions.all().len();
         let compared = if self.plan.shape.is_flags() { 0..1 } else { regions.clone() };
         let again = regions.filter(|region| self.plan.sees_reentry[*region]);
-        let again: Vec<_> = again.map(|region| names::again(region, self.plan)).collect();
+        let again: Vec<_> = again.map(|region| names::again(region, self.plan)).list();
         let changed = compared.map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             quote!(#before != #after)
@@ -266,7 +267,7 @@ impl Cx<'_> {
                 let (last, field) = (names::output_last(self.model, id), names::output_field(self.model, id));
                 quote!(let #last = self.#field;)
             })
-            .collect()
+            .tokens()
     }
 }
 

@@ -5,6 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{Id, PartialId, StepId};
 use crate::plan::RegionId;
 
@@ -110,7 +111,7 @@ impl Cx<'_> {
                 None => enter,
             }
         });
-        regions.collect()
+        regions.tokens()
     }
 
     /// The initial situation, entered by an evolution of its own in the first cycle.
@@ -155,7 +156,7 @@ impl Cx<'_> {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             quote!(#after == #before)
         });
-        same.collect()
+        same.list()
     }
 }
 
@@ -183,7 +184,7 @@ impl Cx<'_> {
 
     /// The initial situation.
     pub(super) fn initial_flags(&self) -> TokenStream {
-        self.flags(&self.plan.initial.iter().map(|step| step.index()).collect::<Vec<_>>())
+        self.flags(&self.plan.initial.iter().map(|step| step.index()).list())
     }
 
     /// The steps alone of the chart's own situation, the initial ones before the first cycle.
@@ -221,7 +222,7 @@ impl Cx<'_> {
             let after = self.byte_of(At::After, 8 * byte);
             quote!(#after = #after & #kept | #set;)
         });
-        bytes.collect()
+        bytes.tokens()
     }
 
     /// What happens while steps are active, in their order of declaration. Bytes without an active one of them are passed
@@ -243,7 +244,7 @@ impl Cx<'_> {
 
     /// Where one step is active at most, nothing is left to be done behind it.
     fn one_behind_the_other(&self, all: impl Iterator<Item = TokenStream>) -> TokenStream {
-        let all: Vec<_> = all.collect();
+        let all: Vec<_> = all.list();
         if self.plan.most_active == 1 { quote!(#(#all)else*) } else { quote!(#(#all)*) }
     }
 

@@ -5,12 +5,13 @@ use quote::quote;
 
 use super::control::set_by;
 use super::{Cx, derives, names, types};
+use crate::list::List;
 use crate::model::{Place, Qualifier, Ty};
 use crate::plan::{RegionId, Target, What};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
-    let regions: TokenStream = (0..enums).map(|region| region_enum(cx, region)).collect();
+    let regions: TokenStream = (0..enums).map(|region| region_enum(cx, region)).tokens();
     let chart = chart_struct(cx);
     quote!(#regions #chart)
 }
@@ -23,7 +24,7 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     let steps = region.steps.iter().map(|step| names::private_variant(cx.model, *step));
     let empty = region.may_be_empty.then(|| cx.names.empty.clone());
     let start = cx.has_start_variant(id).then(|| cx.names.start.clone());
-    let variants: Vec<Ident> = steps.chain(empty).chain(start).collect();
+    let variants: Vec<Ident> = steps.chain(empty).chain(start).list();
     let marked = cx.is_marked(id).then(|| marked(cx, &variants));
     let wide = cx.is_wide().then(|| quote!(#[repr(u32)]));
     quote! {
@@ -182,7 +183,7 @@ impl Cx<'_> {
                 self.held(region, &if start { self.start() } else { self.initial(region) })
             },
         };
-        (0..self.plan.regions.all().len()).map(one).collect()
+        (0..self.plan.regions.all().len()).map(one).list()
     }
 
     /// Remembered outputs, variables and the values that edges compare with.
@@ -194,7 +195,7 @@ impl Cx<'_> {
         };
         let stored = self.plan.memory.stored.iter().map(|id| output(*id, names::output_field(self.model, *id)));
         let last = self.plan.memory.last.iter().map(|id| output(*id, names::output_last_field(self.model, *id)));
-        let mut fields: Vec<_> = stored.chain(last).collect();
+        let mut fields: Vec<_> = stored.chain(last).list();
         fields.extend(self.plan.memory.vars.iter().map(|id| {
             let var = &self.model.vars[*id];
             Field {
@@ -243,7 +244,7 @@ impl Cx<'_> {
     /// The flip-flops, timers and memories of the action control, as far as a target needs them.
     fn control_fields(&self) -> Vec<Field> {
         let targets = self.plan.control.targets.iter().enumerate();
-        targets.flat_map(|(index, target)| self.target_fields(index, target)).collect()
+        targets.flat_map(|(index, target)| self.target_fields(index, target)).list()
     }
 
     fn target_fields(&self, index: usize, target: &Target) -> Vec<Field> {
@@ -332,7 +333,7 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
     let remembered = cx.plan.memory.stored.iter().chain(&cx.plan.memory.last).map(|id| &model.outputs[*id].ty);
     let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
-    let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).collect();
+    let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).list();
     let derives = derives::of(types.into_iter());
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);

@@ -10,6 +10,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names, types};
+use crate::list::List;
 use crate::model::{
     Association, AssociationId, Dialect, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId, Trigger,
 };
@@ -80,7 +81,7 @@ impl Cx<'_> {
         });
         let events = self.event_calls().map(|id| names::due("call", id)).map(|due| quote!(!#due));
         let clearings = self.clearing_calls().map(|id| names::due("clearing", id.index())).map(|due| quote!(!#due));
-        places.chain(events).chain(clearings).collect()
+        places.chain(events).chain(clearings).list()
     }
 
     /// The stored actions on the activation of the initial situation (A37).
@@ -92,7 +93,7 @@ impl Cx<'_> {
             .flat_map(|step| &self.model.steps[*step].associations)
             .map(|id| &self.model.associations[*id])
             .filter(|association| instant(association) == Some(Instant::Activation))
-            .collect();
+            .list();
         if actions.is_empty() {
             return TokenStream::new();
         }
@@ -150,7 +151,7 @@ impl Cx<'_> {
     fn at_once(&self, step: StepId, when: Instant) -> TokenStream {
         let actions = self.model.steps[step].associations.iter().map(|id| (*id, &self.model.associations[*id]));
         let actions = actions.filter(|(id, action)| self.acts_at_once(*id) && instant(action) == Some(when));
-        actions.map(|(_, action)| self.conditional(action, Moment::Stored)).collect()
+        actions.map(|(_, action)| self.conditional(action, Moment::Stored)).tokens()
     }
 
     /// Whether a stored action acts where a transition clears, and not behind the evolution.
@@ -179,7 +180,7 @@ impl Cx<'_> {
         let mut actions: Vec<_> = source_order(self.model)
             .map(|id| (id, &self.model.associations[id]))
             .filter_map(|(id, association)| Some((instant(association)?, id, association)))
-            .collect();
+            .list();
         let calls = |(_, _, association): &(Instant, AssociationId, &Association)| {
             matches!(association.effect, Effect::Call(..))
         };

@@ -5,6 +5,7 @@ use quote::{ToTokens, quote};
 
 use super::names::Names;
 use super::{derives, editor, outside, requirements, types};
+use crate::list::List;
 use crate::model::{Model, Ty};
 use crate::sorted::Set;
 use syn::{Attribute, Ident};
@@ -44,13 +45,13 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let chart = record(chart, docs(&model.attrs), Vec::new());
     let declared = model.inputs.values().map(|input| (&input.attrs[..], &input.name, &input.ty));
     let default = outside::default_inputs(model, inputs, p);
-    let inputs = record(inputs, none(), declared.collect());
+    let inputs = record(inputs, none(), declared.list());
     let declared = model.outputs.values().map(|output| (&output.attrs[..], &output.name, &output.ty));
-    let outputs = record(outputs, none(), declared.collect());
+    let outputs = record(outputs, none(), declared.list());
     let params = (!model.params.is_empty()).then(|| {
         let vis = &model.vis;
         let declared = model.params.values().map(|param| (&param.attrs[..], &param.name, &param.ty));
-        let record = record(params, none(), declared.collect());
+        let record = record(params, none(), declared.list());
         // A recipe may be a constant, which rustc evaluates beside these errors: a value, and no `loop {}`.
         let mut seen = Set::new();
         let declared = model.params.values().filter(|param| seen.insert(param.name.to_string()));
@@ -69,7 +70,7 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     });
     let vars = (!model.vars.is_empty()).then(|| {
         let declared = model.vars.values().map(|var| (&var.attrs[..], &var.name, &var.ty));
-        record(&outside::vars_name(model), none(), declared.collect())
+        record(&outside::vars_name(model), none(), declared.list())
     });
     quote!(#chart #inputs #default #outputs #params #vars)
 }
@@ -96,8 +97,8 @@ fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
         let (docs, name) = (docs(&step.attrs), &step.name);
         quote!(#docs #name)
     });
-    let steps = list(&names.step, steps.collect());
-    let transitions = model.drawn_transitions().map(|(id, _)| names.transition_variant(id).to_token_stream()).collect();
+    let steps = list(&names.step, steps.list());
+    let transitions = model.drawn_transitions().map(|(id, _)| names.transition_variant(id).to_token_stream()).list();
     let transitions = list(&names.transition, transitions);
     quote!(#steps #transitions)
 }
@@ -192,10 +193,10 @@ fn fields<'m>(declared: impl Iterator<Item = Declared<'m>>, p: &TokenStream) -> 
             let (docs, ty) = (docs(attrs), types::rust_type(ty, p));
             quote!(#docs pub #name: #ty,)
         })
-        .collect()
+        .tokens()
 }
 
 /// The user's doc comments, which an editor shows while the chart is half written.
 fn docs(attrs: &[Attribute]) -> TokenStream {
-    attrs.iter().filter(|attr| attr.path().is_ident("doc")).map(ToTokens::to_token_stream).collect()
+    attrs.iter().filter(|attr| attr.path().is_ident("doc")).map(ToTokens::to_token_stream).tokens()
 }

@@ -7,6 +7,7 @@ use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
+use crate::list::List;
 use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
 use crate::plan::{Counted, Phase, RegionId};
 
@@ -62,13 +63,13 @@ impl Cx<'_> {
     /// What blinks since the activation of this.
     fn phases_of(&self, of: Counted) -> Vec<Ident> {
         let phases = self.plan.memory.phases.iter().enumerate();
-        phases.filter(|(_, phase)| phase.of == of).map(|(index, _)| names::phase(index)).collect()
+        phases.filter(|(_, phase)| phase.of == of).map(|(index, _)| names::phase(index)).list()
     }
 
     /// Everything that counts since the activation of a region's active step.
     pub(super) fn counters_of(&self, region: RegionId) -> Vec<Ident> {
         let since = self.plan.memory.step_times[region].then(|| names::step_time(region, self.plan));
-        since.into_iter().chain(self.phases_of(Counted::Region(region))).collect()
+        since.into_iter().chain(self.phases_of(Counted::Region(region))).list()
     }
 
     /// Regions of which something is counted since the activation of their active step.
@@ -90,7 +91,7 @@ impl Cx<'_> {
         });
         let macros = self.model.macros.ids().filter_map(|id| {
             let timed = self.plan.memory.macro_times.contains(&id).then(|| names::macro_time(id));
-            let counters: Vec<_> = timed.into_iter().chain(self.phases_of(Counted::Macro(id))).collect();
+            let counters: Vec<_> = timed.into_iter().chain(self.phases_of(Counted::Macro(id))).list();
             if counters.is_empty() {
                 return None;
             }
@@ -124,7 +125,7 @@ impl Cx<'_> {
     /// The times of the initial steps begin in the first cycle.
     pub(super) fn begin_initial(&self) -> TokenStream {
         let counted = self.plan.initial.iter().filter(|step| self.is_counted(**step));
-        counted.map(|step| self.begin_region(self.plan.regions.of_step(*step))).collect()
+        counted.map(|step| self.begin_region(self.plan.regions.of_step(*step))).tokens()
     }
 
     /// Whether something is counted since the activation of the step.
@@ -162,7 +163,7 @@ impl Cx<'_> {
             Sample::Edge(id) => Some(*id),
             Sample::Delay(_) | Sample::Combinational(_) => None,
         });
-        let declare: Vec<_> = declare.filter(|id| self.feeds_a_delay(*id)).collect();
+        let declare: Vec<_> = declare.filter(|id| self.feeds_a_delay(*id)).list();
         let locals = self.edge_locals(&declare);
         let samples = samples.into_iter().map(|sample| match sample {
             Sample::Delay(id) => self.sample_delay(id),
@@ -182,7 +183,7 @@ impl Cx<'_> {
             }
             Sample::Edge(_) | Sample::Combinational(_) => TokenStream::new(),
         });
-        samples.collect()
+        samples.tokens()
     }
 
     /// `sfc`: the edges that compare what two evolutions have led to.
@@ -200,10 +201,10 @@ impl Cx<'_> {
             let down = falling.then(|| quote!(let #down = !value && self.#field #none;));
             Some(quote!(let value: #p::bool = #value; #up #down self.#field = value;))
         });
-        let sampled: TokenStream = sampled.collect();
+        let sampled: TokenStream = sampled.tokens();
         let sides = late.iter().flat_map(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
         let locals = sides.filter(|(_, used, _)| *used).map(|(id, _, side)| names::late_edge(id, Some(side)));
-        let locals: Vec<_> = locals.collect();
+        let locals: Vec<_> = locals.list();
         let settled = self.unsettle_if(&quote!(#(#locals)||*));
         quote!(#sampled #settled)
     }
@@ -218,7 +219,7 @@ impl Cx<'_> {
     /// The edges of this evolution, or those that are the same in each: `none` says that there are none (A26).
     pub(super) fn sample_edges(&self, still: bool, none: &TokenStream) -> TokenStream {
         let edges = self.plan.memory.edges.iter().filter(|(id, ..)| self.is_still(*id) == still);
-        edges.map(|(id, ..)| self.sample_edge(*id, none)).collect()
+        edges.map(|(id, ..)| self.sample_edge(*id, none)).tokens()
     }
 
     /// Whether an edge is sampled in front of the search. Where the bound may stop its first evolution, the edges of that
@@ -229,8 +230,8 @@ impl Cx<'_> {
 
     /// Edges that only the first evolution sees are gone (A2).
     pub(super) fn forget_edges(&self) -> TokenStream {
-        let edges: Vec<_> = self.plan.memory.still_edges.iter().copied().filter(|id| self.is_still(*id)).collect();
-        self.names_of_edges(&edges).into_iter().map(|local| quote!(#local = false;)).collect()
+        let edges: Vec<_> = self.plan.memory.still_edges.iter().copied().filter(|id| self.is_still(*id)).list();
+        self.names_of_edges(&edges).into_iter().map(|local| quote!(#local = false;)).tokens()
     }
 
     /// Whether the evolutions of a search each have edges of their own.
@@ -241,7 +242,7 @@ impl Cx<'_> {
     /// All edges, delays and combinational variables in an order in which each comes behind those it reads.
     fn samples(&self) -> Vec<Sample> {
         let mut order = Vec::new();
-        let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).collect();
+        let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).list();
         waiting.extend(self.model.delays.ids().map(Sample::Delay));
         waiting.extend(self.plan.memory.combinational.iter().copied().map(Sample::Combinational));
         while let Some(next) = waiting.iter().position(|sample| !self.looks_at(*sample, &waiting)) {
@@ -307,22 +308,22 @@ impl Cx<'_> {
 
     /// The locals that hold the edges.
     pub(super) fn declare_edges(&self) -> TokenStream {
-        self.edge_locals(&self.model.edges.ids().collect::<Vec<_>>())
+        self.edge_locals(&self.model.edges.ids().list())
     }
 
     /// The locals of all edges.
     pub(super) fn edge_names(&self) -> Vec<Ident> {
-        self.names_of_edges(&self.model.edges.ids().collect::<Vec<_>>())
+        self.names_of_edges(&self.model.edges.ids().list())
     }
 
     fn names_of_edges(&self, wanted: &[EdgeId]) -> Vec<Ident> {
         let edges = self.plan.memory.edges.iter().filter(|(id, ..)| wanted.contains(id));
         let sides = edges.flat_map(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
-        sides.filter(|(_, used, _)| *used).map(|(id, _, is_rising)| names::edge_local(id, is_rising)).collect()
+        sides.filter(|(_, used, _)| *used).map(|(id, _, is_rising)| names::edge_local(id, is_rising)).list()
     }
 
     fn edge_locals(&self, wanted: &[EdgeId]) -> TokenStream {
-        self.names_of_edges(wanted).into_iter().map(|local| quote!(let mut #local = false;)).collect()
+        self.names_of_edges(wanted).into_iter().map(|local| quote!(let mut #local = false;)).tokens()
     }
 
     /// Keeps what edges compare with, and puts it back: an evolution that does not take place consumes no edge.

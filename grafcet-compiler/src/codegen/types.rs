@@ -6,6 +6,7 @@ use syn::spanned::Spanned as _;
 use syn::{Attribute, Type};
 
 use super::{Cx, derives, outside, requirements};
+use crate::list::List;
 use crate::model::{Expr, Model, OutputId, Ty};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
@@ -48,7 +49,7 @@ fn default_inputs(cx: &Cx<'_>) -> Option<TokenStream> {
         let (name, value) = (&input.name, initial_value(None, &input.ty, p));
         quote!(#name: #value,)
     });
-    Some(default_of(cx, &cx.names.inputs, &initial.collect()))
+    Some(default_of(cx, &cx.names.inputs, &initial.tokens()))
 }
 
 fn default_of(cx: &Cx<'_>, name: &Ident, initial: &TokenStream) -> TokenStream {
@@ -101,7 +102,7 @@ fn default_outputs(cx: &Cx<'_>) -> Option<TokenStream> {
         let (name, value) = (&output.name, initial_output(model, id, p));
         quote!(#name: #value,)
     });
-    Some(default_of(cx, &cx.names.outputs, &initial.collect()))
+    Some(default_of(cx, &cx.names.outputs, &initial.tokens()))
 }
 
 fn step_names(cx: &Cx<'_>) -> TokenStream {
@@ -111,7 +112,7 @@ fn step_names(cx: &Cx<'_>) -> TokenStream {
         quote!(#docs #name,)
     });
     let doc = format!("The names of the steps of [`{}`].", cx.model.name);
-    let names = name_enum(cx, &cx.names.step, &doc, &variants.collect());
+    let names = name_enum(cx, &cx.names.step, &doc, &variants.tokens());
     let texts = outside::texts(cx.model, &cx.names.step, cx.model.steps.values().map(|step| &step.name), &cx.p);
     quote!(#names #texts)
 }
@@ -123,7 +124,7 @@ fn transition_names(cx: &Cx<'_>) -> TokenStream {
         quote!(#[doc = #text] #name,)
     });
     let doc = format!("The names of the transitions of [`{}`].", cx.model.name);
-    let names = name_enum(cx, &cx.names.transition, &doc, &variants.collect());
+    let names = name_enum(cx, &cx.names.transition, &doc, &variants.tokens());
     let variants = cx.model.drawn_transitions().map(|(id, _)| cx.names.transition_variant(id));
     let texts = outside::texts(cx.model, &cx.names.transition, variants, &cx.p);
     quote!(#names #texts)
@@ -150,7 +151,7 @@ fn name_enum(cx: &Cx<'_>, name: &Ident, doc: &str, variants: &TokenStream) -> To
 /// `` `Off -[on && !over_temp]-> On` ``
 pub(super) fn transition_text(model: &Model, transition: &crate::model::Transition) -> String {
     let list = |steps: &[crate::model::StepId]| {
-        let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+        let names: Vec<_> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
         if let [one] = &names[..] { one.clone() } else { format!("({})", names.join(", ")) }
     };
     let from = transition.any.map_or_else(|| list(&transition.sources), |any| model.any_text(any));
@@ -196,7 +197,7 @@ fn primitive(rust: &Type, p: &TokenStream) -> TokenStream {
 /// The lint levels of the chart, which all its items share; an expectation is met once, at the chart itself.
 pub(super) fn levels(model: &Model) -> TokenStream {
     let shared = |attr: &&Attribute| !attr.path().is_ident("doc") && !attr.path().is_ident("expect");
-    model.attrs.iter().filter(shared).map(ToTokens::to_token_stream).collect()
+    model.attrs.iter().filter(shared).map(ToTokens::to_token_stream).tokens()
 }
 
 /// The user's doc comments and lint attributes; where there is no doc, a line that says what it is.

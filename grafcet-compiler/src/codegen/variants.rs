@@ -10,10 +10,11 @@ use syn::Path;
 
 use super::Cx;
 use super::types::rust_type;
+use crate::list::List;
 use crate::model::Variants;
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
-    cx.model.variants.iter().map(|variants| check(cx, variants)).collect()
+    cx.model.variants.iter().map(|variants| check(cx, variants)).tokens()
 }
 
 fn check(cx: &Cx<'_>, variants: &Variants) -> TokenStream {
@@ -33,7 +34,7 @@ fn check(cx: &Cx<'_>, variants: &Variants) -> TokenStream {
         quote!(const _: fn(#ty) = |#value| match #value { #(#patterns)|* #nothing };)
     });
     let equality = variants.compared.map(|index| equality(variants, &variants.path, index, &ty));
-    let matches: TokenStream = matches.collect();
+    let matches: TokenStream = matches.tokens();
     quote!(#matches #equality)
 }
 

@@ -1,5 +1,6 @@
 //! Diagnostics as tokens: errors through `compile_error!`, warnings through a deprecated constant.
 
+use crate::list::List;
 use proc_macro2::{Delimiter, Group, Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -7,7 +8,7 @@ use super::{Diagnostic, Mark, Rule, Severity};
 
 /// The tokens that make rustc show the diagnostics at their marks.
 pub(super) fn tokens(diagnostics: &[Diagnostic], root: &TokenStream) -> TokenStream {
-    diagnostics.iter().map(|diagnostic| one(diagnostic, root)).collect()
+    diagnostics.iter().map(|diagnostic| one(diagnostic, root)).tokens()
 }
 
 fn one(diagnostic: &Diagnostic, root: &TokenStream) -> TokenStream {
@@ -29,7 +30,7 @@ fn one(diagnostic: &Diagnostic, root: &TokenStream) -> TokenStream {
                 Severity::Allow => TokenStream::new(),
             }
         })
-        .collect()
+        .tokens()
 }
 
 /// An error over the whole mark: rustc shows the call of a macro from its first to its last token.

@@ -8,6 +8,7 @@ use super::{
     Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
+use crate::list::List;
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
@@ -41,7 +42,7 @@ impl Model {
     /// What actions do, those of steps and those on clearing.
     #[must_use]
     pub fn effects(&self) -> Vec<&Effect> {
-        let mut all: Vec<&Effect> = self.associations.values().map(|association| &association.effect).collect();
+        let mut all: Vec<&Effect> = self.associations.values().map(|association| &association.effect).list();
         for transition in self.transitions.values() {
             all.extend(&transition.clearing);
         }
@@ -254,7 +255,7 @@ impl Variants {
     #[must_use]
     pub fn text(&self, low: i128, high: i128) -> String {
         let all = self.list.iter().zip(0i128..).filter(|(_, place)| (low..=high).contains(place));
-        all.map(|(variant, _)| variant.name.to_string()).collect::<Vec<_>>().join(" or ")
+        all.map(|(variant, _)| variant.name.to_string()).list().join(" or ")
     }
 
     /// The first and the last place in the list.
@@ -283,7 +284,7 @@ impl Association {
     /// What its expressions read, one list an expression: condition, event and effect.
     #[must_use]
     pub fn reads(&self) -> Vec<&[Read]> {
-        let mut all: Vec<&[Read]> = self.condition.iter().chain(&self.event).map(|expr| &expr.reads[..]).collect();
+        let mut all: Vec<&[Read]> = self.condition.iter().chain(&self.event).map(|expr| &expr.reads[..]).list();
         all.extend(self.effect.reads());
         all
     }
@@ -305,7 +306,7 @@ impl Effect {
     pub fn reads(&self) -> Vec<&[Read]> {
         match self {
             Effect::Block(code) => vec![&code.reads],
-            _ => self.expressions().iter().map(|expr| &expr.reads[..]).collect(),
+            _ => self.expressions().iter().map(|expr| &expr.reads[..]).list(),
         }
     }
 
@@ -345,7 +346,7 @@ impl Claim {
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
             Self::Never(condition) => vec![condition],
-            Self::Always { premise, condition } => premise.iter().chain([condition]).collect(),
+            Self::Always { premise, condition } => premise.iter().chain([condition]).list(),
             Self::Home(..) => Vec::new(),
         }
     }

@@ -1,6 +1,7 @@
 //! What the model says in words: expressions, times, transitions as the user would write them.
 
 use super::{AnyId, Binary, Blink, Blinker, Model, Name, Read, StepId, TimeRef, Transition, Tree, Unary};
+use crate::list::List;
 
 impl Model {
     /// An expression as the user would write it.
@@ -121,7 +122,7 @@ impl Model {
             [] => "any".to_owned(),
             [one] => format!("any except {one}"),
             several => {
-                let names: Vec<_> = several.iter().map(ToString::to_string).collect();
+                let names: Vec<_> = several.iter().map(ToString::to_string).list();
                 format!("any except ({})", names.join(", "))
             }
         }
@@ -133,7 +134,7 @@ impl Model {
         let side = |steps: &[StepId]| match steps {
             [step] => self.steps[*step].name.to_string(),
             _ => {
-                let names: Vec<_> = steps.iter().map(|step| self.steps[*step].name.to_string()).collect();
+                let names: Vec<_> = steps.iter().map(|step| self.steps[*step].name.to_string()).list();
                 format!("({})", names.join(", "))
             }
         };

@@ -9,6 +9,7 @@ use super::input::Turns;
 use super::{Error, Input, Result};
 use crate::ast::{Attrs, Derive, LevelAttr};
 use crate::diagnostic::{Mark, Severity, Sink, rules};
+use crate::list::List;
 
 /// The attributes in front of an item.
 #[derive(Default)]
@@ -172,7 +173,7 @@ fn derive(meta: &Meta, mark: Mark) -> Result<Option<Derive>> {
     let Meta::List(list) = meta else { return Ok(None) };
     if list.path.is_ident("derive") {
         let traits = list.parse_args_with(Punctuated::<Path, Token![,]>::parse_terminated)?;
-        return Ok(Some(Derive { when: None, traits: traits.into_iter().collect(), mark }));
+        return Ok(Some(Derive { when: None, traits: traits.into_iter().list(), mark }));
     }
     if !list.path.is_ident("cfg_attr") {
         return Ok(None);

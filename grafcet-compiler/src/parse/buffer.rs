@@ -1,5 +1,6 @@
 //! The tokens of a call, laid out flat so that looking ahead costs nothing.
 
+use crate::list::List;
 use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 
 use super::guard::Guard;
@@ -35,7 +36,7 @@ impl Buffer {
     /// Lays out one level and what is in it; whether groups without delimiters were opened there.
     fn level(&mut self, tokens: TokenStream, mut guard: Guard, open: bool) -> Result<bool> {
         let mut opened = open && tokens.clone().into_iter().any(|tree| is_invisible(&tree));
-        let level = if opened { fragments::opened(tokens) } else { tokens.into_iter().collect() };
+        let level = if opened { fragments::opened(tokens) } else { tokens.into_iter().list() };
         for tree in level {
             let at = self.0.len();
             let word = match &tree {

@@ -9,6 +9,7 @@ use super::recover::{self, Place};
 use super::{Error, Input, Result, leaving, types, variants};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
 use crate::diagnostic::Sink;
+use crate::list::List;
 
 /// An input, output, variable or parameter; the keyword is next.
 pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut Sink) -> Result<Decl> {
@@ -42,7 +43,7 @@ fn names(input: &mut Input) -> Result<Vec<Ident>> {
 
 fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<()> {
     if input.at(":=") || !input.eat(":") {
-        let names = names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let names = names.iter().map(ToString::to_string).list().join(", ");
         let keyword = keyword.map_or_else(|| "var".to_owned(), ToString::to_string);
         let message = format!("expected `:` and a type, as in `{keyword} {names}: bool;`, found {}", input.found());
         return Err(input.error(message));

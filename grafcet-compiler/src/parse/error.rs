@@ -1,6 +1,7 @@
 //! A mistake of notation on its way to the sink.
 
 use crate::diagnostic::{Mark, Sink};
+use crate::list::List;
 
 pub(super) type Result<T> = std::result::Result<T, Error>;
 
@@ -32,6 +33,6 @@ impl Error {
 
 impl From<syn::Error> for Error {
     fn from(error: syn::Error) -> Self {
-        Self(error.into_iter().map(|part| (part.span().into(), part.to_string())).collect())
+        Self(error.into_iter().map(|part| (part.span().into(), part.to_string())).list())
     }
 }

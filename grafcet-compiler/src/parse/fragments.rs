@@ -3,6 +3,7 @@
 //! `!a || b`. So they are opened before anything looks at them, and where the operators around could take them apart they
 //! get parentheses. What is checked, what is shown and what runs is then the same.
 
+use crate::list::List;
 use proc_macro2::{Delimiter, Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::{Expr, Type};
 
@@ -10,7 +11,7 @@ use super::condition;
 
 /// One level of tokens with the groups opened. What is in other groups is left as it is.
 pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
-    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let trees: Vec<TokenTree> = tokens.into_iter().list();
     let mut out = Vec::with_capacity(trees.len());
     let mut behind_fragment = false;
     for (at, tree) in trees.iter().enumerate() {

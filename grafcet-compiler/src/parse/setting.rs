@@ -8,6 +8,7 @@ use super::recover::{self, Place};
 use super::{Error, Input, Result, condition, time};
 use crate::ast::{Setting, Time};
 use crate::diagnostic::Sink;
+use crate::list::List;
 
 /// A statement about the chart as a whole; its keyword, which is `word`, is next.
 pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Setting> {
@@ -76,7 +77,7 @@ fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {
                 Ok(path)
             })
         })?;
-        return Ok(Setting::AssumePure { keyword, paths: paths.into_iter().collect() });
+        return Ok(Setting::AssumePure { keyword, paths: paths.into_iter().list() });
     }
     if !input.eat_word("never") {
         let message = "what the plant excludes is written `assume never b1 && b3;`, which calls have no state \

@@ -8,6 +8,7 @@ use syn::{Block, Expr, Token};
 use super::input::Turns;
 use super::{Error, Input, Result, leaving};
 use crate::ast::Target;
+use crate::list::List;
 
 /// The target of an association or of an action on clearing.
 pub(super) fn parse(input: &mut Input) -> Result<Target> {
@@ -53,7 +54,7 @@ fn args(input: &mut Input) -> Result<Vec<Expr>> {
         syn::parenthesized!(content in input);
         Punctuated::<Expr, Token![,]>::parse_terminated(&content)
     };
-    Ok(input.rust_tokens(1, args)?.into_iter().collect())
+    Ok(input.rust_tokens(1, args)?.into_iter().list())
 }
 
 fn value(input: &mut Input, name: &Ident) -> Result<Expr> {

@@ -5,6 +5,7 @@
 
 use super::{RegionId, Regions};
 use crate::analysis::{Concurrency, hierarchy};
+use crate::list::List;
 use crate::model::{Force, ForceOrder, Model, PartialId, Step, StepId, Transition};
 use crate::sorted::{Map, Set};
 
@@ -79,7 +80,7 @@ impl Deciding<'_> {
 
     fn marked(&self, partial: PartialId, wanted: fn(&Step) -> bool) -> Vec<StepId> {
         let steps = &self.model.partials[partial].steps;
-        steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).collect()
+        steps.iter().copied().filter(|step| wanted(&self.model.steps[*step])).list()
     }
 }
 
@@ -163,7 +164,7 @@ impl Search<'_> {
 
     fn all_below(&self, partial: PartialId) -> Vec<PartialId> {
         let direct = directly(self.model, partial);
-        direct.flat_map(|id| std::iter::once(id).chain(self.all_below(id))).collect()
+        direct.flat_map(|id| std::iter::once(id).chain(self.all_below(id))).list()
     }
 
     /// Whether nothing in a partial grafcet clears as long as a step above it is active.

@@ -8,6 +8,7 @@
 use std::vec;
 
 use crate::analysis::Concurrency;
+use crate::list::List;
 use crate::model::{Association, AssociationId, Dialect, Effect, Id, Model, Place, Qualifier, TimeRef};
 use crate::sorted::{Map, Set};
 
@@ -48,10 +49,7 @@ impl Target {
     /// The qualifiers it has whose end can come from leaving a step.
     #[must_use]
     pub fn leavable(&self, model: &Model) -> Vec<Qualifier> {
-        Qualifier::ALL
-            .into_iter()
-            .filter(|qualifier| qualifier.is_continuous() && self.has(model, *qualifier))
-            .collect()
+        Qualifier::ALL.into_iter().filter(|qualifier| qualifier.is_continuous() && self.has(model, *qualifier)).list()
     }
 
     /// Which of them held in the cycle before does not follow from Q alone, so it is remembered.
@@ -222,5 +220,5 @@ fn remembers_held(model: &Model, concurrency: &Concurrency, target: &Target) -> 
             && association.condition.is_some()
             && target.under(model, association.qualifier).any(beside)
     };
-    target.associations.iter().copied().filter(leavable).collect()
+    target.associations.iter().copied().filter(leavable).list()
 }

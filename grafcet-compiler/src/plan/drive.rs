@@ -2,7 +2,8 @@
 
 use super::{Control, What};
 use crate::analysis::Concurrency;
-use crate::model::{Association, Dialect, Effect, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId};
+use crate::list::List;
+use crate::model::{Association, Dialect, Effect, Id, Model, Name, OutputId, Place, Qualifier, Read};
 use crate::sorted::Set;
 
 /// How one output gets its value.
@@ -24,14 +25,12 @@ pub struct Drive {
 /// The drives of all outputs.
 pub(super) fn all(model: &Model, concurrency: &Concurrency, control: &Control) -> Vec<Drive> {
     let uses = Uses::of(model, control);
-    model.outputs.ids().map(|output| of(concurrency, &uses, output)).collect()
+    model.outputs.ids().map(|output| of(concurrency, &uses, output)).list()
 }
 
 fn of(concurrency: &Concurrency, uses: &Uses<'_>, output: OutputId) -> Drive {
     let associations = &uses.associations[output.index()];
-    let steps = |qualifier: Qualifier| {
-        associations.iter().filter(|a| a.qualifier == qualifier).map(|a| a.step).collect::<Vec<StepId>>()
-    };
+    let steps = |qualifier: Qualifier| associations.iter().filter(|a| a.qualifier == qualifier).map(|a| a.step).list();
     let continuous = associations.iter().any(|a| is_continuous(a));
     let resets = steps(Qualifier::R);
     let stored = associations.iter().any(|a| !is_continuous(a) && a.qualifier != Qualifier::R)

@@ -1,6 +1,7 @@
 //! How one evolution is computed: which transitions are looked at together, and where.
 
 use crate::analysis::{Concurrency, Logic, hierarchy};
+use crate::list::List;
 use crate::model::{Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -44,19 +45,19 @@ fn exclusive(model: &Model) -> Vec<bool> {
     }
     let logic = Logic::new(model);
     let all_exclude = |ids: &Vec<TransitionId>| {
-        let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).collect();
-        let all: Vec<_> = ids.iter().zip(&conditions).collect();
+        let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).list();
+        let all: Vec<_> = ids.iter().zip(&conditions).list();
         let apart = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
             model.exclude_each_other(*a, *b) || logic.exclusive(first, second)
         };
         all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
     };
-    leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).collect()
+    leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).list()
 }
 
 /// Groups of transitions that share source steps, where one of them has several.
 fn contests(model: &Model) -> Vec<Vec<TransitionId>> {
-    let mut group: Vec<usize> = (0..model.transitions.len()).collect();
+    let mut group: Vec<usize> = (0..model.transitions.len()).list();
     let mut first_of_step: Vec<Option<usize>> = vec![None; model.steps.len()];
     for (id, transition) in model.transitions.iter() {
         for step in &transition.sources {
@@ -75,7 +76,7 @@ fn contests(model: &Model) -> Vec<Vec<TransitionId>> {
     }
     let contest =
         |ids: &Vec<TransitionId>| ids.len() > 1 && ids.iter().any(|id| model.transitions[*id].sources.len() > 1);
-    groups.into_iter().filter(contest).collect()
+    groups.into_iter().filter(contest).list()
 }
 
 fn root(group: &[usize], mut item: usize) -> usize {

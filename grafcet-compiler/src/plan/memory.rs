@@ -2,6 +2,7 @@
 
 use super::{Control, Drive, Region, RegionId, Regions, is_stored};
 use crate::analysis::{combinational, is_constant_read};
+use crate::list::List;
 use crate::model::{
     Association, AssociationId, Blink, Blinker, EdgeId, Effect, Id, MacroId, Model, OutputId, Read, StepId, TimeRef,
     Transition, VarId,
@@ -72,15 +73,13 @@ impl Memory {
     pub(super) fn of(model: &Model, regions: &Regions, drives: &[Drive], control: &Control) -> Self {
         let reads: Set<Read> = model.expressions().into_iter().flatten().copied().collect();
         let combinational = combinational::in_order(model);
-        let pick = |wanted: &dyn Fn(&Drive) -> bool| {
-            model.outputs.ids().filter(|id| wanted(&drives[id.index()])).collect::<Vec<_>>()
-        };
+        let pick =
+            |wanted: &dyn Fn(&Drive) -> bool| model.outputs.ids().filter(|id| wanted(&drives[id.index()])).list();
         let timed = timed_steps(model, control, &reads);
         let (edges, late_edges) = edges(model, &reads);
-        let step_times: Vec<_> =
-            regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).collect();
+        let step_times: Vec<_> = regions.all().iter().map(|r| r.steps.iter().any(|step| timed.contains(step))).list();
         Self {
-            vars: model.vars.ids().filter(|id| !combinational.contains(id)).collect(),
+            vars: model.vars.ids().filter(|id| !combinational.contains(id)).list(),
             combinational,
             stored: pick(&|drive| drive.stored),
             last: pick(&|drive| drive.last),
@@ -91,7 +90,7 @@ impl Memory {
             timed,
             phases: phases(regions, &reads),
             blinking: blinking(&reads),
-            macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).collect(),
+            macro_times: model.macros.ids().filter(|id| reads.iter().any(|read| is_time_of(*read, *id))).list(),
             still_edges: still_edges(model),
             edges,
             late_edges,
@@ -129,15 +128,12 @@ fn edges(model: &Model, all: &Set<Read>) -> (Vec<UsedEdge>, Vec<UsedEdge>) {
     let early = |id: EdgeId| {
         if late(&id) { looks(&others, id).then(|| sides(&others, id)) } else { Some(sides(all, id)) }
     };
-    (
-        model.edges.ids().filter_map(early).collect(),
-        model.edges.ids().filter(late).map(|id| sides(&acting, id)).collect(),
-    )
+    (model.edges.ids().filter_map(early).list(), model.edges.ids().filter(late).map(|id| sides(&acting, id)).list())
 }
 
 fn still_edges(model: &Model) -> Vec<EdgeId> {
     let edges = model.edges.iter().filter(|(_, edge)| model.is_grafcet() && edge.of.reads.iter().all(is_constant_read));
-    edges.map(|(id, _)| id).collect()
+    edges.map(|(id, _)| id).list()
 }
 
 /// Whether each evolution reads times of steps only in front of the transitions that leave them. A step that is forced may have
@@ -182,7 +178,7 @@ fn blinking(reads: &Set<Read>) -> Set<StepId> {
 /// Steps of one region share a phase where they share the period.
 fn phases(regions: &Regions, reads: &Set<Read>) -> Vec<Phase> {
     let phases: Set<Phase> = reads.iter().filter_map(|read| Phase::of(regions, *read)).collect();
-    phases.into_iter().collect()
+    phases.into_iter().list()
 }
 
 impl Phase {
@@ -214,9 +210,9 @@ fn long_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepId
 /// saturating at 16 bits takes more instructions.
 fn short_times(regions: &Regions, timed: &[bool], long: &Set<StepId>) -> Vec<bool> {
     let is_short = |(region, timed): (&Region, &bool)| *timed && region.steps.iter().all(|step| !long.contains(step));
-    let short: Vec<_> = regions.all().iter().zip(timed).map(is_short).collect();
+    let short: Vec<_> = regions.all().iter().zip(timed).map(is_short).list();
     let several = short.iter().filter(|short| **short).count() > 1;
-    short.into_iter().map(|short| short && several).collect()
+    short.into_iter().map(|short| short && several).list()
 }
 
 fn is_time_of(read: Read, id: MacroId) -> bool {

@@ -5,6 +5,7 @@
 
 use super::{Evolution, RegionId, Regions};
 use crate::analysis::{Concurrency, Union};
+use crate::list::List;
 use crate::model::{Id, Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
@@ -41,12 +42,8 @@ impl Nest {
             return None;
         }
         let search = Search { model, regions, evolution, concurrency };
-        let all: Vec<_> = (0..regions.all().len()).collect();
-        search
-            .parts(&all, &model.transitions.ids().collect::<Vec<_>>())
-            .into_iter()
-            .map(|part| search.nest(part))
-            .collect()
+        let all: Vec<_> = (0..regions.all().len()).list();
+        search.parts(&all, &model.transitions.ids().list()).into_iter().map(|part| search.nest(part)).collect()
     }
 }
 
@@ -71,12 +68,12 @@ impl Search<'_> {
         let inside: Set<_> = transitions.iter().copied().collect();
         let leaving = |step: &StepId| {
             let owned = self.evolution.owned[step.index()].iter().copied();
-            let owned: Vec<_> = owned.filter(|id| self.is_single(*id) && inside.contains(id)).collect();
+            let owned: Vec<_> = owned.filter(|id| self.is_single(*id) && inside.contains(id)).list();
             (!owned.is_empty()).then_some((*step, owned))
         };
-        let alone: Vec<_> = alone.iter().filter_map(leaving).collect();
+        let alone: Vec<_> = alone.iter().filter_map(leaving).list();
         let from_alone: Set<_> = alone.iter().flat_map(|(_, owned)| owned).copied().collect();
-        let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone.contains(id)).collect();
+        let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone.contains(id)).list();
         let (common, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| self.is_common(*id, &regions));
         if rest.is_empty() {
             return Some(Nest { regions, head, alone, common, inner: Vec::new() });
@@ -96,7 +93,7 @@ impl Search<'_> {
             let alone = |step: &StepId| {
                 self.concurrency.beside(*step).all(|other| !regions.contains(&self.regions.of_step(other)))
             };
-            (*region, steps.filter(alone).collect::<Vec<_>>())
+            (*region, steps.filter(alone).list())
         });
         heads.reduce(|best, head| if head.1.len() > best.1.len() { head } else { best })
     }
@@ -130,7 +127,7 @@ impl Search<'_> {
         for id in transitions {
             parts.or_default(connected.root(self.touched(*id).0)).transitions.push(*id);
         }
-        parts.into_iter().map(|(_, part)| part).collect()
+        parts.into_iter().map(|(_, part)| part).list()
     }
 
     /// The regions of a transition's steps: one, and all of them.

@@ -7,6 +7,7 @@
 //! Under `encoding flags;` each step is a region of its own, whose state is a bit.
 
 use crate::analysis::Concurrency;
+use crate::list::List;
 use crate::model::{ForceOrder, Id, Model, PartialId, Step, StepId};
 use crate::sorted::Set;
 
@@ -71,8 +72,8 @@ impl Regions {
             initial: initial.contains(&step).then_some(step),
             may_be_empty: true,
         };
-        let regions = model.steps.iter().map(alone).collect();
-        Self { list: regions, of_step: (0..model.steps.len()).collect(), flags: true }
+        let regions = model.steps.iter().map(alone).list();
+        Self { list: regions, of_step: (0..model.steps.len()).list(), flags: true }
     }
 
     /// The state of each region is a bit.

@@ -5,6 +5,7 @@
 //! place is first written to a local, which tells whether the evolution changes anything (A25).
 
 use crate::analysis::{Races, combinational};
+use crate::list::List;
 use crate::model::{Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Ty};
 use crate::sorted::Set;
 
@@ -27,7 +28,7 @@ impl Stored {
             stored.collected.extend(transition.clearing.iter().flat_map(Effect::writes));
             stored.collected.extend(transition.clearing.iter().flat_map(Effect::reads).flatten().filter_map(place));
         }
-        let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).collect();
+        let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).list();
         for action in &actions {
             if action.qualifier == Qualifier::On {
                 stored.collected.extend(action.effect.writes());

@@ -17,6 +17,7 @@ use std::rc::Rc;
 use self::run::{Node, Outcome, Run};
 use self::view::View;
 use super::{Answer, Concurrency, Condition, Logic, combinational, hierarchy};
+use crate::list::List;
 use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
@@ -76,9 +77,9 @@ impl<'m> Circles<'m> {
             let tree = &transition.condition.tree;
             combinational::written_out(model, tree).unwrap_or_else(|| tree.clone())
         };
-        let trees: Vec<Tree> = model.transitions.values().map(tree).collect();
-        let conditions: Vec<_> = trees.iter().map(|tree| Rc::new(logic.condition(tree))).collect();
-        let always = conditions.iter().map(|condition| logic.always(condition)).collect();
+        let trees: Vec<Tree> = model.transitions.values().map(tree).list();
+        let conditions: Vec<_> = trees.iter().map(|tree| Rc::new(logic.condition(tree))).list();
+        let always = conditions.iter().map(|condition| logic.always(condition)).list();
         let reachable = rest::reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
         let (written, unknown) = (view::written(model), Cell::new(0));
         let parallel = Concurrency::of_exclusive_branches(model);
@@ -125,7 +126,7 @@ impl<'m> Circles<'m> {
         let enters = |id: &TransitionId| self.can_enter(*id, resting.as_ref());
         let turns = |id: &TransitionId| endless.contains_key(id) || !enters(id);
         let entered = endless.iter().filter(|(id, _)| enters(id)).flat_map(|(_, rings)| rings.clone());
-        let mut found: Vec<Ring> = at_start.into_iter().chain(entered).collect();
+        let mut found: Vec<Ring> = at_start.into_iter().chain(entered).list();
         let mut known = Set::new();
         // What enters the circle in a stable situation, has to lead to no end, too. A search that goes on without a
         // transition, by stored values alone, is no circle of the chart.
@@ -133,7 +134,7 @@ impl<'m> Circles<'m> {
             !ring.is_empty() && ring.iter().all(turns) && !self.has_several_marks(ring) && self.is_undisturbed(ring)
         };
         found.retain(|ring| known.insert(set(ring)) && is_circle(ring));
-        found.into_iter().map(|transitions| Circle { transitions, inputs: String::new() }).collect()
+        found.into_iter().map(|transitions| Circle { transitions, inputs: String::new() }).list()
     }
 
     /// Further circles and values under which they turn, beside those in `known`.
@@ -152,7 +153,7 @@ impl<'m> Circles<'m> {
                     continue;
                 }
                 let given = self.cleared(id).split_off(1);
-                let given: Vec<&Condition> = given.iter().map(|(condition, _)| &**condition).collect();
+                let given: Vec<&Condition> = given.iter().map(|(condition, _)| &**condition).list();
                 if let Answer::Witness(inputs) = self.logic.together(&borrowed(&goals), &given) {
                     found.push(Circle { transitions, inputs });
                 }
@@ -227,7 +228,7 @@ impl<'m> Circles<'m> {
                 leads(&transition(id).targets, |other| &other.sources)
                     && leads(&transition(id).sources, |other| &other.targets)
             };
-            let kept: Vec<TransitionId> = circle.iter().copied().filter(turns).collect();
+            let kept: Vec<TransitionId> = circle.iter().copied().filter(turns).list();
             if kept.len() == circle.len() {
                 // What stands first in the source stands first.
                 let first = circle.iter().enumerate().min_by_key(|(_, id)| **id).map_or(0, |(first, _)| first);
@@ -284,7 +285,7 @@ impl<'m> Circles<'m> {
     fn cleared(&self, id: TransitionId) -> Goals {
         let sources = self.model.transitions[id].sources.iter();
         let active = sources.map(|step| (Rc::new(self.logic.condition(&Tree::Read(Read::Active(*step)))), true));
-        std::iter::once((Rc::clone(&self.conditions[id.index()]), true)).chain(active).collect()
+        std::iter::once((Rc::clone(&self.conditions[id.index()]), true)).chain(active).list()
     }
 
     /// Steps that are active beside, because the condition says so, and stay it in that evolution.
@@ -296,11 +297,11 @@ impl<'m> Circles<'m> {
         };
         let stays = |step: &StepId| {
             let variable = self.logic.condition(&Tree::Read(Read::Active(*step)));
-            let excluded = |more: Goals| self.logic.impossible(&borrowed(&goals.iter().cloned().chain(more).collect()));
+            let excluded = |more: Goals| self.logic.impossible(&borrowed(&goals.iter().cloned().chain(more).list()));
             excluded(vec![(Rc::new(variable), false)])
                 && self.leaving[step.index()].iter().all(|other| excluded(self.cleared(*other)))
         };
-        transition.condition.reads.iter().filter_map(active).filter(stays).collect()
+        transition.condition.reads.iter().filter_map(active).filter(stays).list()
     }
 
     /// Seen at once: nothing that follows has to do with the condition, so nothing follows from it.
@@ -325,5 +326,5 @@ fn set(circle: &[TransitionId]) -> Set<TransitionId> {
 }
 
 fn borrowed(goals: &Goals) -> Vec<(&Condition, bool)> {
-    goals.iter().map(|(condition, wanted)| (&**condition, *wanted)).collect()
+    goals.iter().map(|(condition, wanted)| (&**condition, *wanted)).list()
 }

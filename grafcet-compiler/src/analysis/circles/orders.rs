@@ -4,6 +4,7 @@
 use super::Circles;
 use super::run::Node;
 use super::view::View;
+use crate::list::List;
 use crate::model::{Id, Name, PartialId, Read, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -11,7 +12,7 @@ impl Circles<'_> {
     /// Whether nothing that commands the circle's partial grafcets evolves in a cycle that something else began.
     pub(super) fn is_undisturbed(&self, circle: &[TransitionId]) -> bool {
         let mut known: Set<PartialId> = Set::new();
-        let mut open: Vec<PartialId> = circle.iter().map(|id| self.model.transitions[*id].partial).collect();
+        let mut open: Vec<PartialId> = circle.iter().map(|id| self.model.transitions[*id].partial).list();
         while let Some(partial) = open.pop() {
             if !known.insert(partial) {
                 continue;

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::run::{Node, Outcome, Run};
 use super::view::View;
 use super::{Circles, Goals, borrowed};
+use crate::list::List;
 use crate::model::{ForceOrder, Id, Model, PartialId, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -20,7 +21,7 @@ impl Circles<'_> {
             step.linked || step.initial && is_target(step.partial) || self.is_forced(*id)
         };
         let mut resting: Set<StepId> = self.model.steps.ids().filter(commanded).collect();
-        let mut waiting: Vec<TransitionId> = self.model.transitions.ids().collect();
+        let mut waiting: Vec<TransitionId> = self.model.transitions.ids().list();
         let mut starts = vec![Some(self.start())];
         let mut looked_at = 0;
         while !starts.is_empty() {
@@ -64,7 +65,7 @@ impl Circles<'_> {
         let asked_for = |read: &Read| match read {
             Read::Active(step) | Read::Elapsed(_, step) => {
                 let inactive = (Rc::new(self.logic.condition(&Tree::Read(Read::Active(*step)))), false);
-                let goals: Goals = self.cleared(id).into_iter().chain([inactive]).collect();
+                let goals: Goals = self.cleared(id).into_iter().chain([inactive]).list();
                 self.logic.impossible(&borrowed(&goals)).then_some(*step)
             }
             _ => None,
@@ -105,7 +106,7 @@ impl Circles<'_> {
                 .iter()
                 .filter(|id| self.model.transitions[**id].sources.iter().all(|source| node.active.contains(source)));
             let stay = enabled.map(|id| (Rc::new(view.condition(*id)), false));
-            let goals: Goals = node.goals.iter().cloned().chain(stay).collect();
+            let goals: Goals = node.goals.iter().cloned().chain(stay).list();
             !self.logic.impossible(&borrowed(&goals))
         })
     }
@@ -115,7 +116,7 @@ impl Circles<'_> {
 pub(super) fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool) -> Vec<bool> {
     let mut reachable = vec![false; model.steps.len()];
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    let mut waits: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).collect();
+    let mut waits: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).list();
     let mut work: Vec<StepId> = Vec::new();
     for (id, step) in model.steps.iter() {
         let forced = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.contains(&id));

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use super::view::View;
 use super::{Circles, Goals, borrowed};
 use crate::analysis::Condition;
+use crate::list::List;
 use crate::model::{Binary, Effect, Id, Name, Place, Read, Statement, StepId, TransitionId, Tree, Unary};
 use crate::sorted::Set;
 
@@ -57,8 +58,8 @@ struct Enabled {
 
 impl<'r, 'm> Run<'r, 'm> {
     pub(super) fn new(circles: &'r Circles<'m>, start: Option<Node>) -> Self {
-        let nodes: Vec<Node> = start.into_iter().collect();
-        Self { circles, open: (0..nodes.len()).collect(), nodes }
+        let nodes: Vec<Node> = start.into_iter().list();
+        Self { circles, open: (0..nodes.len()).list(), nodes }
     }
 
     /// How many situations were looked at so far.
@@ -92,7 +93,7 @@ impl<'r, 'm> Run<'r, 'm> {
     fn circle(&self, at: usize) -> Option<Vec<TransitionId>> {
         let node = &self.nodes[at];
         let fresh = |node: &Node| node.fresh.intersection(&node.active).copied().collect::<Set<_>>();
-        let mut circle: Vec<TransitionId> = node.cleared.iter().rev().copied().collect();
+        let mut circle: Vec<TransitionId> = node.cleared.iter().rev().copied().list();
         let mut parent = node.parent;
         while let Some(other) = parent.map(|parent| &self.nodes[parent]) {
             if other.active == node.active && other.before == node.before && fresh(other) == fresh(node) {
@@ -138,13 +139,13 @@ impl<'r, 'm> Run<'r, 'm> {
         for chosen in 0..1_usize << enabled.maybe.len() {
             let is_chosen = |index: usize| chosen >> index & 1 == 1;
             let choice = enabled.maybe.iter().enumerate().map(|(i, (_, c))| (Rc::clone(c), is_chosen(i)));
-            let goals: Goals = self.nodes[at].goals.iter().cloned().chain(choice).collect();
+            let goals: Goals = self.nodes[at].goals.iter().cloned().chain(choice).list();
             // One open condition alone can have both values.
             if enabled.maybe.len() > 1 && self.circles.logic.impossible(&borrowed(&goals)) {
                 continue;
             }
             let maybe = enabled.maybe.iter().enumerate().filter(|(i, _)| is_chosen(*i)).map(|(_, (id, _))| *id);
-            let cleared: Vec<TransitionId> = enabled.surely.iter().copied().chain(maybe).collect();
+            let cleared: Vec<TransitionId> = enabled.surely.iter().copied().chain(maybe).list();
             match self.clear(at, cleared, goals) {
                 Some(next) => {
                     self.nodes.push(next);

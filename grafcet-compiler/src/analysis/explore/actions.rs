@@ -4,6 +4,7 @@ use super::compile::Compiler;
 use super::formula::Formula;
 use super::rivals::Watched;
 use super::slots::{Bit, Slots};
+use crate::list::List;
 use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
 use crate::sorted::{Map, Set};
 
@@ -170,7 +171,7 @@ impl Compile<'_, '_> {
                 program: self.program(effect, None),
                 more: self.does_more(effect),
             });
-            actions.clearing.insert(id.index(), clearing.collect());
+            actions.clearing.insert(id.index(), clearing.list());
         }
     }
 
@@ -223,12 +224,12 @@ impl Compile<'_, '_> {
     /// Where only S and R control the place, it is its own flip-flop.
     fn timed(&mut self, model: &Model, place: Place) -> Timed {
         let own = |((of, qualifier), slot): &((Place, Qualifier), usize)| (*of == place).then_some((*qualifier, *slot));
-        let flip_flops = self.slots.flip_flops.iter().filter_map(own).collect();
+        let flip_flops = self.slots.flip_flops.iter().filter_map(own).list();
         let controls = |a: &&Association| matches!(a.effect, Effect::Control(of) if of == place);
         let qualifiers: Set<Qualifier> =
             model.associations.values().filter(controls).filter(|a| a.time.is_some()).map(|a| a.qualifier).collect();
         let times = qualifiers.into_iter().map(|qualifier| (qualifier, self.compiler.time_of(qualifier, place)));
-        Timed { flip_flops, times: times.collect() }
+        Timed { flip_flops, times: times.list() }
     }
 
     fn is_followed(&self, effect: &Effect) -> bool {
@@ -263,7 +264,7 @@ impl Compile<'_, '_> {
                 (Some(slot), Some(value)) => vec![Command::Set(*slot, Formula::Const(value))],
                 _ => Vec::new(),
             },
-            Effect::Assign(place, value) => self.set(*place, &value.tree).into_iter().collect(),
+            Effect::Assign(place, value) => self.set(*place, &value.tree).into_iter().list(),
             Effect::Call(..) => Vec::new(),
             Effect::Block(code) => code.statements.as_deref().map_or_else(Vec::new, |all| self.commands(all)),
         }

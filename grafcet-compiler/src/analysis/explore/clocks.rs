@@ -6,6 +6,7 @@ use super::formula::{Formula, Kind};
 use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, When};
+use crate::list::List;
 use crate::sorted::Set;
 
 /// The time of a step or of a macro-step.
@@ -29,7 +30,7 @@ pub(super) fn of(net: &Net) -> Vec<Clock> {
     let mut marks: Vec<Set<i128>> = vec![Set::new(); net.atoms.len()];
     net.formulas().for_each(|formula| note_marks(formula, &mut marks));
     let followed = reader.followed.iter().zip(marks).enumerate().filter(|(_, (is_followed, _))| **is_followed);
-    followed.map(|(atom, (_, marks))| Clock { atom, marks }).collect()
+    followed.map(|(atom, (_, marks))| Clock { atom, marks }).list()
 }
 
 struct Reader<'n> {

@@ -4,6 +4,7 @@ use super::net::Net;
 use super::scene::{Scene, Snapshot, State, When};
 use super::waiting::arbitrate;
 use super::{grafcet, sfc};
+use crate::list::List;
 
 /// What happened in one run of a cycle.
 #[derive(Default, Debug)]
@@ -83,7 +84,7 @@ pub(super) fn end(scene: &Scene<'_>, when: When) -> State {
 
 /// `(active − left) ∪ targets`, ascending.
 pub(super) fn evolve(active: &[usize], left: &[usize], targets: &[usize]) -> Vec<usize> {
-    let mut after: Vec<usize> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().collect();
+    let mut after: Vec<usize> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().list();
     after.sort_unstable();
     after.dedup();
     after

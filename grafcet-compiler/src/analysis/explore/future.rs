@@ -3,6 +3,7 @@
 use super::cycle;
 use super::graph::Graph;
 use super::net::Net;
+use crate::list::List;
 
 /// Per strongly connected group of states, what can still happen: which pieces of the chart move, which sources of
 /// AND-convergences are left, which AND-convergences are enabled.
@@ -21,8 +22,8 @@ impl Future {
     pub(super) fn of(net: &Net, graph: &Graph) -> Self {
         let joins: Vec<usize> = (0..net.arcs.len())
             .filter(|t| net.arcs[*t].sources.len() > 1 && graph.unit.is_none_or(|unit| net.unit_of_arc(*t) == unit))
-            .collect();
-        let mut waiting: Vec<usize> = joins.iter().flat_map(|join| &net.arcs[*join].sources).copied().collect();
+            .list();
+        let mut waiting: Vec<usize> = joins.iter().flat_map(|join| &net.arcs[*join].sources).copied().list();
         waiting.sort_unstable();
         waiting.dedup();
         let (group_of, groups) = groups(graph);
@@ -148,7 +149,7 @@ pub(super) fn ends(graph: &Graph, looked_at: &[bool]) -> Vec<usize> {
         let stays = |member: &usize| graph.edges[*member].iter().all(|edge| group_of[edge.to] == *number);
         members.iter().all(|member| looked_at[*member] && stays(member))
     });
-    ends.map(|(_, members)| members[0]).collect()
+    ends.map(|(_, members)| members[0]).list()
 }
 
 /// The strongly connected groups of states (Tarjan), each behind those to which it leads; with an explicit stack.

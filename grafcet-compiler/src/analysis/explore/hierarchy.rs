@@ -2,6 +2,7 @@
 
 use super::cycle::{Done, evolve as clear, note_doubled};
 use super::net::{Net, Order};
+use crate::list::List;
 
 /// Whether what stands above imposes nothing new in an evolution from a situation that an evolution has led to: no step
 /// that gives orders or encloses is left or entered.
@@ -16,14 +17,14 @@ pub(super) fn evolve(net: &Net, before: &[usize], fireable: &[usize], done: &mut
     let mut after: Vec<usize> = Vec::new();
     let mut cleared = Vec::new();
     for part in &net.hierarchy {
-        let here: Vec<usize> = before.iter().filter(|step| net.part_of[**step] == *part).copied().collect();
+        let here: Vec<usize> = before.iter().filter(|step| net.part_of[**step] == *part).copied().list();
         let later = match imposed(net, *part, &here, before, &after) {
             Some(situation) => situation,
             None => {
                 let own = fireable.iter().filter(|transition| net.arcs[**transition].partial == *part);
-                let own: Vec<usize> = own.copied().collect();
-                let left: Vec<usize> = own.iter().flat_map(|t| &net.arcs[*t].sources).copied().collect();
-                let targets: Vec<usize> = own.iter().flat_map(|t| &net.arcs[*t].targets).copied().collect();
+                let own: Vec<usize> = own.copied().list();
+                let left: Vec<usize> = own.iter().flat_map(|t| &net.arcs[*t].sources).copied().list();
+                let targets: Vec<usize> = own.iter().flat_map(|t| &net.arcs[*t].targets).copied().list();
                 note_doubled(net, before, &left, &own, done);
                 cleared.extend(own);
                 clear(&here, &left, &targets)

@@ -8,6 +8,7 @@ use super::net::Net;
 use super::slots::Bit;
 use super::verdicts::Report;
 use super::{Answer, Budget, Detail, Doubt, Exploration, budget_doubt, explore_whole};
+use crate::list::List;
 use crate::model::{Id, StepId, Tree};
 
 /// In how many cases it is looked whether one of several ways exists.
@@ -69,14 +70,14 @@ struct At {
 
 impl At {
     fn of(net: &Net, graph: &Graph, home: &[StepId]) -> Self {
-        let mut steps: Vec<usize> = home.iter().map(|step| step.index()).collect();
+        let mut steps: Vec<usize> = home.iter().map(|step| step.index()).list();
         steps.sort_unstable();
-        let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).collect();
+        let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).list();
         parts.sort_unstable();
         let is_concerned = |step: &&usize| parts.binary_search(&net.part_of[**step]).is_ok();
         let states = graph.states.iter().enumerate();
         let at_home = states.filter(|(_, state)| !state.first && state.active.iter().filter(is_concerned).eq(&steps));
-        Self { home: at_home.map(|(number, _)| number).collect(), back: backwards(graph) }
+        Self { home: at_home.map(|(number, _)| number).list(), back: backwards(graph) }
     }
 
     /// The ends of cycles from which nothing leads home, the nearest first.
@@ -88,7 +89,7 @@ impl At {
                 work.extend(&self.back[state]);
             }
         }
-        (0..returns.len()).filter(|state| !returns[*state] && !graph.states[*state].first).collect()
+        (0..returns.len()).filter(|state| !returns[*state] && !graph.states[*state].first).list()
     }
 
     /// What the way home depends on from some state, where it exists for some values only that are not followed.
@@ -127,14 +128,14 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
         Kind::Slot(slot) => is_any(slot),
         _ => net.unfollowed[**atom],
     };
-    let mut atoms: Vec<usize> = net.arcs.iter().flat_map(|arc| &arc.atoms).filter(open).copied().collect();
+    let mut atoms: Vec<usize> = net.arcs.iter().flat_map(|arc| &arc.atoms).filter(open).copied().list();
     if atoms.is_empty() {
-        let all: Vec<usize> = (0..net.atoms.len()).collect();
+        let all: Vec<usize> = (0..net.atoms.len()).list();
         atoms.extend(all.iter().filter(open));
     }
     atoms.sort_unstable();
     atoms.dedup();
-    atoms.into_iter().map(|atom| net.atoms[atom].what.clone()).collect()
+    atoms.into_iter().map(|atom| net.atoms[atom].what.clone()).list()
 }
 
 /// Whether one of the cycles can be taken whatever the values are that they take for granted.
@@ -142,7 +143,7 @@ fn exists<'g>(net: &Net, edges: impl Iterator<Item = &'g Edge>) -> bool {
     // Where nothing can be taken for granted, nothing is written down.
     let nothing = !net.unfollowed.contains(&true) && !net.initial_slots.contains(&Bit::Any);
     let ways = edges.filter_map(|edge| if nothing { Some(&[][..]) } else { edge.granted.as_deref() });
-    let ways: Vec<&[(usize, Known)]> = ways.collect();
+    let ways: Vec<&[(usize, Known)]> = ways.list();
     covers(net, &ways, &[], &mut CASES.clone())
 }
 
@@ -155,12 +156,12 @@ fn covers(net: &Net, ways: &[&[(usize, Known)]], known: &[(usize, Known)], cases
     let of = |known: &[(usize, Known)], atom: usize| known.iter().find(|(other, _)| *other == atom).map(|(_, is)| *is);
     let possible =
         |way: &&&[(usize, Known)]| way.iter().all(|(atom, demand)| of(known, *atom).is_none_or(|is| meet(is, *demand)));
-    let ways: Vec<&[(usize, Known)]> = ways.iter().filter(possible).copied().collect();
+    let ways: Vec<&[(usize, Known)]> = ways.iter().filter(possible).copied().list();
     let Some(first) = ways.first() else { return false };
     let open = first.iter().find(|(atom, demand)| !of(known, *atom).is_some_and(|is| within(is, *demand)));
     let Some((atom, demand)) = open else { return true };
     let (whole, (first, last)) = (of(known, *atom), net.range(*atom));
-    let others: Vec<(usize, Known)> = known.iter().filter(|(other, _)| other != atom).copied().collect();
+    let others: Vec<(usize, Known)> = known.iter().filter(|(other, _)| other != atom).copied().list();
     parts(whole.unwrap_or(Known::Range(first, last)), *demand).into_iter().all(|part| {
         let mut known = others.clone();
         known.push((*atom, part));

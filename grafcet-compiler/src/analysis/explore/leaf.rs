@@ -6,6 +6,7 @@ use super::knowledge::Learnt;
 use super::scene::{State, When};
 use super::search::Search;
 use super::slots::Bit;
+use crate::list::List;
 
 /// The outcome of one run.
 pub(super) struct Leaf {
@@ -48,7 +49,7 @@ impl Search<'_, '_> {
         if !assumed || !self.is_assumed() || self.scene.redundant {
             return None;
         }
-        let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).collect();
+        let watched = holding.into_iter().map(|index| (index, self.beside(&cycle, index))).list();
         let met = self.scene.met.clone();
         Some(Leaf { next, done, cycle, late, watched, met })
     }
@@ -66,8 +67,8 @@ impl Search<'_, '_> {
         self.scene.forget_volatile();
         let net = self.scene.net;
         let open: Vec<usize> =
-            (0..self.graph.watched.len()).filter(|index| self.graph.watched[*index].is_none()).collect();
-        open.into_iter().filter(|index| self.scene.decide(&net.watched[*index], When::Now)).collect()
+            (0..self.graph.watched.len()).filter(|index| self.graph.watched[*index].is_none()).list();
+        open.into_iter().filter(|index| self.scene.decide(&net.watched[*index], When::Now)).list()
     }
 
     /// The cycle with what a watched expression asked for, without what others did.
@@ -76,7 +77,7 @@ impl Search<'_, '_> {
         net.collect(&net.watched[index], &mut atoms, &mut Vec::new());
         let own = |before: &Learnt, after: Learnt| -> Learnt {
             let known = |atom: &usize| before.iter().any(|(other, _)| other == atom);
-            after.into_iter().filter(|(atom, _)| atoms.contains(atom) || known(atom)).collect()
+            after.into_iter().filter(|(atom, _)| atoms.contains(atom) || known(atom)).list()
         };
         let (given, past) = self.scene.decided();
         Cycle {
@@ -95,7 +96,7 @@ impl Search<'_, '_> {
 
     fn allows(&mut self, when: When) -> bool {
         let net = self.scene.net;
-        let mut open: Vec<usize> = (0..net.assumed_never.len()).collect();
+        let mut open: Vec<usize> = (0..net.assumed_never.len()).list();
         loop {
             // Only assumptions about something that matters in this run are decided.
             let touched = open.iter().position(|index| self.scene.touches(&net.assumed_never[*index], when));

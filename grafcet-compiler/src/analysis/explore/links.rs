@@ -5,6 +5,7 @@ use super::knowledge::{Knowledge, Known};
 use super::scene::Scene;
 use crate::analysis::Union;
 use crate::analysis::differences::Differences;
+use crate::list::List;
 use crate::model::Tree;
 use crate::sorted::Map;
 
@@ -81,7 +82,7 @@ impl Links {
             group.atoms.push(*atom);
             group.differences.push(pair);
         }
-        links.groups = groups.into_iter().map(|(_, (group, _))| group).filter(Group::is_tied).collect();
+        links.groups = groups.into_iter().map(|(_, (group, _))| group).filter(Group::is_tied).list();
         for (number, group) in links.groups.iter().enumerate() {
             for atom in &group.atoms {
                 links.group_of[*atom] = Some(number);
@@ -102,7 +103,7 @@ impl Links {
 
     /// Whether there are numbers of which all this is true.
     fn allow(&self, knowledge: &Knowledge) -> bool {
-        let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).collect();
+        let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
         asked.sort_unstable();
         asked.dedup();
         asked.into_iter().all(|group| self.groups[group].allows(knowledge))

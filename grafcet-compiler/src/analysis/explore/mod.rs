@@ -56,6 +56,7 @@ use self::verdicts::Report;
 use self::ways::Ways;
 use self::whole::{Budget, Detail, explore_whole};
 use super::{Concurrency, Nesting};
+use crate::list::List;
 use crate::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
@@ -186,7 +187,7 @@ impl Exploration {
         let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
             settles: sooner.is_none() && settles::settled(&net, &whole),
-            sources: model.transitions.values().map(|transition| transition.sources.clone()).collect(),
+            sources: model.transitions.values().map(|transition| transition.sources.clone()).list(),
             unsafe_steps: Map::new(),
             deadlocks: Vec::new(),
             stuck_joins: Vec::new(),
@@ -231,7 +232,7 @@ impl Exploration {
                 self.unsafe_steps.or_insert_with(step, || activation);
             }
         }
-        let known: Vec<Vec<StepId>> = self.deadlocks.iter().map(|deadlock| deadlock.steps.clone()).collect();
+        let known: Vec<Vec<StepId>> = self.deadlocks.iter().map(|deadlock| deadlock.steps.clone()).list();
         self.deadlocks.extend(deadlocks.into_iter().filter(|deadlock| !known.contains(&deadlock.steps)));
         for stuck in stuck_joins {
             let same = |other: &StuckJoin| (other.join, other.waiting) == (stuck.join, stuck.waiting);
@@ -363,7 +364,7 @@ fn answers(net: &Net, sooner: Option<&Graph>, whole: &Graph) -> Vec<Answer> {
             None => Answer::Unknown(budget_doubt(net, whole)),
         }
     };
-    (0..net.watched.len()).map(answer).collect()
+    (0..net.watched.len()).map(answer).list()
 }
 
 /// Why the budget did not suffice.
@@ -384,7 +385,7 @@ fn budget_doubt(net: &Net, graph: &Graph) -> Doubt {
     if inputs.len() < FEW {
         return Doubt::Budget(graph.states.len());
     }
-    let at = graph.states[end.state].active.iter().map(|step| StepId::new(*step)).collect();
+    let at = graph.states[end.state].active.iter().map(|step| StepId::new(*step)).list();
     Doubt::Inputs { at, inputs }
 }
 

@@ -10,6 +10,7 @@ use super::slice::Slice;
 use super::slots::{Bit, Slots};
 use super::{unfollowed, units};
 use crate::analysis::Concurrency;
+use crate::list::List;
 use crate::model::{ForceOrder, Id, Model, PartialId, Step, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
@@ -133,24 +134,24 @@ impl Net {
         let Subject { watched, rivals, slice } = *subject;
         let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
         let asked = rivals.iter().flat_map(|(a, b)| a.conditions().chain(b.conditions()));
-        let asked: Vec<&Tree> = watched.iter().copied().chain(asked).collect();
+        let asked: Vec<&Tree> = watched.iter().copied().chain(asked).list();
         let slots = Slots::of(model, &asked, &kept);
         let mut compiler = Compiler::new(model, &slots.numbers);
         let conditions: Vec<Formula> = model
             .transitions
             .iter()
             .map(|(id, t)| compiler.formula(if kept(id) { &t.condition.tree } else { &FALSE }))
-            .collect();
+            .list();
         compiler.in_action = true;
         let mut actions = actions::compile(model, &slots, &mut compiler);
         compiler.in_action = false;
         let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
-        actions.rivals = rivals.collect();
-        let watched = watched.iter().map(|tree| compiler.formula(tree)).collect();
+        actions.rivals = rivals.list();
+        let watched = watched.iter().map(|tree| compiler.formula(tree)).list();
         let approximate = compiler.approximate;
-        let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).collect();
+        let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
-        let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).collect();
+        let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).list();
         let links = Links::of(&atoms, &differences, &numbers);
         let unfollowed = unfollowed::atoms(&atoms);
         let count = atoms.len();
@@ -172,17 +173,17 @@ impl Net {
                 .iter()
                 .filter(|step| slice.is_none_or(|slice| slice.has_step(model, **step)))
                 .map(|step| step.index())
-                .collect(),
+                .list(),
             parts: parts(model, slice),
-            commands: model.steps.values().map(|step| !step.forces.is_empty()).collect(),
-            governs: model.steps.values().map(|step| !step.forces.is_empty() || !step.encloses.is_empty()).collect(),
+            commands: model.steps.values().map(|step| !step.forces.is_empty()).list(),
+            governs: model.steps.values().map(|step| !step.forces.is_empty() || !step.encloses.is_empty()).list(),
             hierarchy: Vec::new(),
-            part_of: model.steps.values().map(|step| step.partial.index()).collect(),
+            part_of: model.steps.values().map(|step| step.partial.index()).list(),
             has_arcs: vec![false; units],
             unit_of,
             units,
-            is_final: model.steps.values().map(|step| step.is_final).collect(),
-            macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).collect()).collect(),
+            is_final: model.steps.values().map(|step| step.is_final).list(),
+            macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).list()).list(),
             edge_atoms: vec![Vec::new(); model.steps.len()],
             common_edge_atoms: Vec::new(),
             is_edge_atom: vec![false; count],
@@ -198,7 +199,7 @@ impl Net {
             structure: None,
         };
         if net.parts.iter().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
-            net.hierarchy = super::super::hierarchy::top_down(model).iter().map(|id| id.index()).collect();
+            net.hierarchy = super::super::hierarchy::top_down(model).iter().map(|id| id.index()).list();
         }
         net.draw(model, conditions);
         net.note_edges();
@@ -210,7 +211,7 @@ impl Net {
 
     fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
         for (index, (transition, condition)) in model.transitions.values().zip(conditions).enumerate() {
-            let mut sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+            let mut sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).list();
             sources.sort_unstable();
             for source in &sources {
                 self.leaving[*source].push(index);
@@ -236,7 +237,7 @@ impl Net {
                 |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
             reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
             let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
-            let targets = transition.targets.iter().map(|step| step.index()).collect();
+            let targets = transition.targets.iter().map(|step| step.index()).list();
             let partial = transition.partial.index();
             let is_any = transition.any.is_some();
             self.arcs.push(Arc {
@@ -345,7 +346,7 @@ impl Net {
                 add(&mut common, *atom);
             }
         }
-        let assumed: Vec<Vec<usize>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).collect();
+        let assumed: Vec<Vec<usize>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).list();
         self.common_edge_atoms = with_assumed(common, &assumed);
         for atoms in &mut self.edge_atoms {
             *atoms = with_assumed(std::mem::take(atoms), &assumed);
@@ -388,7 +389,7 @@ impl Net {
             unit_of != Some(unit)
         };
         let slots = writers.into_iter().filter(|(_, by)| foreign(*by)).map(|(slot, _)| slot);
-        let mut slots: Vec<usize> = slots.collect();
+        let mut slots: Vec<usize> = slots.list();
         slots.sort_unstable();
         slots.dedup();
         slots
@@ -421,7 +422,7 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
     let mut orders: Map<usize, Vec<(usize, Order)>> = Map::new();
     let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<usize> {
         let mut steps: Vec<usize> =
-            part.steps.iter().filter(|step| wanted(&model.steps[**step])).map(|step| step.index()).collect();
+            part.steps.iter().filter(|step| wanted(&model.steps[**step])).map(|step| step.index()).list();
         steps.sort_unstable();
         steps
     };
@@ -429,7 +430,7 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
     for force in model.forces.values().filter(|force| !is_left_out(force.target)) {
         let order = match &force.order {
             ForceOrder::Steps(steps) => {
-                let mut steps: Vec<usize> = steps.iter().map(|step| step.index()).collect();
+                let mut steps: Vec<usize> = steps.iter().map(|step| step.index()).list();
                 steps.sort_unstable();
                 Order::To(steps)
             }
@@ -443,7 +444,7 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
         linked: if is_left_out(id) { Vec::new() } else { pick(partial, |step| step.linked) },
         orders: orders.remove(&id.index()).unwrap_or_default(),
     };
-    model.partials.iter().map(part).collect()
+    model.partials.iter().map(part).list()
 }
 
 /// With what assumptions connect these atoms with: what is known of one of them in the cycle before may exclude a value of

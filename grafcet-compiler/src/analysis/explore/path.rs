@@ -1,6 +1,7 @@
 //! Ways through a chart, as the verdicts show them.
 
 use crate::analysis::numbers::{Float, float};
+use crate::list::List;
 use crate::model::{Binary, Model, PartialId, Read, StepId, TransitionId, Tree};
 
 /// A sequence of cycles from the initial situation on.
@@ -83,11 +84,11 @@ impl Path {
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         const SHOWN: usize = 8;
-        let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).chain(self.situations()).collect();
+        let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).chain(self.situations()).list();
         situations.dedup();
         let befores = std::iter::once(&[][..]).chain(situations.iter().map(|steps| &steps[..]));
         let mut names: Vec<String> =
-            situations.iter().zip(befores).map(|(steps, before)| in_short(model, steps, before)).collect();
+            situations.iter().zip(befores).map(|(steps, before)| in_short(model, steps, before)).list();
         if names.len() > SHOWN {
             names.splice(2..=names.len() - SHOWN + 2, ["…".to_owned()]);
         }
@@ -111,16 +112,16 @@ fn in_short(model: &Model, steps: &[StepId], before: &[StepId]) -> String {
     if steps.len() <= SHOWN {
         return situation(model, steps);
     }
-    let entered: Vec<StepId> = steps.iter().filter(|step| !before.contains(step)).copied().collect();
+    let entered: Vec<StepId> = steps.iter().filter(|step| !before.contains(step)).copied().list();
     let shown = if entered.is_empty() { steps } else { &entered[..] };
-    let names: Vec<String> = shown.iter().take(SHOWN / 2).map(|step| model.steps[*step].name.to_string()).collect();
+    let names: Vec<String> = shown.iter().take(SHOWN / 2).map(|step| model.steps[*step].name.to_string()).list();
     format!("({}, and {} more)", names.join(", "), steps.len() - names.len())
 }
 
 /// `A`, `(A, B)`, `()`.
 #[must_use]
 pub fn situation(model: &Model, steps: &[StepId]) -> String {
-    let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+    let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).list();
     match &names[..] {
         [one] => one.clone(),
         _ => format!("({})", names.join(", ")),

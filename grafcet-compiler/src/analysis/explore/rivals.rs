@@ -8,6 +8,7 @@ use super::net::Net;
 use super::scene::{Scene, When};
 use super::search::Search;
 use crate::analysis::is_constant_read;
+use crate::list::List;
 use crate::model::{Association, Dialect, Id, Model, Name, Qualifier, Read, TransitionId, Tree, Trigger};
 
 /// A stored action of a `grafcet` that is watched beside another.
@@ -30,7 +31,7 @@ impl<'m> Rival<'m> {
     }
 
     pub(super) fn compile(self, compiler: &mut Compiler<'_>) -> Watched {
-        let conditions = self.conditions().map(|tree| compiler.formula(tree)).collect();
+        let conditions = self.conditions().map(|tree| compiler.formula(tree)).list();
         let at = match self {
             Self::Action(association) => At::Step(association.step.index(), association.qualifier),
             Self::Clearing(id) => At::Transition(id.index()),

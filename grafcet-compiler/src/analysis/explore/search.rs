@@ -1,5 +1,6 @@
 //! From situation to situation.
 
+use crate::list::List;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -108,9 +109,8 @@ impl<'n, 's> Search<'n, 's> {
             self.root(true, net.initial.clone());
             return;
         };
-        let own = |steps: &[usize]| -> Vec<usize> {
-            steps.iter().filter(|step| net.unit_of[**step] == unit).copied().collect()
-        };
+        let own =
+            |steps: &[usize]| -> Vec<usize> { steps.iter().filter(|step| net.unit_of[**step] == unit).copied().list() };
         let initial = own(&net.initial);
         let sourceless = net.sourceless.iter().any(|t| net.arcs[*t].targets.iter().any(|s| net.unit_of[*s] == unit));
         if !initial.is_empty() || sourceless {
@@ -124,7 +124,7 @@ impl<'n, 's> Search<'n, 's> {
             super::net::Order::To(steps) => Some(own(steps)),
             super::net::Order::Hold => None,
         });
-        let starts: Vec<Vec<usize>> = orders.chain([own(&part.linked)]).collect();
+        let starts: Vec<Vec<usize>> = orders.chain([own(&part.linked)]).list();
         for start in starts {
             if !start.is_empty() || sourceless && self.commanded {
                 let entry = self.root(false, start);

@@ -5,6 +5,7 @@ use super::cycle::{Done, evolve, note_doubled, tried};
 use super::formula::Formula;
 use super::scene::{Scene, State, When};
 use super::slots::Bit;
+use crate::list::List;
 use crate::model::{Dialect, Qualifier, Trigger};
 
 /// How the evolution changed the situation.
@@ -46,11 +47,11 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
         let cleared = done.cleared.clone();
         note_doubled(net, &state.active, &left, &cleared, done);
     }
-    let stayed: Vec<usize> = state.active.iter().filter(|step| !left.contains(step)).copied().collect();
+    let stayed: Vec<usize> = state.active.iter().filter(|step| !left.contains(step)).copied().list();
     let entered: Vec<usize> = if state.first {
         state.active.to_vec()
     } else {
-        targets.iter().filter(|step| !stayed.contains(step)).copied().collect()
+        targets.iter().filter(|step| !stayed.contains(step)).copied().list()
     };
     let after = evolve(&state.active, &left, &targets);
     scene.start = Some(scene.now.clone());
@@ -70,8 +71,7 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
 fn act(scene: &mut Scene<'_>, change: &Change) {
     let net = scene.net;
     let steps = change.before.iter().chain(&scene.now.active);
-    let mut numbers: Vec<usize> =
-        steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().collect();
+    let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().list();
     let lasting = net.actions.lasting.iter().filter(|(slot, _)| scene.now.slots[*slot] != Bit::False);
     numbers.extend(lasting.map(|(_, target)| *target));
     numbers.sort_unstable();

@@ -2,6 +2,7 @@
 //! all understood.
 
 use crate::analysis::mixed;
+use crate::list::List;
 use crate::model::{
     Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, TransitionId, Tree, Ty,
 };
@@ -75,7 +76,7 @@ fn initial(model: &Model, place: Place) -> Bit {
 fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree], kept: &dyn Fn(TransitionId) -> bool) -> Set<Place> {
     let mut needed = Set::new();
     let transitions = model.transitions.iter().filter(|(id, _)| kept(*id));
-    let mut reads: Vec<Read> = transitions.flat_map(|(_, t)| t.condition.reads.iter().copied()).collect();
+    let mut reads: Vec<Read> = transitions.flat_map(|(_, t)| t.condition.reads.iter().copied()).list();
     for tree in watched {
         reads_of(tree, &mut reads);
     }
@@ -176,7 +177,7 @@ impl<'m> Writers<'m> {
         let with = |wanted: Qualifier| self.associations(model, place).any(|a| a.qualifier == wanted);
         let stored = self.associations(model, place).all(|a| a.qualifier.sets_or_resets());
         let has = |qualifier: &Qualifier| qualifier.has_flip_flop() && !stored && with(*qualifier);
-        Qualifier::ALL.into_iter().filter(has).collect()
+        Qualifier::ALL.into_iter().filter(has).list()
     }
 
     /// Whether an output has no memory, and nothing in the chart reads it.

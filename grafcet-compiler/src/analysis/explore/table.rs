@@ -1,6 +1,7 @@
 //! A way as a table, for whoever has to follow it cycle by cycle.
 
 use super::path::{Path, PathCycle, situation};
+use crate::list::List;
 use crate::model::{Model, TransitionId};
 
 /// A line of the table.
@@ -40,8 +41,8 @@ impl Path {
 }
 
 fn row(model: &Model, number: usize, cycle: &PathCycle) -> Row {
-    let given: Vec<String> = cycle.given.iter().map(|given| given.text(model)).collect();
-    let cleared: Vec<String> = cycle.cleared.iter().map(|id| arc(model, *id)).collect();
+    let given: Vec<String> = cycle.given.iter().map(|given| given.text(model)).list();
+    let cleared: Vec<String> = cycle.cleared.iter().map(|id| arc(model, *id)).list();
     let or = |text: String, otherwise: &str| if text.is_empty() { otherwise.to_owned() } else { text };
     [number.to_string(), or(given.join(", "), "any"), or(cleared.join(", "), "-"), situation(model, &cycle.active)]
 }

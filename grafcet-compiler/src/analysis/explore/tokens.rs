@@ -1,6 +1,7 @@
 //! Why a step is activated while it is active: where the two ways that meet in it have parted.
 
 use super::path::Activation;
+use crate::list::List;
 use crate::model::{Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
@@ -49,7 +50,7 @@ impl Activation {
         'path: for (number, cycle) in self.path.cycles.iter().enumerate() {
             for transition in &cycle.cleared {
                 let arc = &model.transitions[*transition];
-                let causes: Vec<usize> = arc.sources.iter().filter_map(|source| active.get(source).copied()).collect();
+                let causes: Vec<usize> = arc.sources.iter().filter_map(|source| active.get(source).copied()).list();
                 let event = events.len();
                 events.push(Event { by: Some(*transition), causes });
                 if number == last && *transition == self.by {
@@ -74,7 +75,7 @@ impl Activation {
         let (first, second) = (causes_of(&events, known), causes_of(&events, event));
         let starts = self.path.start.iter().enumerate();
         let starts = starts.filter(|(start, _)| first[*start] || second[*start]);
-        meeting.starts = starts.map(|(_, step)| *step).collect();
+        meeting.starts = starts.map(|(_, step)| *step).list();
         meeting
     }
 }
@@ -94,7 +95,7 @@ fn meeting(model: &Model, events: &[Event], first: usize, second: usize) -> Meet
         .filter(|event| before[*event])
         .filter_map(by)
         .flat_map(|transition| model.transitions[transition].sources.iter().copied())
-        .collect();
+        .list();
     let goes_back = |transition: &TransitionId| {
         let targets = &model.transitions[*transition].targets;
         targets.iter().any(|target| passed.contains(target))

@@ -2,6 +2,7 @@
 
 use super::formula::{Atom, Kind};
 use super::slots::Slots;
+use crate::list::List;
 use crate::model::{Association, Binary, Effect, Model, Name, Read, Step, Tree};
 use crate::sorted::Map;
 
@@ -15,7 +16,7 @@ pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
         }
     }
     let own = |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1);
-    atoms.iter().map(|atom| !is_free(atom) && !is_open(atom, &own)).collect()
+    atoms.iter().map(|atom| !is_free(atom) && !is_open(atom, &own)).list()
 }
 
 /// An input, a param, a time, or something that is followed.
@@ -69,6 +70,6 @@ pub(super) fn writers(model: &Model, slots: &Slots) -> (Vec<bool>, Vec<bool>) {
     let more = |effect: &Effect| effect.writes().iter().any(|place| !slots.numbers.contains_key(place));
     let stored = |association: &Association| !association.qualifier.is_continuous() && more(&association.effect);
     let of_step = |step: &Step| step.associations.iter().any(|id| stored(&model.associations[*id]));
-    let steps = model.steps.values().map(of_step).collect();
-    (steps, model.transitions.values().map(|transition| transition.clearing.iter().any(more)).collect())
+    let steps = model.steps.values().map(of_step).list();
+    (steps, model.transitions.values().map(|transition| transition.clearing.iter().any(more)).list())
 }

@@ -1,6 +1,7 @@
 //! The connected pieces of partial grafcets: what evolves by itself.
 
 use crate::analysis::Union;
+use crate::list::List;
 use crate::model::{Id, Model};
 
 /// The number of each step's piece, and how many there are.
@@ -24,6 +25,6 @@ pub(super) fn of(model: &Model) -> (Vec<usize>, usize) {
             }
             numbers[root]
         })
-        .collect();
+        .list();
     (units, count)
 }

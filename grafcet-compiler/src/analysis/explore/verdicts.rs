@@ -6,6 +6,7 @@ use super::graph::{Cycle, Doubled, Graph};
 use super::knowledge::Known;
 use super::net::Net;
 use super::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
+use crate::list::List;
 use crate::model::{Id, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -81,12 +82,12 @@ impl Report<'_> {
     /// A cycle; `later` is what the next one demands of it.
     fn cycle(&self, cycle: &Cycle, later: &[(usize, Known)], active: &[usize]) -> PathCycle {
         let inputs = |(atom, _): &&(usize, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
-        let later: Vec<_> = later.iter().filter(inputs).collect();
+        let later: Vec<_> = later.iter().filter(inputs).list();
         let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
         let given = sooner.chain(later.iter().copied()).filter_map(|known| self.given(known));
         PathCycle {
-            given: given.collect(),
-            cleared: cycle.cleared.iter().map(|transition| TransitionId::new(*transition)).collect(),
+            given: given.list(),
+            cleared: cycle.cleared.iter().map(|transition| TransitionId::new(*transition)).list(),
             active: steps(active),
         }
     }
@@ -109,7 +110,7 @@ impl Report<'_> {
             let path = self.path_beyond(doubled.from, &doubled.cycle, &doubled.end);
             (StepId::new(*step), Activation { path, by: TransitionId::new(doubled.by) })
         };
-        self.graph.doubled.iter().map(activation).collect()
+        self.graph.doubled.iter().map(activation).list()
     }
 
     /// Situations from which a piece of the chart never goes on.
@@ -123,7 +124,7 @@ impl Report<'_> {
         let mut known = Set::new();
         let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
         for (number, state) in states.filter(|(_, state)| !state.first) {
-            let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).collect();
+            let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).list();
             units.sort_unstable();
             units.dedup();
             for unit in units {
@@ -193,7 +194,7 @@ impl Report<'_> {
     }
 
     fn part_of(&self, active: &[usize], unit: usize) -> Vec<usize> {
-        active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().collect()
+        active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().list()
     }
 
     /// Whether the piece may stay where it is: a final step of it is active, or an order holds it.
@@ -205,5 +206,5 @@ impl Report<'_> {
 }
 
 fn steps(active: &[usize]) -> Vec<StepId> {
-    active.iter().map(|step| StepId::new(*step)).collect()
+    active.iter().map(|step| StepId::new(*step)).list()
 }

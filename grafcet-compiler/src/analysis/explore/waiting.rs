@@ -15,6 +15,7 @@ use super::knowledge::{Known, Learnt};
 use super::net::Net;
 use super::scene::{Scene, When};
 use crate::analysis::Union;
+use crate::list::List;
 use crate::sorted::Map;
 
 /// Whether a group of transitions can wait in a cycle.
@@ -52,7 +53,7 @@ pub(super) fn at_start(scene: &mut Scene<'_>, enabled: &[usize]) -> Option<Group
         return None;
     }
     if found.shared.is_empty() {
-        found.waits = Some(found.members.iter().map(|group| can_wait(scene, group)).collect());
+        found.waits = Some(found.members.iter().map(|group| can_wait(scene, group)).list());
     }
     Some(found)
 }
@@ -65,7 +66,7 @@ fn find(net: &Net, open: &[usize]) -> Groups {
 
 /// `grafcet`: what becomes enabled later in the cycle waits if it can.
 pub(super) fn later(scene: &mut Scene<'_>, enabled: &[usize]) -> Vec<usize> {
-    let open: Vec<usize> = enabled.iter().filter(|transition| !scene.is_still(**transition)).copied().collect();
+    let open: Vec<usize> = enabled.iter().filter(|transition| !scene.is_still(**transition)).copied().list();
     if open.is_empty() || !may_arbitrate(scene, &open) {
         return open;
     }
@@ -146,7 +147,7 @@ pub(super) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
     for (position, transition) in open.iter().enumerate() {
         groups.or_default(union.root(position)).push(*transition);
     }
-    groups.into_iter().map(|(_, members)| members).collect()
+    groups.into_iter().map(|(_, members)| members).list()
 }
 
 /// The atoms that more than one group reads, ascending.
@@ -160,7 +161,7 @@ fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
     uses.sort_unstable();
     uses.dedup();
     let twice = uses.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[0].0);
-    let mut shared: Vec<usize> = twice.collect();
+    let mut shared: Vec<usize> = twice.list();
     shared.extend(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
     shared.sort_unstable();
     shared.dedup();
@@ -233,7 +234,7 @@ fn can_wait(scene: &mut Scene<'_>, group: &[usize]) -> Wait {
 fn try_to_wait(scene: &mut Scene<'_>, group: &[usize], key: &Key, atoms: &[usize]) -> Wait {
     let net = scene.net;
     let mut trial = scene.trial.take().unwrap_or_else(|| Box::new(Scene::new(net, scene.unit)));
-    let edge_atoms: Vec<usize> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().collect();
+    let edge_atoms: Vec<usize> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().list();
     let mut ways: Vec<Vec<(usize, Known)>> = Vec::new();
     trial.tape.restart();
     loop {
@@ -264,10 +265,10 @@ fn try_to_wait(scene: &mut Scene<'_>, group: &[usize], key: &Key, atoms: &[usize
 /// Whether ways that differ in one boolean atom cover both of its values.
 fn covers(ways: &[Vec<(usize, Known)>], given: &[(usize, Known)]) -> bool {
     let new = |way: &Vec<(usize, Known)>| -> Vec<(usize, Known)> {
-        way.iter().filter(|pair| !given.contains(pair)).copied().collect()
+        way.iter().filter(|pair| !given.contains(pair)).copied().list()
     };
-    let ways: Vec<Vec<(usize, Known)>> = ways.iter().map(new).collect();
-    let mut atoms: Vec<usize> = ways.iter().flatten().map(|(atom, _)| *atom).collect();
+    let ways: Vec<Vec<(usize, Known)>> = ways.iter().map(new).list();
+    let mut atoms: Vec<usize> = ways.iter().flatten().map(|(atom, _)| *atom).list();
     atoms.sort_unstable();
     atoms.dedup();
     // All combinations of boolean values, each atom decided in all of them.

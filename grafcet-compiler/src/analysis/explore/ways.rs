@@ -17,6 +17,7 @@ use super::scene::{State, When};
 use super::search::Search;
 use super::verdicts::Report;
 use super::waiting;
+use crate::list::List;
 use crate::model::{Id, TransitionId};
 
 /// How often the inputs are chosen anew so that a transition clears, or waits.
@@ -120,7 +121,7 @@ fn led_to(net: &Net, cycles: &[&[usize]], step: usize, by: usize) -> Vec<usize> 
     for (number, cycle) in cycles.iter().enumerate() {
         for transition in *cycle {
             let arc = &net.arcs[*transition];
-            let causes = arc.sources.iter().filter_map(|source| active[*source]).collect();
+            let causes = arc.sources.iter().filter_map(|source| active[*source]).list();
             let event = events.len();
             events.push((*transition, causes));
             if number == last && *transition == by {
@@ -137,7 +138,7 @@ fn led_to(net: &Net, cycles: &[&[usize]], step: usize, by: usize) -> Vec<usize> 
             needed.extend(&events[event].1);
         }
     }
-    events.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|((transition, _), _)| *transition).collect()
+    events.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|((transition, _), _)| *transition).list()
 }
 
 impl Search<'_, '_> {
@@ -261,7 +262,7 @@ impl Search<'_, '_> {
         self.scene.tape.restart();
         self.scene.begin(state);
         let others = enabled.iter().copied().filter(|transition| Some(*transition) != at);
-        let goals: Vec<usize> = at.into_iter().chain(others).collect();
+        let goals: Vec<usize> = at.into_iter().chain(others).list();
         for (number, goal) in goals.iter().enumerate() {
             let clears = Some(*goal) == at;
             let floor = self.scene.tape.asked();

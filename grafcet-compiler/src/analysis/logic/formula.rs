@@ -1,4 +1,5 @@
 //! Boolean functions over atoms.
+use crate::list::List;
 
 /// The upper bound where a boolean atom is true: beyond all numbers.
 const TRUE: i128 = i128::MAX;
@@ -84,8 +85,8 @@ impl Formula {
             Self::Const(value) => Self::Const(*value),
             Self::Leaf { atom, low, high } => Self::Leaf { atom: other(*atom), low: *low, high: *high },
             Self::Not(inner) => Self::Not(Box::new(inner.of_others(other))),
-            Self::All(parts) => Self::All(parts.iter().map(|part| part.of_others(other)).collect()),
-            Self::Any(parts) => Self::Any(parts.iter().map(|part| part.of_others(other)).collect()),
+            Self::All(parts) => Self::All(parts.iter().map(|part| part.of_others(other)).list()),
+            Self::Any(parts) => Self::Any(parts.iter().map(|part| part.of_others(other)).list()),
             Self::Same(a, b) => Self::Same(Box::new(a.of_others(other)), Box::new(b.of_others(other))),
         }
     }
@@ -125,8 +126,8 @@ impl Formula {
             Self::Leaf { atom, .. } if loose(*atom) => Self::Const(!wanted),
             Self::Leaf { .. } => self.clone(),
             Self::Not(inner) => inner.certainly(!wanted, loose).not(),
-            Self::All(parts) => Self::All(parts.iter().map(|part| part.certainly(wanted, loose)).collect()),
-            Self::Any(parts) => Self::Any(parts.iter().map(|part| part.certainly(wanted, loose)).collect()),
+            Self::All(parts) => Self::All(parts.iter().map(|part| part.certainly(wanted, loose)).list()),
+            Self::Any(parts) => Self::Any(parts.iter().map(|part| part.certainly(wanted, loose)).list()),
             Self::Same(..) => {
                 let mut open = false;
                 self.each_atom(&mut |atom| open |= loose(atom));

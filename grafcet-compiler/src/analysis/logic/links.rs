@@ -6,6 +6,7 @@ use super::Concurrency;
 use super::atoms::{Atoms, Key};
 use super::formula::{AtomId, Formula};
 use super::read::{Reader, is_constant};
+use crate::list::List;
 use crate::model::{DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
 use crate::sorted::{Map, Set};
 
@@ -64,7 +65,7 @@ impl Links {
         in_action: bool,
     ) -> Vec<Rc<Formula>> {
         let mut found = Vec::new();
-        let mut work: Vec<AtomId> = asked.iter().copied().collect();
+        let mut work: Vec<AtomId> = asked.iter().copied().list();
         while let Some(atom) = work.pop() {
             let assuming = self.has_assumptions();
             let own = self.own.or_insert_with(atom, || {
@@ -186,16 +187,16 @@ fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked:
     }
     let single = single.iter().map(|(atom, steps)| Activity { atom: *atom, steps });
     let macros = macros.iter().map(|(atom, id)| Activity { atom: *atom, steps: &model.macros[*id].steps });
-    let all: Vec<Activity<'_>> = single.chain(macros).collect();
+    let all: Vec<Activity<'_>> = single.chain(macros).list();
     let mut found = Vec::new();
     for (i, a) in all.iter().enumerate() {
         for b in &all[i + 1..] {
             found.extend(pair(model, concurrency, a, b));
         }
         if a.steps.len() > 1 {
-            let inside: Vec<&Activity<'_>> = all.iter().filter(|b| b.atom != a.atom && is_inside(b, a)).collect();
+            let inside: Vec<&Activity<'_>> = all.iter().filter(|b| b.atom != a.atom && is_inside(b, a)).list();
             if a.steps.iter().all(|step| inside.iter().any(|b| b.steps.contains(step))) {
-                let any = inside.iter().map(|b| Formula::is_true(b.atom)).collect();
+                let any = inside.iter().map(|b| Formula::is_true(b.atom)).list();
                 found.push(Formula::is_true(a.atom).implies(Formula::Any(any)));
             }
         }
@@ -206,7 +207,7 @@ fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked:
         let steps = &model.partials[partial].steps;
         let covered = steps.iter().all(|step| all.iter().any(|a| a.steps.contains(step)));
         if covered {
-            found.push(Formula::Any(all.iter().map(|a| Formula::is_true(a.atom)).collect()));
+            found.push(Formula::Any(all.iter().map(|a| Formula::is_true(a.atom)).list()));
         }
     }
     found
@@ -277,7 +278,7 @@ fn delays(model: &Model, atoms: &Atoms, asked: &Set<AtomId>) -> Vec<Formula> {
             _ => None,
         })
         .take(STEPS)
-        .collect();
+        .list();
     let mut found = Vec::new();
     for (long, a) in &delays {
         for (short, b) in &delays {

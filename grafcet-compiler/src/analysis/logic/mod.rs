@@ -27,6 +27,7 @@ use self::read::Reader;
 use self::solve::{Domains, Search, Undecided};
 use self::values::Values;
 use super::Concurrency;
+use crate::list::List;
 use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::{Map, Set};
 
@@ -170,7 +171,7 @@ impl<'m> Logic<'m> {
     /// Whether one of `others` holds wherever `a` does; `false` where that cannot be shown.
     #[must_use]
     pub fn implies(&self, a: &Condition, others: &[&Condition]) -> bool {
-        let goals: Vec<_> = others.iter().map(|other| (*other, false)).chain([(a, true)]).collect();
+        let goals: Vec<_> = others.iter().map(|other| (*other, false)).chain([(a, true)]).list();
         self.impossible(&goals)
     }
 
@@ -206,9 +207,9 @@ impl<'m> Logic<'m> {
         for condition in given {
             condition.formula.each_atom(&mut |atom| _ = known.insert(atom));
         }
-        let all: Vec<_> = given.iter().map(|condition| (*condition, true)).chain(goals.iter().copied()).collect();
+        let all: Vec<_> = given.iter().map(|condition| (*condition, true)).chain(goals.iter().copied()).list();
         let text = |order: &[AtomId], found: &Domains| {
-            let order: Vec<AtomId> = order.iter().copied().filter(|atom| !known.contains(atom)).collect();
+            let order: Vec<AtomId> = order.iter().copied().filter(|atom| !known.contains(atom)).list();
             witness::text(self.model, &self.atoms.borrow(), &order, found)
         };
         self.ask(&all, trust, text)
@@ -245,7 +246,7 @@ impl<'m> Logic<'m> {
                 let loose = self.loose(&asked);
                 let certainly =
                     |condition: &Condition, wanted| condition.formula.certainly(wanted, &|atom| loose.contains(&atom));
-                goals.iter().map(|(condition, wanted)| (certainly(condition, *wanted), *wanted)).collect()
+                goals.iter().map(|(condition, wanted)| (certainly(condition, *wanted), *wanted)).list()
             }
         };
         let in_action = goals.iter().any(|(condition, _)| condition.in_action);
@@ -253,7 +254,7 @@ impl<'m> Logic<'m> {
             let (mut links, mut atoms) = (self.links.borrow_mut(), self.atoms.borrow_mut());
             links.about(self.model, self.concurrency, &mut atoms, &mut asked, in_action)
         };
-        let mut all: Vec<(&Formula, bool)> = links.iter().map(|link| (&**link, true)).collect();
+        let mut all: Vec<(&Formula, bool)> = links.iter().map(|link| (&**link, true)).list();
         match trust {
             Trust::Any => all.extend(goals.iter().map(|(condition, wanted)| (&condition.formula, *wanted))),
             Trust::Known => all.extend(certain.iter().map(|(formula, wanted)| (formula, *wanted))),

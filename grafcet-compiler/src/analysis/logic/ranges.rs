@@ -1,4 +1,5 @@
 //! Sets of whole numbers.
+use crate::list::List;
 
 /// The values that something can still have: disjoint intervals, ascending, both ends included.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,7 +27,7 @@ impl Ranges {
 
     /// Each interval by itself.
     pub(super) fn parts(&self) -> Vec<Self> {
-        self.0.iter().map(|part| Self(vec![*part])).collect()
+        self.0.iter().map(|part| Self(vec![*part])).list()
     }
 
     /// Whether all values (true) or none of them (false) lie between `low` and `high`.

@@ -6,6 +6,7 @@
 use super::formula::{AtomId, Formula};
 use super::ranges::Ranges;
 use super::values::Values;
+use crate::list::List;
 use crate::sorted::Map;
 
 /// A function and the value it shall have.
@@ -64,7 +65,7 @@ impl Search<'_> {
         let Some(first) = open.pop() else { return self.settle(domains, depth) };
         let depth = depth.checked_sub(1).ok_or(Undecided)?;
         for way in self.ways(first, &domains)? {
-            let goals = open.iter().copied().chain(way).collect();
+            let goals = open.iter().copied().chain(way).list();
             if let Some(found) = self.search(domains.clone(), goals, depth)? {
                 return Ok(Some(found));
             }
@@ -127,7 +128,7 @@ impl Search<'_> {
         for part in parts {
             if self.value(part, domains)?.is_none() {
                 self.pay(before.len())?;
-                ways.push(before.iter().copied().chain([(part, wanted)]).collect());
+                ways.push(before.iter().copied().chain([(part, wanted)]).list());
                 before.push((part, !wanted));
             }
         }

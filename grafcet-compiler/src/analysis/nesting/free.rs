@@ -2,6 +2,7 @@
 //! same steps do not, although these may have to be active for some time.
 
 use crate::analysis::{Answer, Condition, Logic};
+use crate::list::List;
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
@@ -151,7 +152,7 @@ impl<'m> Groups<'m> {
     /// The groups in which the chart can come to rest whenever it enters them, on whichever way.
     fn resting(&self) -> Vec<bool> {
         let mut resting = vec![true; self.all.len()];
-        let mut open: Vec<usize> = (0..self.all.len()).collect();
+        let mut open: Vec<usize> = (0..self.all.len()).list();
         let mut is_open = resting.clone();
         while let Some(number) = open.pop() {
             is_open[number] = false;
@@ -164,7 +165,7 @@ impl<'m> Groups<'m> {
             // What is entered from there has to be looked at again.
             let mut next: Vec<usize> = vec![number];
             for _ in 1..CHAIN {
-                next = next.iter().flat_map(|number| &self.all[*number].next).copied().collect();
+                next = next.iter().flat_map(|number| &self.all[*number].next).copied().list();
                 next.sort_unstable();
                 next.dedup();
                 open.extend(next.iter().filter(|number| !std::mem::replace(&mut is_open[**number], true)));
@@ -189,7 +190,7 @@ impl<'m> Groups<'m> {
         let mut ways = vec![next];
         for entry in entries {
             let own = self.ways(*entry);
-            ways = ways.iter().flat_map(|way| own.iter().map(|own| [&way[..], &own[..]].concat())).collect();
+            ways = ways.iter().flat_map(|way| own.iter().map(|own| [&way[..], &own[..]].concat())).list();
         }
         ways.iter().any(|way| self.can_be(way))
     }
@@ -207,7 +208,7 @@ impl<'m> Groups<'m> {
             let others = others().map(|other| Some((other.at(others_time)?, false)));
             others.chain([own.at(time).map(|own| (own, true))]).collect::<Option<Goals<'_>>>()
         };
-        with(Time::Soon, Time::Soon).into_iter().chain(with(Time::Late, Time::Ever)).collect()
+        with(Time::Soon, Time::Soon).into_iter().chain(with(Time::Late, Time::Ever)).list()
     }
 
     fn reading(&self, id: TransitionId) -> &Reading {

@@ -11,6 +11,7 @@ mod free;
 
 use super::Union;
 use super::hierarchy::initial_situation;
+use crate::list::List;
 use crate::model::{Id, InputId, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -123,13 +124,13 @@ impl<'m> Reduction<'m> {
             situations: 1,
             inputs: Set::new(),
         };
-        let numbers = |steps: &[StepId]| steps.iter().map(|step| step.index()).collect();
+        let numbers = |steps: &[StepId]| steps.iter().map(|step| step.index()).list();
         let arcs = model.transitions.values();
         let arcs = arcs.map(|t| Arc { sources: numbers(&t.sources), targets: numbers(&t.targets), outside: true });
         Self {
             model,
-            places: model.steps.ids().map(place).collect(),
-            arcs: arcs.collect(),
+            places: model.steps.ids().map(place).list(),
+            arcs: arcs.list(),
             inside: vec![false; model.steps.len()],
             independent: true,
         }
@@ -141,7 +142,7 @@ impl<'m> Reduction<'m> {
         for (_, arc) in outside().filter(|(_, arc)| arc.is_plain()) {
             union.join(arc.sources[0], arc.targets[0]);
         }
-        let of: Vec<usize> = (0..self.places.len()).map(|place| union.root(place)).collect();
+        let of: Vec<usize> = (0..self.places.len()).map(|place| union.root(place)).list();
         let none = || vec![Vec::new(); of.len()];
         let (mut places, mut within, mut entering, mut leaving) = (none(), none(), none(), none());
         for place in (0..of.len()).filter(|place| !self.inside[*place]) {
@@ -167,7 +168,7 @@ impl<'m> Reduction<'m> {
             // Steps of this round are not looked at before the next.
             let is_fork = arc.outside && arc.targets.len() > 1 && arc.targets.iter().all(|t| *t < sequences.of.len());
             if is_fork && !self.inside[arc.targets[0]] {
-                let branches: Vec<usize> = arc.targets.iter().map(|target| sequences.of[*target]).collect();
+                let branches: Vec<usize> = arc.targets.iter().map(|target| sequences.of[*target]).list();
                 if self.is_block(&sequences, &branches) {
                     self.enclose(&sequences, &branches);
                     found = true;
@@ -213,9 +214,9 @@ impl<'m> Reduction<'m> {
             before[to].push(from);
         }
         let entered = sequences.entering[branch].iter().flat_map(|arc| &self.arcs[*arc].targets);
-        let active: Vec<usize> = places.iter().copied().filter(|place| self.places[*place].active).collect();
+        let active: Vec<usize> = places.iter().copied().filter(|place| self.places[*place].active).list();
         let first: Vec<usize> =
-            entered.chain(&active).filter(|place| places.contains(place)).map(|place| number(*place)).collect();
+            entered.chain(&active).filter(|place| places.contains(place)).map(|place| number(*place)).list();
         active.len() < 2
             && behind[number(*last)].is_empty()
             && reached(&first, &behind).iter().all(|is| *is)
@@ -258,7 +259,7 @@ impl<'m> Reduction<'m> {
 
     /// What is left, if it is one sequence that goes on from each of its steps.
     fn outermost(self) -> Option<Nesting<'m>> {
-        let left: Vec<usize> = (0..self.places.len()).filter(|place| !self.inside[*place]).collect();
+        let left: Vec<usize> = (0..self.places.len()).filter(|place| !self.inside[*place]).list();
         let number = |place: usize| left.binary_search(&place).unwrap_or_default();
         let (mut before, mut behind) = (vec![Vec::new(); left.len()], vec![Vec::new(); left.len()]);
         for arc in self.arcs.iter().filter(|arc| arc.outside) {
@@ -266,8 +267,8 @@ impl<'m> Reduction<'m> {
             behind[from].push(to);
             before[to].push(from);
         }
-        let places: Vec<Place> = left.iter().map(|place| self.places[*place].clone()).collect();
-        let active: Vec<usize> = (0..places.len()).filter(|place| places[*place].active).collect();
+        let places: Vec<Place> = left.iter().map(|place| self.places[*place].clone()).list();
+        let active: Vec<usize> = (0..places.len()).filter(|place| places[*place].active).list();
         let is_sequence = active.len() == 1
             && behind.iter().all(|next| !next.is_empty())
             && reached(&active, &behind).iter().all(|is| *is);

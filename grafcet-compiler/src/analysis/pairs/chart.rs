@@ -2,6 +2,7 @@
 
 use super::ways::{Demand, holds};
 use super::{Relation, drags};
+use crate::list::List;
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -44,11 +45,11 @@ impl Chart {
             arcs: Vec::new(),
             sourceless: Vec::new(),
             needing: vec![Vec::new(); steps],
-            part_of: model.steps.values().map(|step| step.partial.index()).collect(),
+            part_of: model.steps.values().map(|step| step.partial.index()).list(),
             forces: vec![Vec::new(); steps],
             commands: vec![Vec::new(); steps],
             links: vec![Vec::new(); steps],
-            around: model.steps.ids().map(|step| around(model, step)).collect(),
+            around: model.steps.ids().map(|step| around(model, step)).list(),
         };
         for (id, partial) in model.partials.iter() {
             if let Some(outer) = partial.enclosed_by {
@@ -59,10 +60,10 @@ impl Chart {
                 chart.commands[force.step.index()].push(id.index());
                 let forced = match &force.order {
                     ForceOrder::Hold => continue,
-                    ForceOrder::Steps(steps) => steps.iter().map(|step| step.index()).collect(),
+                    ForceOrder::Steps(steps) => steps.iter().map(|step| step.index()).list(),
                     ForceOrder::Init => {
                         let initial = partial.steps.iter().filter(|step| model.steps[**step].initial);
-                        initial.map(|step| step.index()).collect()
+                        initial.map(|step| step.index()).list()
                     }
                 };
                 chart.forces[force.step.index()].push((id.index(), forced));
@@ -75,14 +76,14 @@ impl Chart {
 
     fn draw(&mut self, model: &Model, granted: &Set<TransitionId>) {
         for (index, (id, transition)) in model.transitions.iter().enumerate() {
-            let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+            let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).list();
             let anyhow = granted.contains(&id);
             let mut ways =
                 if anyhow { vec![Demand::default()] } else { holds(model, &transition.condition.tree, true) };
             let asks = ways != [Demand::default()];
             let outer = model.partials[transition.partial].enclosed_by;
             let outside: Vec<usize> = outer
-                .map(|step| std::iter::once(step.index()).chain(self.around[step.index()].iter().copied()).collect())
+                .map(|step| std::iter::once(step.index()).chain(self.around[step.index()].iter().copied()).list())
                 .unwrap_or_default();
             for way in &mut ways {
                 way.active.extend(sources.iter().chain(&outside));
@@ -97,7 +98,7 @@ impl Chart {
             }
             self.arcs.push(Arc {
                 sources,
-                targets: transition.targets.iter().map(|step| step.index()).collect(),
+                targets: transition.targets.iter().map(|step| step.index()).list(),
                 partial: transition.partial.index(),
                 ways,
                 asks,
@@ -117,11 +118,11 @@ impl Chart {
             let others = arcs.iter().enumerate().filter(|(other, _)| *other != index);
             others.filter(|(_, b)| together(arc, b)).map(|(other, _)| other).collect()
         };
-        let mut partners: Vec<Set<usize>> = arcs.iter().enumerate().map(partners).collect();
-        let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).collect();
+        let mut partners: Vec<Set<usize>> = arcs.iter().enumerate().map(partners).list();
+        let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).list();
         let mut dragged: Vec<Vec<usize>> = Vec::new();
         for (index, drags) in drags.iter().enumerate() {
-            let steps: Vec<usize> = drags.iter().flat_map(|drag| arcs[*drag].sources.iter().copied()).collect();
+            let steps: Vec<usize> = drags.iter().flat_map(|drag| arcs[*drag].sources.iter().copied()).list();
             // Whatever leaves or enters such a step in the same evolution is not seen one after the other.
             for step in &steps {
                 let touches = |other: &usize| arcs[*other].sources.contains(step) || entered[*other].contains(step);
@@ -133,7 +134,7 @@ impl Chart {
             dragged.push(steps);
         }
         for (arc, (partners, dragged)) in self.arcs.iter_mut().zip(partners.into_iter().zip(dragged)) {
-            arc.partners = partners.into_iter().collect();
+            arc.partners = partners.into_iter().list();
             arc.dragged = dragged;
         }
     }

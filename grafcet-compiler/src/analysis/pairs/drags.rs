@@ -1,6 +1,7 @@
 //! What has to clear with a transition: in a `grafcet` all that is enabled and whose condition holds clears at once.
 
 use crate::analysis::Relation;
+use crate::list::List;
 use crate::model::{Binary, ForceOrder, Id, Model, PartialId, Read, Transition, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
@@ -10,7 +11,7 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>
     let terms = Terms::of(model, granted);
     let dragged = |(id, transition): (TransitionId, &Transition)| -> Vec<usize> {
         let Some(own) = &terms.by_transition[id.index()] else { return Vec::new() };
-        let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).collect();
+        let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).list();
         let mut given: Set<usize> = own.clone();
         given.extend((0..terms.all.len()).filter(|term| follows(terms.all[*term], &sources, may_meet)));
         let mut held: Vec<usize> = terms.without.clone();
@@ -24,7 +25,7 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>
         });
         held
     };
-    model.transitions.iter().map(dragged).collect()
+    model.transitions.iter().map(dragged).list()
 }
 
 /// What conditions are made of: each holds where all of its terms do.

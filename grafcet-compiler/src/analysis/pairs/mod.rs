@@ -22,6 +22,7 @@ use self::chart::{Arc, Chart};
 use self::ways::Demand;
 use super::Relation;
 use super::hierarchy::initial_situation;
+use crate::list::List;
 use crate::model::{Id, Model, TransitionId};
 use crate::sorted::Set;
 
@@ -37,7 +38,7 @@ pub(super) struct Pairs {
 /// The pairs among those that `may_meet`; what the conditions of `granted` ask for is taken for granted.
 pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>) -> Pairs {
     let mut search = Search::new(Chart::of(model, may_meet, granted), may_meet);
-    let start: Vec<usize> = initial_situation(model).iter().map(|step| step.index()).collect();
+    let start: Vec<usize> = initial_situation(model).iter().map(|step| step.index()).list();
     search.enter_together(&start);
     search.queue_all(&search.chart.sourceless.clone());
     while let Some(arc) = search.work.pop() {
@@ -82,11 +83,11 @@ impl<'m> Search<'m> {
             self.clears[index] = true;
             let entered = chart.entered(&arc.targets);
             self.enter_together(&entered);
-            let needed: Vec<usize> = way.active.iter().copied().collect();
+            let needed: Vec<usize> = way.active.iter().copied().list();
             for target in &entered {
                 let bystanders =
                     self.relation.common_beyond(&needed, *target).into_iter().chain(needed.iter().copied());
-                for bystander in bystanders.collect::<Vec<_>>() {
+                for bystander in bystanders.list() {
                     if self.reachable[bystander] && chart.stays(bystander, arc, way, &entered) {
                         self.relate(*target, bystander);
                     }
@@ -149,7 +150,7 @@ impl<'m> Search<'m> {
                 self.relate(step, *other);
             }
         }
-        for related in self.relation.of(step).collect::<Vec<_>>() {
+        for related in self.relation.of(step).list() {
             self.queue_all(&chart.needing[related]);
         }
     }

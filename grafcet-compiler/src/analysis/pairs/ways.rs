@@ -1,5 +1,6 @@
 //! What a condition asks of steps.
 
+use crate::list::List;
 use crate::model::{Binary, Id, Model, Read, StepId, Tree, Unary};
 use crate::sorted::Set;
 
@@ -20,7 +21,7 @@ pub(super) fn holds(model: &Model, tree: &Tree, value: bool) -> Vec<Demand> {
         let steps = steps.iter().map(|step| step.index());
         if value {
             let one = |step| Demand { active: Set::from([step]), inactive: Set::new() };
-            return steps.map(one).collect();
+            return steps.map(one).list();
         }
         vec![Demand { active: Set::new(), inactive: steps.collect() }]
     };
@@ -50,7 +51,7 @@ fn any(a: Vec<Demand>, b: Vec<Demand>) -> Vec<Demand> {
     let all: Set<Demand> = a.into_iter().chain(b).collect();
     // Where one of them demands nothing, that is enough.
     let enough = all.len() > ALTERNATIVES || all.first() == Some(&Demand::default());
-    if enough { vec![Demand::default()] } else { all.into_iter().collect() }
+    if enough { vec![Demand::default()] } else { all.into_iter().list() }
 }
 
 /// Both of two.
@@ -66,5 +67,5 @@ fn all(a: &[Demand], b: &[Demand]) -> Vec<Demand> {
     for one in a {
         found.extend(b.iter().map(|other| both(one, other)).filter(|way| way.active.is_disjoint(&way.inactive)));
     }
-    found.into_iter().collect()
+    found.into_iter().list()
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Candidates, is_constant_read};
 use crate::analysis::{Condition, Logic};
+use crate::list::List;
 use crate::model::{Binary, Blink, Blinker, ForceOrder, Id, Model, Read, StepId, TimeRef, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
@@ -78,15 +79,14 @@ impl<'m> Follows<'m> {
 
     /// The transitions that one may enable.
     pub(super) fn after(&mut self, id: TransitionId) -> Vec<TransitionId> {
-        let next: Vec<_> =
-            self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).collect();
-        next.into_iter().filter(|other| self.can_clear_together(id, *other)).collect()
+        let next: Vec<_> = self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).list();
+        next.into_iter().filter(|other| self.can_clear_together(id, *other)).list()
     }
 
     /// Whether nothing that leaves the steps a transition activates can clear in the same cycle.
     pub(super) fn is_followed_by_none(&mut self, id: TransitionId) -> bool {
         let leaving: Vec<_> =
-            self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).collect();
+            self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).list();
         leaving
             .into_iter()
             .all(|next| !self.hold_together(self.condition_of[id.index()], self.entered_of[next.index()]))

@@ -10,6 +10,7 @@ mod once;
 
 use self::follows::Follows;
 use super::Concurrency;
+use crate::list::List;
 use crate::model::{Id, Model, Name, Qualifier, Read, StepId, TransitionId};
 use crate::sorted::Set;
 
@@ -218,7 +219,7 @@ impl Tarjan {
         self.low[id.index()] = self.met;
         self.met += 1;
         self.open.push(id);
-        follows.after(id).into_iter().filter(|next| among.contains(next)).collect()
+        follows.after(id).into_iter().filter(|next| among.contains(next)).list()
     }
 
     /// What was met behind the first one of a set and is still open belongs to it.

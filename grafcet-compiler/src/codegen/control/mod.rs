@@ -9,6 +9,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::{Cx, names};
+use crate::list::List;
 use crate::model::{Qualifier, TimeRef};
 use crate::plan::{Target, What};
 
@@ -24,13 +25,13 @@ impl Cx<'_> {
             });
             quote!((#left && !(#now) #held))
         });
-        let causes: Vec<_> = causes.collect();
+        let causes: Vec<_> = causes.list();
         (!causes.is_empty()).then(|| quote!((#(#causes)||*)))
     }
 
     /// Q of all targets.
     pub(super) fn compute_q(&self) -> TokenStream {
-        self.plan.control.targets.iter().enumerate().map(|(i, target)| self.q(i, target)).collect()
+        self.plan.control.targets.iter().enumerate().map(|(i, target)| self.q(i, target)).tokens()
     }
 
     /// ```text
@@ -76,7 +77,7 @@ impl Cx<'_> {
         let name = |prefix: &str| names::target(prefix, self.model, index, target);
         let (q, remembered) = (name("q"), name("association"));
         // The first of all is what it is anyway.
-        let above: Vec<_> = acting.iter().filter(|(_, number)| number.to_string() != "0").cloned().collect();
+        let above: Vec<_> = acting.iter().filter(|(_, number)| number.to_string() != "0").cloned().list();
         let note = match (acting.len(), &above[..]) {
             (_, []) => quote!(self.#remembered = 0;),
             (1, [(_, number)]) => quote!(self.#remembered = #number;),

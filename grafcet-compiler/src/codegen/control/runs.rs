@@ -7,6 +7,7 @@ use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
 use crate::codegen::situation::At;
 use crate::codegen::{Cx, names, types};
+use crate::list::List;
 use crate::model::{AssociationId, Effect, Expr, Id, Place, Qualifier, Ty};
 use crate::plan::{Target, What, source_order};
 
@@ -131,7 +132,7 @@ impl Cx<'_> {
             (RunKind::P1, qualifier) => qualifier != Qualifier::P0,
             (RunKind::Level, qualifier) => !qualifier.runs_once(),
         };
-        let runs: Vec<_> = runs.filter(of_kind).collect();
+        let runs: Vec<_> = runs.filter(of_kind).list();
         let one = |id: &AssociationId| self.effect_run(&self.model.associations[*id].effect, phase, moment);
         let Some((last, others)) = runs.split_last() else { return TokenStream::new() };
         if !self.has_choice(target) || others.is_empty() {

@@ -6,6 +6,7 @@ use super::scope::Meaning;
 use super::{Resolver, code, expr};
 use crate::ast::{self, Target};
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::model::{Association, Effect, Mention, Name, Place, Qualifier, StepId};
 
 /// The name of a target, or its whole block.
@@ -78,7 +79,7 @@ impl Resolver<'_> {
                 format!("`{name}` is a named condition, which nothing writes; an action writes an `output` or a `var`")
             }
             Some(Meaning::Action(id)) => {
-                let params = self.model.actions[id].params.iter().map(|(p, _)| p.to_string()).collect::<Vec<_>>();
+                let params = self.model.actions[id].params.iter().map(|(p, _)| p.to_string()).list();
                 format!("`{name}` is an action, which is called: `{name}({})`", params.join(", "))
             }
             Some(Meaning::Step(_) | Meaning::Macro(_)) => {
@@ -98,7 +99,7 @@ impl Resolver<'_> {
         let qualified =
             matches!(self.scope.get(name), Some(Meaning::Value(_))) && called_with_qualifier(args).is_some();
         let args = if qualified { &[] } else { args };
-        let args: Vec<_> = args.iter().map(|arg| (Mark::of(arg), expr::resolve(arg, self))).collect();
+        let args: Vec<_> = args.iter().map(|arg| (Mark::of(arg), expr::resolve(arg, self))).list();
         let action = match self.scope.get(name) {
             Some(Meaning::Action(action)) => {
                 self.model.mentions.push((Mention::Action(action), name.span()));
@@ -140,7 +141,7 @@ impl Resolver<'_> {
             self.sink.notation(mark, message);
             return None;
         }
-        Some(Effect::Call(action, args.into_iter().map(|(_, arg)| arg).collect()))
+        Some(Effect::Call(action, args.into_iter().map(|(_, arg)| arg).list()))
     }
 }
 

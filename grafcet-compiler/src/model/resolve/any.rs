@@ -11,6 +11,7 @@ use super::expr;
 use super::scope::Meaning;
 use crate::ast::{self, Arrow, Condition, Item, Node, StepKind};
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::model::{
     Any, AnyId, Binary, Expr, ForceOrder, Id, PartialId, Read, StepId, Transition, TransitionId, Tree, Unary,
     placeholder,
@@ -81,7 +82,7 @@ impl Resolver<'_> {
         let entered = self.all_of(after);
         let steps = self.model.partials[partial].steps.iter();
         let sources: Vec<StepId> =
-            steps.copied().filter(|step| !entered.contains(step) && !excepted.contains(step)).collect();
+            steps.copied().filter(|step| !entered.contains(step) && !excepted.contains(step)).list();
         if sources.is_empty() {
             self.nothing_left(any, partial);
             return self.lose();
@@ -176,7 +177,7 @@ impl Resolver<'_> {
     pub(super) fn guard(&mut self) {
         // As written, before they are guarded themselves.
         let anys = self.model.anys.iter().map(|(id, any)| (id, self.model.transitions[any.first].condition.clone()));
-        let anys: Vec<(AnyId, Expr)> = anys.collect();
+        let anys: Vec<(AnyId, Expr)> = anys.list();
         for (id, condition) in anys {
             let (partial, first) = (self.model.anys[id].partial, self.model.anys[id].first);
             let sources: Set<StepId> = self.model.anys[id].sources.iter().copied().collect();
@@ -264,7 +265,7 @@ fn active(steps: &[StepId], mark: Mark) -> Expr {
                 right: Box::new(right.tokens),
             });
             let tree = Tree::Binary(Binary::Or, Box::new(left.tree), Box::new(right.tree));
-            (tree, tokens, left.reads.into_iter().chain(right.reads).collect())
+            (tree, tokens, left.reads.into_iter().chain(right.reads).list())
         }
     };
     Expr { tree, tokens, reads, text: String::new(), mark }

@@ -6,6 +6,7 @@ use syn::BinOp;
 use super::expr::{Lower, literal, step_path};
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::model::{Blink, Blinker, Read, TimeRef, Tree};
 
 /// To which step an expression belongs: since its activation a `blink` counts that names none.
@@ -27,7 +28,7 @@ impl Lower<'_, '_> {
     /// The call of `blink` that `expr` is.
     pub(super) fn blink(&mut self, expr: &mut syn::Expr) -> Tree {
         let syn::Expr::Call(call) = &*expr else { return self.opaque(expr) };
-        let blink = match &*call.args.iter().collect::<Vec<_>>() {
+        let blink = match &*call.args.iter().list() {
             [parts] => self.parts(parts).zip(self.owner(parts, Mark::of(call))),
             [parts, step] => self.parts(parts).zip(self.blinker(step, parts)),
             _ => {

@@ -7,6 +7,7 @@ use super::scope::Meaning;
 use super::{Resolver, expr, otherwise};
 use crate::ast::{self, Arrow, Condition, Node};
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
 use crate::sorted::Set;
 
@@ -231,7 +232,7 @@ impl Resolver<'_> {
     fn crossing(&mut self, before: &Node, after: &Node) {
         let ends = names(before).iter().map(|name| (name, End::Source));
         let ends = ends.chain(names(after).iter().map(|name| (name, End::Target)));
-        let placed: Vec<_> = ends.filter_map(|(name, end)| Some((name, end, self.expansion(name)?))).collect();
+        let placed: Vec<_> = ends.filter_map(|(name, end)| Some((name, end, self.expansion(name)?))).list();
         // Seen from outside: from where the fewest expansions are around it.
         let Some((.., home)) = placed.iter().min_by_key(|(.., inside)| inside.len()) else { return };
         for (name, end, inside) in &placed {
@@ -366,7 +367,7 @@ fn name_of(node: &Node) -> String {
     match node {
         Node::Step(name) => name.to_string(),
         Node::Group(names, _) => {
-            format!("({})", names.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "))
+            format!("({})", names.iter().map(ToString::to_string).list().join(", "))
         }
         Node::Any(_) => "any".to_owned(),
         Node::Missing(_) | Node::Forgotten(_) => "…".to_owned(),

@@ -7,6 +7,7 @@ use syn::{BinOp, Block, Stmt};
 use super::Resolver;
 use super::expr::Lower;
 use super::scope::Meaning;
+use crate::list::List;
 use crate::methods;
 use crate::model::{Binary, Code, Name, Place, Read, Statement, Tree};
 use crate::visit::{self, Locals, Visit};
@@ -27,7 +28,7 @@ pub(super) fn resolve(block: &Block, resolver: &mut Resolver<'_>) -> Code {
     if by_reference {
         // `ref mut x` in a pattern: whatever is matched may be written through it.
         let read = code.reads.iter().filter_map(|read| place_of(*read)).filter(|place| !code.writes.contains(place));
-        code.unsure.extend(read.map(|place| (place, "ref mut".to_owned())).collect::<Vec<_>>());
+        code.unsure.extend(read.map(|place| (place, "ref mut".to_owned())).list());
     }
     for (place, _) in &code.unsure {
         if !code.writes.contains(place) {

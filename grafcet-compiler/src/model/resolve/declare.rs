@@ -7,6 +7,7 @@ use super::scope::{Meaning, refuse_reserved, spelled};
 use super::{Resolver, expr};
 use crate::ast::{self, DeclKind, Item, StepKind};
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::model::{
     Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, Tree, Ty,
     Unary, Var,
@@ -109,7 +110,7 @@ impl Resolver<'_> {
     }
 
     fn declare_action(&mut self, action: &ast::ActionDecl) {
-        let params = action.params.iter().map(|(name, t)| (spelled(name), ty(t))).collect();
+        let params = action.params.iter().map(|(name, t)| (spelled(name), ty(t))).list();
         self.refuse_arguments(action);
         let id = self.model.actions.push(Action {
             name: spelled(&action.name),
@@ -131,7 +132,7 @@ impl Resolver<'_> {
     }
 
     fn declare_partial(&mut self, inner: &ast::Partial, enclosed_by: Option<StepId>) -> PartialId {
-        let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().collect();
+        let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().list();
         let id =
             self.model.partials.push(partial(Some(spelled(&inner.name)), enclosed_by, &inner.attrs.passed_on, levels));
         self.partials.push(id);
@@ -185,7 +186,7 @@ impl Resolver<'_> {
         self.scope.declare(&step.name, Meaning::Macro(id), self.sink);
         self.declare_body(body, partial, Where::Expansion(id));
         self.model.macros[id].steps =
-            self.model.steps.ids().skip(first).filter(|s| self.model.steps[*s].partial == partial).collect();
+            self.model.steps.ids().skip(first).filter(|s| self.model.steps[*s].partial == partial).list();
 
         let entry = self.macro_end(step, body, "entry", |s| s.entry.is_some());
         let exit = self.macro_end(step, body, "exit", |s| s.exit.is_some());
@@ -213,7 +214,7 @@ impl Resolver<'_> {
             Item::Step(inner) if is_end(inner) => Some(inner),
             _ => None,
         });
-        let ends: Vec<_> = ends.collect();
+        let ends: Vec<_> = ends.list();
         if let [end] = ends[..] {
             return match self.scope.get(&end.name) {
                 Some(Meaning::Step(id)) => Some(id),
@@ -239,7 +240,7 @@ impl Resolver<'_> {
                 );
                 (Mark::from(&end.name), message)
             };
-            ends.iter().map(note).collect()
+            ends.iter().map(note).list()
         };
         self.sink.rule(&rules::MACRO_ENTRY_EXIT, &[], notes);
         None
@@ -292,9 +293,9 @@ pub(super) fn first_paragraph(attrs: &[syn::Attribute]) -> String {
         },
         _ => None,
     };
-    let lines: Vec<String> = attrs.iter().filter_map(text).collect();
+    let lines: Vec<String> = attrs.iter().filter_map(text).list();
     let lines = lines.iter().flat_map(|text| text.lines().map(str::trim).chain(text.is_empty().then_some("")));
-    let words: Vec<&str> = lines.skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty()).collect();
+    let words: Vec<&str> = lines.skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty()).list();
     words.join(" ")
 }
 

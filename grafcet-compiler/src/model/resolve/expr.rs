@@ -7,6 +7,7 @@ use syn::{BinOp, Lit, Member, UnOp};
 use super::scope::Meaning;
 use super::{Resolver, habits};
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::model::{Binary, Edge, Expr, LetId, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
 use crate::visit::Locals;
 
@@ -282,7 +283,7 @@ impl<'r, 's> Lower<'r, 's> {
             };
             return self.rust(text, differs, arguments);
         }
-        let [argument] = &*call.args.iter().collect::<Vec<_>>() else {
+        let [argument] = &*call.args.iter().list() else {
             let message = format!("`{function}` takes one boolean expression: `{function}(a)`");
             self.resolver.sink.notation(Mark::of(&*call), message);
             return Tree::Bool(true);
@@ -357,7 +358,7 @@ pub(super) fn step_path(expr: &syn::Expr) -> Option<Vec<Ident>> {
     let syn::Expr::Path(path) = expr else { return None };
     let segments = &path.path.segments;
     let plain = path.qself.is_none() && segments.iter().all(|s| s.arguments.is_none());
-    (plain && segments.len() <= 2).then(|| segments.iter().map(|s| s.ident.clone()).collect())
+    (plain && segments.len() <= 2).then(|| segments.iter().map(|s| s.ident.clone()).list())
 }
 
 /// Constants, types and variants of the surrounding Rust begin with an upper-case letter.

@@ -12,6 +12,7 @@ use super::otherwise::in_parentheses;
 use super::scope::{Meaning, spelled};
 use crate::ast;
 use crate::diagnostic::Mark;
+use crate::list::List;
 use crate::model::{Expr, Id, Let, LetId, Mention, Name, Tree};
 use crate::sorted::Set;
 
@@ -85,7 +86,7 @@ impl Resolver<'_> {
 
     /// Reports what is wrong with the expressions, used or not, each once. What they bring into the model is taken back.
     pub(super) fn check_lets(&mut self) {
-        for id in self.model.lets.ids().collect::<Vec<_>>() {
+        for id in self.model.lets.ids().list() {
             let mentions = self.names_in(self.lets[id.index()].value.to_token_stream());
             self.model.lets[id].mentions = mentions;
             let before = self.sink.count();
@@ -109,7 +110,7 @@ impl Resolver<'_> {
         self.model.edges = crate::model::Arena::default();
         self.model.delays = crate::model::Arena::default();
         self.lets.iter_mut().for_each(|named| named.known = None);
-        self.model.lets.ids().collect::<Vec<_>>().into_iter().for_each(|id| self.model.lets[id].used = false);
+        self.model.lets.ids().list().into_iter().for_each(|id| self.model.lets[id].used = false);
         self.scale = Scale::default();
         self.calls = 0;
     }

@@ -3,6 +3,7 @@
 use proc_macro2::Span;
 
 use super::Resolver;
+use crate::list::List;
 use crate::model::{Binary, Expr, Read, StepId, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
@@ -22,7 +23,7 @@ impl Resolver<'_> {
         for id in self.elses.clone() {
             let sources = in_order(&self.model.transitions[id].sources);
             let others = branches.get(&sources).into_iter().flatten().copied();
-            let others: Vec<TransitionId> = others.filter(|other| *other != id).collect();
+            let others: Vec<TransitionId> = others.filter(|other| *other != id).list();
             if sources.is_empty() {
                 let message = "`else` stands at a branch of a step, and nothing stands in front of this transition; \
                                write its condition";
@@ -83,7 +84,7 @@ impl Resolver<'_> {
 
     fn steps_text(&self, id: TransitionId) -> String {
         let names = self.model.transitions[id].sources.iter().map(|step| self.model.steps[*step].name.to_string());
-        match &names.collect::<Vec<_>>()[..] {
+        match &names.list()[..] {
             [one] => format!("`{one}`"),
             several => format!("`({})`", several.join(", ")),
         }
@@ -92,7 +93,7 @@ impl Resolver<'_> {
     /// `!(a) && !(b)`
     fn none_of(&self, id: TransitionId, others: &[TransitionId]) -> Expr {
         let Expr { text, mark, .. } = &self.model.transitions[id].condition;
-        let conditions: Vec<&Expr> = others.iter().map(|other| &self.model.transitions[*other].condition).collect();
+        let conditions: Vec<&Expr> = others.iter().map(|other| &self.model.transitions[*other].condition).list();
         let mut reads: Vec<Read> = Vec::new();
         let mut known: Set<Read> = Set::new();
         for read in conditions.iter().flat_map(|condition| &condition.reads) {

@@ -11,6 +11,7 @@ use super::declare::Where;
 use super::expr::{Lower, step_path};
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
+use crate::list::List;
 use crate::methods::{self, Kind};
 use crate::model::Ty;
 
@@ -45,7 +46,7 @@ impl Lower<'_, '_> {
 
     pub(super) fn is_pure_function(&mut self, function: &Expr) -> bool {
         let Expr::Path(path) = function else { return false };
-        let names: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let names: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).list();
         let Some(last) = names.last() else { return false };
         // `Some(level)`, `Point(x, y)`; `u16::from(level)`.
         let makes = last.starts_with(char::is_uppercase);
@@ -68,7 +69,7 @@ impl Lower<'_, '_> {
     }
 
     pub(super) fn is_pure_macro(&mut self, path: &syn::Path) -> bool {
-        let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).list();
         names.last().is_some_and(|last| MACROS.contains(&&**last)) || self.is_said_pure(&names.join("::"))
     }
 
@@ -173,7 +174,7 @@ fn mentions_float(ty: &impl ToTokens) -> bool {
 
 /// `sensors::valid`
 fn written(path: &syn::Path) -> String {
-    let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+    let names: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).list();
     names.join("::")
 }
 

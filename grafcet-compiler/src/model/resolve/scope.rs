@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 
 use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
 use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
 use crate::sorted::Map;
 
@@ -123,7 +124,7 @@ impl Scope {
             return Some(*id);
         }
         if !self.is_broken(name) {
-            let hint = nearest(name, &self.partials.values().map(|(_, declared)| declared).collect::<Vec<_>>())
+            let hint = nearest(name, &self.partials.values().map(|(_, declared)| declared).list())
                 .unwrap_or_else(|| format!("declare it: `partial {name} {{ … }}`"));
             sink.rule(
                 &rules::UNKNOWN_PARTIAL,
@@ -204,7 +205,7 @@ impl Scope {
     fn suggest(&self, name: &Ident, fits: fn(Meaning) -> bool) -> Option<String> {
         let declared =
             self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared);
-        nearest(name, &declared.collect::<Vec<_>>())
+        nearest(name, &declared.list())
     }
 }
 

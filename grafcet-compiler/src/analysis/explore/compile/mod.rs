@@ -5,6 +5,7 @@ mod numbers;
 use super::formula::{Atom, Formula, Kind};
 use super::links::Difference;
 use crate::analysis::{combinational, mixed};
+use crate::list::List;
 use crate::model::{
     Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary,
     VarId,
@@ -41,7 +42,7 @@ impl<'m> Compiler<'m> {
             numbers: Map::new(),
             differences: Vec::new(),
             differences_of: Map::new(),
-            edges: model.edges.ids().map(|_| None).collect(),
+            edges: model.edges.ids().map(|_| None).list(),
             shared: Vec::new(),
             combinational: Map::new(),
             in_edge: false,

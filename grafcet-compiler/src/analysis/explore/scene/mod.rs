@@ -4,6 +4,7 @@ mod decide;
 mod sample;
 mod values;
 
+use crate::list::List;
 use std::rc::Rc;
 
 use super::formula::Kind;
@@ -195,7 +196,7 @@ impl<'n> Scene<'n> {
     pub(super) fn knowledge_of(&self, atoms: &[usize]) -> (Learnt, Learnt) {
         let known = |knowledge: &Knowledge| -> Vec<(usize, Known)> {
             let pairs = atoms.iter().map(|atom| (*atom, knowledge.get(*atom)));
-            pairs.filter(|(_, known)| *known != Known::Unknown).collect()
+            pairs.filter(|(_, known)| *known != Known::Unknown).list()
         };
         (known(&self.given), known(&self.recorded))
     }
@@ -234,7 +235,7 @@ impl<'n> Scene<'n> {
 
     /// The atoms of which something is known in this run.
     pub(super) fn asked(&self) -> Vec<usize> {
-        let mut asked: Vec<usize> = self.given.learnt().iter().chain(self.recorded.learnt()).copied().collect();
+        let mut asked: Vec<usize> = self.given.learnt().iter().chain(self.recorded.learnt()).copied().list();
         asked.sort_unstable();
         asked.dedup();
         asked

@@ -3,13 +3,14 @@
 use super::{Scene, When};
 use crate::analysis::explore::formula::{Formula, Kind};
 use crate::analysis::explore::knowledge::{Knowledge, Known, Learnt};
+use crate::list::List;
 
 impl Scene<'_> {
     /// What was decided about this cycle, and about the cycle before it, ascending.
     pub(in crate::analysis::explore) fn decided(&self) -> (Learnt, Learnt) {
         let decided = |knowledge: &Knowledge| {
             let pairs = knowledge.learnt().iter().map(|atom| (*atom, knowledge.get(*atom)));
-            let mut pairs: Vec<_> = pairs.filter(|(_, known)| *known != Known::Unknown).collect();
+            let mut pairs: Vec<_> = pairs.filter(|(_, known)| *known != Known::Unknown).list();
             pairs.sort_unstable();
             pairs.dedup();
             pairs
