@@ -80,3 +80,22 @@ fn a_forgotten_convergence_is_one_mistake() {
 fn no_way_home_follows_from_a_deadlock() {
     both("initial step A; step B; step E; A -[a]-> B -[b]-> A; A -[c && !a]-> E; home A;", &["deadlock"]);
 }
+
+#[test]
+fn no_way_home_because_of_what_comes_later() {
+    let steps = "initial step A; step B; step C; step E;";
+    // The chart ends two steps further on.
+    both(&format!("{steps} A -[a]-> B -[b]-> C -[c]-> E; home A;"), &["deadlock"]);
+    both(&format!("{steps} A -[a]-> B -[b]-> C -[c]-> B; B -[c && !b]-> E; home A;"), &["deadlock"]);
+    // What would lead back never clears, for one reason or another.
+    both(&format!("{steps} A -[a]-> B -[b]-> C -[c]-> E -[A.X]-> A; home A;"), &["dead_transition"]);
+    both(&format!("{steps} A -[a]-> B -[b]-> C -[c]-> E -[a && !a]-> A; home A;"), &["never_true"]);
+    both("initial step A; step B; step C; A -[a]-> B -[b]-> A; C -[c]-> A; home C;", &["unreachable_step"]);
+    // Another circle is another mistake.
+    both(
+        &format!(
+            "{steps} step F; A -[a]-> B -[A.X]-> A; A -[c && !a]-> C -[c]-> E -[!c]-> C; B -[b]-> F -[c]-> B; home A;"
+        ),
+        &["dead_transition", "not_home"],
+    );
+}

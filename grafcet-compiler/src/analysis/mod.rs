@@ -16,13 +16,15 @@ mod races;
 mod relation;
 mod stability;
 mod union;
+mod unlisted;
 pub mod visible;
 
 pub use concurrency::Concurrency;
 pub use logic::{Answer, Condition, Logic};
 pub use mixed::mixed;
 pub use nesting::Nesting;
-pub use races::{Races, Writer};
+pub use races::{Meet, Races, Writer};
 pub use relation::Relation;
 pub use stability::{Ends, Stability, is_constant_read};
 pub use union::Union;
+pub(crate) use unlisted::{Unlisted, unlisted, unlisted_of};

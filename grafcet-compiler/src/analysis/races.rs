@@ -3,10 +3,10 @@
 //! In an `sfc` the order of the source decides (A29), but between parallel branches nobody reads it off the chart.
 
 use super::explore::{Limits, Rival, rivals_meeting};
-use super::{Concurrency, Condition, Logic, meeting};
+use super::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
 use crate::list::List;
 use crate::model::{
-    Association, AssociationId, Effect, Expr, ForceOrder, Id, Model, PartialId, Place, Qualifier, Read, StepId,
+    Association, AssociationId, Effect, Expr, ForceOrder, Id, Model, Name, PartialId, Place, Qualifier, Read, StepId,
     TransitionId, Tree, Trigger, Unary,
 };
 use crate::sorted::{Map, Set};
@@ -23,8 +23,21 @@ pub enum Writer {
 /// The stored actions of a chart of which the order in the source decides who wins.
 #[derive(Clone, Debug, Default)]
 pub struct Races {
-    /// One for each action that meets another: the place, the other, the action; in source order.
-    pub all: Vec<(Place, Writer, Writer)>,
+    /// One for each two actions that meet; in source order.
+    pub all: Vec<Meet>,
+}
+
+/// Two stored actions that can write one place in the same evolution.
+#[derive(Clone, Copy, Debug)]
+pub struct Meet {
+    /// What they write.
+    pub place: Place,
+    /// The first in the source.
+    pub first: Writer,
+    /// The other one.
+    pub second: Writer,
+    /// Where they would not, if the variants of this value were listed.
+    pub unlisted: Option<Name>,
 }
 
 impl Races {
@@ -56,16 +69,23 @@ impl Races {
             pairs.retain(|_| met.next() != Some(false));
         }
         let mut reported = Set::new();
-        let all = pairs
-            .into_iter()
-            .filter(|(place, _, second)| reported.insert((*place, drawn(model, second.writer), second.number)));
-        Self { all: all.map(|(place, first, second)| (place, first.writer, second.writer)).list() }
+        let all = pairs.into_iter().filter(|(place, a, b)| {
+            reported.insert((*place, drawn(model, a.writer), a.number, drawn(model, b.writer), b.number))
+        });
+        let unlisted = unlisted(model, &race.logic);
+        let meet = |(place, first, second): (Place, Write<'_>, Write<'_>)| Meet {
+            place,
+            first: first.writer,
+            second: second.writer,
+            unlisted: unlisted.iter().find(|one| race.would_part(&first, &second, one)).map(|one| one.name),
+        };
+        Self { all: all.map(meet).list() }
     }
 
     /// Whether several stored actions can write the place in one evolution.
     #[must_use]
     pub fn are_about(&self, place: Place) -> bool {
-        self.all.iter().any(|(raced, ..)| *raced == place)
+        self.all.iter().any(|meet| meet.place == place)
     }
 }
 
@@ -235,18 +255,29 @@ impl<'m> Race<'m> {
 
     /// Whether the conditions under which both write exclude each other.
     fn exclude(&self, a: (&Write<'_>, Cause), b: (&Write<'_>, Cause)) -> bool {
+        let all = self.conditions_of_both(a, b);
+        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).list();
+        self.logic.impossible(&goals)
+    }
+
+    /// Whether they would never write in one evolution, if the variants of a value were listed.
+    fn would_part(&self, a: &Write<'_>, b: &Write<'_>, unlisted: &Unlisted) -> bool {
+        let (of_a, of_b) = (self.causes(a.when, 0), self.causes(b.when, 0));
+        of_a.iter().all(|x| {
+            of_b.iter().all(|y| {
+                !self.happen_together(*x, *y)
+                    || unlisted.decides(&self.logic, &self.conditions_of_both((a, *x), (b, *y)))
+            })
+        })
+    }
+
+    fn conditions_of_both(&self, a: (&Write<'_>, Cause), b: (&Write<'_>, Cause)) -> Vec<Condition> {
         // In an `sfc` those of actions are read behind the evolution, those of transitions before it.
         if !self.model.is_grafcet() && (!a.0.conditions.is_empty() || !b.0.conditions.is_empty()) {
             let of = |write: &Write<'_>| write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).list();
-            return self.impossible(of(a.0).into_iter().chain(of(b.0)));
+            return of(a.0).into_iter().chain(of(b.0)).list();
         }
-        self.impossible(self.conditions(a.0, a.1).into_iter().chain(self.conditions(b.0, b.1)))
-    }
-
-    fn impossible(&self, all: impl Iterator<Item = Condition>) -> bool {
-        let all: Vec<Condition> = all.list();
-        let goals: Vec<_> = all.iter().map(|condition| (condition, true)).list();
-        self.logic.impossible(&goals)
+        self.conditions(a.0, a.1).into_iter().chain(self.conditions(b.0, b.1)).list()
     }
 
     /// What activates or deactivates a step: transitions, those that enter or leave the enclosing step, and those that bring a

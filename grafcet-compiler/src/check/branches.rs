@@ -1,11 +1,12 @@
 //! `shadowed_branch`, `overlapping_branches`: transitions that compete for a step.
 
 use super::drawing;
+use super::rivals::{self, Rivals};
 use crate::analysis::{Answer, Concurrency, Condition, Logic};
 use crate::diagnostic::{Sink, rules};
 use crate::list::List;
 use crate::model::{Binary, Id, LevelAttr, Model, Name, Read, StepId, Transition, TransitionId, Tree};
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 /// More pairs of branches than this are not told to the exploration.
 const PRESUMED: usize = 1000;
@@ -23,11 +24,18 @@ pub(super) struct Branches<'m> {
     pub(super) always: &'m Set<TransitionId>,
 }
 
+/// Two branches that can clear together.
+struct Overlap {
+    first: TransitionId,
+    second: TransitionId,
+    inputs: String,
+}
+
 impl Branches<'_> {
     /// Leaves out the transitions that never clear, and returns the shadowed ones.
     pub(super) fn check(&self, dead: &Set<TransitionId>, sink: &mut Sink) -> Set<TransitionId> {
         let model = self.model;
-        let mut shadowed = Set::new();
+        let (mut shadowed, mut overlapping) = (Set::new(), Vec::new());
         let leaving = self.leaving();
         let stands = |id: &TransitionId| model.transitions[*id].any.is_none_or(|any| model.anys[any].first == *id);
         for id in model.transitions.ids().filter(|id| !dead.contains(id) && stands(id)) {
@@ -40,11 +48,12 @@ impl Branches<'_> {
             let mut before: Vec<TransitionId> = before.into_iter().rev().take(NEIGHBOURS).list();
             before.reverse();
             if model.is_grafcet() {
-                self.overlapping(id, &before, sink);
+                self.overlapping(id, &before, &mut overlapping, sink);
             } else if self.shadowed(id, &before, sink) {
                 shadowed.insert(id);
             }
         }
+        self.report_overlapping(&overlapping, sink);
         shadowed
     }
 
@@ -172,11 +181,13 @@ impl Branches<'_> {
         sink.rule(&rules::SHADOWED_BRANCH, &self.model.levels_of_transition(transition), notes);
     }
 
-    /// Rule 4 of IEC 60848: branches whose conditions hold together all clear. Each is reported beside the first such one.
-    fn overlapping(&self, id: TransitionId, before: &[TransitionId], sink: &mut Sink) {
-        let own = self.condition(id);
+    /// Rule 4 of IEC 60848: branches whose conditions hold together all clear.
+    fn overlapping(&self, id: TransitionId, before: &[TransitionId], found: &mut Vec<Overlap>, sink: &mut Sink) {
+        let (own, known) = (self.condition(id), found.len());
         for other in before.iter().filter(|other| !self.model.exclude_each_other(**other, id)) {
             if self.is_duplicate(*other, id) {
+                // What overlaps with that one has been found.
+                found.truncate(known);
                 return drawing::duplicate_transition(self.model, *other, id, sink);
             }
             let excluded = self.logic.exclusive(self.condition(*other), own);
@@ -188,24 +199,50 @@ impl Branches<'_> {
             let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
             let active: Vec<Condition> = steps.iter().map(active).list();
             let goals = [(self.condition(*other), true), (own, true)];
-            let Answer::Witness(inputs) = self.logic.certainly_together(&goals, &active.iter().list()) else {
-                continue;
-            };
-            let when = if inputs.is_empty() { "always".to_owned() } else { format!("with `{inputs}`") };
-            let note = |one: TransitionId, other: TransitionId| {
-                let (one, other) = (&self.model.transitions[one], &self.model.transitions[other]);
-                let message = format!(
-                    "{} and {} can clear together, {when}; let their conditions exclude each other",
-                    self.model.transition_text(one),
-                    self.model.transition_text(other),
-                );
-                (one.condition.mark, message)
-            };
-            let mut scopes: Vec<&[LevelAttr]> = vec![&first.levels];
-            scopes.extend(self.model.levels_of_transition(second));
-            sink.rule(&rules::OVERLAPPING_BRANCHES, &scopes, vec![note(id, *other), note(*other, id)]);
-            return;
+            let given: Vec<&Condition> = active.iter().list();
+            if let Answer::Witness(inputs) = self.logic.certainly_together(&goals, &given) {
+                found.push(Overlap { first: *other, second: id, inputs });
+            }
         }
+    }
+
+    fn report_overlapping(&self, found: &[Overlap], sink: &mut Sink) {
+        let model = self.model;
+        let mut rivals = Rivals::new(&rules::OVERLAPPING_BRANCHES, model.dialect);
+        let mut inputs: Map<(usize, usize), &str> = Map::new();
+        for Overlap { first, second, inputs: when } in found {
+            let mut scopes: Vec<&[LevelAttr]> = vec![&model.transitions[*first].levels];
+            scopes.extend(model.levels_of_transition(&model.transitions[*second]));
+            rivals.add(first.index(), second.index(), &scopes);
+            inputs.insert((first.index(), second.index()), when);
+        }
+        let transitions: Vec<&Transition> = model.transitions.values().list();
+        rivals.report(sink, |one, others| {
+            let together = |other: &usize| {
+                let when = inputs.get(&(one.min(*other), one.max(*other))).copied().unwrap_or_default();
+                let when = if when.is_empty() { "always".to_owned() } else { format!("with `{when}`") };
+                (model.transition_text(transitions[*other]), when)
+            };
+            let message = match others {
+                [other] => {
+                    let (text, when) = together(other);
+                    let own = model.transition_text(transitions[one]);
+                    format!("{own} and {text} can clear together, {when}; let their conditions exclude each other")
+                }
+                _ => {
+                    let texts = others.iter().map(|other| {
+                        let (text, when) = together(other);
+                        format!("{text} ({when})")
+                    });
+                    format!(
+                        "{} can clear together with each of {}; let their conditions exclude each other",
+                        model.transition_text(transitions[one]),
+                        rivals::listed(&texts.list()),
+                    )
+                }
+            };
+            (transitions[one].condition.mark, message)
+        });
     }
 
     /// The same arc with the same condition, written in another way.

@@ -1,13 +1,15 @@
 //! `conflicting_values`, `timed_contention`: steps that are active together and want different things.
 
-use crate::analysis::{Concurrency, Condition, Logic, meeting};
+use super::rivals::{self, Rivals};
+use crate::analysis::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
 use crate::diagnostic::{Rule, Sink, rules};
 use crate::list::List;
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, TimeRef, Tree};
-use crate::sorted::{Map, Set};
+use crate::sorted::Map;
 
 pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], sink: &mut Sink) {
-    let contention = Contention { model, concurrency, logic: Logic::within(model, concurrency, never) };
+    let logic = Logic::within(model, concurrency, never);
+    let contention = Contention { model, concurrency, unlisted: unlisted(model, &logic), logic };
     contention.values(sink);
     if !model.is_grafcet() {
         contention.times(sink);
@@ -18,6 +20,7 @@ struct Contention<'m> {
     model: &'m Model,
     concurrency: &'m Concurrency,
     logic: Logic<'m>,
+    unlisted: Vec<Unlisted>,
 }
 
 /// What time-related qualifiers act on.
@@ -41,27 +44,20 @@ impl Contention<'_> {
         for (output, all) in of_output {
             let associations: Vec<&Association> = all.iter().map(|(association, _)| *association).list();
             let differ = |i: usize, j: usize| all[i].1 != all[j].1;
-            for (i, j) in self.meetings(&associations, differ) {
-                let name = &self.model.outputs[output].name;
-                let note = |one: &Association, other: &Association| {
-                    let text = |association: &Association| match &association.effect {
-                        Effect::Assign(_, value) => value.text.clone(),
-                        _ => String::new(),
-                    };
-                    let message = format!(
-                        "`{name}` is `{}` here, and `{}` {}; let the conditions exclude each other, or assign it in one \
-                         place",
-                        text(one),
-                        text(other),
-                        self.elsewhere(one, other)
-                    );
-                    (one.mark, message)
-                };
-                let (first, second) = (associations[i], associations[j]);
-                let notes = vec![note(first, second), note(second, first)];
-                let levels = &self.model.outputs[output].levels;
-                self.report(&rules::CONFLICTING_VALUES, (first, second), levels, notes, sink);
-            }
+            let output = &self.model.outputs[output];
+            let value = |association: &Association| match &association.effect {
+                Effect::Assign(_, value) => format!("`{}`", value.text),
+                _ => String::new(),
+            };
+            let meetings = self.meetings(&associations, differ);
+            self.report(&rules::CONFLICTING_VALUES, &associations, &meetings, &output.levels, sink, |one, others| {
+                format!(
+                    "`{}` is {} here, and {}; let the conditions exclude each other, or assign it in one place",
+                    output.name,
+                    value(one),
+                    self.elsewhere(one, others, value)
+                )
+            });
         }
     }
 
@@ -81,49 +77,63 @@ impl Contention<'_> {
                 Target::Place(place) => (self.model.place_name(place), self.model.levels_of_place(place)),
                 Target::Action(action) => (&self.model.actions[action].name, &self.model.actions[action].levels[..]),
             };
-            for (i, j) in self.meetings(&all, |_, _| true) {
-                let note = |one: &Association, other: &Association| {
-                    let message = format!(
-                        "`{name}` is timed here with {}, and with {} {}; an action has one timer: let only one of these act at \
-                         a time, or use two actions",
-                        self.time(one),
-                        self.time(other),
-                        self.elsewhere(one, other)
-                    );
-                    (one.mark, message)
-                };
-                let (first, second) = (all[i], all[j]);
-                let notes = vec![note(first, second), note(second, first)];
-                self.report(&rules::TIMED_CONTENTION, (first, second), levels, notes, sink);
-            }
+            let meetings = self.meetings(&all, |_, _| true);
+            self.report(&rules::TIMED_CONTENTION, &all, &meetings, levels, sink, |one, others| {
+                let time = |association: &Association| format!("with {}", self.time(association));
+                format!(
+                    "`{name}` is timed here {}, and {}; an action has one timer: let only one of these act at a time, or \
+                     use two actions",
+                    time(one),
+                    self.elsewhere(one, others, time)
+                )
+            });
         }
     }
 
-    /// The pairs of associations that can act at the same time; each is paired with the first one before it.
+    /// The pairs of associations that can act at the same time.
     fn meetings(&self, all: &[&Association], differ: impl Fn(usize, usize) -> bool) -> Vec<(usize, usize)> {
         let things: Vec<_> = all.iter().enumerate().map(|(i, association)| (i, Some(association.step))).list();
-        let mut reported = Set::new();
         let pairs = meeting::pairs(self.concurrency, &things).into_iter();
-        pairs.filter(|(i, j)| differ(*i, *j) && !self.exclude(all[*i], all[*j]) && reported.insert(*j)).list()
+        pairs.filter(|(i, j)| differ(*i, *j) && !self.exclude(all[*i], all[*j])).list()
     }
 
     /// Whether the two never act at the same time.
     fn exclude(&self, a: &Association, b: &Association) -> bool {
-        let of = |association: &Association| {
-            let condition = association.condition.iter().map(|expr| self.logic.of_action(&expr.tree));
-            let active = self.logic.condition(&Tree::Read(Read::Active(association.step)));
-            condition.chain([active]).list()
-        };
-        let all: Vec<Condition> = of(a).into_iter().chain(of(b)).list();
+        let all = self.conditions(&[a, b]);
         let goals: Vec<_> = all.iter().map(|condition| (condition, true)).list();
         self.logic.impossible(&goals)
     }
 
-    fn elsewhere(&self, one: &Association, other: &Association) -> String {
-        if one.step == other.step {
-            return "once more in this step".to_owned();
+    /// Under which they act together.
+    fn conditions(&self, all: &[&Association]) -> Vec<Condition> {
+        let mut conditions = Vec::new();
+        for association in all {
+            conditions.extend(association.condition.iter().map(|expr| self.logic.of_action(&expr.tree)));
+            conditions.push(self.logic.condition(&Tree::Read(Read::Active(association.step))));
         }
-        format!("in step `{}`, which can be active at the same time", self.model.steps[other.step].name)
+        conditions
+    }
+
+    /// What is said of a list of variants, where that would keep them apart.
+    fn list_them(&self, one: &Association, others: &[&Association]) -> String {
+        let decides =
+            |value: &&Unlisted| others.iter().any(|other| value.decides(&self.logic, &self.conditions(&[one, other])));
+        let unlisted = self.unlisted.iter().find(decides);
+        unlisted.map_or_else(String::new, |value| rivals::list_them(self.model, value.name))
+    }
+
+    /// What others say, and where.
+    fn elsewhere(&self, one: &Association, others: &[&Association], what: impl Fn(&Association) -> String) -> String {
+        let text = |other: &&Association| {
+            if one.step == other.step {
+                return format!("{} once more in this step", what(other));
+            }
+            format!("{} in step `{}`", what(other), self.model.steps[other.step].name)
+        };
+        let texts: Vec<String> = others.iter().map(text).list();
+        let beside = others.iter().any(|other| one.step != other.step);
+        let when = if beside { ", which can be active at the same time" } else { "" };
+        format!("{}{when}", rivals::listed(&texts))
     }
 
     fn time(&self, association: &Association) -> String {
@@ -138,15 +148,23 @@ impl Contention<'_> {
     fn report(
         &self,
         rule: &'static Rule,
-        (first, second): (&Association, &Association),
+        all: &[&Association],
+        meetings: &[(usize, usize)],
         levels: &[LevelAttr],
-        notes: Vec<(crate::diagnostic::Mark, String)>,
         sink: &mut Sink,
+        message: impl Fn(&Association, &[&Association]) -> String,
     ) {
-        let (one, other) = (&self.model.steps[first.step], &self.model.steps[second.step]);
-        let mut scopes: Vec<&[LevelAttr]> = vec![&one.levels, &other.levels, levels];
-        scopes.push(&self.model.partials[one.partial].levels);
-        scopes.extend(self.model.levels_of(other).split_off(1));
-        sink.rule(rule, &scopes, notes);
+        let mut rivals = Rivals::new(rule, self.model.dialect);
+        for (first, second) in meetings {
+            let (one, other) = (&self.model.steps[all[*first].step], &self.model.steps[all[*second].step]);
+            let mut scopes: Vec<&[LevelAttr]> = vec![&one.levels, &other.levels, levels];
+            scopes.push(&self.model.partials[one.partial].levels);
+            scopes.extend(self.model.levels_of(other).split_off(1));
+            rivals.add(*first, *second, &scopes);
+        }
+        rivals.report(sink, |one, others| {
+            let others: Vec<&Association> = others.iter().map(|other| all[*other]).list();
+            (all[one].mark, message(all[one], &others) + &self.list_them(all[one], &others))
+        });
     }
 }

@@ -3,10 +3,11 @@
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
+use super::targets;
 use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
-use crate::model::{Effect, Expr, Model, Name, Place, Read, VarId};
+use crate::model::{Effect, Expr, Model, Name, Place, Read, Ty, VarId};
 use crate::plan::is_stored;
 use crate::sorted::Set;
 
@@ -27,10 +28,15 @@ fn reads_continuous(model: &Model, sink: &mut Sink) {
             if stored.contains(&Place::Output(*id)) {
                 continue;
             }
-            let name = &model.outputs[*id].name;
+            let (name, ty) = (&model.outputs[*id].name, &model.outputs[*id].ty);
+            let mend = match ty {
+                Ty::Bool(_) => format!("declare `var {name}: bool;` and assert that"),
+                // Only what is on or off follows from the situation in the search, too.
+                _ => format!("declare `var {name}: {};` and store its values: `P1 {name} = …`", targets::text_of(ty)),
+            };
             let message = format!(
                 "`{name}` is the output of a continuous action and has no value while the chart evolves; \
-                 read the step instead (`Step.X`), or declare `var {name}: bool;` and assert that"
+                 read the step instead (`Step.X`), or {mend}"
             );
             let mark = place_of(name, tokens.clone()).unwrap_or_else(|| Mark::of(&tokens));
             sink.rule(&rules::READS_CONTINUOUS, &[], vec![(mark, message)]);

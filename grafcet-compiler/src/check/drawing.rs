@@ -1,5 +1,6 @@
 //! The rules of drawing: initial steps, doubled transitions, steps on their own.
 
+use super::rivals;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId, TransitionId};
@@ -21,10 +22,12 @@ fn initial_steps(model: &Model, sink: &mut Sink) {
         } else if model.dialect == Dialect::Sfc && initial.len() > 1 {
             let note = |step: &StepId| {
                 let name = &model.steps[*step].name;
+                let others = initial.iter().filter(|other| *other != step);
+                let others: Vec<String> = others.map(|other| format!("`{}`", model.steps[*other].name)).list();
+                let others = rivals::listed(&others);
                 let message = format!(
-                    "`{name}` is one of {} initial steps, an `sfc` has exactly one; \
+                    "`{name}` is an initial step beside {others}, an `sfc` has exactly one; \
                      start parallel branches with `-[true]-> (…)` behind it",
-                    initial.len()
                 );
                 (Mark::from(name), message)
             };

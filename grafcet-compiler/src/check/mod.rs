@@ -13,6 +13,7 @@ mod modes;
 mod properties;
 mod race;
 mod reach;
+mod rivals;
 mod safety;
 mod set_reset;
 mod silent;
@@ -87,8 +88,10 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
         let never: Vec<&Tree> = never.iter().copied().chain(&presumed).list();
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
     };
-    let stays = waits::check(model, &independent, &exploration, &dead, &mut told, sink);
-    properties::homes(model, limits, &aways, &stays, &partings, sink);
+    let mut stays = waits::check(model, &independent, &exploration, &dead, &mut told, sink);
+    stays.extend(reach::dead_ends(model, &dead, sink));
+    let excuses = properties::Told { stays: &stays, partings: &partings };
+    properties::homes(model, (&exploration, limits), &aways, &excuses, never, sink);
     Silent { model, structure: &independent, exploration: &exploration }.check(told, sink);
     let races = Races::of(model, racing, &limits, never);
     race::check(model, &races, &mixed, sink);

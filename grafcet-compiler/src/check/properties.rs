@@ -2,9 +2,9 @@
 //!
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
-use super::waits::Stays;
-use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, alone, situation};
-use crate::analysis::{Logic, Nesting, mixed, visible};
+use super::rivals;
+use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, Stay, alone, situation};
+use crate::analysis::{Logic, Nesting, mixed, unlisted_of, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
 use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
@@ -55,12 +55,7 @@ pub(super) fn check<'m>(
             continue;
         }
         // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
-        let answer = alone::away_from(model, &limits, home, never, true).unwrap_or_else(|| {
-            let answer = exploration.away_from(home);
-            let again = matches!(answer, Answer::Unknown(_)) && !watched.is_empty();
-            again.then(|| alone::away_from(model, &limits, home, never, false)).flatten().unwrap_or(answer)
-        });
-        match answer {
+        match away(model, &exploration, limits, (home, &[]), never, !watched.is_empty()) {
             Answer::Never => {}
             Answer::Possible(path) => aways.push(Away { property, path }),
             Answer::Unknown(doubt) => report.undecided(property, &doubt, sink),
@@ -73,21 +68,61 @@ pub(super) fn check<'m>(
     (Exploration::assuming(model, &limits, &[], never), aways)
 }
 
-/// Reports that there is no way home, where no other error tells why: that the chart stays where it is, or that two ways part
-/// and never meet again.
+/// Whether there is a situation without a way home.
+fn away(
+    model: &Model,
+    exploration: &Exploration,
+    limits: Limits,
+    home: (&[StepId], &[Stay]),
+    never: &[&Tree],
+    has_watched: bool,
+) -> Answer {
+    // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
+    alone::away_from(model, &limits, home, never, true).unwrap_or_else(|| {
+        let answer = exploration.away_but_for(home.0, home.1);
+        let again = matches!(answer, Answer::Unknown(_)) && has_watched;
+        again.then(|| alone::away_from(model, &limits, home, never, false)).flatten().unwrap_or(answer)
+    })
+}
+
+/// What other errors tell of why there is no way home.
+pub(super) struct Told<'c> {
+    /// Where the chart stays.
+    pub(super) stays: &'c [Stay],
+    /// By these two ways part and never meet again.
+    pub(super) partings: &'c Set<TransitionId>,
+}
+
+/// Reports that there is no way home, where no other error tells why: that the chart stays where it is, now or later, or that two
+/// ways part and never meet again.
 pub(super) fn homes(
     model: &Model,
-    limits: Limits,
+    (exploration, limits): (&Exploration, Limits),
     aways: &[Away<'_>],
-    stays: &[Stays],
-    partings: &Set<TransitionId>,
+    told: &Told<'_>,
+    never: &[&Tree],
     sink: &mut Sink,
 ) {
     for away in aways {
         let Claim::Home(home, mark) = &away.property.claim else { continue };
-        let parts = away.path.cycles.last().is_some_and(|end| end.cleared.iter().any(|id| partings.contains(id)));
-        if !parts && !stays.iter().any(|stays| stays.explains(away.path.end())) {
-            Report { model, limits }.not_home(away.property, (home, *mark), &away.path, sink);
+        if home.iter().any(|step| !exploration.reachable(*step)) && sink.has_dead_ends() {
+            continue;
+        }
+        let parts =
+            |path: &Path| path.cycles.last().is_some_and(|end| end.cleared.iter().any(|id| told.partings.contains(id)));
+        let report = Report { model, limits };
+        if parts(&away.path) {
+            continue;
+        }
+        if told.stays.is_empty() {
+            report.not_home(away.property, (home, *mark), &away.path, sink);
+            continue;
+        }
+        // One that is no way to where the chart stays, either.
+        if let Answer::Possible(path) = self::away(model, exploration, limits, (home, told.stays), never, true) {
+            if !parts(&path) {
+                report.not_home(away.property, (home, *mark), &path, sink);
+            }
         }
     }
 }
@@ -152,9 +187,11 @@ impl Report<'_> {
                 } else {
                     ""
                 };
+                let list = unlisted_of(self.model, values);
+                let list = list.map_or_else(String::new, |name| rivals::list_them(self.model, name));
                 format!(
                     "whether this holds is not decided: it depends on {what}, and the checker follows steps and plain boolean \
-                     outputs and variables only; state it of steps, or allow this{pure}"
+                     outputs and variables only; state it of steps, or allow this{pure}{list}"
                 )
             }
         };

@@ -7,9 +7,9 @@
 use super::silent::Told;
 use super::waits;
 use crate::analysis::Concurrency;
-use crate::analysis::explore::{Exploration, StuckJoin, situation};
+use crate::analysis::explore::{Exploration, Stay, StuckJoin, situation};
 use crate::analysis::hierarchy::initial_situation;
-use crate::diagnostic::{Mark, Sink, rules};
+use crate::diagnostic::{Mark, Rule, Severity, Sink, rules};
 use crate::list::List;
 use crate::model::{Blinker, Dialect, ForceOrder, Id, Model, Step, StepId, Transition, TransitionId};
 use crate::sorted::Set;
@@ -78,6 +78,20 @@ pub(super) fn check(
         dead_transition(model, exploration, *id, sink);
     }
     dead
+}
+
+/// Where a transition that never clears would lead on, of which an error tells.
+pub(super) fn dead_ends(model: &Model, dead: &Set<TransitionId>, sink: &Sink) -> Vec<Stay> {
+    if !sink.has_dead_ends() {
+        return Vec::new();
+    }
+    let is_error = |id: &&TransitionId| {
+        let scopes = model.levels_of_transition(&model.transitions[**id]);
+        let of = |rule: &Rule| rule.severity_in(model.dialect, &scopes) == Severity::Deny;
+        of(&rules::DEAD_TRANSITION) && of(&rules::NEVER_TRUE) && of(&rules::SHADOWED_BRANCH)
+    };
+    let stay = |id: &TransitionId| Stay { active: model.transitions[*id].sources.clone(), within: None };
+    dead.iter().filter(is_error).map(stay).list()
 }
 
 /// Whether what `stuck_join` says of a convergence that never clears makes `dead_transition` superfluous: it is as loud.

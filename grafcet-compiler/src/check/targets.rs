@@ -75,10 +75,7 @@ fn may_be_bool(ty: &Ty) -> bool {
 /// A value that is neither true nor false.
 fn not_bool(model: &Model, qualifier: Qualifier, place: Place) -> String {
     let name = model.place_name(place);
-    let ty = match model.place_ty(place) {
-        Ty::Time(_) => "time".to_owned(),
-        Ty::Bool(ty) | Ty::Int { rust: ty, .. } | Ty::Other(ty) => written(ty),
-    };
+    let ty = text_of(model.place_ty(place));
     let mend = match (qualifier, place) {
         (Qualifier::N, Place::Output(_)) => format!("{name} = …"),
         (Qualifier::On, _) => format!("on … {name} = …"),
@@ -87,6 +84,14 @@ fn not_bool(model: &Model, qualifier: Qualifier, place: Place) -> String {
         _ => format!("P1 {name} = …"),
     };
     format!("`{name}` is a `{ty}`, so it is not simply on or off; say what it becomes: `{mend}`")
+}
+
+/// A type as the chart writes it.
+pub(super) fn text_of(ty: &Ty) -> String {
+    match ty {
+        Ty::Time(_) => "time".to_owned(),
+        Ty::Bool(ty) | Ty::Int { rust: ty, .. } | Ty::Other(ty) => written(ty),
+    }
 }
 
 /// A type as one writes it, without the blanks between its tokens.

@@ -14,7 +14,7 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
     }
     let logic = Logic::within(model, concurrency, never);
     let certain = Circles::new(model, concurrency, &logic).certain();
-    for circle in &certain {
+    for circle in &through_the_same(model, certain.clone(), &[]) {
         let message = format!(
             "the circle {} never comes to rest: once one of its transitions clears, it turns again and again in the same \
              cycle; let one of them wait for something else, e.g. for an edge: `rising(…)`",
@@ -28,7 +28,8 @@ pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], s
     }
     // The many questions about single transitions are not at the expense of these.
     let logic = Logic::within(model, concurrency, never);
-    for circle in Circles::new(model, concurrency, &logic).possible(&certain) {
+    let possible = Circles::new(model, concurrency, &logic).possible(&certain);
+    for circle in through_the_same(model, possible, &certain) {
         let when = if circle.inputs.is_empty() { String::new() } else { format!(" with `{}`", circle.inputs) };
         let message = format!(
             "the circle {} turns without end in one cycle{when}; if the plant excludes that, say so: `assume never …;`, \
@@ -50,6 +51,45 @@ fn notes(model: &Model, circle: &Circle, message: &str) -> Vec<(Mark, String)> {
     transitions.into_iter().map(|id| (model.transitions[*id].mark, message.to_owned())).list()
 }
 
+/// Between which steps a transition leads.
+type Way<'m> = (&'m [StepId], &'m [StepId]);
+
+/// The ways of a circle, each once: transitions between the same steps are one way, whether they clear together or one in place of
+/// the other.
+fn ways<'m>(model: &'m Model, circle: &Circle) -> Vec<Way<'m>> {
+    let mut ways: Vec<Way<'m>> = Vec::new();
+    for id in &circle.transitions {
+        let transition = &model.transitions[*id];
+        let way = (&transition.sources[..], &transition.targets[..]);
+        if !ways.contains(&way) {
+            ways.push(way);
+        }
+    }
+    ways
+}
+
+/// The circles but those of `known` ways, all of the same ways as one.
+fn through_the_same(model: &Model, circles: Vec<Circle>, known: &[Circle]) -> Vec<Circle> {
+    let set = |circle: &Circle| ways(model, circle).into_iter().collect::<Set<Way<'_>>>();
+    let known: Vec<_> = known.iter().map(set).list();
+    let mut all: Vec<(Set<Way<'_>>, Circle)> = Vec::new();
+    for circle in circles {
+        let ways = set(&circle);
+        if known.contains(&ways) {
+            continue;
+        }
+        match all.iter_mut().find(|(other, _)| *other == ways) {
+            Some((_, same)) => {
+                let new = circle.transitions.into_iter().filter(|id| !same.transitions.contains(id));
+                let new: Vec<TransitionId> = new.list();
+                same.transitions.extend(new);
+            }
+            None => all.push((ways, circle)),
+        }
+    }
+    all.into_iter().map(|(_, circle)| circle).list()
+}
+
 /// `` `A → B → A` ``, one for each partial grafcet: `` `A → B → A` with `X → Y → X` ``.
 fn text(model: &Model, circle: &Circle) -> String {
     let side = |steps: &[StepId]| match steps {
@@ -60,11 +100,13 @@ fn text(model: &Model, circle: &Circle) -> String {
         }
     };
     let partials: Set<PartialId> = circle.transitions.iter().map(|id| model.transitions[*id].partial).collect();
+    let ways = ways(model, circle);
     let path = |partial: &PartialId| {
-        let all = circle.transitions.iter().map(|id| &model.transitions[*id]);
-        let own: Vec<_> = all.filter(|transition| transition.partial == *partial).list();
-        let mut parts: Vec<String> = own.iter().map(|transition| side(&transition.sources)).list();
-        parts.extend(own.last().map(|last| side(&last.targets)));
+        let is_own = |step: &StepId| model.steps[*step].partial == *partial;
+        let own = ways.iter().filter(|(from, to)| from.iter().chain(*to).any(is_own));
+        let own: Vec<&Way<'_>> = own.list();
+        let mut parts: Vec<String> = own.iter().map(|(sources, _)| side(sources)).list();
+        parts.extend(own.last().map(|(_, targets)| side(targets)));
         format!("`{}`", parts.join(" → "))
     };
     partials.iter().map(path).list().join(" with ")

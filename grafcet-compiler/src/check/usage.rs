@@ -35,7 +35,11 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
                     "variable `{name}` is read and never written; make it a `param`, write it, or call it `_{name}`"
                 )
             }
-            (false, true) => format!("variable `{name}` is written and never read; {}", mend(name)),
+            // The program may.
+            (false, true) => format!(
+                "variable `{name}` is written and never read in the chart; read it, delete it, or call it `_{name}` if only the \
+                 program reads it, by `vars()`"
+            ),
             (false, false) => format!("variable `{name}` is never used; {}", mend(name)),
         };
         report(&rules::UNUSED_VARIABLE, name, &var.levels, message);

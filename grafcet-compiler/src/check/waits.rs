@@ -5,30 +5,13 @@
 
 use super::silent::Told;
 use crate::analysis::Concurrency;
-use crate::analysis::explore::{Deadlock, Exploration, StuckJoin, situation};
+use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, situation};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
 use crate::sorted::Set;
 
-/// Where the chart stays for ever, of which an error tells.
-pub(super) enum Stays {
-    /// These steps stay active, whatever happens.
-    Deadlock(Vec<StepId>),
-    /// In this situation, a step waits for an AND-convergence.
-    At(StepId, Vec<StepId>),
-}
-
-impl Stays {
-    /// Whether nothing leads on from a situation because of it.
-    pub(super) fn explains(&self, lost: &[StepId]) -> bool {
-        match self {
-            Self::Deadlock(steps) => steps.iter().all(|step| lost.contains(step)),
-            Self::At(waiting, end) => lost.contains(waiting) && lost.iter().all(|step| end.contains(step)),
-        }
-    }
-}
-
+/// Returns where the chart stays for ever, of which an error tells.
 pub(super) fn check(
     model: &Model,
     structure: &Concurrency,
@@ -36,7 +19,7 @@ pub(super) fn check(
     dead: &Set<TransitionId>,
     told: &mut Told,
     sink: &mut Sink,
-) -> Vec<Stays> {
+) -> Vec<Stay> {
     let mut stays = Vec::new();
     let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     for (id, transition) in model.transitions.iter() {
@@ -47,9 +30,9 @@ pub(super) fn check(
     for deadlock in smallest(&contended) {
         let errors = sink.errors();
         contention(model, exploration, deadlock, sink);
-        stays.extend((sink.errors() > errors).then(|| Stays::Deadlock(deadlock.steps.clone())));
+        stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
-    let mut reported: Set<TransitionId> = Set::new();
+    let (mut reported, mut denied) = (Set::new(), Set::new());
     let mut waiting: Set<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
     // Of convergences that never clear nothing has been said before.
     let joins: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
@@ -69,7 +52,12 @@ pub(super) fn check(
         if reported.insert(stuck.join) {
             let errors = sink.errors();
             stuck_join(model, stuck, sink);
-            stays.extend((sink.errors() > errors).then(|| Stays::At(stuck.waiting, stuck.path.end().to_vec())));
+            if sink.errors() > errors {
+                denied.insert(stuck.join);
+            }
+        }
+        if denied.contains(&stuck.join) {
+            stays.push(Stay { active: vec![stuck.waiting], within: Some(stuck.path.end().to_vec()) });
         }
     }
     let explained = |step: &StepId| {
@@ -80,7 +68,7 @@ pub(super) fn check(
     for deadlock in smallest(&ends) {
         let errors = sink.errors();
         report(model, deadlock, &leaving, sink);
-        stays.extend((sink.errors() > errors).then(|| Stays::Deadlock(deadlock.steps.clone())));
+        stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
     stays
 }

@@ -70,8 +70,16 @@ impl Sink {
         scopes: &[&[LevelAttr]],
         notes: Vec<(Mark, String)>,
     ) {
+        self.broken(rule, rule.severity_in(dialect, scopes), notes);
+    }
+
+    /// A chart breaks `rule`, whose level there is `severity`. An error marks all who take part, a warning the culprit: rustc would
+    /// count each mark as a warning of its own.
+    pub(crate) fn broken(&mut self, rule: &'static Rule, severity: Severity, mut notes: Vec<(Mark, String)>) {
         debug_assert!(!notes.is_empty(), "`{}` is said nowhere", rule.name);
-        let severity = rule.severity_in(dialect, scopes);
+        if severity == Severity::Warn {
+            notes.truncate(1);
+        }
         if severity != Severity::Allow {
             self.diagnostics.push(Diagnostic { rule: Some(rule), severity, notes });
         }
@@ -92,6 +100,19 @@ impl Sink {
     #[must_use]
     pub fn broke(&self, rule: &Rule) -> bool {
         self.diagnostics.iter().any(|one| one.rule.is_some_and(|broken| broken.name == rule.name))
+    }
+
+    /// Whether an error tells that something of the chart never happens.
+    pub(crate) fn has_dead_ends(&self) -> bool {
+        let dead = [
+            &rules::UNREACHABLE_STEP,
+            &rules::DEAD_TRANSITION,
+            &rules::NEVER_TRUE,
+            &rules::SHADOWED_BRANCH,
+            &rules::STUCK_JOIN,
+        ];
+        let is_one = |one: &Diagnostic| one.rule.is_some_and(|rule| dead.iter().any(|other| other.name == rule.name));
+        self.diagnostics.iter().any(|one| one.severity == Severity::Deny && is_one(one))
     }
 
     /// Whether nothing so far stands in the way of looking at how the chart evolves: what is wrong with an action or with what a

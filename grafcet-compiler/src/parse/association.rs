@@ -192,10 +192,11 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
     if !qualifier.has_time() {
         return Ok(None);
     }
-    // `L soak q`: a name is the time where a target follows it.
+    // `L soak q`: a name is the time where a target follows it, on whatever line, and not the next association.
     let behind = input.next();
-    let target_follows = behind.at_name() || behind.at_group(Delimiter::Brace);
-    if input.word().is_some() && target_follows && !behind.on_new_line() {
+    let another = behind.on_new_line() && begins(&behind);
+    let target_follows = behind.at_group(Delimiter::Brace) || behind.at_name() && !another;
+    if input.word().is_some() && target_follows {
         return Ok(input.eat_ident().map(TimeArg::Name));
     }
     if input.at_group(Delimiter::Parenthesis) {

@@ -171,6 +171,7 @@ fn associations() {
                 "L 5000000000ns q; D 2000000000ns q; Sd 2000000000ns q; Ds 2000000000ns q; Sl 5000000000ns q",
             ),
             ("L soak q; D soak heat(80); SD soak { x(); }", "L <soak> q; D <soak> heat(80); Sd <soak> { x () ; }"),
+            ("L soak\n q; SL soak\n{ x(); } D soak\n heat(80);", "L <soak> q; Sl <soak> { x () ; }; D <soak> heat(80)"),
             ("DS 1ms heat(80, a + b) if ready;", "Ds 1000000ns heat(80, a + b) if ready"),
             ("N heat(80); heat();", "N heat(80); heat()"),
             ("P1 { count += 1; } q;", "P1 { count += 1 ; }; q"),

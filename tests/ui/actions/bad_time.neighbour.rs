@@ -30,4 +30,29 @@ grafcet! {
     }
 }
 
+// A name is the time in front of what a macro passes on, and of what stands on the next line.
+macro_rules! timed {
+    ($block:block, $lamp:ident, $soak:ident) => {
+        grafcet! {
+            sfc Timed {
+                input start: bool;
+                param soak: time = 5s;
+                output lamp, horn: bool;
+                var count: u8 = 0;
+
+                initial step Idle { SL soak $block N lamp if count > 3; }
+                step Heat {
+                    D $soak $lamp;
+                    L soak
+                        horn;
+                }
+
+                Idle -[start]-> Heat -[!start]-> Idle;
+            }
+        }
+    };
+}
+
+timed!({ count = count.wrapping_add(1); }, lamp, soak);
+
 fn main() {}

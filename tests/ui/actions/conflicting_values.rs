@@ -37,4 +37,20 @@ grafcet! {
     }
 }
 
+// Three steps that are active together.
+grafcet! {
+    sfc Kettle {
+        input start, done: bool;
+        output speed: u16;
+
+        initial step Idle;
+        step Stir { speed = 40; }
+        step Heat { speed = 60; }
+        step Cool { speed = 80; }
+
+        Idle -[start]-> (Stir, Heat, Cool);
+        (Stir, Heat, Cool) -[done]-> Idle;
+    }
+}
+
 fn main() {}

@@ -50,4 +50,37 @@ grafcet! {
     }
 }
 
+// Three writers, one of them at both ends of its step; as an error and as a warning.
+grafcet! {
+    grafcet Stations {
+        input start, done: bool;
+        var part: u8 = 0;
+        output shown: bool;
+
+        initial step Idle { shown if part > 3; }
+        step Feed { P1 part = 1; P0 part = 4; }
+        step Drill { P1 part = 2; P0 part = 5; }
+        step Eject { P0 part = 6; }
+
+        Idle -[start]-> (Feed, Drill, Eject);
+        (Feed, Drill, Eject) -[done]-> Idle;
+    }
+}
+
+grafcet! {
+    sfc Cells {
+        input start, done: bool;
+        var part: u8 = 0;
+        output shown: bool;
+
+        initial step Idle { shown if part > 3; }
+        step Feed { P1 part = 1; P0 part = 4; }
+        step Drill { P1 part = 2; P0 part = 5; }
+        step Eject { P0 part = 6; }
+
+        Idle -[start]-> (Feed, Drill, Eject);
+        (Feed, Drill, Eject) -[done]-> Idle;
+    }
+}
+
 fn main() {}

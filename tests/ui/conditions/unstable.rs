@@ -45,4 +45,19 @@ grafcet! {
     }
 }
 
+// Two transitions between the same steps are one way: whether they clear together or one in place of the other, the circle is one.
+grafcet! {
+    grafcet Ways {
+        #![allow(grafcet::overlapping_branches)]
+        input a, b: bool;
+
+        initial step First;
+        step Second;
+        step Third;
+
+        First -[a]-> Second -[a]-> Third -[a]-> First;
+        First -[a && b]-> Second -[a && !b]-> Third;
+    }
+}
+
 fn main() {}

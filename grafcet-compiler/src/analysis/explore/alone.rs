@@ -1,7 +1,7 @@
 //! One question alone: what it does not touch does not decide about it, and takes nothing of its budget.
 
 use super::graph::{Graph, Seen};
-use super::home;
+use super::home::{self, Stay};
 use super::net::Net;
 use super::slice::Slice;
 use super::whole::{Budget, Detail, explore_whole};
@@ -9,9 +9,15 @@ use super::{Answer, Limits, answers, limit, several};
 use crate::model::{Model, StepId, Tree};
 
 /// Whether a situation can be reached from which there is no way to `home`, where only what decides about that is looked at;
-/// `None` where that is all of the chart, and nothing but the chart `was` looked at.
+/// `None` where that is all of the chart, and nothing but the chart `was` looked at. The `others` count as home.
 #[must_use]
-pub fn away_from(model: &Model, limits: &Limits, home: &[StepId], never: &[&Tree], was_all: bool) -> Option<Answer> {
+pub(crate) fn away_from(
+    model: &Model,
+    limits: &Limits,
+    (home, others): (&[StepId], &[Stay]),
+    never: &[&Tree],
+    was_all: bool,
+) -> Option<Answer> {
     let slice = Slice::of(model, home, &[]);
     if slice.is_none() && was_all {
         return None;
@@ -20,7 +26,7 @@ pub fn away_from(model: &Model, limits: &Limits, home: &[StepId], never: &[&Tree
     let net = question.net(slice.as_ref(), &[]);
     let detail = if home::is_plain(&net) { Detail::Rough } else { Detail::Thorough };
     let (graph, _) = question.explore(&net, detail);
-    (!cuts(&graph, slice.as_ref())).then(|| home::away(&net, &graph, home))
+    (!cuts(&graph, slice.as_ref())).then(|| home::away(&net, &graph, home, others))
 }
 
 /// Whether an expression can hold at the end of a cycle, where only what decides about that is looked at; `None` where that

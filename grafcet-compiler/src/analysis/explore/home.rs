@@ -14,6 +14,23 @@ use crate::model::{Id, StepId, Tree};
 /// In how many cases it is looked whether one of several ways exists.
 const CASES: usize = 1000;
 
+/// Situations from which nothing leads on, as is known.
+#[derive(Clone, Debug)]
+pub(crate) struct Stay {
+    /// These steps are active.
+    pub(crate) active: Vec<StepId>,
+    /// No others than these.
+    pub(crate) within: Option<Vec<StepId>>,
+}
+
+impl Stay {
+    fn holds(&self, active: &[usize]) -> bool {
+        let is_in = |steps: &[StepId], step: usize| steps.iter().any(|other| other.index() == step);
+        self.active.iter().all(|step| active.contains(&step.index()))
+            && self.within.as_ref().is_none_or(|within| active.iter().all(|step| is_in(within, *step)))
+    }
+}
+
 impl Exploration {
     /// Whether a situation can be reached at the end of a cycle from which there is no way to exactly `home` (at the end
     /// of a cycle).
@@ -21,8 +38,13 @@ impl Exploration {
     /// Inputs and times may be chosen on the way back, but for a time that is over; values that are not followed may not.
     #[must_use]
     pub fn away_from(&self, home: &[StepId]) -> Answer {
+        self.away_but_for(home, &[])
+    }
+
+    /// The same, where each of these situations counts as home.
+    pub(crate) fn away_but_for(&self, home: &[StepId], others: &[Stay]) -> Answer {
         let explored = if is_plain(&self.net) { None } else { Some(self.explored_thoroughly()) };
-        away(&self.net, explored.as_ref().unwrap_or(&self.whole), home)
+        away(&self.net, explored.as_ref().unwrap_or(&self.whole), home, others)
     }
 
     fn explored_thoroughly(&self) -> Graph {
@@ -39,12 +61,12 @@ pub(super) fn is_plain(net: &Net) -> bool {
         && !net.initial_slots.contains(&Bit::Any)
 }
 
-/// Whether from some state of the graph there is no way to `home`.
-pub(super) fn away(net: &Net, graph: &Graph, home: &[StepId]) -> Answer {
+/// Whether from some state of the graph there is no way to `home` nor to one of the `others`.
+pub(super) fn away(net: &Net, graph: &Graph, home: &[StepId], others: &[Stay]) -> Answer {
     if !graph.complete || graph.cut_off {
         return Answer::Unknown(budget_doubt(net, graph));
     }
-    let home = At::of(net, graph, home);
+    let home = At::of(net, graph, home, others);
     let lost = home.lost(graph);
     let report = Report { net, graph };
     let mut doubtful = None;
@@ -69,14 +91,16 @@ struct At {
 }
 
 impl At {
-    fn of(net: &Net, graph: &Graph, home: &[StepId]) -> Self {
+    fn of(net: &Net, graph: &Graph, home: &[StepId], others: &[Stay]) -> Self {
         let mut steps: Vec<usize> = home.iter().map(|step| step.index()).list();
         steps.sort_unstable();
         let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).list();
         parts.sort_unstable();
         let is_concerned = |step: &&usize| parts.binary_search(&net.part_of[**step]).is_ok();
-        let states = graph.states.iter().enumerate();
-        let at_home = states.filter(|(_, state)| !state.first && state.active.iter().filter(is_concerned).eq(&steps));
+        let states = graph.states.iter().enumerate().filter(|(_, state)| !state.first);
+        let at_home = states.filter(|(_, state)| {
+            state.active.iter().filter(is_concerned).eq(&steps) || others.iter().any(|stay| stay.holds(&state.active))
+        });
         Self { home: at_home.map(|(number, _)| number).list(), back: backwards(graph) }
     }
 

@@ -43,6 +43,7 @@ mod waiting;
 mod ways;
 mod whole;
 
+pub(crate) use self::home::Stay;
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
 pub use rivals::{Rival, rivals_meeting};
 pub use settles::settles;
