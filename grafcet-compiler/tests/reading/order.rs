@@ -62,7 +62,7 @@ fn initial_steps_are_on_top() {
 }
 
 /// A sequence with ways aside, which are written before it or behind it, of steps that are declared in any order.
-fn aside(seed: u64) -> (usize, String) {
+fn aside(seed: u64) -> String {
     let mut rng = Rng::new(seed);
     let count = rng.between(4, 9);
     let mut steps: Vec<String> = (0..count).map(|n| format!("step M{n};")).collect();
@@ -74,7 +74,7 @@ fn aside(seed: u64) -> (usize, String) {
         arcs.push("Fault -[reset]-> M0;".to_owned());
         arcs.extend((0..count).map(|n| format!("M{n} -[fault{n}]-> Fault;")));
     }
-    // Short enough that the sequence is the longer way.
+    // Mostly short enough that the sequence is the longest way.
     for n in 0..count - 3 {
         match rng.below(5) {
             0 => arcs.push(format!("M{n} -[abort{n}]-> M0;")),
@@ -98,22 +98,53 @@ fn aside(seed: u64) -> (usize, String) {
         let _ = write!(inputs, "input {name}: bool; ");
     }
     let dialect = if seed % 2 == 0 { "sfc" } else { "grafcet" };
-    (count, format!("{dialect} Aside {{ {inputs} {} {text} }}", steps.join(" ")))
+    format!("{dialect} Aside {{ {inputs} {} {text} }}", steps.join(" "))
+}
+
+/// The longest ways from the initial step that pass no step twice: not over a step to which one goes from three places on the
+/// way, as that for faults, which is no part of it. Where branches skip steps and others lead back, that need not be the way
+/// in the order of the names.
+fn longest<'c>(chart: &Description<'c>) -> Vec<Vec<&'c str>> {
+    let mut ways: Vec<Vec<&str>> = Vec::new();
+    let first = (0..chart.steps.len()).find(|step| chart.steps[*step].initial).expect("an initial step");
+    let mut open = vec![vec![first]];
+    while let Some(way) = open.pop() {
+        let names: Vec<&str> = way.iter().map(|step| chart.steps[*step].name).collect();
+        let most = ways.first().map_or(0, Vec::len);
+        if names.len() > most {
+            ways.clear();
+        }
+        if names.len() >= most {
+            ways.push(names);
+        }
+        let last = way[way.len() - 1];
+        let leads = |from: usize, to: usize| chart.transitions.iter().any(|t| t.sources == [from] && t.targets == [to]);
+        for next in chart.transitions.iter().filter(|t| t.sources == [last]).flat_map(|t| t.targets) {
+            let from = way.iter().filter(|step| leads(**step, *next)).count();
+            if !way.contains(next) && from < 3 {
+                open.push([&way[..], &[*next]].concat());
+            }
+        }
+    }
+    ways
 }
 
 #[test]
 fn the_main_sequence_is_straight() {
     let mut said = Vec::new();
     for seed in crate::seeds(0..300) {
-        let (count, text) = aside(seed);
+        let text = aside(seed);
         let bent = charts::with(text.parse().expect("tokens"), |chart| {
             let seen = seen(chart);
-            let at = |n: usize| seen.boxes.iter().find(|b| b.name == format!("M{n}")).map(|b| b.at);
-            let places: Vec<Option<(i32, i32)>> = (0..count).map(at).collect();
-            let straight = places
-                .windows(2)
-                .all(|pair| pair[0].zip(pair[1]).is_some_and(|((x, y), (next, below))| x == next && y < below));
-            if straight { Vec::new() } else { vec![format!("{places:?} in {text}")] }
+            let at = |name: &&str| seen.boxes.iter().find(|b| b.name == **name).map(|b| b.at);
+            let straight = |way: &Vec<&str>| {
+                let places: Vec<Option<(i32, i32)>> = way.iter().map(at).collect();
+                places
+                    .windows(2)
+                    .all(|pair| pair[0].zip(pair[1]).is_some_and(|((x, y), (next, below))| x == next && y < below))
+            };
+            let ways = longest(chart);
+            if ways.iter().any(straight) { Vec::new() } else { vec![format!("{ways:?} in {text}")] }
         });
         said.push((format!("aside {seed}"), bent.expect("a chart")));
     }
