@@ -21,7 +21,7 @@ const FOLDERS: [&str; 2] = ["examples/charts", "tests/good"];
 const PICTURES: &str = "tests/pictures";
 
 /// Those that the pages show.
-const SHOWN: [&str; 4] = ["motor", "line24v", "cell", "press"];
+const SHOWN: [&str; 5] = ["motor", "line24v", "cell", "press", "stop_anywhere"];
 
 /// Those that are recorded as text, too, with their Mermaid diagram.
 const TEXTS: [&str; 11] = [

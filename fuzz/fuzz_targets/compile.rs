@@ -12,7 +12,7 @@ use grafcet_compiler::compile;
 use libfuzzer_sys::fuzz_target;
 use quote::quote;
 
-#[path = "../../grafcet-compiler/tests/parse/generator.rs"]
+#[path = "../../grafcet-compiler/tests/parse/generator/mod.rs"]
 mod generator;
 
 fuzz_target!(|bytes: &[u8]| {

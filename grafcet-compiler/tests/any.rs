@@ -1,26 +1,10 @@
 //! `any -[stop]-> Stopped;`: what the checker makes of a transition from every step.
 
+mod judged;
+
 use std::fmt::Write;
 
-use grafcet_compiler::compile;
-use quote::quote;
-
-fn expanded(chart: &str) -> String {
-    compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string()
-}
-
-/// The rules that speak about a chart; `error` for a mistake of the notation.
-fn rules(chart: &str) -> Vec<String> {
-    let code = expanded(chart);
-    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
-    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
-    if rules.is_empty() && code.contains("compile_error") {
-        rules.push("error".to_owned());
-    }
-    rules.sort_unstable();
-    rules.dedup();
-    rules
-}
+use judged::rules;
 
 fn sequence(dialect: &str, rest: &str) -> Vec<String> {
     rules(&format!(

@@ -1,21 +1,8 @@
 //! What `assume never …;` does to every rule: alarms that the plant excludes go, faults that it makes certain come.
 
-use grafcet_compiler::diagnostic::{Diagnostic, Sink};
-use grafcet_compiler::{check, model, parse};
+mod judged;
 
-/// What is said about a chart.
-fn diagnostics(chart: &str) -> Vec<Diagnostic> {
-    let mut sink = Sink::new();
-    let tokens = chart.parse().expect("tokens");
-    if let Some(chart) = parse::chart(tokens, &mut sink) {
-        let model = model::resolve(&chart, &mut sink);
-        check::drawing(&model, &mut sink);
-        if !sink.has_errors() {
-            check::evolution(&model, &mut sink);
-        }
-    }
-    sink.finish()
-}
+use judged::diagnostics;
 
 /// The rules that a chart breaks, each once, by name; of a mistake of notation the message.
 fn said(chart: &str) -> Vec<String> {

@@ -1,17 +1,8 @@
 //! What the checker makes of `blink`: true or false as long as its step is active, and related to nothing but itself.
 
-use grafcet_compiler::compile;
-use quote::quote;
+mod judged;
 
-/// The rules that speak about a chart.
-fn rules(chart: &str) -> Vec<String> {
-    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
-    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
-    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
-    rules.sort_unstable();
-    rules.dedup();
-    rules
-}
+use judged::rules;
 
 fn lamps(first: &str, second: &str, rest: &str) -> Vec<String> {
     rules(&format!(

@@ -1,21 +1,12 @@
 //! One mistake gives one message: what follows from what was said is left out.
 
-use grafcet_compiler::compile;
-use quote::quote;
+mod judged;
 
-/// The rules that speak about a chart, those that only look at whether something is used left out.
-fn rules(chart: &str) -> Vec<String> {
-    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
-    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
-    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
-    rules.sort_unstable();
-    rules.dedup();
-    rules
-}
+use judged::{expanded, rules};
 
 /// The texts of the messages of one rule.
 fn messages(chart: &str, rule: &str) -> Vec<String> {
-    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
+    let code = expanded(chart);
     let mut texts: Vec<String> =
         code.split('"').filter(|text| text.contains(&format!("[grafcet::{rule}]"))).map(str::to_owned).collect();
     texts.dedup();

@@ -1,24 +1,14 @@
 //! Charts with more situations than can be explored: twenty parallel branches have 3 × 10¹⁵. What is wrong with the drawing
 //! is found all the same, and nothing is said about the good ones.
 
+mod judged;
+
 use std::fmt::Write;
 
-use grafcet_compiler::compile;
-use quote::quote;
+use judged::{expanded, rules};
 
 const BRANCHES: usize = 20;
 const STEPS: usize = 5;
-
-/// The rules that speak about a chart.
-fn rules(chart: &str) -> Vec<String> {
-    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
-    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
-    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
-    assert!(!rules.is_empty() || !code.contains("compile_error"), "{code}");
-    rules.sort_unstable();
-    rules.dedup();
-    rules
-}
 
 /// Parallel branches; `more` is added, and `without` left out.
 fn branches(dialect: &str, inputs: usize, more: &str, without: &str) -> String {
@@ -96,7 +86,7 @@ fn flags_of_more_than_32_bytes_do_not_go_with_serde() {
         }
         let chart =
             format!("{derives} sfc Long {{ input a: bool; {encoding} initial step S0; {names} {chain} -[a]-> S0; }}");
-        let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
+        let code = expanded(&chart);
         code.matches("go together with serde").count()
     };
     let both = "#[derive(serde::Serialize)] #[cfg_attr(feature = \"store\", derive(Hash, Deserialize))]";

@@ -1,7 +1,6 @@
 //! `write_race`: two stored actions race only if both can run in the same evolution.
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::{check, model, parse};
+mod judged;
 
 /// What is said about a `grafcet` with these inputs, outputs and variables.
 fn said(items: &str) -> Vec<String> {
@@ -9,18 +8,7 @@ fn said(items: &str) -> Vec<String> {
         "grafcet C {{ #![allow(grafcet::unused_input, grafcet::unused_variable)] \
          input a, b, c, d, p, r: bool; output q: bool; var n: u8 = 0; var f: bool; var g: bool; {items} }}"
     );
-    let mut sink = Sink::new();
-    if let Some(chart) = parse::chart(chart.parse().expect("tokens"), &mut sink) {
-        let model = model::resolve(&chart, &mut sink);
-        check::drawing(&model, &mut sink);
-        if !sink.has_errors() {
-            check::evolution(&model, &mut sink);
-        }
-    }
-    let text = |one: &grafcet_compiler::diagnostic::Diagnostic| {
-        format!("{}: {}", one.rule.map_or("notation", |rule| rule.name), one.notes[0].1)
-    };
-    sink.finish().iter().map(text).collect()
+    judged::said(&chart)
 }
 
 /// Nothing races.

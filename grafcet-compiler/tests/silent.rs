@@ -1,23 +1,15 @@
 //! No rule is silent because of another: a chart in which something is dead never passes without a word, and what is wrong
 //! with an action hides nothing.
 
+mod judged;
+
 use std::fmt::Write;
 
+use judged::{expanded, rules};
+
 use grafcet_compiler::analysis::explore::{Exploration, Limits};
-use grafcet_compiler::compile;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::{model, parse};
-use quote::quote;
-
-/// The rules that speak about a chart.
-fn rules(chart: &str) -> Vec<String> {
-    let code = compile(&quote!(::grafcet), chart.parse().expect("tokens")).to_string();
-    let named = code.split("[grafcet::").skip(1).filter_map(|rest| rest.split_once(']'));
-    let mut rules: Vec<String> = named.map(|(rule, _)| rule.to_owned()).collect();
-    rules.sort_unstable();
-    rules.dedup();
-    rules
-}
 
 #[test]
 fn two_that_take_each_other_for_the_cause() {
@@ -109,11 +101,7 @@ fn what_is_dead_does_not_pass_without_a_word() {
         let lost = model.steps.ids().any(|step| !found.reachable(step));
         if idle || lost || !found.deadlocks().is_empty() {
             dead += 1;
-            assert!(
-                !rules(&text).is_empty()
-                    || compile(&quote!(::grafcet), text.parse().expect("tokens")).to_string().contains("compile_error"),
-                "{text}"
-            );
+            assert!(!rules(&text).is_empty() || expanded(&text).contains("compile_error"), "{text}");
         }
     }
     assert!(dead > 500, "{dead}");

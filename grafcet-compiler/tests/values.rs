@@ -1,19 +1,8 @@
 //! Numbers that are compared with each other: what is said about random charts equals what happens under all values.
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::{check, model, parse};
+mod judged;
 
-/// The names of the rules that a chart breaks.
-fn said(chart: &str) -> Vec<&'static str> {
-    let mut sink = Sink::new();
-    let parsed = parse::chart(chart.parse().expect("tokens"), &mut sink).expect("a chart");
-    let model = model::resolve(&parsed, &mut sink);
-    check::drawing(&model, &mut sink);
-    if !sink.has_errors() {
-        check::evolution(&model, &mut sink);
-    }
-    sink.finish().iter().map(|one| one.rule.map_or("notation", |rule| rule.name)).collect()
-}
+use judged::names;
 
 struct Random(u64);
 
@@ -131,14 +120,14 @@ fn properties_equal_those_under_all_values() {
         );
         let step = ["A", "B", "C"][at];
         let chart = format!("{shared} never {step}.X && {}; }}", watched.text());
-        let found = said(&chart);
+        let found = names(&chart);
         let rules = ["property_violated", "property_undecided"];
         let about: Vec<&&str> = found.iter().filter(|rule| rules.contains(rule)).collect();
         let expected: &[&&str] = if seen { &[&"property_violated"] } else { &[] };
         assert_eq!(about, expected, "{chart}\n{found:?}");
         *(if seen { &mut violated } else { &mut proved }) += 1;
         let chart = format!("{shared} home A; }}");
-        let found = said(&chart);
+        let found = names(&chart);
         assert_eq!(
             found.contains(&"not_home"),
             reached < 2 && reached > 0 || clears == [true, true, false],

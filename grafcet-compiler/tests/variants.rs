@@ -1,25 +1,10 @@
 //! `input mode: Mode in {Off, Auto, Manual};`: the variants exclude each other, and there are no others.
 
-use grafcet_compiler::diagnostic::{Diagnostic, Sink};
-use grafcet_compiler::{check, model, parse};
+mod judged;
+
+use judged::said;
+
 use quote::quote;
-
-fn diagnostics(chart: &str) -> Vec<Diagnostic> {
-    let mut sink = Sink::new();
-    if let Some(chart) = parse::chart(chart.parse().expect("tokens"), &mut sink) {
-        let model = model::resolve(&chart, &mut sink);
-        check::drawing(&model, &mut sink);
-        if !sink.has_errors() {
-            check::evolution(&model, &mut sink);
-        }
-    }
-    sink.finish()
-}
-
-fn said(chart: &str) -> Vec<String> {
-    let text = |one: Diagnostic| format!("{}: {}", one.rule.map_or("notation", |rule| rule.name), one.notes[0].1);
-    diagnostics(chart).into_iter().map(text).collect()
-}
 
 fn fine(chart: &str) {
     assert_eq!(said(chart), Vec::<String>::new(), "{chart}");

@@ -182,13 +182,13 @@ impl __Line24VStateMark {
     }
 }
 /// The 24 V production line.
-/**
-
-The situation takes one byte: which of its 4 steps is active.*/
 #[cfg_attr(
     doc,
     doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 232 456\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Line24V\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M84 264H100M84 360H100M12 440H60M12 8V440M60 8V40M60 72V136M60 168V248M60 280V344M60 376V440M116 232V248M132 136V168M132 344V376M60 96v16M60 192v16M60 304v16M60 400v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"112\" height=\"32\"/><rect x=\"36\" y=\"248\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"248\" width=\"40\" height=\"32\"/><rect x=\"36\" y=\"344\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"344\" width=\"112\" height=\"32\"/><path d=\"M46 104h28M46 200h28M46 312h28M46 408h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 195l4 9h-8z\"/><text x=\"52\" y=\"56\" textLength=\"16\">S1</text><text x=\"112\" y=\"56\" textLength=\"16\">q1</text><text x=\"88\" y=\"104\" textLength=\"16\">b1</text><text x=\"52\" y=\"152\" textLength=\"16\">S2</text><text x=\"112\" y=\"152\" textLength=\"8\">↑</text><text x=\"144\" y=\"152\" textLength=\"56\">q2 := 1</text><text x=\"88\" y=\"200\" textLength=\"16\">b2</text><text x=\"52\" y=\"264\" textLength=\"16\">S3</text><text x=\"128\" y=\"232\" textLength=\"16\">b5</text><text x=\"112\" y=\"264\" textLength=\"16\">q3</text><text x=\"88\" y=\"312\" textLength=\"16\">b3</text><text x=\"52\" y=\"360\" textLength=\"16\">S4</text><text x=\"112\" y=\"360\" textLength=\"8\">↑</text><text x=\"144\" y=\"360\" textLength=\"56\">q2 := 0</text><text x=\"88\" y=\"408\" textLength=\"16\">b4</text></g></svg></div>\n"
 )]
+/**
+
+The situation takes one byte: which of its 4 steps is active.*/
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,

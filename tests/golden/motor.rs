@@ -126,13 +126,13 @@ enum __MotorState {
     INIT,
 }
 /// A motor that can be switched on and off, guarded against over-temperature.
-/**
-
-The situation takes one byte: which of its 2 steps is active.*/
 #[cfg_attr(
     doc,
     doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 232 280\" style=\"width:232px;max-width:max(100%,139px);height:auto\" role=\"img\" aria-label=\"Chart Motor\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H60M84 56H100M84 152H100M12 264H60M12 8V264M60 8V40M60 72V136M60 168V264M132 40V72M132 136V200M60 96v16M60 224v16\"/><rect x=\"36\" y=\"40\" width=\"48\" height=\"32\"/><rect x=\"39\" y=\"43\" width=\"42\" height=\"26\"/><rect x=\"100\" y=\"40\" width=\"80\" height=\"32\"/><rect x=\"36\" y=\"136\" width=\"48\" height=\"32\"/><rect x=\"100\" y=\"136\" width=\"96\" height=\"32\"/><rect x=\"100\" y=\"168\" width=\"96\" height=\"32\"/><path d=\"M46 104h28M46 232h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 131l4 9h-8z\"/><text x=\"48\" y=\"56\" textLength=\"24\">Off</text><text x=\"112\" y=\"56\" textLength=\"8\">N</text><text x=\"144\" y=\"56\" textLength=\"24\">red</text><text x=\"88\" y=\"104\" textLength=\"128\">on &amp;&amp; !over_temp</text><text x=\"52\" y=\"152\" textLength=\"16\">On</text><text x=\"112\" y=\"152\" textLength=\"8\">N</text><text x=\"144\" y=\"152\" textLength=\"40\">relay</text><text x=\"112\" y=\"184\" textLength=\"8\">N</text><text x=\"144\" y=\"184\" textLength=\"40\">green</text><text x=\"88\" y=\"232\" textLength=\"128\">off || over_temp</text></g></svg></div>\n"
 )]
+/**
+
+The situation takes one byte: which of its 2 steps is active.*/
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,

@@ -134,13 +134,13 @@ impl ::grafcet::__private::core::fmt::Display for StationsTransition {
     }
 }
 /// Two stations beside each other, and a bit for each step.
-/**
-
-The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps and one for the first cycle, as long as it is still to come.*/
 #[cfg_attr(
     doc,
     doc = "\n\n<div style=\"overflow-x:auto\"><svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 440 536\" style=\"width:440px;max-width:max(100%,264px);height:auto\" role=\"img\" aria-label=\"Chart Stations\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"M12 8H76M108 184H124M348 184H364M100 440H116M12 520H76M68 134H324M68 138H324M68 358H324M68 362H324M12 8V520M76 8V40M76 72V134M76 138V168M76 200V296M76 328V358M76 362V424M76 456V520M148 424V456M156 168V200M316 138V168M316 200V296M316 328V358M76 96v16M76 256v16M316 256v16M76 384v16M76 480v16\"/><rect x=\"44\" y=\"40\" width=\"64\" height=\"32\"/><rect x=\"47\" y=\"43\" width=\"58\" height=\"26\"/><rect x=\"44\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"124\" y=\"168\" width=\"136\" height=\"32\"/><rect x=\"124\" y=\"200\" width=\"136\" height=\"32\"/><rect x=\"284\" y=\"168\" width=\"64\" height=\"32\"/><rect x=\"364\" y=\"168\" width=\"56\" height=\"32\"/><rect x=\"36\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"276\" y=\"296\" width=\"80\" height=\"32\"/><rect x=\"52\" y=\"424\" width=\"48\" height=\"32\"/><rect x=\"116\" y=\"424\" width=\"136\" height=\"32\"/><path d=\"M62 104h28M62 264h28M302 264h28M62 392h28M62 488h28\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" dominant-baseline=\"central\"><path d=\"M12 259l4 9h-8z\"/><text x=\"60\" y=\"56\" textLength=\"32\">Wait</text><text x=\"104\" y=\"104\" textLength=\"32\">part</text><text x=\"56\" y=\"184\" textLength=\"40\">Drill</text><text x=\"136\" y=\"184\" textLength=\"8\">↑</text><text x=\"168\" y=\"184\" textLength=\"80\">motor := 1</text><text x=\"136\" y=\"216\" textLength=\"40\">drill</text><text x=\"300\" y=\"184\" textLength=\"32\">Test</text><text x=\"376\" y=\"184\" textLength=\"32\">test</text><text x=\"104\" y=\"264\" textLength=\"56\">drilled</text><text x=\"344\" y=\"264\" textLength=\"48\">tested</text><text x=\"48\" y=\"312\" textLength=\"56\">Drilled</text><text x=\"292\" y=\"312\" textLength=\"48\">Tested</text><text x=\"104\" y=\"392\" textLength=\"40\">!part</text><text x=\"64\" y=\"440\" textLength=\"24\">Out</text><text x=\"128\" y=\"440\" textLength=\"8\">↑</text><text x=\"160\" y=\"440\" textLength=\"80\">motor := 0</text><text x=\"104\" y=\"488\" textLength=\"48\">2s/Out</text></g></svg></div>\n"
 )]
+/**
+
+The situation takes one byte (`encoding flags;`): a bit for each of its 6 steps and one for the first cycle, as long as it is still to come.*/
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,

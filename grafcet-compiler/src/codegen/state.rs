@@ -343,8 +343,8 @@ fn chart_struct(cx: &Cx<'_>) -> TokenStream {
     let drawing = super::description::drawing(cx);
     quote! {
         #docs
-        #encoding
         #drawing
+        #encoding
         #derives
         #vis struct #name { #(#declared)* #params_field }
 

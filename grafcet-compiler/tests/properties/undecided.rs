@@ -1,0 +1,122 @@
+//! What is not followed and what is too much proves nothing, neither way; and only what a property asks for decides about it.
+
+use std::fmt::Write as _;
+
+use crate::judged::said;
+use crate::{beside, fails, holds};
+
+/// What is not followed proves nothing, neither way.
+#[test]
+fn unfollowed() {
+    let count = |property: &str, back: &str| {
+        format!(
+            "sfc Count {{ input go: bool; output full: bool; var n: u8; initial step Idle {{ P1 n = 0; }} \
+             step Add {{ P1 n = n + 1; }} step Wait; step Full {{ N full; }} \
+             Idle -[go]-> Add -[!go]-> Wait; Wait -[n >= 3]-> Full; Wait -[n < 3 && go]-> {back}; Full -[!go]-> Idle; {property} }}"
+        )
+    };
+    // Whether three is ever reached is not followed.
+    let said = fails(&count("home Idle;", "Add"), "property_undecided", "depends on `n`");
+    assert!(said.is_empty());
+    // Whatever the count is, there is a way back.
+    holds(&count("home Idle;", "Idle"));
+    holds(&count("always full => Full.X;", "Add"));
+    fails(&count("never full;", "Add"), "property_undecided", "depends on `n`");
+    let opaque = |property: &str| {
+        format!(
+            "sfc C {{ input x, y: u8; initial step A; step B; A -[near(x) && y > 3]-> B -[y < 2]-> A; {property} }}"
+        )
+    };
+    fails(&opaque("never B.X;"), "property_violated", "cycle 2");
+    holds(&opaque("home A;"));
+    fails(&opaque("never B.X && near(y);"), "property_undecided", "depends on");
+    let allowed = "#[allow(grafcet::property_undecided)] never full;";
+    holds(&count(allowed, "Add"));
+}
+
+/// Variables that change within a cycle of a `grafcet` in ways that are not followed.
+#[test]
+fn unfollowed_within_a_cycle() {
+    let chart = |property: &str| {
+        format!(
+            "grafcet C {{ input go: bool; var n: u8; initial step A; step B {{ P1 n = n + 1; }} step C; step Zero {{ P1 n = 0; }} \
+             A -[n == 0]-> B -[n != 0]-> C; C -[go]-> Zero; Zero -[!go]-> A; {property} }}"
+        )
+    };
+    let undecided = said(&chart("never C.X;"));
+    assert!(undecided.iter().any(|one| one.starts_with("property_undecided")), "{undecided:?}");
+}
+
+/// Eight partial grafcets that have nothing to do with each other: too many situations to look at.
+#[test]
+fn budget() {
+    let mut chart = String::from("grafcet Wide { input a, b, c, d: bool; output q: bool; ");
+    for index in 0..8 {
+        let steps: Vec<String> = (0..8).map(|step| format!("S{index}{step}")).collect();
+        _ = write!(chart, "partial Part{index} {{ initial step {} {{ q; }} ", steps[0]);
+        for step in &steps[1..] {
+            _ = write!(chart, "step {step}; ");
+        }
+        let chain: Vec<String> = steps
+            .iter()
+            .enumerate()
+            .map(|(at, step)| {
+                format!("{step} -[{}]-> ", ["a", "!b", "c", "!d", "!a", "b", "!c", "d"][(at + index) % 8])
+            })
+            .collect();
+        _ = write!(chart, "{}{}; }} ", chain.concat(), steps[0]);
+    }
+    // The steps of one partial grafcet exclude each other, whatever the others do.
+    holds(&format!("{chart} budget 20; never S00.X && S03.X || S41.X && S47.X; }}"));
+    let message = said(&format!("{chart} budget 20; always q; }}"));
+    assert!(message[0].contains("the budget ran out after") && message[0].contains("`budget 100_000;`"), "{message:?}");
+}
+
+/// A long chart overflows no stack, and the budget ends what takes too long.
+#[test]
+fn long() {
+    for dialect in ["sfc", "grafcet"] {
+        let mut chart = format!("{dialect} Long {{ input a: bool; output q: bool; initial step Step0 {{ q; }} ");
+        for step in 1..3_000 {
+            _ = write!(chart, "step Step{step} {{ q if !a; }} ");
+        }
+        for step in 0..3_000 {
+            _ = write!(chart, "Step{step} -[{}a]-> ", if step % 2 == 0 { "" } else { "!" });
+        }
+        let said = said(&format!("{chart} Step0; never q && Step1.X && a; always q || a; }}"));
+        let undecided = |one: &String| one.starts_with("property_undecided") && one.contains("budget");
+        assert!(said.iter().all(undecided), "{said:?}");
+    }
+}
+
+#[test]
+fn what_is_not_touched_does_not_decide() {
+    let flash = "initial step U; step V { q if text.is_odd(n); } U -[c]-> V { P1 n = n + 1; } V -[d]-> U;"
+        .replace(" { P1 n = n + 1; } V", "");
+    let first = "initial step A; step B { r; } A -[a]-> B -[!a]-> A;";
+    let chart = beside(first, &flash, "home A; never q && s; never r && A.X;");
+    let said = said(&chart);
+    assert!(!said.iter().any(|one| one.contains("property_undecided") && !one.contains("text")), "{said:#?}");
+    let one = "sfc C { input on, off: bool; output q, r: bool; initial step A; step B { N q if foo(B.T, off); N r; } \
+        A -[on]-> B -[off]-> A; home A; never r && A.X; never q && r; }";
+    let said = crate::judged::said(one);
+    assert_eq!(said.len(), 1, "{said:#?}");
+    assert!(said[0].contains("property_undecided") && said[0].contains("`foo(B.T, off)`"), "{said:#?}");
+}
+
+#[test]
+fn too_many_inputs() {
+    let names: Vec<String> = (0..24).map(|number| format!("i{number}")).collect();
+    let any: Vec<String> = names.chunks(2).map(|pair| format!("({} ^ {})", pair[0], pair[1])).collect();
+    let chart = |condition: &str, property: &str| {
+        format!(
+            "sfc C {{ input {}: bool; output q: bool; initial step A; step B {{ N q; }} step E; A -[{condition}]-> B; \
+             A -[!i0 && i1]-> E; B -[i0]-> A; E -[i1]-> A; {property} }}",
+            names.join(", ")
+        )
+    };
+    let said = said(&chart(&any.join(" ^ "), "never q && E.X; never q && i2 && i3; home A;"));
+    let undecided: Vec<&String> = said.iter().filter(|one| one.starts_with("property_undecided")).collect();
+    assert!(undecided.iter().all(|one| one.contains("asks for 24 inputs, `i0`, `i1`")), "{said:#?}");
+    assert!(!undecided.is_empty(), "{said:#?}");
+}
