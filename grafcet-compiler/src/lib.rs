@@ -16,6 +16,7 @@ pub mod model;
 pub mod parse;
 pub mod plan;
 mod qualifier;
+mod similar;
 pub mod sorted;
 mod visit;
 

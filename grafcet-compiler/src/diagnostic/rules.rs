@@ -1,6 +1,7 @@
 //! The table of rules: one row a rule, in the order of the page of rules.
 
 use crate::ast::{Dialect, LevelAttr, Severity};
+use crate::similar;
 
 /// A rule of the checker.
 #[derive(Debug)]
@@ -139,7 +140,7 @@ pub fn refuse_level(rule: &str, level: Severity) -> Option<String> {
         return lowered
             .then(|| format!("the rule `{rule}` cannot be switched off or lowered; mend the chart, and remove this"));
     }
-    let nearest = ALL.iter().map(|rule| rule.name).map(|name| (strsim::osa_distance(rule, name), name)).min();
+    let nearest = ALL.iter().map(|rule| rule.name).map(|name| (similar::distance(rule, name), name)).min();
     Some(match nearest {
         Some((distance, name)) if distance <= name.len() / 3 => {
             format!("no rule is called `{rule}`; did you mean `grafcet::{name}`?")

@@ -8,6 +8,7 @@ use syn::parse::Parse;
 use super::{Error, Input, Result, attrs, body};
 use crate::ast::{Chart, Dialect};
 use crate::diagnostic::Sink;
+use crate::similar;
 
 /// The one chart of a call.
 pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
@@ -71,7 +72,7 @@ fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
         other if input.next().word().is_some() && input.next().next().at_group(Delimiter::Brace) => {
             sink.notation(input.span(), format!("{expected}; found {}", input.found()));
             input.bump();
-            return Ok(if strsim::osa_distance(other, "sfc") < 2 { Dialect::Sfc } else { Dialect::Grafcet });
+            return Ok(if similar::distance(other, "sfc") < 2 { Dialect::Sfc } else { Dialect::Grafcet });
         }
         _ => return Err(input.error(format!("{expected}; found {}", input.found()))),
     };

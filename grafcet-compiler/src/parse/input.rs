@@ -1,6 +1,7 @@
 //! The cursor through the structure of a chart, and the cut where `syn` takes over.
 
 use proc_macro2::{Delimiter, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use quote::TokenStreamExt;
 use syn::parse::{ParseStream, Parser};
 
 use super::buffer::{Buffer, Token};
@@ -293,25 +294,39 @@ impl<'a> Input<'a> {
 
     /// Cuts out the tokens up to `end` and lets `syn` parse them.
     fn cut<T>(&mut self, end: Self, parse: impl FnOnce(ParseStream) -> syn::Result<T>) -> Result<T> {
+        // Draining the piece keeps `syn` from complaining about the part that is not its business.
+        let counted = |input: ParseStream| Ok((parse(input)?, input.parse::<TokenStream>()?));
+        let (parsed, left) = counted.parse2(self.piece(&end))?;
+        self.step_over(&end, left);
+        Ok(parsed)
+    }
+
+    /// The tokens up to `end`, and a `;`: with that, "unexpected end" has a place to point at.
+    fn piece(&self, end: &Self) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        let mut at = self.at;
+        while at < end.at {
+            tokens.append(self.tokens[at].tree.clone());
+            at = self.tokens[at].behind;
+        }
+        let mut semicolon = Punct::new(';', Spacing::Alone);
+        semicolon.set_span(end.span());
+        tokens.append(semicolon);
+        tokens
+    }
+
+    /// Steps over what was used of the piece up to `end`: all but what is left of it and its `;`.
+    fn step_over(&mut self, end: &Self, left: TokenStream) {
         let mut starts = Vec::new();
         let mut at = self.at;
         while at < end.at {
             starts.push(at);
             at = self.tokens[at].behind;
         }
-        // With a `;` behind the piece, "unexpected end" has a place to point at.
-        let mut semicolon = Punct::new(';', Spacing::Alone);
-        semicolon.set_span(end.span());
-        let trees = starts.iter().map(|at| self.tokens[*at].tree.clone());
-        let tokens = trees.chain([semicolon.into()]).collect::<TokenStream>();
-        // Draining the piece keeps `syn` from complaining about the part that is not its business.
-        let counted = |input: ParseStream| Ok((parse(input)?, input.parse::<TokenStream>()?.into_iter().count()));
-        let (parsed, left) = counted.parse2(tokens)?;
-        let used = (starts.len() + 1).saturating_sub(left);
+        let used = (starts.len() + 1).saturating_sub(left.into_iter().count());
         if let Some(last) = starts.get(used.wrapping_sub(1)) {
             self.step(*last);
         }
-        Ok(parsed)
     }
 
     /// What `from` stands before and this input behind.

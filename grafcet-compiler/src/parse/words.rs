@@ -2,6 +2,7 @@
 
 use super::Input;
 use crate::diagnostic::Sink;
+use crate::similar;
 
 /// Every word that can begin an item of a body.
 pub(super) const ITEMS: &[&str] = &[
@@ -65,7 +66,7 @@ pub(super) fn meant(written: &str) -> Option<&'static str> {
     let exactly = ITEMS.iter().find(|word| **word == lower);
     let elsewhere = || ELSEWHERE.iter().find(|(word, _)| *word == lower).map(|(_, ours)| ours);
     let nearly = || {
-        let near = |word: &&&str| word.len() > 3 && strsim::osa_distance(word, &lower) <= word.len() / 4;
+        let near = |word: &&&str| word.len() > 3 && similar::distance(word, &lower) <= word.len() / 4;
         ITEMS.iter().find(near)
     };
     exactly.or_else(elsewhere).or_else(nearly).copied()

@@ -9,6 +9,7 @@ use crate::ast::{self, Arrow, Condition, Node};
 use crate::diagnostic::{Mark, rules};
 use crate::list::List;
 use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
+use crate::similar;
 use crate::sorted::Set;
 
 /// At which end of an arrow a node stands.
@@ -215,7 +216,7 @@ impl Resolver<'_> {
         let written = name.to_string().to_lowercase();
         let near = |step: &&Ident| {
             let step = step.to_string();
-            !self.drawn.contains(&step) && strsim::osa_distance(&step.to_lowercase(), &written) <= 1
+            !self.drawn.contains(&step) && similar::distance(&step.to_lowercase(), &written) <= 1
         };
         let mut candidates = self.scope.steps().filter(near);
         let (Some(step), None) = (candidates.next().cloned(), candidates.next()) else { return false };

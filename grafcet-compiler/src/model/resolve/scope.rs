@@ -6,6 +6,7 @@ use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
+use crate::similar;
 use crate::sorted::Map;
 
 /// What a name in an expression or behind a qualifier means.
@@ -198,7 +199,7 @@ impl Scope {
         text.starts_with(is_upper) && text.contains(char::is_lowercase) && {
             let declared = self.names.values().flatten().filter(|(meaning, _)| own(*meaning)).map(|(_, name)| name);
             let alike = declared.filter(|name| key(name).starts_with(is_upper));
-            alike.into_iter().any(|declared| strsim::osa_distance(&text, &key(declared)) <= text.chars().count() / 6)
+            alike.into_iter().any(|declared| similar::distance(&text, &key(declared)) <= text.chars().count() / 6)
         }
     }
 
@@ -230,7 +231,7 @@ fn nearest(name: &Ident, candidates: &[&Ident]) -> Option<String> {
         .iter()
         .map(|candidate| (key(candidate).to_lowercase(), candidate))
         .filter(|(other, _)| *other == lower || letters(other) != letters(&lower))
-        .map(|(other, candidate)| (strsim::osa_distance(&lower, &other), other.chars().count(), candidate))
+        .map(|(other, candidate)| (similar::distance(&lower, &other), other.chars().count(), candidate))
         .filter(|(distance, length, _)| *distance <= length / 3)
         .min_by_key(|(distance, ..)| *distance)
         .map(|(.., candidate)| candidate)
