@@ -22,6 +22,7 @@ mod visit;
 
 use proc_macro2::TokenStream;
 
+use analysis::Facts;
 use diagnostic::Sink;
 use plan::Plan;
 
@@ -39,8 +40,11 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
-    let races = (complete && sink.leaves_evolution()).then(|| check::evolution(&model, &mut sink));
-    let plan = races.filter(|_| !sink.has_more_than_claims()).map(|races| Plan::of(&model, &races));
+    let facts = (complete && sink.leaves_evolution()).then(|| Facts::of(&model));
+    let plan = facts.and_then(|facts| {
+        let races = check::evolution(&model, &facts, &mut sink);
+        (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races))
+    });
     if let Some(plan) = &plan {
         check::initial_values(&model, plan, &mut sink);
     }

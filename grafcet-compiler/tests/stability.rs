@@ -1,6 +1,6 @@
 //! Which searches for stability are certain to end (A30).
 
-use grafcet_compiler::analysis::{Stability, explore};
+use grafcet_compiler::analysis::{Concurrency, Stability, explore};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
@@ -15,6 +15,14 @@ fn model(text: &str) -> Model {
     model
 }
 
+fn stability(model: &Model) -> Stability {
+    Stability::of(model, &Concurrency::of(model))
+}
+
+fn is_certain(model: &Model) -> bool {
+    stability(model).is_certain()
+}
+
 /// What a source transition fills again and again can turn other steps on and off: such a search needs its bound.
 #[test]
 fn a_source_transition_may_keep_a_search_going() {
@@ -22,14 +30,14 @@ fn a_source_transition_may_keep_a_search_going() {
         let steps = "initial step S1; initial step S6; step S4; step S5;";
         model(&format!("{steps} S5 -[a]-> S6; S6 -[b]-> S1; S4 -[{condition}]-> S5; () -[a]-> S4;"))
     };
-    assert!(!Stability::of(&chart("S6.X")).is_certain());
-    assert!(Stability::of(&chart("c")).is_certain());
+    assert!(!is_certain(&chart("S6.X")));
+    assert!(is_certain(&chart("c")));
 }
 
 /// A search ends where each circle needs what does not hold twice in a cycle, or not together.
 #[test]
 fn a_circle_that_needs_what_holds_once_ends() {
-    let ends = |text: &str| Stability::of(&model(text)).is_certain();
+    let ends = |text: &str| is_certain(&model(text));
     let ring = |last: &str| format!("initial step S1; step S2; step S3; S1 -[a]-> S2 -[b]-> S3 -[{last}]-> S1;");
     assert!(!ends(&ring("c")));
     // Somewhere else in the circle, not only in the neighbouring transition.
@@ -51,7 +59,7 @@ fn a_circle_that_needs_what_holds_once_ends() {
 /// What a step forces or encloses is activated with it, by no other transition.
 #[test]
 fn partial_grafcets_end_one_after_the_other() {
-    let ends = |text: &str| Stability::of(&model(text)).is_certain();
+    let ends = |text: &str| is_certain(&model(text));
     let above = |condition: &str| {
         format!(
             "partial Above {{ initial step S1; step S2 {{ force Below {{INIT}}; }} S1 -[a]-> S2 -[{condition}]-> S1; }}"
@@ -75,7 +83,7 @@ fn partial_grafcets_end_one_after_the_other() {
 fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
     let ends = |text: &str| {
         let model = model(text);
-        let ends = Stability::of(&model).ends();
+        let ends = stability(&model).ends();
         ends.steps().iter().map(|step| model.steps[*step].name.to_string()).collect::<Vec<_>>()
     };
     let ring = |last: &str| format!("initial step S1; step S2; step S3; S1 -[a]-> S2 -[b]-> S3 -[{last}]-> S1;");
@@ -97,7 +105,7 @@ fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
     assert_eq!(ends(&ways("c")), [""; 0]);
     // Nothing leaves the last step; it can be left and entered at once, which changes nothing (A4g).
     assert_eq!(ends("initial step S1; step S2; S1 -[a]-> S2;"), ["S2"]);
-    let always = |text: &str| Stability::of(&model(text)).ends().always();
+    let always = |text: &str| stability(&model(text)).ends().always();
     assert!(always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[rising(b)]-> S1;"));
     assert!(!always("initial step S1; step S2; S1 -[a && 2s/S1]-> S2 -[b]-> S1;"));
     // Beside others, what follows is not known.
@@ -109,7 +117,7 @@ fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
 fn what_the_circles_do_not_tell_is_tried() {
     let tried = |text: &str| {
         let model = model(text);
-        assert!(!Stability::of(&model).is_certain(), "{text}");
+        assert!(!stability(&model).is_certain(), "{text}");
         explore::settles(&model, 10_000)
     };
     // Each of the two goes round only while the other one does, which takes `a` and `!a`.

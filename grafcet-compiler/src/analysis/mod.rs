@@ -5,6 +5,7 @@ pub mod combinational;
 mod concurrency;
 mod differences;
 pub mod explore;
+mod facts;
 pub mod hierarchy;
 mod logic;
 pub(crate) mod meeting;
@@ -20,6 +21,7 @@ mod unlisted;
 pub mod visible;
 
 pub use concurrency::Concurrency;
+pub use facts::Facts;
 pub use logic::{Answer, Condition, Logic};
 pub use mixed::mixed;
 pub use nesting::Nesting;

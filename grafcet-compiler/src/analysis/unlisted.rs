@@ -32,7 +32,9 @@ pub(crate) fn unlisted(model: &Model, logic: &Logic<'_>) -> Vec<Unlisted> {
 /// The first such value that one of these trees compares.
 pub(crate) fn unlisted_of(model: &Model, trees: &[Tree]) -> Option<Name> {
     let mut compared = Vec::new();
-    trees.iter().for_each(|tree| collect(model, tree, &mut compared));
+    for tree in trees {
+        collect(model, tree, &mut compared);
+    }
     compared.first().map(|(name, _)| *name)
 }
 

@@ -36,11 +36,11 @@ impl Branches<'_> {
     pub(super) fn check(&self, dead: &Set<TransitionId>, sink: &mut Sink) -> Set<TransitionId> {
         let model = self.model;
         let (mut shadowed, mut overlapping) = (Set::new(), Vec::new());
-        let leaving = self.leaving();
         let stands = |id: &TransitionId| model.transitions[*id].any.is_none_or(|any| model.anys[any].first == *id);
         for id in model.transitions.ids().filter(|id| !dead.contains(id) && stands(id)) {
             // What competes with it and stands before it.
-            let others = model.transitions[id].sources.iter().flat_map(|step| leaving[step.index()].iter().copied());
+            let others =
+                model.transitions[id].sources.iter().flat_map(|step| model.leaving[step.index()].iter().copied());
             let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
             if before.is_empty() {
                 continue;
@@ -57,15 +57,6 @@ impl Branches<'_> {
         shadowed
     }
 
-    /// By step, the transitions that leave it.
-    fn leaving(&self) -> Vec<Vec<TransitionId>> {
-        let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); self.model.steps.len()];
-        for (id, transition) in self.model.transitions.iter() {
-            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-        }
-        leaving
-    }
-
     /// Branches of a step whose conditions nobody can relate: conditions that hold where both do. They are meant to exclude
     /// each other, as `mode == Mode::Auto` and `mode == Mode::Manual`; where that matters and they do not, nothing is said.
     pub(super) fn presumed_exclusive(&self) -> Vec<Tree> {
@@ -74,8 +65,8 @@ impl Branches<'_> {
             let still = |read: &Read| matches!(read, Read::Name(Name::Input(_) | Name::Param(_)));
             self.model.transitions[*id].condition.reads.iter().all(still)
         };
-        for leaving in self.leaving().into_iter().filter(|branches| self.model.is_grafcet() && branches.len() > 1) {
-            let leaving: Vec<TransitionId> = leaving.into_iter().filter(known).list();
+        for leaving in self.model.leaving.iter().filter(|branches| self.model.is_grafcet() && branches.len() > 1) {
+            let leaving: Vec<TransitionId> = leaving.iter().copied().filter(known).list();
             for (i, a) in leaving.iter().enumerate() {
                 for b in &leaving[i + 1..] {
                     if presumed.len() < PRESUMED && self.is_undecided(*a, *b) {

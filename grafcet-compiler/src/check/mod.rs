@@ -28,7 +28,7 @@ pub use initial::initial_values;
 use self::silent::{Silent, Told};
 
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Concurrency, Logic, Races, mixed};
+use crate::analysis::{Facts, Logic, Races, mixed};
 use crate::diagnostic::{Sink, rules};
 use crate::list::List;
 use crate::model::{Model, Name, Read, Tree};
@@ -51,10 +51,8 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order. Returned are the races that were
 /// found, whatever the chart says of them: they are facts for the plan too.
-pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
-    let assumed: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).list();
-    let never = &assumed[..];
-    let independent = Concurrency::assuming(model, never);
+pub fn evolution(model: &Model, facts: &Facts<'_>, sink: &mut Sink) -> Races {
+    let (never, independent) = (&facts.never[..], &facts.assumed);
     let concurrency = independent.across_partials(model);
     let logic = Logic::within(model, &concurrency, never);
     // Of these it has been said that they make no sense.
@@ -79,7 +77,7 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
     }
     said.extend(branches.check(&dead, sink));
     let mut told = Told::default();
-    let mut dead = reach::check(model, &independent, &exploration, &said, &mut told, sink);
+    let mut dead = reach::check(model, independent, &exploration, &said, &mut told, sink);
     dead.extend(&said);
     let presumed = branches.presumed_exclusive();
     let partings = if presumed.is_empty() {
@@ -88,11 +86,11 @@ pub fn evolution(model: &Model, sink: &mut Sink) -> Races {
         let never: Vec<&Tree> = never.iter().copied().chain(&presumed).list();
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
     };
-    let mut stays = waits::check(model, &independent, &exploration, &dead, &mut told, sink);
+    let mut stays = waits::check(model, independent, &exploration, &dead, &mut told, sink);
     stays.extend(reach::dead_ends(model, &dead, sink));
     let excuses = properties::Told { stays: &stays, partings: &partings };
     properties::homes(model, (&exploration, limits), &aways, &excuses, never, sink);
-    Silent { model, structure: &independent, exploration: &exploration }.check(told, sink);
+    Silent { model, structure: independent, exploration: &exploration }.check(told, sink);
     let races = Races::of(model, racing, &limits, never);
     race::check(model, &races, &mixed, sink);
     contention::check(model, &seen, never, sink);

@@ -68,7 +68,7 @@ impl Race<'_> {
             let is_one = |one: Writer, other: Writer| one == writer && others.contains(&other);
             is_one(meet.first, meet.second) || is_one(meet.second, meet.first)
         };
-        let unlisted = self.meets.iter().filter(about).filter_map(|meet| meet.unlisted).next();
+        let unlisted = self.meets.iter().filter(about).find_map(|meet| meet.unlisted);
         let list = unlisted.map_or_else(String::new, |name| rivals::list_them(model, name));
         let who = rivals::listed(&others.iter().map(who).list());
         let message = if model.is_grafcet() {

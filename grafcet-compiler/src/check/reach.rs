@@ -127,10 +127,6 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>
         read_steps(model, *id).filter(|step| !exploration.reachable(*step)).list()
     };
     let mut open: Vec<(TransitionId, Vec<StepId>)> = dead.iter().map(|id| (*id, waits_for(id))).list();
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
-    }
     let mut waiting = vec![false; model.transitions.len()];
     for (id, _) in open.iter().filter(|(_, waits)| !waits.is_empty()) {
         waiting[id.index()] = true;
@@ -146,7 +142,7 @@ fn follow_ups(model: &Model, exploration: &Exploration, dead: &Set<TransitionId>
         while let Some(step) = work.pop() {
             if !std::mem::replace(&mut behind[step.index()], true) {
                 // What waits itself leads on only where it follows.
-                let onward = leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
+                let onward = model.leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
                 work.extend(onward.flat_map(|id| &model.transitions[*id].targets));
             }
         }
@@ -195,9 +191,7 @@ fn drawn(model: &Model) -> Vec<bool> {
         }
     }
     let mut missing: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).list();
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
+    for transition in model.transitions.values() {
         if transition.sources.is_empty() {
             work.extend(&transition.targets);
         }
@@ -206,7 +200,7 @@ fn drawn(model: &Model) -> Vec<bool> {
         if std::mem::replace(&mut drawn[step.index()], true) {
             continue;
         }
-        for id in &leaving[step.index()] {
+        for id in &model.leaving[step.index()] {
             missing[id.index()] -= 1;
             if missing[id.index()] == 0 {
                 work.extend(&model.transitions[*id].targets);

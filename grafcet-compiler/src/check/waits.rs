@@ -21,10 +21,6 @@ pub(super) fn check(
     sink: &mut Sink,
 ) -> Vec<Stay> {
     let mut stays = Vec::new();
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|source| leaving[source.index()].push(id));
-    }
     let contended: Vec<&Deadlock> =
         exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).list();
     for deadlock in smallest(&contended) {
@@ -61,13 +57,13 @@ pub(super) fn check(
         }
     }
     let explained = |step: &StepId| {
-        waiting.contains(step) || leaving[step.index()].iter().any(|transition| dead.contains(transition))
+        waiting.contains(step) || model.leaving[step.index()].iter().any(|transition| dead.contains(transition))
     };
     let ends: Vec<&Deadlock> =
         exploration.deadlocks().iter().filter(|deadlock| !deadlock.steps.iter().any(explained)).list();
     for deadlock in smallest(&ends) {
         let errors = sink.errors();
-        report(model, deadlock, &leaving, sink);
+        report(model, deadlock, sink);
         stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
     stays
@@ -160,11 +156,11 @@ pub(super) fn in_contention(model: &Model, exploration: &Exploration, stuck: &St
     deadlocks.into_iter().any(|deadlock| is_contended(model, exploration, deadlock))
 }
 
-fn report(model: &Model, deadlock: &Deadlock, leaving: &[Vec<TransitionId>], sink: &mut Sink) {
+fn report(model: &Model, deadlock: &Deadlock, sink: &mut Sink) {
     let here = situation(model, &deadlock.steps);
     let note = |step: &StepId| {
         let name = &model.steps[*step].name;
-        let message = if leaving[step.index()].is_empty() {
+        let message = if model.leaving[step.index()].is_empty() {
             format!(
                 "in `{here}`, reached so, the chart ends: no transition leads on from `{name}`; draw one, or write \
                  `final step {name}` if that is meant"

@@ -102,6 +102,7 @@ impl<I: Id, T> Arena<I, T> {
 
     /// All values with their ids.
     #[must_use]
+    #[allow(clippy::iter_without_into_iter, reason = "a loop over an arena says whether it is about ids or values")]
     pub fn iter(&self) -> Entries<'_, I, T> {
         Entries { ids: self.ids(), items: &self.items }
     }

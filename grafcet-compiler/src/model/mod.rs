@@ -57,6 +57,10 @@ pub struct Model {
     pub steps: Arena<StepId, Step>,
     pub macros: Arena<MacroId, MacroStep>,
     pub transitions: Arena<TransitionId, Transition>,
+    /// By step, the transitions that leave it, in source order.
+    pub leaving: Vec<Vec<TransitionId>>,
+    /// By step, the transitions that lead to it.
+    pub entering: Vec<Vec<TransitionId>>,
     /// In source order.
     pub anys: Arena<AnyId, Any>,
     pub associations: Arena<AssociationId, Association>,

@@ -1,6 +1,6 @@
 //! How one evolution is computed: which transitions are looked at together, and where.
 
-use crate::analysis::{Concurrency, Logic, hierarchy};
+use crate::analysis::{Concurrency, Facts, Logic};
 use crate::list::List;
 use crate::model::{Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
@@ -22,7 +22,7 @@ pub struct Evolution {
 }
 
 impl Evolution {
-    pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
+    pub(super) fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let contests = if model.is_grafcet() { Vec::new() } else { contests(model) };
         let contested: Set<TransitionId> = contests.iter().flatten().copied().collect();
         let mut owned = vec![Vec::new(); model.steps.len()];
@@ -32,17 +32,13 @@ impl Evolution {
             }
         }
         let exclusive = exclusive(model);
-        let entered_last = entered_last(model, concurrency, &exclusive);
-        Self { partials: hierarchy::top_down(model), owned, exclusive, contests, entered_last }
+        let entered_last = entered_last(model, &facts.concurrency, &exclusive);
+        Self { partials: facts.top_down.clone(), owned, exclusive, contests, entered_last }
     }
 }
 
 /// Whether all transitions that leave a step exclude each other.
 fn exclusive(model: &Model) -> Vec<bool> {
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
-    for (id, transition) in model.transitions.iter() {
-        transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
-    }
     let logic = Logic::new(model);
     let all_exclude = |ids: &Vec<TransitionId>| {
         let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).list();
@@ -52,7 +48,7 @@ fn exclusive(model: &Model) -> Vec<bool> {
         };
         all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
     };
-    leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).list()
+    model.leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).list()
 }
 
 /// Groups of transitions that share source steps, where one of them has several.

@@ -24,7 +24,7 @@ pub use regions::{Region, RegionId, Regions};
 pub use shape::{Form, Search, Shape, Undo};
 pub use stored::{Stored, is_stored};
 
-use crate::analysis::{Concurrency, Ends, Races, Stability, explore, hierarchy};
+use crate::analysis::{Ends, Facts, Races, Stability, explore};
 use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
@@ -67,13 +67,12 @@ pub struct Plan {
 impl Plan {
     /// Plans a chart that has passed all checks; `races` is what they found, which the chart may allow.
     #[must_use]
-    pub fn of(model: &Model, races: &Races) -> Self {
-        let concurrency = Concurrency::of(model);
-        let initial = hierarchy::initial_situation(model);
-        let mut regions = Regions::of(model, &concurrency, &initial);
-        let control = Control::of(model, &concurrency);
-        let drives = drive::all(model, &concurrency, &control);
-        let evolution = Evolution::of(model, &concurrency);
+    pub fn of(model: &Model, facts: &Facts<'_>, races: &Races) -> Self {
+        let (concurrency, initial) = (&facts.concurrency, facts.initial.clone());
+        let mut regions = Regions::of(model, concurrency, &initial);
+        let control = Control::of(model, concurrency);
+        let drives = drive::all(model, concurrency, &control);
+        let evolution = Evolution::of(model, facts);
         regions.allow_leaving(&evolution.entered_last);
         if model.dialect == Dialect::Sfc && regions.all().len() > 1 {
             // Before the first cycle nothing is active yet: its activation is seen as a change of the situation.
@@ -84,12 +83,12 @@ impl Plan {
         if model.flags {
             regions = Regions::flags(model, &initial);
         }
-        let stability = model.is_grafcet().then(|| Stability::of(model));
+        let stability = model.is_grafcet().then(|| Stability::of(model, concurrency));
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         let stored = Stored::of(model, races);
         let memory = Memory::of(model, &regions, &drives, &control);
-        let nests = Nest::all(model, &regions, &evolution, &concurrency);
-        let descent = Descent::of(model, &regions, &concurrency);
+        let nests = Nest::all(model, &regions, &evolution, concurrency);
+        let descent = Descent::of(model, &regions, concurrency);
         let may_be_unstable = stability.as_ref().is_some_and(|stability| may_be_unstable(model, &stored, stability));
         let search_ends = stability.map(Stability::ends).unwrap_or_default();
         let comes_back = Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len();

@@ -1,6 +1,7 @@
 //! What the compiler says about a chart, for tests of rules.
 #![allow(dead_code, reason = "each test asks in its way")]
 
+use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::{Diagnostic, Sink};
 use grafcet_compiler::{check, compile, model, parse};
 use quote::quote;
@@ -30,7 +31,7 @@ pub(crate) fn diagnostics(chart: &str) -> Vec<Diagnostic> {
         let model = model::resolve(&chart, &mut sink);
         check::drawing(&model, &mut sink);
         if !sink.has_errors() {
-            check::evolution(&model, &mut sink);
+            check::evolution(&model, &Facts::of(&model), &mut sink);
         }
     }
     sink.finish()

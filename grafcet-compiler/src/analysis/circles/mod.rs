@@ -41,8 +41,6 @@ pub struct Circles<'m> {
     model: &'m Model,
     concurrency: &'m Concurrency,
     logic: &'m Logic<'m>,
-    leaving: Vec<Vec<TransitionId>>,
-    entering: Vec<Vec<TransitionId>>,
     /// By transition, its condition, with what combinational variables stand for.
     trees: Vec<Tree>,
     /// By transition, its condition in the first evolution of a cycle.
@@ -63,16 +61,6 @@ impl<'m> Circles<'m> {
     /// For a `grafcet`; `logic` has to know the concurrency of the chart.
     #[must_use]
     pub fn new(model: &'m Model, concurrency: &'m Concurrency, logic: &'m Logic<'m>) -> Self {
-        let mut leaving = vec![Vec::new(); model.steps.len()];
-        let mut entering = vec![Vec::new(); model.steps.len()];
-        for (id, transition) in model.transitions.iter() {
-            for step in &transition.sources {
-                leaving[step.index()].push(id);
-            }
-            for step in &transition.targets {
-                entering[step.index()].push(id);
-            }
-        }
         let tree = |transition: &Transition| {
             let tree = &transition.condition.tree;
             combinational::written_out(model, tree).unwrap_or_else(|| tree.clone())
@@ -83,20 +71,7 @@ impl<'m> Circles<'m> {
         let reachable = rest::reachable(model, |id: TransitionId| !logic.never(&conditions[id.index()]));
         let (written, unknown) = (view::written(model), Cell::new(0));
         let parallel = Concurrency::of_exclusive_branches(model);
-        Self {
-            model,
-            concurrency,
-            logic,
-            leaving,
-            entering,
-            trees,
-            conditions,
-            always,
-            reachable,
-            written,
-            parallel,
-            unknown,
-        }
+        Self { model, concurrency, logic, trees, conditions, always, reachable, written, parallel, unknown }
     }
 
     /// Circles that turn under every valuation by which they can be entered: once one of their transitions clears in a
@@ -299,7 +274,7 @@ impl<'m> Circles<'m> {
             let variable = self.logic.condition(&Tree::Read(Read::Active(*step)));
             let excluded = |more: Goals| self.logic.impossible(&borrowed(&goals.iter().cloned().chain(more).list()));
             excluded(vec![(Rc::new(variable), false)])
-                && self.leaving[step.index()].iter().all(|other| excluded(self.cleared(*other)))
+                && self.model.leaving[step.index()].iter().all(|other| excluded(self.cleared(*other)))
         };
         transition.condition.reads.iter().filter_map(active).filter(stays).list()
     }
@@ -314,7 +289,7 @@ impl<'m> Circles<'m> {
         let transition = &self.model.transitions[id];
         let Some(own) = plain(id) else { return false };
         !self.logic.has_assumptions()
-            && transition.targets.iter().flat_map(|step| &self.leaving[step.index()]).all(|next| {
+            && transition.targets.iter().flat_map(|step| &self.model.leaving[step.index()]).all(|next| {
                 let apart = plain(*next).is_some_and(|reads| reads.iter().all(|read| !own.contains(read)));
                 apart && !self.always[next.index()]
             })

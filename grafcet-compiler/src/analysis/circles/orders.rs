@@ -20,7 +20,7 @@ impl Circles<'_> {
             let mut commanding = Vec::new();
             if let Some(outer) = self.model.partials[partial].enclosed_by {
                 open.push(self.model.steps[outer].partial);
-                commanding.extend(&self.leaving[outer.index()]);
+                commanding.extend(&self.model.leaving[outer.index()]);
             }
             for force in self.model.forces.values().filter(|force| force.target == partial) {
                 let master = &self.model.steps[force.step];
@@ -28,7 +28,7 @@ impl Circles<'_> {
                     return false;
                 }
                 open.push(master.partial);
-                commanding.extend(&self.entering[force.step.index()]);
+                commanding.extend(&self.model.entering[force.step.index()]);
             }
             if commanding.into_iter().any(|id| self.can_follow(id)) {
                 return false;
@@ -57,7 +57,7 @@ impl Circles<'_> {
             _ => false,
         };
         let enables = |step: &StepId| {
-            let entering = self.entering[step.index()].iter();
+            let entering = self.model.entering[step.index()].iter();
             self.model.steps[*step].linked
                 || self.is_forced(*step)
                 || entering

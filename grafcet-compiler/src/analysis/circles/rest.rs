@@ -98,11 +98,11 @@ impl Circles<'_> {
             cleared: Vec::new(),
         };
         let starts = own.initial.then_some(first);
-        let entered = self.entering[step.index()].iter().filter_map(|id| self.entry(*id));
+        let entered = self.model.entering[step.index()].iter().filter_map(|id| self.entry(*id));
         starts.into_iter().chain(entered).any(|node| {
             let view = View::new(self, &node);
             // A convergence waits for steps of which nothing is known here.
-            let enabled = self.leaving[step.index()]
+            let enabled = self.model.leaving[step.index()]
                 .iter()
                 .filter(|id| self.model.transitions[**id].sources.iter().all(|source| node.active.contains(source)));
             let stay = enabled.map(|id| (Rc::new(view.condition(*id)), false));
@@ -115,7 +115,6 @@ impl Circles<'_> {
 /// The steps that can be reached if `can_clear` is right.
 pub(super) fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool) -> Vec<bool> {
     let mut reachable = vec![false; model.steps.len()];
-    let mut leaving: Vec<Vec<TransitionId>> = vec![Vec::new(); model.steps.len()];
     let mut waits: Vec<usize> = model.transitions.values().map(|transition| transition.sources.len()).list();
     let mut work: Vec<StepId> = Vec::new();
     for (id, step) in model.steps.iter() {
@@ -125,9 +124,6 @@ pub(super) fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool)
         }
     }
     for (id, transition) in model.transitions.iter() {
-        for step in &transition.sources {
-            leaving[step.index()].push(id);
-        }
         if transition.sources.is_empty() && can_clear(id) {
             work.extend(&transition.targets);
         }
@@ -136,7 +132,7 @@ pub(super) fn reachable(model: &Model, can_clear: impl Fn(TransitionId) -> bool)
         if std::mem::replace(&mut reachable[step.index()], true) {
             continue;
         }
-        for id in &leaving[step.index()] {
+        for id in &model.leaving[step.index()] {
             waits[id.index()] -= 1;
             if waits[id.index()] == 0 && can_clear(*id) {
                 work.extend(&model.transitions[*id].targets);

@@ -110,7 +110,7 @@ impl<'r, 'm> Run<'r, 'm> {
         let (circles, node) = (self.circles, &self.nodes[at]);
         let view = View::new(circles, node);
         let leaving: Set<TransitionId> =
-            node.active.iter().flat_map(|step| circles.leaving[step.index()].iter().copied()).collect();
+            node.active.iter().flat_map(|step| circles.model.leaving[step.index()].iter().copied()).collect();
         let mut enabled = Enabled { surely: Vec::new(), maybe: Vec::new() };
         for id in leaving {
             if !circles.model.transitions[id].sources.iter().all(|step| node.active.contains(step)) {

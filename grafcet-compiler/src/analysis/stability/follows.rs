@@ -14,8 +14,6 @@ const LARGE: usize = 80;
 pub(super) struct Follows<'m> {
     model: &'m Model,
     logic: Logic<'m>,
-    /// By step, the transitions that leave it.
-    leaving: Vec<Vec<TransitionId>>,
     /// By transition, the steps it activates, also by what a step forces or encloses.
     activates: Vec<Set<StepId>>,
     /// By step, the transitions that activate it.
@@ -32,11 +30,9 @@ pub(super) struct Follows<'m> {
 impl<'m> Follows<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
         let logic = Logic::new(model);
-        let mut leaving = vec![Vec::new(); model.steps.len()];
         let mut entering = vec![Vec::new(); model.steps.len()];
         let mut activates = Vec::new();
         for (id, transition) in model.transitions.iter() {
-            transition.sources.iter().for_each(|step| leaving[step.index()].push(id));
             let steps = activated(model, &transition.targets);
             for step in &steps {
                 entering[step.index()].push(id);
@@ -60,17 +56,7 @@ impl<'m> Follows<'m> {
             let entered = just_entered(model, tree, &transition.sources);
             entered_of.push(number(constant_part(&entered, true)));
         }
-        Self {
-            model,
-            logic,
-            leaving,
-            activates,
-            entering,
-            condition_of,
-            entered_of,
-            conditions,
-            together: BTreeMap::new(),
-        }
+        Self { model, logic, activates, entering, condition_of, entered_of, conditions, together: BTreeMap::new() }
     }
 
     pub(super) fn transitions(&self) -> usize {
@@ -79,14 +65,15 @@ impl<'m> Follows<'m> {
 
     /// The transitions that one may enable.
     pub(super) fn after(&mut self, id: TransitionId) -> Vec<TransitionId> {
-        let next: Vec<_> = self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).list();
+        let next: Vec<_> =
+            self.activates[id.index()].iter().flat_map(|step| self.model.leaving[step.index()].clone()).list();
         next.into_iter().filter(|other| self.can_clear_together(id, *other)).list()
     }
 
     /// Whether nothing that leaves the steps a transition activates can clear in the same cycle.
     pub(super) fn is_followed_by_none(&mut self, id: TransitionId) -> bool {
         let leaving: Vec<_> =
-            self.activates[id.index()].iter().flat_map(|step| self.leaving[step.index()].clone()).list();
+            self.activates[id.index()].iter().flat_map(|step| self.model.leaving[step.index()].clone()).list();
         leaving
             .into_iter()
             .all(|next| !self.hold_together(self.condition_of[id.index()], self.entered_of[next.index()]))

@@ -51,7 +51,7 @@ impl Ends {
 impl Stability {
     /// Looks at the circles of a chart.
     #[must_use]
-    pub fn of(model: &Model) -> Self {
+    pub fn of(model: &Model, concurrency: &Concurrency) -> Self {
         let events = model.associations.values().any(|a| a.qualifier == Qualifier::On);
         if events || is_refilled(model) {
             return Self { certain: false, at_once: false, ends: Ends::default() };
@@ -60,8 +60,7 @@ impl Stability {
         let all: Candidates = model.transitions.ids().collect();
         let at_once = model.partials.len() == 1 && model.forces.is_empty() && circles(&mut follows, &all).is_empty();
         let certain = at_once || {
-            let concurrency = Concurrency::of(model);
-            let again = all.iter().copied().filter(|id| !once::clears_once(model, &concurrency, *id)).collect();
+            let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
             ends(&mut follows, again, &all, &mut 0)
         };
         Self { certain, at_once, ends: search_ends(model, &mut follows) }

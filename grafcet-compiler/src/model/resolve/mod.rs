@@ -66,6 +66,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
     resolver.otherwise();
     resolver.guard();
     resolver.unused_pure();
+    resolver.connect();
     resolver.model
 }
 
@@ -137,6 +138,8 @@ fn empty(chart: &ast::Chart) -> Model {
         steps: Arena::default(),
         macros: Arena::default(),
         transitions: Arena::default(),
+        leaving: Vec::new(),
+        entering: Vec::new(),
         anys: Arena::default(),
         associations: Arena::default(),
         forces: Arena::default(),
@@ -150,6 +153,20 @@ fn empty(chart: &ast::Chart) -> Model {
 }
 
 impl Resolver<'_> {
+    /// Which transitions leave each step, and which lead to it.
+    fn connect(&mut self) {
+        let model = &mut self.model;
+        (model.leaving, model.entering) = (vec![Vec::new(); model.steps.len()], vec![Vec::new(); model.steps.len()]);
+        for (id, transition) in model.transitions.iter() {
+            for step in &transition.sources {
+                model.leaving[step.index()].push(id);
+            }
+            for step in &transition.targets {
+                model.entering[step.index()].push(id);
+            }
+        }
+    }
+
     /// The second pass over a body, in source order.
     fn body(&mut self, body: &ast::Body, partial: PartialId, cursor: &mut Cursor) {
         self.lost_items(body);

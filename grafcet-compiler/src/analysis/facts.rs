@@ -1,0 +1,36 @@
+//! What is known of a chart, computed once: the checks and the plan ask here.
+
+use super::{Concurrency, hierarchy};
+use crate::model::{Model, PartialId, StepId, Tree};
+use crate::sorted::Set;
+
+/// The facts of a chart whose drawing is in order.
+pub struct Facts<'m> {
+    /// The conditions that the chart says never hold.
+    pub never: Vec<&'m Tree>,
+    /// Which steps can be active together, whatever the plant does: what the generated code relies on.
+    pub concurrency: Concurrency,
+    /// The same if what the chart assumes is true, which is for the checks alone.
+    pub assumed: Concurrency,
+    /// The active steps of the initial situation.
+    pub initial: Set<StepId>,
+    /// The partial grafcets, what forces or encloses before what is forced or enclosed.
+    pub top_down: Vec<PartialId>,
+}
+
+impl<'m> Facts<'m> {
+    /// Computes them.
+    #[must_use]
+    pub fn of(model: &'m Model) -> Self {
+        let never: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
+        let concurrency = Concurrency::of(model);
+        let assumed = if never.is_empty() { concurrency.clone() } else { Concurrency::assuming(model, &never) };
+        Self {
+            never,
+            concurrency,
+            assumed,
+            initial: hierarchy::initial_situation(model),
+            top_down: hierarchy::top_down(model),
+        }
+    }
+}
