@@ -5,13 +5,13 @@ mod options;
 mod project;
 mod shrink;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use grafcet_conformance::{chart, random};
 use options::Options;
-use project::{Case, Project};
+use project::{Case, Outcome, Project};
 
 /// Charts that are compiled together: many enough that cargo's own time does not count, few enough to see something soon.
 const BATCH: usize = 100;
@@ -42,7 +42,7 @@ fn run(options: &Options) -> Result<(), String> {
 fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize, String> {
     let name = if grafcet { "grafcet" } else { "sfc" };
     let (mut number, mut accepted, mut differing) = (options.first(), 0, 0);
-    let (mut features, mut refused) = (Counts::new(), Counts::new());
+    let mut counts = Counts::default();
     while accepted < options.charts {
         let mut batch = Vec::new();
         while batch.len() < BATCH.min(options.charts - accepted) {
@@ -52,33 +52,48 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
                 number += 1;
                 continue;
             }
+            made.features.iter().for_each(|kind| counts.kinds.entry(kind).or_default()[DRAWN] += 1);
             match chart::resolve(&made.chart) {
                 Ok(_) => {
-                    made.features.iter().for_each(|feature| *features.entry((*feature).to_owned()).or_default() += 1);
+                    made.features.iter().for_each(|kind| counts.kinds.entry(kind).or_default()[ACCEPTED] += 1);
                     let name = format!("{}{number}", &name[..1]);
-                    batch.push(Case { name, chart: made.chart, timeline: made.timeline });
+                    let case = Case { name, chart: made.chart, timeline: made.timeline };
+                    batch.push((case, made.features));
                 }
                 Err(message) => {
                     let rule = message.split("grafcet::").nth(1).and_then(|rest| rest.split(']').next());
-                    *refused.entry(rule.unwrap_or("notation").to_owned()).or_default() += 1;
+                    *counts.refused.entry(rule.unwrap_or("notation").to_owned()).or_default() += 1;
                 }
             }
             number += 1;
         }
         accepted += batch.len();
-        differing += play(project, &batch, options)?;
+        differing += play(project, &batch, options, &mut counts)?;
         println!("{name}: {accepted} charts x {} cycles, {differing} differ", options.cycles);
     }
-    table(name, accepted, &refused, &features);
+    counts.print(name, accepted);
+    counts.check(name, grafcet, options.least)?;
     Ok(differing)
 }
 
-fn play(project: &Project, batch: &[Case], options: &Options) -> Result<usize, String> {
-    let outcomes = project.play(batch)?;
+/// A chart, and what of the language is in it.
+type Drawn = (Case, BTreeSet<&'static str>);
+
+fn play(project: &Project, batch: &[Drawn], options: &Options, counts: &mut Counts) -> Result<usize, String> {
+    let cases: Vec<Case> = batch.iter().map(|(case, _)| case.clone()).collect();
+    let outcomes = project.play(&cases)?;
+    for (case, features) in batch {
+        let compared = |outcome: &&Outcome| outcome.name == case.name && !["rustc", "broken"].contains(&&*outcome.kind);
+        if outcomes.iter().any(|outcome| compared(&outcome)) {
+            for kind in features {
+                counts.kinds.entry(kind).or_default()[COMPARED] += 1;
+            }
+        }
+    }
     let differing: Vec<_> = outcomes.iter().filter(|outcome| outcome.kind != "same").collect();
     for (index, outcome) in differing.iter().enumerate() {
         println!("{}: {}\n{}", outcome.name, outcome.kind, outcome.text);
-        let case = batch.iter().find(|case| case.name == outcome.name).ok_or("an outcome of no chart")?;
+        let case = cases.iter().find(|case| case.name == outcome.name).ok_or("an outcome of no chart")?;
         if index < options.shrink {
             let (smallest, outcome) = shrink::smallest(project, case, outcome)?;
             println!("smallest found:\n{}\n{}\n", smallest.chart, outcome.text);
@@ -87,19 +102,42 @@ fn play(project: &Project, batch: &[Case], options: &Options) -> Result<usize, S
     Ok(differing.len())
 }
 
-/// How many charts had something.
-type Counts = BTreeMap<String, usize>;
+const DRAWN: usize = 0;
+const ACCEPTED: usize = 1;
+const COMPARED: usize = 2;
 
 /// How many charts had what of the language, and by which rules others were refused.
-fn table(dialect: &str, accepted: usize, refused: &Counts, features: &Counts) {
-    let sum: usize = refused.values().sum();
-    let mut text = format!("{dialect}: {accepted} charts, {sum} more refused by the compiler, first because of\n");
-    for (rule, count) in refused {
-        _ = writeln!(text, "  {count:6}  {rule}");
+#[derive(Default)]
+struct Counts {
+    /// Drawn, accepted by the compiler, compared with the interpreter.
+    kinds: BTreeMap<&'static str, [usize; 3]>,
+    refused: BTreeMap<String, usize>,
+}
+
+impl Counts {
+    fn print(&self, dialect: &str, accepted: usize) {
+        let sum: usize = self.refused.values().sum();
+        let mut text = format!("{dialect}: {accepted} charts, {sum} more refused by the compiler, first because of\n");
+        for (rule, count) in &self.refused {
+            _ = writeln!(text, "  {count:6}  {rule}");
+        }
+        text.push_str("   drawn accepted compared\n");
+        for (kind, [drawn, accepted, compared]) in &self.kinds {
+            _ = writeln!(text, "  {drawn:6}   {accepted:6}   {compared:6}  {kind}");
+        }
+        print!("{text}");
     }
-    text.push_str("of those accepted with\n");
-    for (feature, count) in features {
-        _ = writeln!(text, "  {count:6}  {feature}");
+
+    /// Of each small kind so many charts are compared, of what large charts have half as many.
+    fn check(&self, dialect: &str, grafcet: bool, least: usize) -> Result<(), String> {
+        let compared = |kind: &&str| self.kinds.get(kind).map_or(0, |counts| counts[COMPARED]);
+        let rare: Vec<String> = random::kinds(grafcet)
+            .filter(|kind| compared(kind) < if kind.starts_with("small") { least } else { least / 2 })
+            .map(|kind| format!("{kind} ({})", compared(&kind)))
+            .collect();
+        match rare[..] {
+            [] => Ok(()),
+            _ => Err(format!("{dialect}: too few charts were compared of: {}", rare.join(", "))),
+        }
     }
-    print!("{text}");
 }

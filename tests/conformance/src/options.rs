@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 const USAGE: &str = "\
-conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with WORDS] [--number N] [--shrink N] [--folder PATH]
+conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with WORDS] [--number N] [--shrink N]
+            [--least N] [--folder PATH]
 
   --charts   charts of each dialect (default 150)
   --cycles   cycles of each chart (default 500)
@@ -11,6 +12,7 @@ conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with
   --with     only charts with something that the table below a report names so
   --number   begins with the chart of this number, as the report gives it behind `s` or `g`
   --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
+  --least    it is an error if fewer charts of a small kind are compared, or half as many of what large charts have (default 0)
   --folder   where the crates are written and built (default: in the target folder)";
 
 /// What is asked for.
@@ -21,6 +23,7 @@ pub(crate) struct Options {
     pub(crate) with: Option<String>,
     number: Option<u64>,
     pub(crate) shrink: usize,
+    pub(crate) least: usize,
     /// Whether `grafcet`.
     pub(crate) dialects: Vec<bool>,
     pub(crate) folder: Option<PathBuf>,
@@ -39,6 +42,7 @@ impl Options {
             with: None,
             number: None,
             shrink: 1,
+            least: 0,
             dialects: vec![false, true],
             folder: None,
         };
@@ -53,6 +57,7 @@ impl Options {
                 "--with" => options.with = Some(value),
                 "--number" => options.number = Some(number()?),
                 "--shrink" => options.shrink = count()?,
+                "--least" => options.least = count()?,
                 "--dialect" => {
                     options.dialects = match &*value {
                         "sfc" => vec![false],

@@ -11,7 +11,7 @@ use grafcet_conformance::{Subject, chart, random, reader};
 fn every_kind_of_chart_is_accepted_and_understood() {
     let mut kinds = BTreeMap::<&str, [usize; 2]>::new();
     let mut refusals = BTreeMap::new();
-    for (seed, grafcet) in (0..160).flat_map(|seed| [(seed, false), (seed, true)]) {
+    for (seed, grafcet) in (0..208).flat_map(|seed| [(seed, false), (seed, true)]) {
         let made = random::chart(seed, grafcet, 60);
         let model = chart::resolve(&made.chart);
         for feature in &made.features {
@@ -35,6 +35,15 @@ fn every_kind_of_chart_is_accepted_and_understood() {
             assert_eq!(played, Ok(()), "seed {seed}, line {}: {}\n{}", line.number, line.text(), made.chart);
         }
     }
+    for grafcet in [false, true] {
+        let never: Vec<&str> = random::kinds(grafcet).filter(|kind| !kinds.contains_key(kind)).collect();
+        assert!(never.is_empty(), "never drawn: {never:?}");
+    }
+    // Small charts are drawn so that they are right.
+    let small =
+        kinds.iter().filter(|(kind, [refused, accepted])| kind.starts_with("small") && accepted < &(3 * refused));
+    let small: Vec<_> = small.map(|(kind, counts)| (kind, counts, refusals.get(kind))).collect();
+    assert!(small.is_empty(), "refused and accepted, and why: {small:#?}");
     let rare = kinds.iter().filter(|(_, [refused, accepted])| *refused > 3 * accepted);
     let rare: Vec<_> = rare.map(|(kind, counts)| (kind, counts, refusals.get(kind))).collect();
     assert!(rare.is_empty(), "refused and accepted, and why: {rare:#?}");

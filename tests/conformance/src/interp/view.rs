@@ -94,8 +94,9 @@ impl View<'_> {
                     Blinker::Step(step) => (self.situation.contains(&step), self.times.steps.get(&step)),
                     Blinker::Macro(id) => (self.macro_active(id), self.times.macros.get(&id)),
                 };
-                let period = u64::from(blink.period());
-                Term::Bool(active && since.is_some_and(|since| since % period < u64::from(blink.on)))
+                // What has only just become active, as a P0 or a final call of the step before it sees it, has no time yet.
+                let phase = since.copied().unwrap_or(0) % u64::from(blink.period());
+                Term::Bool(active && phase < u64::from(blink.on))
             }
         })
     }

@@ -1,7 +1,7 @@
 //! Random conditions and values.
 
 use super::Gen;
-use super::names::{Role, Ty};
+use super::names::{Named, Role, Ty};
 
 /// What an expression may read.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +12,13 @@ pub(super) struct Reads {
     pub(super) delays: bool,
     /// Combinational variables with a smaller number: no circle (A22).
     pub(super) combinational: usize,
+}
+
+impl Reads {
+    /// Whether all that the other may read may be read here.
+    fn covers(self, other: Self) -> bool {
+        self.edges >= other.edges && self.delays >= other.delays && self.combinational >= other.combinational
+    }
 }
 
 /// All of them.
@@ -33,7 +40,7 @@ impl Gen {
     }
 
     fn leaf(&mut self, depth: usize, reads: Reads) -> String {
-        match self.rng.below(24) {
+        match self.rng.below(26) {
             8..=10 => format!("!{}", self.boolean(reads)),
             11..=13 => self.comparison(reads),
             14 | 15 => format!("{}.X", self.step_path()),
@@ -41,6 +48,8 @@ impl Gen {
             17..=19 => self.elapsed(),
             20 | 21 if reads.edges => self.edge(reads),
             22 if reads.delays => self.delay(reads),
+            24 => self.blink(),
+            25 if self.names.modes => self.mode(),
             23 => {
                 let negated = self.condition(depth.saturating_sub(1), reads);
                 format!("!{}", self.whole(negated))
@@ -49,8 +58,63 @@ impl Gen {
         }
     }
 
-    /// The name of a readable boolean.
+    /// `blink(3ms/2ms, Step)`
+    fn blink(&mut self) -> String {
+        self.note("blink");
+        let on = self.short();
+        let parts = if self.rng.chance(50) { format!("{on}/{}", self.short()) } else { on };
+        if self.of_one && self.rng.chance(60) {
+            self.note("blink of its own step");
+            return format!("blink({parts})");
+        }
+        format!("blink({parts}, {})", self.step_name())
+    }
+
+    /// `mode == Mode::Auto`
+    fn mode(&mut self) -> String {
+        self.note("enum read");
+        let conditions = [
+            "(mode == Mode::Off)",
+            "(mode == Mode::Auto)",
+            "(Mode::Manual != mode)",
+            "matches!(mode, Mode::Auto)",
+            "!matches!(mode, Mode::Off | Mode::Manual)",
+        ];
+        (*self.rng.pick(&conditions)).to_owned()
+    }
+
+    /// Gives conditions names; one may read those before it.
+    pub(super) fn name_conditions(&mut self) -> Vec<String> {
+        let levels = Reads { edges: false, ..ALL };
+        let mut lines = Vec::new();
+        for index in 0..*self.rng.pick(&[0, 0, 1, 2, 3]) {
+            let reads = *self.rng.pick(&[ALL, levels, Reads { combinational: 0, ..levels }]);
+            let mut of = self.condition(2, reads);
+            self.note("named condition");
+            if reads.edges && self.rng.chance(60) {
+                self.note("named condition with an edge");
+                let edge = self.edge(reads);
+                of = self.whole(format!("{of} || {edge}"));
+            }
+            if reads.delays && self.rng.chance(20) {
+                self.note("named condition with a delay");
+                let delay = self.delay(reads);
+                of = self.whole(format!("{of} && {delay}"));
+            }
+            lines.push(format!("let w{index} = {of};"));
+            self.names.named.push(Named { name: format!("w{index}"), reads });
+        }
+        lines
+    }
+
+    /// The name of a readable boolean, or of a condition.
     pub(super) fn boolean(&mut self, reads: Reads) -> String {
+        let conditions = self.names.named.iter().filter(|named| reads.covers(named.reads));
+        let conditions: Vec<String> = conditions.map(|named| named.name.clone()).collect();
+        if let Some(name) = self.rng.maybe(&conditions).filter(|_| self.rng.chance(20)) {
+            self.note("named condition read");
+            return name.clone();
+        }
         let grafcet = self.grafcet;
         let readable = |role: Role, name: &str| match role {
             Role::Combinational => name[1..].parse().is_ok_and(|index: usize| index < reads.combinational),

@@ -87,7 +87,9 @@ impl Machine {
             _ = writeln!(text, "{} -[{condition}]-> {};", list(from), list(to));
         }
         if self.rng.chance(25) {
-            let except = if self.rng.chance(30) { format!(" except S{last}") } else { String::new() };
+            // Some step is left for it.
+            let own = self.steps[from..].iter().filter(|(of, _)| *of == partial).count();
+            let except = if own > 2 && self.rng.chance(30) { format!(" except S{last}") } else { String::new() };
             let condition = *self.rng.pick(&["a && b && c", "rising(d)", "rising(a) && b", "falling(c)"]);
             _ = writeln!(text, "any{except} -[{condition}]-> S{};", self.rng.pick(&[first, first, last]));
         }

@@ -38,8 +38,8 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     if grafcet && seed % 8 == 3 {
         return hierarchy::chart(seed, cycles);
     }
-    if seed % 4 == 2 {
-        return small::chart(seed, grafcet, cycles);
+    if let Some(turn) = small_turn(seed) {
+        return small::chart(seed, turn, grafcet, cycles);
     }
     if seed % 8 == 5 {
         return timed::chart(seed, grafcet, cycles);
@@ -52,6 +52,7 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         count: 0,
         crowded: false,
         fragments: false,
+        of_one: false,
         writers: BTreeMap::new(),
         features: BTreeSet::new(),
     };
@@ -62,6 +63,47 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     let chart = generator.write(&parts);
     let timeline = generator.timeline(cycles);
     Random { chart, timeline, features: generator.features }
+}
+
+/// Three in eight are small, each kind in its turn.
+fn small_turn(seed: u64) -> Option<u64> {
+    let place = [2, 4, 6].iter().position(|place| seed % 8 == *place)?;
+    Some(seed / 8 * 3 + place as u64)
+}
+
+/// What has to be compared in a dialect, by name: all kinds of small charts, and of the large ones the words of the language that
+/// are not in every second chart.
+pub fn kinds(grafcet: bool) -> impl Iterator<Item = &'static str> {
+    const BOTH: [&str; 15] = [
+        "AND-convergence into AND-divergence",
+        "AND-convergence with alternatives",
+        "any",
+        "any beside parallel branches",
+        "blink",
+        "blink of its own step",
+        "chart of both dialects",
+        "else",
+        "encoding flags",
+        "enum read",
+        "named condition read",
+        "named condition with a delay",
+        "named condition with an edge",
+        "sequence by inputs that hold together",
+        "sequence by time",
+    ];
+    const GRAFCET: [&str; 8] = [
+        "enclosing or macro-step inside another",
+        "force {*}",
+        "force {INIT}",
+        "force {S}",
+        "force {}",
+        "machine of partial grafcets",
+        "source transition",
+        "variable of a macro-step",
+    ];
+    const SFC: [&str; 4] = ["DS", "SD", "SL", "P"];
+    let own: &[&str] = if grafcet { &GRAFCET } else { &SFC };
+    small::KINDS.iter().map(|kind| kind.name).chain(BOTH).chain(own.iter().copied())
 }
 
 /// The state of the making.
@@ -77,6 +119,8 @@ struct Gen {
     crowded: bool,
     /// Parts of it come from fragments of `macro_rules!`.
     fragments: bool,
+    /// What is written belongs to one step, since whose activation something may blink.
+    of_one: bool,
     /// How many stored actions of a `grafcet` write a place.
     writers: BTreeMap<String, usize>,
     features: BTreeSet<&'static str>,

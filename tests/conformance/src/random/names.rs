@@ -1,6 +1,7 @@
 //! What a random chart declares.
 
 use super::Gen;
+use super::expr::Reads;
 
 /// The types of values; numbers stay so small that no arithmetic leaves its type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -52,10 +53,22 @@ pub(super) struct Action {
     pub(super) params: Vec<Ty>,
 }
 
+/// A named condition.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    pub(super) name: String,
+    /// What it may read: it stands where as much may be read.
+    pub(super) reads: Reads,
+}
+
 /// All declarations.
 #[derive(Default)]
 pub(super) struct Names {
     pub(super) values: Vec<Value>,
+    /// Conditions with a name, in the order in which they are declared.
+    pub(super) named: Vec<Named>,
+    /// There is `mode`, an input of an enum.
+    pub(super) modes: bool,
     pub(super) actions: Vec<Action>,
     /// Their lines in the chart.
     pub(super) lines: Vec<String>,
@@ -93,6 +106,11 @@ impl Gen {
         }
         if self.rng.chance(30) {
             self.names.add("input", "v", Ty::I16, Role::Input, None);
+        }
+        self.names.modes = self.rng.chance(25);
+        if self.names.modes {
+            self.note("enum");
+            self.names.lines.push("input mode: Mode in {Off, Auto, Manual};".to_owned());
         }
         self.params();
         self.outputs();

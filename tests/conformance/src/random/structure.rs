@@ -50,6 +50,12 @@ impl Part {
     fn names(&self) -> Vec<String> {
         self.steps.iter().map(|step| step.name.clone()).collect()
     }
+
+    /// The steps that one more transition can leave: `else` stands behind all others.
+    fn open(&self) -> Vec<String> {
+        let last = |name: &String| self.arrows.iter().any(|arrow| arrow.whole && arrow.from.contains(name));
+        self.names().into_iter().filter(|name| !last(name)).collect()
+    }
 }
 
 impl Gen {
@@ -209,9 +215,10 @@ impl Gen {
         if self.rng.chance(35) {
             self.note("jump");
             for _ in 0..self.rng.between(1, 2) {
-                let names = part.names();
-                let (from, to) = (self.rng.pick(&names).clone(), self.rng.pick(&names).clone());
-                part.arrow(&[from], &[to], None);
+                let (from, to) = (self.rng.maybe(&part.open()).cloned(), self.rng.pick(&part.names()).clone());
+                if let Some(from) = from {
+                    part.arrow(&[from], &[to], None);
+                }
             }
         }
     }
@@ -228,8 +235,9 @@ impl Gen {
         }
         if self.rng.chance(15) {
             self.note("sink transition");
-            let from = self.rng.pick(&part.names()).clone();
-            part.arrow(&[from], &[""; 0], None);
+            if let Some(from) = self.rng.maybe(&part.open()).cloned() {
+                part.arrow(&[from], &[""; 0], None);
+            }
         }
     }
 
@@ -257,14 +265,14 @@ impl Gen {
         let exclusive = self.rng.chance(50);
         self.note(if exclusive { "OR-divergence, exclusive" } else { "OR-divergence, overlapping" });
         let mut guards = if self.rng.chance(60) { vec!["a", "!a"] } else { vec!["b", "!b && a", "!b && !a"] };
-        if let Some(last) = guards.last_mut().filter(|_| exclusive && self.rng.chance(30)) {
+        if let Some(last) = guards.last_mut().filter(|_| self.rng.chance(30)) {
             self.note("else");
             *last = "else";
         }
         let mut ends = Vec::new();
         for guard in &guards {
             let step = self.node(part, room);
-            part.arrow(&[from], &[&step], exclusive.then(|| (*guard).to_owned()));
+            part.arrow(&[from], &[&step], (exclusive || *guard == "else").then(|| (*guard).to_owned()));
             part.arrows.iter_mut().rev().take(1).for_each(|arrow| arrow.whole = *guard == "else");
             let end = if room.steps > 1 && self.rng.chance(30) { self.grow(part, step, room) } else { step };
             ends.push(end);

@@ -14,7 +14,7 @@ pub(super) fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     let mut sequence = Sequence { rng, steps: String::new(), arrows: String::new(), count: 0, only_time, turns };
     let dialect = if grafcet { "grafcet" } else { "sfc" };
     let rules = "unreachable_step dead_transition stuck_join deadlock never_true always_true conflicting_values \
-                 set_without_reset reset_without_set unused_input undriven_output overlapping_branches";
+                 set_without_reset reset_without_set unused_input undriven_output timed_contention overlapping_branches";
     let allowed = rules.split(' ').filter(|rule| !grafcet || *rule != "overlapping_branches");
     let allowed: Vec<_> = allowed.map(|rule| format!("grafcet::{rule}")).collect();
     sequence.ring();

@@ -10,7 +10,7 @@ impl Gen {
         let (bools, bytes) = (self.names.of(Role::Input, Ty::Bool), self.names.of(Role::Input, Ty::U8));
         let ints = self.names.of(Role::Input, Ty::I16);
         let mut on = vec![false; bools.len()];
-        let (mut byte, mut int) = (0, 0);
+        let (mut byte, mut int, mut mode) = (0, 0, 0);
         let mut now: u32 = *self.rng.pick(&[0, 0, 1000, u32::MAX - 20, 0x8000_0000]);
         let mut text = String::new();
         for _ in 0..cycles {
@@ -32,6 +32,10 @@ impl Gen {
             }
             for name in &ints {
                 _ = write!(text, "{name}={} ", i32::try_from(int).unwrap_or_default() - 8);
+            }
+            if self.names.modes {
+                mode = if self.rng.chance(20) { self.rng.below(3) } else { mode };
+                _ = write!(text, "mode={mode} ");
             }
             now = now.wrapping_add(self.pause());
             _ = writeln!(text, "@{now} | |");

@@ -7,7 +7,7 @@ use super::expr::ALL;
 use super::structure::{Arrow, Inner, Part, Step};
 
 /// Random charts are not sensible ones.
-const ALLOWED: [&str; 19] = [
+const ALLOWED: [&str; 20] = [
     "several_initial_steps",
     "unreachable_step",
     "dead_transition",
@@ -27,6 +27,7 @@ const ALLOWED: [&str; 19] = [
     "undriven_output",
     "unused_variable",
     "unused_action",
+    "unused_let",
 ];
 
 impl Gen {
@@ -40,12 +41,13 @@ impl Gen {
         for line in self.names.lines.clone() {
             lines.push(self.declaration(line));
         }
+        lines.append(&mut self.name_conditions());
         let long = parts.iter().any(|part| part.steps.len() >= 20);
         if self.rng.chance(if long { 50 } else { 10 }) {
             self.note("optimize size");
             lines.push("optimize size;".to_owned());
         }
-        if self.rng.chance(10) {
+        if self.rng.chance(14) {
             self.note("encoding flags");
             lines.push("encoding flags;".to_owned());
         }
@@ -111,8 +113,10 @@ impl Gen {
         let to = self.rng.pick(&names).clone();
         let edge = self.edge(ALL);
         let condition = if self.rng.chance(30) { self.condition(1, ALL) } else { edge };
-        let count = part.steps.len();
-        if count < 3 { String::new() } else { format!("any{except} -[{condition}]-> {to};") }
+        if part.arrows.iter().any(|arrow| arrow.to.len() > 1) {
+            self.note("any beside parallel branches");
+        }
+        if part.steps.len() < 3 { String::new() } else { format!("any{except} -[{condition}]-> {to};") }
     }
 
     fn step(&mut self, step: &Step, lines: &mut Vec<String>) {
@@ -124,12 +128,15 @@ impl Gen {
         }
         if !matches!(step.inner, Inner::Macro(_)) {
             lines.extend(step.forces.iter().cloned());
+            self.of_one = true;
             lines.append(&mut self.associations());
+            self.of_one = false;
         }
         lines.push("}".to_owned());
     }
 
     fn arrow(&mut self, arrow: &Arrow) -> String {
+        self.of_one = arrow.from.len() == 1;
         let condition = match (&arrow.guard, arrow.from.is_empty()) {
             (_, true) => self.edge(ALL),
             (Some(guard), _) if arrow.whole || self.rng.chance(60) => guard.clone(),
@@ -145,6 +152,7 @@ impl Gen {
                 clearing = format!(" => {effects}");
             }
         }
+        self.of_one = false;
         format!("{} -[{name}{condition}{clearing}]-> {};", list(&arrow.from), list(&arrow.to))
     }
 }

@@ -5,11 +5,20 @@ use super::Sketch;
 /// Stored actions, and conditions that test what they wrote: in the very evolution, in the next one, in another branch.
 pub(super) fn places(sketch: &mut Sketch) {
     sketch.declare("output s: bool;\nvar r: bool = false;\nvar n: u8 = 0;\noutput m: u8;");
+    // A place is written on activation or on deactivation: one step is left in the evolution that enters the next (A7).
+    let leaves = [("r", sketch.rng.chance(40)), ("n", sketch.rng.chance(40)), ("m", sketch.rng.chance(40))];
     let count = sketch.rng.between(3, 5);
+    let parallel = count == 5 && sketch.rng.chance(50);
     let names: Vec<String> = (0..count).map(|index| format!("S{index}")).collect();
     for (index, name) in names.iter().enumerate() {
         let mut lines = vec![format!("N q{};", index % 3)];
-        for _ in 0..sketch.rng.between(1, 2) {
+        // What a condition reads in a `grafcet` is stored: the first step stores all of it.
+        if index == 0 && sketch.grafcet {
+            lines.extend(["S s;".to_owned(), at_once("P1 m = n;", leaves)]);
+        }
+        // Beside it, S1 writes alone: two stored actions of one evolution must not write one place (A7).
+        let alone = !(sketch.grafcet && parallel && index == 2);
+        for _ in 0..usize::from(alone) * sketch.rng.between(1, 2) {
             let line = match sketch.rng.below(10) {
                 0 | 1 => "S s;",
                 2 => "R s;",
@@ -22,13 +31,13 @@ pub(super) fn places(sketch: &mut Sketch) {
                 _ => "P0 m = (n + 1) % 7;",
             };
             let place = |line: &str| line.split(' ').nth(1).map(|place| place.trim_end_matches(';').to_owned());
-            if lines.iter().all(|other| place(other) != place(line)) {
-                lines.push(line.to_owned());
+            let line = if sketch.grafcet { at_once(line, leaves) } else { line.to_owned() };
+            if lines.iter().all(|other| place(other) != place(&line)) {
+                lines.push(line);
             }
         }
         sketch.step(name, &lines);
     }
-    let parallel = count == 5 && sketch.rng.chance(50);
     for (index, name) in names.iter().enumerate() {
         let condition = tested(sketch);
         let next = &names[(index + 1) % count];
@@ -46,6 +55,15 @@ pub(super) fn places(sketch: &mut Sketch) {
             }
             _ => sketch.arrow(name, &condition, next),
         }
+    }
+}
+
+/// The line at the moment at which its place is written.
+fn at_once(line: &str, leaves: [(&str, bool); 3]) -> String {
+    let (qualifier, rest) = line.split_once(' ').unwrap_or((line, ""));
+    match leaves.iter().find(|(place, _)| qualifier.starts_with('P') && rest.starts_with(place)) {
+        Some((_, leaves)) => format!("P{} {rest}", usize::from(!leaves)),
+        None => line.to_owned(),
     }
 }
 
@@ -89,7 +107,9 @@ pub(super) fn edges(sketch: &mut Sketch) {
     }
     let go = sketch.word(&["a", "rising(a)", "true", "!b"]);
     let on = sketch.word(&["b", "rising(b)", "rising(A.X)", "falling(A.X) || c", "true"]);
-    let back = sketch.word(&["c", "rising(C.X)", "!a", "falling(b)"]);
+    // In a `grafcet` the circle comes to rest by an edge of an input.
+    let backs = ["falling(b)", "rising(c)", "c", "rising(C.X)", "!a"];
+    let back = sketch.word(&backs[..if sketch.grafcet { 2 } else { 5 }]);
     if parallel {
         sketch.arrow("A", go, "(B, C)");
         sketch.arrow("(B, C)", back, "A");
@@ -162,7 +182,8 @@ pub(super) fn calls(sketch: &mut Sketch) {
             let condition = sketch.word(&["", "", " if a", " if !c"]);
             lines.push(format!("{qualifier} f({argument}){condition};"));
         }
-        if sketch.rng.chance(30) {
+        // B and C may be entered at once.
+        if sketch.rng.chance(30) && !(sketch.grafcet && parallel && name == "C") {
             lines.push("P1 n = (n + 1) % 50;".to_owned());
         }
         sketch.step(name, &lines);
@@ -178,5 +199,6 @@ pub(super) fn calls(sketch: &mut Sketch) {
         sketch.arrow("C", conditions[2], "E");
         sketch.arrow("A", "rising(b)", "A");
     }
-    sketch.arrow("E", conditions[3], "A");
+    let rest = sketch.word(&["rising(a)", "3ms/E", "falling(c) && b"]);
+    sketch.arrow("E", if sketch.grafcet { rest } else { conditions[3] }, "A");
 }

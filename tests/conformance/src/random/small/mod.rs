@@ -12,8 +12,8 @@ use std::fmt::Write as _;
 use super::{Random, Rng};
 
 /// What such a chart is about.
-struct Kind {
-    name: &'static str,
+pub(super) struct Kind {
+    pub(super) name: &'static str,
     draw: fn(&mut Sketch),
     pace: Pace,
 }
@@ -28,7 +28,7 @@ enum Pace {
 }
 
 /// A new kind is a row.
-const KINDS: [Kind; 14] = [
+pub(super) const KINDS: [Kind; 14] = [
     Kind { name: "small: a time compared", draw: clocks::compared, pace: Pace::Short },
     Kind { name: "small: a self-loop beside branches", draw: clocks::beside, pace: Pace::Short },
     Kind { name: "small: long times in two branches", draw: clocks::long, pace: Pace::Long },
@@ -59,11 +59,9 @@ struct Sketch {
 }
 
 /// A chart of a dialect.
-pub(super) fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
+pub(super) fn chart(seed: u64, turn: u64, grafcet: bool, cycles: usize) -> Random {
     let mut rng = Rng::new(seed);
-    // Each kind in its turn.
-    let turn = usize::try_from(seed / 4).unwrap_or_default() % KINDS.len();
-    let kind = &KINDS[turn];
+    let kind = &KINDS[usize::try_from(turn % KINDS.len() as u64).unwrap_or_default()];
     let empty = String::new;
     let init = *rng.pick(&[0, 2, 5]);
     let mut sketch = Sketch { rng, grafcet, declarations: empty(), steps: empty(), arrows: empty() };
