@@ -23,3 +23,28 @@ fn messages() -> io::Result<()> {
     assert!(count > 40, "the charts are not where this test looks for them");
     Ok(())
 }
+
+/// What is underlined is a name, a condition, a keyword: never a chart from end to end, also in what rustc says of generated code.
+#[test]
+fn no_message_underlines_a_whole_chart() -> io::Result<()> {
+    let mut count = 0;
+    for group in fs::read_dir("tests/ui")? {
+        for file in fs::read_dir(group?.path())? {
+            let file = file?.path();
+            if file.extension().is_none_or(|extension| extension != "stderr") {
+                continue;
+            }
+            let text = fs::read_to_string(&file)?;
+            for line in text.lines() {
+                // `12 | / grafcet! {`: what is underlined begins here and ends on another line.
+                let begins = line.split_once(" | ").is_some_and(|(_, code)| {
+                    code.trim_start().strip_prefix('/').is_some_and(|code| code.trim_start().starts_with("grafcet!"))
+                });
+                assert!(!begins, "{}: {line}", file.display());
+            }
+            count += 1;
+        }
+    }
+    assert!(count > 40, "the messages are not where this test looks for them");
+    Ok(())
+}

@@ -16,6 +16,8 @@ pub struct Chart {
     pub attrs: Attrs,
     pub vis: Visibility,
     pub dialect: Dialect,
+    /// Where that is said.
+    pub keyword: Span,
     /// `Motor`
     pub name: Ident,
     pub body: Body,

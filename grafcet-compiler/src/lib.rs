@@ -14,6 +14,7 @@ mod mark;
 mod methods;
 pub mod model;
 pub mod parse;
+mod place;
 pub mod plan;
 mod qualifier;
 mod similar;
@@ -37,6 +38,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let Some(chart) = parse::chart(chart, &mut sink) else {
         return diagnostic::tokens(&sink.finish(), root);
     };
+    let _place = place::Place::at(chart.keyword);
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;

@@ -1,11 +1,11 @@
 //! Actions of parallel branches within one another: beside a step that is active alone, no branch is asked.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::Cx;
 use super::segments::Item;
 use crate::model::StepId;
+use crate::place::quote;
 use crate::plan::Nest;
 
 impl Cx<'_> {

@@ -1,7 +1,7 @@
 //! A user's expression in generated code: what it reads is bound to the names it uses, then its tokens follow.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{ToTokens, quote_spanned};
 
 use super::situation::At;
 use super::{Cx, names, writes};
@@ -9,6 +9,7 @@ use crate::list::List;
 use crate::model::{
     Binary, Blink, Blinker, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder,
 };
+use crate::place::{self, quote};
 use crate::plan::{Phase, RegionId};
 
 /// At which moment of the cycle an expression is evaluated: which situation and which values it sees.
@@ -140,7 +141,7 @@ impl Cx<'_> {
             let value = self.read(*read, moment);
             let name = match read {
                 Read::Name(name) => self.model.value_name(*name).clone(),
-                other => placeholder::ident(*other, Span::mixed_site()).unwrap_or_else(|| names::local("unnamed")),
+                other => placeholder::ident(*other, place::mixed()).unwrap_or_else(|| names::local("unnamed")),
             };
             let value = bare(value);
             quote!(#unused let #name = #value;)
@@ -320,7 +321,7 @@ pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
         .iter()
         .filter_map(|read| match read {
             Read::Ticks(ticks) => {
-                let name = placeholder::ident(*read, Span::mixed_site())?;
+                let name = placeholder::ident(*read, place::mixed())?;
                 Some(quote!(let #name = #p::Ticks::new(#ticks);))
             }
             _ => None,

@@ -1,12 +1,13 @@
 //! The branches of one step: what all of their conditions begin with is tested once.
 
-use proc_macro2::{Span, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
 
 use super::Cx;
 use super::bind::Moment;
 use crate::list::List;
 use crate::model::{Binary, Expr, Read, Tree, placeholder};
+use crate::place::{self, quote};
 
 /// One branch: under which condition it is taken, `None` for "always", and what it does.
 pub(super) struct Branch {
@@ -62,7 +63,7 @@ impl Cx<'_> {
             let mentioned = |read: &Read| {
                 let name = match read {
                     Read::Name(name) => Some(self.model.value_name(*name).clone()),
-                    other => placeholder::ident(*other, Span::mixed_site()),
+                    other => placeholder::ident(*other, place::mixed()),
                 };
                 name.is_some_and(|name| mentions(tokens.to_token_stream(), &name.to_string()))
             };

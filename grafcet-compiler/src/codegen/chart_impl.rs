@@ -1,7 +1,6 @@
 //! The methods of a chart, its situation, and its implementation of the trait `Chart`.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::bind::Moment;
 use super::situation::{At, shown_in};
@@ -9,6 +8,7 @@ use super::state::step_name;
 use super::{Cx, derives, names, requirements, types};
 use crate::list::List;
 use crate::model::StepId;
+use crate::place::quote;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_exactly`, `is_stable`, `next_deadline`.
 pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {

@@ -1,13 +1,13 @@
 //! What the cycles of both dialects share: the situation before and after an evolution, and calls of actions.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{ActionId, Dialect, Expr};
+use crate::place::quote;
 use crate::plan::RegionId;
 
 impl Cx<'_> {

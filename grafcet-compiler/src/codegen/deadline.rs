@@ -1,7 +1,6 @@
 //! `next_deadline`: until when nothing happens, unless an input changes.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::situation::At;
 use super::{Cx, names};
@@ -9,6 +8,7 @@ use crate::list::List;
 use crate::model::{
     Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Place, Qualifier, Read, StepId, TimeRef, Tree,
 };
+use crate::place::quote;
 use crate::sorted::Set;
 
 /// At which times of a step something changes.

@@ -1,12 +1,13 @@
 //! What the generated types derive: on their own, and because the chart asks for it.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident};
 use syn::{Path, Type};
 
 use super::requirements;
 use crate::list::List;
 use crate::model::{Model, Ty};
+use crate::place::quote;
 
 /// The traits that a type derives on its own.
 pub(super) struct Derives {

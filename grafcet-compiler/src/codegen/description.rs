@@ -2,11 +2,12 @@
 
 use grafcet_core::description::{Action, Any, Description, Dialect, Let, MacroStep, Partial, Step, Transition, table};
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::Cx;
 use crate::describe::with_description;
 use crate::list::List;
+use crate::place::quote;
 
 /// The chart as it is drawn, in the documentation alone: editors that show the source's comments show no picture.
 pub(super) fn drawing(cx: &Cx<'_>) -> TokenStream {

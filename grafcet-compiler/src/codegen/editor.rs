@@ -2,11 +2,12 @@
 //! behind qualifiers, macro-steps, partial grafcets, variables that actions write, named conditions.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::names::Names;
 use super::types::rust_type;
 use crate::model::{Mention, Model};
+use crate::place::{self, quote};
 
 /// A function that mentions each of them at the user's tokens, for rust-analyzer alone, which sets this `cfg`.
 pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
@@ -24,7 +25,7 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
         mentioned.extend(name.map(|name| at(name, *span)));
     }
     // The types are called by the chart's name, but not what is mentioned.
-    let [step, record, actions] = [&names.step, &names.outputs, &names.actions].map(|name| at(name, Span::call_site()));
+    let [step, record, actions] = [&names.step, &names.outputs, &names.actions].map(|name| at(name, place::here()));
     let actions = (!calls.is_empty()).then(|| quote!(<A: #actions + ?#p::core::marker::Sized>));
     let steps = (!steps.is_empty()).then(|| quote!(let _ = [#(#step::#steps),*];));
     let outputs = (!outputs.is_empty()).then(|| quote!(let _ = (#(&outputs.#outputs,)*);));

@@ -1,7 +1,7 @@
 //! One evolution: which transitions clear in the situation `before`, and the situation `after`.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::bind::Moment;
 use super::branches::Branch;
@@ -9,6 +9,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
+use crate::place::quote;
 use crate::plan::{Form, RegionId};
 use crate::sorted::Map;
 

@@ -1,7 +1,7 @@
 //! `cycle` of a `grafcet` (IEC 60848): evolutions until the situation is stable, then the continuous actions.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::bind::Moment;
 use super::segments::Item;
@@ -9,6 +9,7 @@ use super::{Cx, names};
 use crate::analysis::combinational;
 use crate::list::List;
 use crate::model::{ActionId, Association, Effect, Place, VarId};
+use crate::place::quote;
 use crate::plan::{Search, Undo, source_order};
 
 impl Cx<'_> {

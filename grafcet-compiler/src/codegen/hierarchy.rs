@@ -1,7 +1,6 @@
 //! `grafcet`: what a partial grafcet does when a forcing order or an enclosing step decides about it.
 
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
 use syn::Lifetime;
 
 use super::bind::{Moment, bare};
@@ -9,6 +8,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{ForceOrder, Id, PartialId, StepId, Transition};
+use crate::place::{self, quote};
 use crate::plan::{Below, Descent, directly, is_top};
 use crate::sorted::Set;
 
@@ -136,7 +136,7 @@ impl Cx<'_> {
 }
 
 fn label(partial: PartialId) -> Lifetime {
-    Lifetime::new(&format!("'below_{}", partial.index()), Span::mixed_site())
+    Lifetime::new(&format!("'below_{}", partial.index()), place::mixed())
 }
 
 /// The local that says that nothing above has decided about a partial grafcet in this evolution.

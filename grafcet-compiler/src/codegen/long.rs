@@ -2,14 +2,15 @@
 //! step is behind each. A cycle costs the same whatever the step, and a step as little as two bytes beside its actions. Under `optimize size`
 //! it is one byte for the condition and one for the actions: the step behind is computed.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::Lifetime;
 
 use super::bind::Moment;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{StepId, Tree};
+use crate::place::{self, quote};
 use crate::sorted::Map;
 
 /// How many actions have to set an output before a `true` for all of them is smaller.
@@ -206,5 +207,5 @@ fn set_to(on: &Ident, actions: &TokenStream) -> Option<TokenStream> {
 
 /// What the next step is found in.
 fn evolved() -> Lifetime {
-    Lifetime::new("'evolved", Span::mixed_site())
+    Lifetime::new("'evolved", place::mixed())
 }

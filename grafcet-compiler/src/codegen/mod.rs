@@ -34,10 +34,10 @@ mod walk;
 mod writes;
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use self::names::Names;
 use crate::model::Model;
+use crate::place::{self, quote};
 use crate::plan::Plan;
 pub(crate) use stub::stub;
 
@@ -52,6 +52,7 @@ struct Cx<'m> {
 
 /// The items of a chart.
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
+    let root = place::moved(root);
     let (names, p) = (Names::of(model), quote!(#root::__private));
     let cx = Cx { model, plan, names, p };
     let types = types::all(&cx);

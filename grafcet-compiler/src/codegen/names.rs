@@ -1,13 +1,14 @@
 //! Every name in the generated code.
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::format_ident;
 
 use crate::list::List;
 use crate::model::{
     ActionId, AnyId, AssociationId, DelayId, EdgeId, Effect, Id, MacroId, Model, OutputId, Place, Qualifier, StepId,
     Transition, TransitionId, VarId,
 };
+use crate::place::{self, quote};
 use crate::plan::{Plan, RegionId, Target};
 use crate::sorted::Set;
 
@@ -63,7 +64,7 @@ impl Names {
             1 => format!("__{chart}State"),
             _ => format!("__{chart}Region{region}"),
         };
-        Ident::new(&name.replace("r#", ""), Span::mixed_site().located_at(chart.span()))
+        Ident::new(&name.replace("r#", ""), place::mixed().located_at(chart.span()))
     }
 
     /// The first region's state together with the mark of an unstable search.
@@ -300,7 +301,7 @@ pub(super) fn number_type(count: usize, p: &TokenStream) -> TokenStream {
 /// A step as a variant of a private enum.
 pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
     let mut name = model.steps[step].name.clone();
-    name.set_span(Span::mixed_site());
+    name.set_span(place::mixed());
     name
 }
 
@@ -316,7 +317,7 @@ pub(super) fn in_second() -> Ident {
 
 /// A name of ours that no token of the user can mean.
 pub(super) fn local(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
+    Ident::new(name, place::mixed())
 }
 
 fn prefixed(prefix: &str, name: &Ident) -> Ident {

@@ -2,13 +2,13 @@
 //! where a transition clears. The situation before the evolution is kept only where something looks at it later.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::quote;
 
 use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{PartialId, TransitionId};
+use crate::place::quote;
 use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
 

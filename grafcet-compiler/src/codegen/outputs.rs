@@ -1,12 +1,12 @@
 //! Outputs: what is collected in a cycle, what is remembered, what is returned.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::bind::Moment;
 use super::{Cx, names, types};
 use crate::list::List;
 use crate::model::{Association, Id, OutputId, Qualifier};
+use crate::place::quote;
 
 impl Cx<'_> {
     /// The outputs to be returned, with their initial values.

@@ -1,10 +1,10 @@
 //! What a program asks of a chart beside its cycle: names as text, default inputs in constants, the values of variables.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
 
 use super::{Cx, derives, names, requirements, types};
 use crate::model::{Model, Ty};
+use crate::place::quote;
 
 /// `name` and `Display` of an enum of names, whose variants are listed.
 pub(super) fn texts<'n>(
@@ -75,7 +75,7 @@ pub(super) fn vars(cx: &Cx<'_>) -> Option<TokenStream> {
     let fields = vars.iter().map(|id| {
         let (field, ty) = (public(&model.vars[*id].name), types::rust_type(&model.vars[*id].ty, p));
         let docs = types::docs(&model.vars[*id].attrs, &format!("Variable `{field}`."));
-        quote!(#docs pub #field: #ty,)
+        types::field(&docs, &field, &ty)
     });
     let values = vars.iter().map(|id| {
         let (field, held) = (public(&model.vars[*id].name), names::var_field(model, *id));

@@ -1,9 +1,9 @@
 //! The recipe (`param`) and the trait of the code actions (`action`).
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::{Cx, derives, types};
+use crate::place::quote;
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let (params, actions) = (params(cx), actions(cx));
@@ -19,7 +19,7 @@ fn params(cx: &Cx<'_>) -> TokenStream {
     let fields = model.params.values().map(|param| {
         let (name, ty) = (&param.name, types::rust_type(&param.ty, p));
         let docs = types::docs(&param.attrs, &format!("Parameter `{name}`."));
-        quote!(#docs pub #name: #ty,)
+        types::field(&docs, name, &ty)
     });
     let values = model.params.values().map(|param| {
         let (name, value) = (&param.name, types::initial_value(param.init.as_ref(), &param.ty, p));

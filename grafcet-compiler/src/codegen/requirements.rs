@@ -1,12 +1,13 @@
 //! What a chart needs of types that the compiler does not know, asked where the chart names them.
 
 use proc_macro2::{Span, TokenStream};
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Expr, Lit, Type};
 
 use crate::list::List;
 use crate::model::{Model, Ty};
+use crate::place::quote;
 use crate::sorted::Set;
 
 /// The statements that ask for it. They stand in every function that copies values, so that rustc says once what is missing and

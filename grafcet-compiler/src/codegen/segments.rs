@@ -1,13 +1,14 @@
 //! Actions in their order, as few `match`es as that allows.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::nest::mentions;
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Association, Effect, Expr, StepId};
+use crate::place::quote;
 use crate::plan::{RegionId, is_stored};
 use crate::sorted::Map;
 

@@ -1,7 +1,6 @@
 //! `cycle` of an `sfc` (IEC 61131-3): exactly one evolution, then the actions.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::bind::Moment;
 use super::segments::Item;
@@ -9,6 +8,7 @@ use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
+use crate::place::quote;
 use crate::plan::{Target, source_order};
 
 /// Up to how many steps an output is an expression.

@@ -2,11 +2,12 @@
 //! region, or a bit for each step (`encoding flags;`).
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Id, PartialId, StepId};
+use crate::place::quote;
 use crate::plan::RegionId;
 
 /// Which situation is meant.

@@ -1,12 +1,12 @@
 //! The chart's struct and the private enums of its regions.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
 
 use super::control::set_by;
 use super::{Cx, derives, names, types};
 use crate::list::List;
 use crate::model::{Place, Qualifier, Ty};
+use crate::place::quote;
 use crate::plan::{RegionId, Target, What};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {

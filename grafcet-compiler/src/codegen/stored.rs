@@ -4,7 +4,6 @@
 //! and those that events and clearings write, are collected in locals first; the rest is written in its place.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::bind::Moment;
 use super::segments::Item;
@@ -14,6 +13,7 @@ use crate::list::List;
 use crate::model::{
     Association, AssociationId, Dialect, Effect, Id, Place, Qualifier, StepId, Transition, TransitionId, Trigger,
 };
+use crate::place::quote;
 use crate::plan::{Below, is_stored, source_order};
 use crate::sorted::Set;
 

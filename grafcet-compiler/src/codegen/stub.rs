@@ -1,17 +1,19 @@
 //! What a chart with mistakes expands to: its types, so that the rest of the program gets no follow-up errors.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::names::Names;
 use super::{derives, editor, outside, requirements, types};
 use crate::list::List;
 use crate::model::{Model, Ty};
+use crate::place::{self, quote};
 use crate::sorted::Set;
 use syn::{Attribute, Ident};
 
 /// The public items of a chart, with empty bodies. `timed` where `cycle` takes the time.
 pub(crate) fn stub(model: &Model, timed: bool, root: &TokenStream) -> TokenStream {
+    let root = place::moved(root);
     let p = quote!(#root::__private);
     let names = Names::of(model);
     let records = records(model, &names, &p);
@@ -191,7 +193,7 @@ fn fields<'m>(declared: impl Iterator<Item = Declared<'m>>, p: &TokenStream) -> 
         .filter(|(_, name, _)| seen.insert(name.to_string()))
         .map(|(attrs, name, ty)| {
             let (docs, ty) = (docs(attrs), types::rust_type(ty, p));
-            quote!(#docs pub #name: #ty,)
+            types::field(&docs, name, &ty)
         })
         .tokens()
 }

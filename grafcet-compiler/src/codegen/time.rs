@@ -1,7 +1,6 @@
 //! What happens to times, edges and delays at the begin of a cycle and at the end of an evolution.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::bind::Moment;
 use super::situation::At;
@@ -9,6 +8,7 @@ use super::{Cx, names};
 use crate::analysis::combinational::asserted;
 use crate::list::List;
 use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
+use crate::place::quote;
 use crate::plan::{Counted, Phase, RegionId};
 
 /// Something that is sampled at the begin of a cycle or an evolution.

@@ -1,13 +1,14 @@
 //! The public types beside the chart: inputs, outputs, names of steps and transitions.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned as _;
 use syn::{Attribute, Type};
 
 use super::{Cx, derives, outside, requirements};
 use crate::list::List;
 use crate::model::{Expr, Model, OutputId, Ty};
+use crate::place::{self, quote};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     let (inputs, outputs) = (inputs(cx), outputs(cx));
@@ -15,12 +16,18 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     quote!(#inputs #outputs #steps #transitions)
 }
 
+/// A field that the program sees. What rustc says of it, as where a derived trait is missing, stands at its name.
+pub(super) fn field(docs: &TokenStream, name: &Ident, ty: &TokenStream) -> TokenStream {
+    let public = quote_spanned!(place::near(name.span())=> pub);
+    quote!(#docs #public #name: #ty,)
+}
+
 fn inputs(cx: &Cx<'_>) -> TokenStream {
     let Cx { model, p, .. } = cx;
     let fields = model.inputs.values().map(|input| {
         let (name, ty) = (&input.name, rust_type(&input.ty, p));
         let docs = docs(&input.attrs, &format!("Input `{name}`."));
-        quote!(#docs pub #name: #ty,)
+        field(&docs, name, &ty)
     });
     let default = default_inputs(cx);
     let derives = derives::of(model.inputs.values().map(|input| &input.ty));
@@ -69,7 +76,7 @@ fn outputs(cx: &Cx<'_>) -> TokenStream {
     let fields = model.outputs.values().map(|output| {
         let (name, ty) = (&output.name, rust_type(&output.ty, p));
         let docs = docs(&output.attrs, &format!("Output `{name}`."));
-        quote!(#docs pub #name: #ty,)
+        field(&docs, name, &ty)
     });
     let derives = derives::of(model.outputs.values().map(|output| &output.ty));
     let (vis, name, levels) = (&model.vis, &cx.names.outputs, levels(model));

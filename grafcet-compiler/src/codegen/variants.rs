@@ -5,13 +5,14 @@
 //! derived `PartialEq`, which tells variants apart.
 
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{ToTokens, quote_spanned};
 use syn::Path;
 
 use super::Cx;
 use super::types::rust_type;
 use crate::list::List;
 use crate::model::Variants;
+use crate::place::{self, quote};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
     cx.model.variants.iter().map(|variants| check(cx, variants)).tokens()
@@ -21,7 +22,7 @@ fn check(cx: &Cx<'_>, variants: &Variants) -> TokenStream {
     let Some(name) = variants.names.first() else { return TokenStream::new() };
     let ty = ours(rust_type(cx.model.ty(*name), &cx.p));
     let paths = std::iter::once(&variants.path).chain(&variants.others);
-    let last = variants.list.last().map_or_else(Span::mixed_site, |variant| located(variant.name.span()));
+    let last = variants.list.last().map_or_else(place::mixed, |variant| located(variant.name.span()));
     let matches = paths.map(|path| {
         let patterns = variants.list.iter().map(|variant| {
             let (path, name) = (at(path.to_token_stream(), variant.name.span()), ours(variant.name.to_token_stream()));
@@ -49,11 +50,11 @@ fn equality(variants: &Variants, path: &Path, index: usize, ty: &TokenStream) ->
 
 /// Where the type stands, with the resolution of generated code.
 fn place(path: &Path) -> Span {
-    path.segments.last().map_or_else(Span::mixed_site, |last| located(last.ident.span()))
+    path.segments.last().map_or_else(place::mixed, |last| located(last.ident.span()))
 }
 
 fn located(span: Span) -> Span {
-    Span::mixed_site().located_at(span)
+    place::mixed().located_at(span)
 }
 
 /// Tokens of the user, as if they stood elsewhere.
@@ -78,7 +79,7 @@ fn ours(tokens: TokenStream) -> TokenStream {
         // What a macro of the user puts in for its own crate means nothing elsewhere.
         TokenTree::Ident(name) if name == "$crate" => TokenTree::Ident(name),
         mut tree => {
-            tree.set_span(tree.span().resolved_at(Span::mixed_site()));
+            tree.set_span(tree.span().resolved_at(place::mixed()));
             tree
         }
     };

@@ -2,12 +2,12 @@
 //! goes from step to step until nothing clears. Where the bound is reached, a step has come back, and the search is
 //! known to go on without another try.
 
-use proc_macro2::{Literal, Span, TokenStream};
-use quote::quote;
+use proc_macro2::{Literal, TokenStream};
 use syn::Lifetime;
 
 use super::bind::Moment;
 use super::{Cx, names};
+use crate::place::{self, quote};
 use crate::plan::{Form, Search};
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
@@ -85,5 +85,5 @@ impl Cx<'_> {
 }
 
 fn label() -> Lifetime {
-    Lifetime::new("'search", Span::mixed_site())
+    Lifetime::new("'search", place::mixed())
 }

@@ -1,11 +1,12 @@
 //! Which places a block of the user has really written, where that is known only when it runs.
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 use syn::{BinOp, Block, Expr, Stmt};
 
 use crate::methods;
 use crate::model::Ty;
+use crate::place::quote;
 use crate::visit::{self, Locals, Visit};
 
 /// Whether the block writes the name whatever happens in it: by a statement of its own, not inside another.

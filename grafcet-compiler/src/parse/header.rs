@@ -1,6 +1,6 @@
 //! `pub sfc Motor { … }`
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::{Delimiter, Ident, Span};
 use quote::ToTokens;
 use syn::Visibility;
 use syn::parse::Parse;
@@ -13,7 +13,7 @@ use crate::similar;
 /// The one chart of a call.
 pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
     let attrs = attrs::of_chart(&mut input, sink);
-    let (vis, dialect, name, inside) = match header(&mut input, sink) {
+    let (vis, (dialect, keyword), name, inside) = match header(&mut input, sink) {
         Ok(header) => header,
         Err(error) => {
             error.report(sink);
@@ -31,11 +31,12 @@ pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
         input.error(message).report(sink);
     }
     let incomplete = sink.has_errors();
-    Some(Chart { attrs, vis, dialect, name, body, incomplete })
+    Some(Chart { attrs, vis, dialect, keyword, name, body, incomplete })
 }
 
-fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, Dialect, Ident, Input<'a>)> {
+fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, (Dialect, Span), Ident, Input<'a>)> {
     let vis = visibility(input)?;
+    let keyword = input.span();
     let dialect = dialect(input, sink)?;
     let name = input.name("the name of the chart, as in `sfc Motor { … }`")?;
     if syn::parse2::<Ident>(name.to_token_stream()).is_err() {
@@ -50,7 +51,7 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, Dia
     let Some(inside) = input.enter(Delimiter::Brace) else {
         return Err(input.error(format!("expected `{{` behind the name of the chart, found {}", input.found())));
     };
-    Ok((vis, dialect, name, inside))
+    Ok((vis, (dialect, keyword), name, inside))
 }
 
 fn visibility(input: &mut Input) -> Result<Visibility> {

@@ -1,12 +1,13 @@
 //! The flags of the targets: what the associations of this cycle say, and what leaving a step says.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
 use crate::codegen::{Cx, names};
 use crate::model::{Association, AssociationId, Effect, Id, Qualifier, Trigger};
+use crate::place::quote;
 use crate::plan::{Target, What, source_order};
 use crate::sorted::Set;
 

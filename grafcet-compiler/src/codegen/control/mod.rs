@@ -6,11 +6,12 @@ mod runs;
 pub(super) use flags::set_by;
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Qualifier, TimeRef};
+use crate::place::quote;
 use crate::plan::{Target, What};
 
 impl Cx<'_> {

@@ -1,7 +1,7 @@
 //! What a target does, in the order of the runs: among what is left, among what is entered, and the rest (A29).
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use crate::codegen::bind::Moment;
 use crate::codegen::segments::Item;
@@ -9,6 +9,7 @@ use crate::codegen::situation::At;
 use crate::codegen::{Cx, names, types};
 use crate::list::List;
 use crate::model::{AssociationId, Effect, Expr, Id, Place, Qualifier, Ty};
+use crate::place::quote;
 use crate::plan::{Target, What, source_order};
 
 impl Cx<'_> {

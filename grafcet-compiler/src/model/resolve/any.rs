@@ -1,7 +1,6 @@
 //! `any -[stop]-> Stopped;`: a transition from every step of a net, before all others.
 
-use proc_macro2::Span;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 use syn::{BinOp, UnOp};
 
 use super::Resolver;
@@ -16,6 +15,7 @@ use crate::model::{
     Any, AnyId, Binary, Expr, ForceOrder, Id, PartialId, Read, StepId, Transition, TransitionId, Tree, Unary,
     placeholder,
 };
+use crate::place::{self, quote};
 use crate::sorted::Set;
 
 impl Resolver<'_> {
@@ -227,7 +227,7 @@ fn both(a: &Expr, b: Expr) -> Expr {
     let tokens = syn::Expr::Binary(syn::ExprBinary {
         attrs: Vec::new(),
         left: Box::new(in_parens(a.tokens.clone())),
-        op: BinOp::And(syn::token::AndAnd { spans: [Span::mixed_site(); 2] }),
+        op: BinOp::And(syn::token::AndAnd { spans: [place::mixed(); 2] }),
         right: Box::new(in_parens(b.tokens)),
     });
     let mut reads = a.reads.clone();
@@ -240,7 +240,7 @@ fn both(a: &Expr, b: Expr) -> Expr {
 fn not(a: Expr) -> Expr {
     let tokens = syn::Expr::Unary(syn::ExprUnary {
         attrs: Vec::new(),
-        op: UnOp::Not(syn::token::Not { spans: [Span::mixed_site()] }),
+        op: UnOp::Not(syn::token::Not { spans: [place::mixed()] }),
         expr: Box::new(in_parens(a.tokens)),
     });
     Expr { tree: Tree::Unary(Unary::Not, Box::new(a.tree)), tokens, ..a }
@@ -252,7 +252,7 @@ fn active(steps: &[StepId], mark: Mark) -> Expr {
         [] => (Tree::Bool(false), syn::Expr::Verbatim(quote!(false)), Vec::new()),
         [step] => {
             let read = Read::Active(*step);
-            let tokens = placeholder::ident(read, Span::mixed_site()).into_token_stream();
+            let tokens = placeholder::ident(read, place::mixed()).into_token_stream();
             (Tree::Read(read), syn::Expr::Verbatim(tokens), vec![read])
         }
         _ => {
@@ -261,7 +261,7 @@ fn active(steps: &[StepId], mark: Mark) -> Expr {
             let tokens = syn::Expr::Binary(syn::ExprBinary {
                 attrs: Vec::new(),
                 left: Box::new(left.tokens),
-                op: BinOp::Or(syn::token::OrOr { spans: [Span::mixed_site(); 2] }),
+                op: BinOp::Or(syn::token::OrOr { spans: [place::mixed(); 2] }),
                 right: Box::new(right.tokens),
             });
             let tree = Tree::Binary(Binary::Or, Box::new(left.tree), Box::new(right.tree));

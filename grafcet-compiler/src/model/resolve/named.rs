@@ -14,6 +14,7 @@ use crate::ast;
 use crate::diagnostic::Mark;
 use crate::list::List;
 use crate::model::{Expr, Id, Let, LetId, Mention, Name, Tree};
+use crate::place;
 use crate::sorted::Set;
 
 /// How deep an expression may be with all names in place: what the guard of the parser lets through.
@@ -240,7 +241,7 @@ impl Lower<'_, '_> {
         match self.expression_of(name, id) {
             Some(named) => {
                 let mut group = Group::new(Delimiter::Parenthesis, named.tokens.into_token_stream());
-                group.set_span(proc_macro2::Span::mixed_site());
+                group.set_span(place::mixed());
                 group.into()
             }
             None => name.clone().into(),

@@ -5,6 +5,7 @@ use proc_macro2::Span;
 use super::Resolver;
 use crate::list::List;
 use crate::model::{Binary, Expr, Read, StepId, TransitionId, Tree, Unary};
+use crate::place;
 use crate::sorted::{Map, Set};
 
 /// What stands for the condition as long as the other branches are not known.
@@ -125,10 +126,10 @@ fn none(conditions: &[&Expr]) -> Tree {
 
 fn none_in_rust(conditions: &[&Expr]) -> syn::Expr {
     match conditions {
-        [] => literal_true(Span::mixed_site()),
+        [] => literal_true(place::mixed()),
         [one] => negated(&one.tokens),
         _ => {
-            let site = Span::mixed_site();
+            let site = place::mixed();
             let (left, right) = conditions.split_at(conditions.len() / 2);
             let half = |part: &[&Expr]| {
                 let inner = none_in_rust(part);
@@ -148,13 +149,13 @@ fn none_in_rust(conditions: &[&Expr]) -> syn::Expr {
 fn negated(expr: &syn::Expr) -> syn::Expr {
     let is_term = matches!(expr, syn::Expr::Path(_) | syn::Expr::Paren(_) | syn::Expr::Verbatim(_) | syn::Expr::Lit(_));
     let operand = if is_term { expr.clone() } else { in_parentheses(expr.clone()) };
-    let not = syn::UnOp::Not(syn::token::Not(Span::mixed_site()));
+    let not = syn::UnOp::Not(syn::token::Not(place::mixed()));
     syn::Expr::Unary(syn::ExprUnary { attrs: Vec::new(), op: not, expr: Box::new(operand) })
 }
 
 /// Located nowhere, so that nobody takes the parentheses for the user's.
 pub(super) fn in_parentheses(expr: syn::Expr) -> syn::Expr {
-    let paren_token = syn::token::Paren(Span::mixed_site());
+    let paren_token = syn::token::Paren(place::mixed());
     syn::Expr::Paren(syn::ExprParen { attrs: Vec::new(), paren_token, expr: Box::new(expr) })
 }
 
