@@ -39,7 +39,8 @@ pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
          aria-label=\"Chart {1}\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"{2}\"/>{3}\
          <path d=\"{4}\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" \
          dominant-baseline=\"central\">{5}{6}</g></svg>",
-        -MARGIN,
+        // Half a pixel more: lines run through the middles of pixels, and one that is drawn twice, as between two actions, is no wider.
+        format_args!("-{MARGIN}.5"),
         escape(name),
         layers.lines,
         layers.frames,
