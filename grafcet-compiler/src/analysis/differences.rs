@@ -48,6 +48,12 @@ impl Differences {
         (low.map(|low| -low), high)
     }
 
+    /// The same of all numbers, zero first.
+    pub(super) fn ranges(&self) -> Vec<(Option<i128>, Option<i128>)> {
+        let (highs, lows) = (self.distances(false), self.distances(true));
+        lows.into_iter().map(|low| low.map(|low| -low)).zip(highs).collect()
+    }
+
     /// The greatest value that each number can have; `mirrored`, of its opposite.
     fn distances(&self, mirrored: bool) -> Vec<Option<i128>> {
         let mut far = vec![None; self.count];

@@ -16,6 +16,7 @@ mod pairs;
 mod races;
 mod relation;
 mod stability;
+mod terms;
 mod union;
 mod unlisted;
 pub mod visible;

@@ -149,6 +149,17 @@ pub(super) fn is_arithmetic(operator: Binary) -> bool {
     matches!(operator, Add | Sub | Mul | Div | Rem | BitAnd | BitOr | BitXor | Shl | Shr)
 }
 
+/// Whether it is the result of arithmetic and not a constant.
+pub(super) fn is_computed(tree: &Tree) -> bool {
+    let computes = match tree {
+        Tree::Binary(operator, ..) => is_arithmetic(*operator),
+        Tree::Unary(..) => true,
+        Tree::Opaque { of, .. } => of.is_some(),
+        _ => false,
+    };
+    computes && constant(tree).is_none()
+}
+
 /// The position of a float literal among all floats; both zeros have one.
 pub(super) fn float_constant(tree: &Tree, float: Float) -> Option<i128> {
     match tree {

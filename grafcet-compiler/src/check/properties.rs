@@ -7,7 +7,7 @@ use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, 
 use crate::analysis::{Logic, Nesting, mixed, unlisted_of, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
-use crate::model::{Claim, Expr, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
+use crate::model::{Claim, Expr, How, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
 /// A situation from which there is no way home.
@@ -181,6 +181,14 @@ impl Report<'_> {
                     }
                 }
                 let what = if texts.is_empty() { "values".to_owned() } else { texts.join(", ") };
+                if !values.is_empty() && values.iter().all(is_arithmetic) {
+                    let message = format!(
+                        "whether this holds is not decided: no values were found for {what} with which every result fits into \
+                         its type, nor that there are none; compute in a wider type, or say what happens at its ends, as \
+                         `saturating_sub` does, or allow this"
+                    );
+                    return self.say(&rules::PROPERTY_UNDECIDED, property, vec![(property.mark, message)], sink);
+                }
                 // What a call does is not seen.
                 let pure = if values.iter().any(Tree::may_differ) {
                     ", or, where such a call has no state, `assume pure …;`"
@@ -302,6 +310,19 @@ fn is_time_of(read: Read, time: &Tree) -> bool {
     match (read, time) {
         (Read::Since(step) | Read::Elapsed(_, step), Tree::Read(Read::Since(of))) => step == *of,
         (Read::MacroSince(id) | Read::MacroElapsed(_, id), Tree::Read(Read::MacroSince(of))) => id == *of,
+        _ => false,
+    }
+}
+
+/// Whether it is computed of inputs and params alone, in ways that are known.
+fn is_arithmetic(tree: &Tree) -> bool {
+    match tree {
+        Tree::Int(_) | Tree::Read(Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_)) => true,
+        Tree::Unary(_, inner) => is_arithmetic(inner),
+        Tree::Binary(_, a, b) => is_arithmetic(a) && is_arithmetic(b),
+        Tree::Opaque { of: Some(computed), .. } => {
+            computed.how != How::Other && computed.operands.iter().all(is_arithmetic)
+        }
         _ => false,
     }
 }

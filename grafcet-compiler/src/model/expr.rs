@@ -186,7 +186,83 @@ pub enum Tree {
         call: Option<u32>,
         /// Its type is one of integers, `bool` or `char`, as of `level.abs()` and `level as u8`.
         whole: bool,
+        /// What it computes, where that is arithmetic of integers.
+        of: Option<Box<Computed>>,
     },
+}
+
+/// Arithmetic of integers that Rust has no operator for.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Computed {
+    pub how: How,
+    /// As many as it takes; of a method what it is called on stands first.
+    pub operands: Vec<Tree>,
+}
+
+/// How a [`Computed`] follows from its operands.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum How {
+    /// `a as u16`, `u16::from(a)`
+    As(Integer),
+    /// `a.get()` of a time.
+    Get,
+    /// `a.wrapping_add(b)`; of `+`, `-` and `*`.
+    Wrapping(Binary),
+    /// `a.saturating_add(b)`; of the same.
+    Saturating(Binary),
+    Min,
+    Max,
+    /// `a.clamp(low, high)`
+    Clamp,
+    Abs,
+    UnsignedAbs,
+    AbsDiff,
+    Signum,
+    DivEuclid,
+    RemEuclid,
+    /// `a.pow(2)`
+    Pow,
+    /// In a way that nobody knows: `a.ilog2()`.
+    Other,
+}
+
+/// A type of integers.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Integer {
+    pub signed: bool,
+    /// Of `usize` and `isize` 64, the most that they have.
+    pub bits: u32,
+    /// `usize` or `isize`, which have fewer bits on a controller.
+    pub is_size: bool,
+}
+
+impl Integer {
+    /// `u16` of its name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let signed = name.starts_with('i');
+        let (bits, is_size) = match name.strip_prefix(['u', 'i'])? {
+            "8" => (8, false),
+            "16" => (16, false),
+            "32" => (32, false),
+            "64" => (64, false),
+            "128" => (128, false),
+            "size" => (64, true),
+            _ => return None,
+        };
+        Some(Self { signed, bits, is_size })
+    }
+
+    /// The type of this Rust.
+    #[must_use]
+    pub fn of(rust: &syn::Type) -> Option<Self> {
+        match rust {
+            syn::Type::Paren(inner) => Self::of(&inner.elem),
+            syn::Type::Group(inner) => Self::of(&inner.elem),
+            syn::Type::Path(path) if path.qself.is_none() => Self::named(&path.path.get_ident()?.to_string()),
+            _ => None,
+        }
+    }
 }
 
 /// An operator with one operand.

@@ -17,7 +17,9 @@ use syn::{Attribute, Ident, Visibility};
 pub use crate::ast::{Derive, Dialect, LevelAttr, Variant};
 use crate::diagnostic::Mark;
 pub use crate::qualifier::{Qualifier, Trigger};
-pub use expr::{Binary, Blink, Blinker, Code, Expr, Name, Place, Read, Statement, TimeRef, Tree, Unary};
+pub use expr::{
+    Binary, Blink, Blinker, Code, Computed, Expr, How, Integer, Name, Place, Read, Statement, TimeRef, Tree, Unary,
+};
 pub use ids::{
     ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, OutputId, ParamId,
     PartialId, StepId, TransitionId, VarId,

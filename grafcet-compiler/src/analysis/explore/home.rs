@@ -58,6 +58,7 @@ pub(super) fn is_plain(net: &Net) -> bool {
     net.edges.iter().all(Option::is_none)
         && net.clocks.is_empty()
         && !net.unfollowed.contains(&true)
+        && !net.links.any_computed()
         && !net.initial_slots.contains(&Bit::Any)
 }
 
@@ -150,7 +151,7 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
     let is_any = |slot: usize| net.initial_slots[slot] == Bit::Any;
     let open = |atom: &&usize| match net.atoms[**atom].kind {
         Kind::Slot(slot) => is_any(slot),
-        _ => net.unfollowed[**atom],
+        _ => net.unfollowed[**atom] || net.links.is_computed(**atom),
     };
     let mut atoms: Vec<usize> = net.arcs.iter().flat_map(|arc| &arc.atoms).filter(open).copied().list();
     if atoms.is_empty() {
@@ -165,7 +166,8 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
 /// Whether one of the cycles can be taken whatever the values are that they take for granted.
 fn exists<'g>(net: &Net, edges: impl Iterator<Item = &'g Edge>) -> bool {
     // Where nothing can be taken for granted, nothing is written down.
-    let nothing = !net.unfollowed.contains(&true) && !net.initial_slots.contains(&Bit::Any);
+    let nothing =
+        !net.unfollowed.contains(&true) && !net.links.any_computed() && !net.initial_slots.contains(&Bit::Any);
     let ways = edges.filter_map(|edge| if nothing { Some(&[][..]) } else { edge.granted.as_deref() });
     let ways: Vec<&[(usize, Known)]> = ways.list();
     covers(net, &ways, &[], &mut CASES.clone())

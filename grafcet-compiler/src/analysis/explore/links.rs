@@ -1,12 +1,17 @@
-//! Numbers that are compared with each other as well as with constants: what is known of them has to go together.
+//! Numbers that are compared with each other as well as with constants, or computed of each other: what is known of them has to
+//! go together.
 
+use std::collections::BTreeMap;
+
+use super::computed::Computed;
 use super::formula::{Atom, Kind};
 use super::knowledge::{Knowledge, Known};
 use super::scene::Scene;
 use crate::analysis::Union;
-use crate::analysis::differences::Differences;
+use crate::analysis::differences::{Differences, FAR};
+use crate::analysis::numbers::is_computed;
 use crate::list::List;
-use crate::model::Tree;
+use crate::model::{Binary, Model, Tree};
 use crate::sorted::Map;
 
 /// How far a number lies above another, as an atom.
@@ -15,6 +20,8 @@ pub(super) struct Difference {
     pub(super) atom: usize,
     pub(super) a: Operand,
     pub(super) b: Operand,
+    /// Of two floats, which may be no numbers: then it lies beyond all others.
+    pub(super) is_float: bool,
 }
 
 /// One of the two numbers.
@@ -32,68 +39,85 @@ pub(super) struct Links {
     group_of: Vec<Option<usize>>,
     /// The two times or numbers of a difference in which a time has part, by atom.
     times: Map<usize, (usize, usize)>,
+    /// Per atom whether it is computed of inputs and params, so that it is tried whether there are some.
+    tried: Vec<bool>,
+    /// Per atom whether arithmetic is in it.
+    computed: Vec<bool>,
 }
 
+#[derive(Debug)]
+enum Group {
+    Compared(Compared),
+    Computed(Computed),
+}
+
+/// Numbers that are compared.
 #[derive(Debug, Default)]
-struct Group {
+struct Compared {
     atoms: Vec<usize>,
     /// Each number with the atom that compares it with constants.
     numbers: Vec<(Option<usize>, (i128, i128))>,
     differences: Vec<(usize, usize, usize)>,
+    is_float: bool,
 }
+
+/// Whether there are numbers of which all is true that is known.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Allowed {
+    No,
+    /// It was not decided, or only without what a result makes that does not fit into its type.
+    Unclear,
+    Yes,
+}
+
+/// The answers about groups in which something is computed.
+pub(super) type Tries = BTreeMap<(usize, Vec<Known>), Allowed>;
 
 impl Links {
     /// `numbers` are the atoms that compare a number with constants, by number.
-    pub(super) fn of(atoms: &[Atom], differences: &[Difference], numbers: &Map<Tree, usize>) -> Self {
-        let mut links = Self { group_of: vec![None; atoms.len()], ..Self::default() };
-        let mut known: Map<&Tree, usize> = Map::new();
-        let mut all: Vec<&Operand> = Vec::new();
-        let mut pairs: Vec<(usize, usize, usize)> = Vec::new();
-        for Difference { atom, a, b } in differences {
-            let [a, b] = [a, b].map(|operand| {
-                *known.or_insert_with(&operand.tree, || {
-                    all.push(operand);
-                    all.len() - 1
-                })
-            });
-            pairs.push((*atom, a, b));
-        }
-        let number = |operand: &Operand| numbers.get(&operand.tree).copied();
-        let mut union = Union::new(all.len());
-        for (atom, a, b) in &pairs {
-            union.join(*a, *b);
-            if let (Some(first), Some(second)) = (number(all[*a]), number(all[*b])) {
-                if is_time(&atoms[first]) || is_time(&atoms[second]) {
-                    links.times.insert(*atom, (first, second));
+    pub(super) fn of(model: &Model, atoms: &[Atom], differences: &[Difference], numbers: &Map<Tree, usize>) -> Self {
+        let computes = |atom: &Atom| match &atom.what {
+            Tree::Binary(Binary::Lt, a, b) => is_computed(a) || is_computed(b),
+            tree => is_computed(tree) && matches!(atom.kind, Kind::Number(..)),
+        };
+        let mut links = Self {
+            group_of: vec![None; atoms.len()],
+            tried: vec![false; atoms.len()],
+            computed: atoms.iter().map(computes).list(),
+            ..Self::default()
+        };
+        for Difference { atom, a, b, .. } in differences {
+            if let (Some(a), Some(b)) = (numbers.get(&a.tree), numbers.get(&b.tree)) {
+                if is_time(&atoms[*a]) || is_time(&atoms[*b]) {
+                    links.times.insert(*atom, (*a, *b));
                 }
             }
         }
-        let mut groups: Map<usize, (Group, Vec<usize>)> = Map::new();
-        for (position, operand) in all.iter().enumerate() {
-            let (group, members) = groups.or_default(union.root(position));
-            group.numbers.push((number(operand), operand.range));
-            group.atoms.extend(number(operand));
-            members.push(position);
+        for computed in Computed::all(model, atoms, differences, numbers) {
+            computed.tried().for_each(|atom| links.tried[atom] = true);
+            links.add(Group::Computed(computed));
         }
-        for (atom, a, b) in &pairs {
-            let (group, members) = groups.or_default(union.root(*a));
-            let at = |of: usize| members.iter().position(|member| *member == of).unwrap_or(0);
-            let pair = (*atom, at(*a), at(*b));
-            group.atoms.push(*atom);
-            group.differences.push(pair);
-        }
-        links.groups = groups.into_iter().map(|(_, (group, _))| group).filter(Group::is_tied).list();
-        for (number, group) in links.groups.iter().enumerate() {
-            for atom in &group.atoms {
-                links.group_of[*atom] = Some(number);
+        let compared: Vec<&Difference> =
+            differences.iter().filter(|difference| links.group_of[difference.atom].is_none()).list();
+        for compared in Compared::all(&compared, numbers) {
+            if compared.is_tied() {
+                links.add(Group::Compared(compared));
             }
         }
         links
     }
 
+    fn add(&mut self, group: Group) {
+        let number = self.groups.len();
+        for atom in group.atoms() {
+            self.group_of[*atom] = Some(number);
+        }
+        self.groups.push(group);
+    }
+
     /// The atoms of which something may follow from what is known of this one; itself is among them.
     pub(super) fn with(&self, atom: usize) -> &[usize] {
-        self.group_of[atom].map_or(&[], |group| &self.groups[group].atoms)
+        self.group_of[atom].map_or(&[], |group| self.groups[group].atoms())
     }
 
     /// The two atoms behind a difference in which a time has part.
@@ -101,32 +125,124 @@ impl Links {
         self.times.get(&atom).copied()
     }
 
-    /// Whether there are numbers of which all this is true.
-    fn allow(&self, knowledge: &Knowledge) -> bool {
+    /// Whether anything is computed.
+    pub(super) fn any_computed(&self) -> bool {
+        self.groups.iter().any(|group| matches!(group, Group::Computed(_)))
+    }
+
+    /// Whether there is arithmetic in an atom.
+    pub(super) fn is_computed(&self, atom: usize) -> bool {
+        self.computed[atom]
+    }
+
+    /// Whether an atom is computed of nothing but what can be chosen: where that was, it was tried.
+    pub(super) fn is_tried(&self, atom: usize) -> bool {
+        self.tried[atom]
+    }
+
+    /// Whether there are numbers of which all this is true; `unclear` are the atoms of which that is not known.
+    fn allow(&self, knowledge: &Knowledge, tries: &mut Tries, left: &mut u64, unclear: &mut Vec<usize>) -> bool {
         let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
         asked.sort_unstable();
         asked.dedup();
-        asked.into_iter().all(|group| self.groups[group].allows(knowledge))
+        for number in asked {
+            let allowed = match &self.groups[number] {
+                Group::Compared(compared) if compared.allows(knowledge) => Allowed::Yes,
+                Group::Compared(_) => Allowed::No,
+                Group::Computed(computed) => {
+                    let known: Vec<Known> = computed.atoms().iter().map(|atom| knowledge.get(*atom)).list();
+                    let key = (number, known);
+                    match tries.get(&key) {
+                        Some(allowed) => *allowed,
+                        None => {
+                            let allowed = computed.allows(knowledge, left);
+                            tries.insert(key, allowed);
+                            allowed
+                        }
+                    }
+                }
+            };
+            match allowed {
+                Allowed::Yes => {}
+                Allowed::No => return false,
+                Allowed::Unclear => {
+                    let is_known = |atom: &&usize| knowledge.get(**atom) != Known::Unknown && self.computed[**atom];
+                    unclear.extend(self.groups[number].atoms().iter().filter(is_known));
+                }
+            }
+        }
+        true
     }
 }
 
 impl Group {
+    fn atoms(&self) -> &[usize] {
+        match self {
+            Self::Compared(compared) => &compared.atoms,
+            Self::Computed(computed) => computed.atoms(),
+        }
+    }
+}
+
+impl Compared {
+    /// The numbers that are compared with each other, directly or by others.
+    fn all(differences: &[&Difference], numbers: &Map<Tree, usize>) -> Vec<Self> {
+        let mut known: Map<&Tree, usize> = Map::new();
+        let mut all: Vec<&Operand> = Vec::new();
+        let mut pairs: Vec<(usize, usize, usize, bool)> = Vec::new();
+        for Difference { atom, a, b, is_float } in differences.iter().copied() {
+            let [a, b] = [a, b].map(|operand| {
+                *known.or_insert_with(&operand.tree, || {
+                    all.push(operand);
+                    all.len() - 1
+                })
+            });
+            pairs.push((*atom, a, b, *is_float));
+        }
+        let mut union = Union::new(all.len());
+        for (_, a, b, _) in &pairs {
+            union.join(*a, *b);
+        }
+        let number = |operand: &Operand| numbers.get(&operand.tree).copied();
+        let mut groups: Map<usize, (Self, Vec<usize>)> = Map::new();
+        for (position, operand) in all.iter().enumerate() {
+            let (group, members) = groups.or_default(union.root(position));
+            group.numbers.push((number(operand), operand.range));
+            group.atoms.extend(number(operand));
+            members.push(position);
+        }
+        for (atom, a, b, is_float) in &pairs {
+            let (group, members) = groups.or_default(union.root(*a));
+            let at = |of: usize| members.iter().position(|member| *member == of).unwrap_or(0);
+            let pair = (*atom, at(*a), at(*b));
+            group.atoms.push(*atom);
+            group.differences.push(pair);
+            group.is_float |= *is_float;
+        }
+        groups.into_iter().map(|(_, (group, _))| group).list()
+    }
+
     /// Whether more is to be said than that each comparison can have any outcome: numbers whose comparisons form no circle
     /// and have no limits lie as one wants them.
     fn is_tied(&self) -> bool {
         let count = self.numbers.len();
         let width = |(low, high): &(i128, i128)| high.saturating_sub(*low);
         let is_narrow = |(_, range): &(Option<usize>, (i128, i128))| width(range) < 2 * count as i128;
-        self.differences.len() >= count
+        // Of floats one that is no number is so in all of its comparisons.
+        self.is_float && count > 2
+            || self.differences.len() >= count
             || self.numbers.iter().any(|(number, _)| number.is_some())
             || self.numbers.iter().any(is_narrow)
             || self.numbers.iter().any(|(_, range)| *range != self.numbers[0].1)
     }
 
     fn allows(&self, knowledge: &Knowledge) -> bool {
+        let Some(none) = self.no_numbers(knowledge) else { return false };
         let mut all = Differences::new(self.numbers.len());
         for (atom, a, b) in &self.differences {
-            if let Known::Range(low, high) = knowledge.get(*atom) {
+            if let (Known::Range(low, high), false) = (knowledge.get(*atom), none[*a] || none[*b]) {
+                // One that is none is told apart.
+                let high = if self.is_float { high.min(FAR) } else { high };
                 all.within(a + 1, b + 1, (low, high));
             }
         }
@@ -134,11 +250,42 @@ impl Group {
             return true;
         }
         for (index, (atom, range)) in self.numbers.iter().enumerate() {
+            if none[index] {
+                continue;
+            }
             let known = atom.map(|atom| knowledge.get(atom));
             let (low, high) = if let Some(Known::Range(low, high)) = known { (low, high) } else { *range };
+            let (low, high) = if self.is_float { (low.max(range.0), high.min(range.1)) } else { (low, high) };
             all.within(index + 1, 0, (low, high));
         }
         all.is_possible()
+    }
+
+    /// Which floats are no numbers; none where some would have to be both. The more are none the less is demanded, so
+    /// those are that can be.
+    fn no_numbers(&self, knowledge: &Knowledge) -> Option<Vec<bool>> {
+        if !self.is_float {
+            return Some(vec![false; self.numbers.len()]);
+        }
+        let known =
+            |atom: usize| if let Known::Range(low, high) = knowledge.get(atom) { Some((low, high)) } else { None };
+        let mut none = vec![true; self.numbers.len()];
+        for (atom, a, b) in &self.differences {
+            if known(*atom).is_some_and(|(_, high)| high <= FAR) {
+                (none[*a], none[*b]) = (false, false);
+            }
+        }
+        for (index, (atom, _)) in self.numbers.iter().enumerate() {
+            match atom.and_then(known) {
+                Some((_, high)) if high <= FAR => none[index] = false,
+                Some((low, _)) if low > FAR && !none[index] => return None,
+                _ => {}
+            }
+        }
+        let is_apart = |(atom, a, b): &(usize, usize, usize)| {
+            known(*atom).is_none_or(|(low, _)| low <= FAR) || none[*a] || none[*b]
+        };
+        self.differences.iter().all(is_apart).then_some(none)
     }
 }
 
@@ -147,9 +294,26 @@ fn is_time(atom: &Atom) -> bool {
 }
 
 impl Scene<'_> {
-    /// Whether what has been decided about numbers goes together, in this cycle and in the one before.
-    pub(super) fn goes_together(&self) -> bool {
+    /// Whether what has been decided about numbers goes together, in this cycle and in the one before. What is unclear is
+    /// taken for granted.
+    pub(super) fn goes_together(&mut self) -> bool {
+        let links = &self.net.links;
+        let mut unclear = Vec::new();
+        let mut tries = std::mem::take(&mut self.tries);
+        let mut left = self.left;
         let (given, recorded) = self.knowledge();
-        self.net.links.allow(given) && self.net.links.allow(recorded)
+        let allowed = links.allow(given, &mut tries, &mut left, &mut unclear)
+            && links.allow(recorded, &mut tries, &mut left, &mut unclear);
+        self.work += (self.left - left) / PER_UNIT;
+        self.left = left;
+        self.tries = tries;
+        if allowed && !unclear.is_empty() {
+            self.late = true;
+            self.granted.extend(unclear.into_iter().map(|atom| (atom, Known::Unknown)));
+        }
+        allowed
     }
 }
+
+/// So much of what it costs to look for values is one unit of work.
+const PER_UNIT: u64 = 64;

@@ -15,6 +15,7 @@ mod actions;
 pub mod alone;
 mod clocks;
 mod compile;
+mod computed;
 mod cycle;
 mod formula;
 mod future;

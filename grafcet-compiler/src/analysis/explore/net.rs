@@ -100,6 +100,10 @@ pub(super) struct Net {
     pub(super) is_common: Vec<bool>,
     /// See [`unfollowed::atoms`].
     pub(super) unfollowed: Vec<bool>,
+    /// See [`unfollowed::bound`].
+    pub(super) bound: Vec<bool>,
+    /// See [`unfollowed::beside`].
+    pub(super) beside: Map<usize, Vec<usize>>,
     /// Times that have to be followed, where that is asked for.
     pub(super) clocks: Vec<Clock>,
     /// Steps and transitions with actions that write what is not followed.
@@ -152,8 +156,9 @@ impl Net {
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
         let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).list();
-        let links = Links::of(&atoms, &differences, &numbers);
-        let unfollowed = unfollowed::atoms(&atoms);
+        let links = Links::of(model, &atoms, &differences, &numbers);
+        let unfollowed = unfollowed::atoms(&atoms, &links);
+        let bound = unfollowed::bound(&atoms, &unfollowed);
         let count = atoms.len();
         let (unit_of, units) = units::of(model);
         let mut net = Self {
@@ -189,6 +194,8 @@ impl Net {
             is_edge_atom: vec![false; count],
             is_common: vec![false; count],
             unfollowed,
+            bound,
+            beside: Map::new(),
             clocks: Vec::new(),
             writes_more: unfollowed::writers(model, &slots),
             calm: (true, vec![true; units]),
@@ -206,6 +213,8 @@ impl Net {
         net.note_common();
         net.note_calm();
         net.clocks = clocks::of(&net);
+        let assumed: Vec<usize> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
+        net.beside = unfollowed::beside(&net.atoms, &net.unfollowed, &assumed);
         net
     }
 

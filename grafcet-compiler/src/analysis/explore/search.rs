@@ -6,6 +6,7 @@ use std::rc::Rc;
 
 use super::cycle;
 use super::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
+use super::knowledge::{Known, Learnt};
 use super::leaf::Leaf;
 use super::net::Net;
 use super::scene::{Scene, State, When};
@@ -252,7 +253,7 @@ impl<'n, 's> Search<'n, 's> {
             self.seen.enabled[*transition] = true;
         }
         cycle.granted.sort_unstable();
-        let demands = (self.thorough && !late).then(|| cycle.granted.clone().into_boxed_slice());
+        let demands = (self.thorough && !late).then(|| self.demands(&cycle).into_boxed_slice());
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
             self.graph.doubled.or_insert_with(step, doubled);
@@ -271,6 +272,16 @@ impl<'n, 's> Search<'n, 's> {
         let to = self.insert(next, Some(Origin { from, cycle }));
         self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: demands });
         to
+    }
+
+    /// What a cycle takes for granted, with what cannot be chosen whatever that is.
+    fn demands(&self, cycle: &Cycle) -> Learnt {
+        let net = self.scene.net;
+        let is_bound = |(atom, _): &&(usize, Known)| net.bound[*atom] && !net.unfollowed[*atom];
+        let mut demands = cycle.granted.clone();
+        demands.extend(cycle.given.iter().filter(is_bound));
+        demands.sort_unstable();
+        demands
     }
 
     /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and

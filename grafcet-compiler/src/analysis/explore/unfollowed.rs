@@ -1,14 +1,17 @@
 //! What is not followed from cycle to cycle, so that a way that relies on it may not exist.
 
 use super::formula::{Atom, Kind};
+use super::links::Links;
 use super::slots::Slots;
+use crate::analysis::Union;
 use crate::list::List;
 use crate::model::{Association, Binary, Effect, Model, Name, Read, Step, Tree};
 use crate::sorted::Map;
 
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
-/// not looked into, or on each other. Inputs can be anything in each cycle, and times count as unknown.
-pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
+/// not looked into, or on each other. Inputs can be anything in each cycle, and times count as unknown. Where numbers are
+/// computed of inputs, it is tried whether there are some.
+pub(super) fn atoms(atoms: &[Atom], links: &Links) -> Vec<bool> {
     let mut readers: Map<Name, usize> = Map::new();
     for atom in atoms {
         for name in names(&atom.what) {
@@ -16,7 +19,51 @@ pub(super) fn atoms(atoms: &[Atom]) -> Vec<bool> {
         }
     }
     let own = |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1);
-    atoms.iter().map(|atom| !is_free(atom) && !is_open(atom, &own)).list()
+    let is_open = |atom: &Atom| is_open(atom, &own);
+    let can_be = |(number, atom): (usize, &Atom)| {
+        if links.is_computed(number) { links.is_tried(number) } else { is_free(atom) || is_open(atom) }
+    };
+    atoms.iter().enumerate().map(|atom| !can_be(atom)).list()
+}
+
+/// Which atoms have to do with those that are `unfollowed`, because both read an input or a param, or through others: such an
+/// input cannot be chosen whatever they are.
+pub(super) fn bound(atoms: &[Atom], unfollowed: &[bool]) -> Vec<bool> {
+    let mut bound = unfollowed.to_vec();
+    if !bound.contains(&true) {
+        return bound;
+    }
+    let mut union = Union::new(atoms.len());
+    let mut reader: Map<Name, usize> = Map::new();
+    for (number, atom) in atoms.iter().enumerate() {
+        for name in names(&atom.what) {
+            if matches!(name, Name::Input(_) | Name::Param(_)) {
+                let first = *reader.or_insert_with(name, || number);
+                union.join(first, number);
+            }
+        }
+    }
+    let mut is_root = vec![false; atoms.len()];
+    for atom in (0..atoms.len()).filter(|atom| unfollowed[*atom]) {
+        is_root[union.root(atom)] = true;
+    }
+    for (atom, bound) in bound.iter_mut().enumerate() {
+        *bound |= is_root[union.root(atom)];
+    }
+    bound
+}
+
+/// The atoms that read an input which one of those `assumed` reads, too, of which nobody knows what it has to do with them;
+/// by that one.
+pub(super) fn beside(atoms: &[Atom], unfollowed: &[bool], assumed: &[usize]) -> Map<usize, Vec<usize>> {
+    let mut beside: Map<usize, Vec<usize>> = Map::new();
+    for atom in assumed.iter().filter(|atom| unfollowed[**atom]) {
+        let own = names(&atoms[*atom].what);
+        let shares = |name: &Name| own.contains(name);
+        let others = (0..atoms.len()).filter(|other| names(&atoms[*other].what).iter().any(shares));
+        beside.insert(*atom, others.list());
+    }
+    beside
 }
 
 /// An input, a param, a time, or something that is followed.

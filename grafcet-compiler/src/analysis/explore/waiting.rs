@@ -236,11 +236,13 @@ fn try_to_wait(scene: &mut Scene<'_>, group: &[usize], key: &Key, atoms: &[usize
     let mut trial = scene.trial.take().unwrap_or_else(|| Box::new(Scene::new(net, scene.unit)));
     let edge_atoms: Vec<usize> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().list();
     let mut ways: Vec<Vec<(usize, Known)>> = Vec::new();
+    let mut unclear = false;
     trial.tape.restart();
     loop {
         trial.resume(scene, &key.1, &key.2);
         let waits = !group.iter().any(|transition| trial.decide(&net.arcs[*transition].condition, When::Now));
         if waits && trial.goes_together() {
+            unclear |= trial.late;
             let (given, _) = trial.knowledge_of(&edge_atoms);
             if !ways.contains(&given) {
                 ways.push(given);
@@ -255,6 +257,7 @@ fn try_to_wait(scene: &mut Scene<'_>, group: &[usize], key: &Key, atoms: &[usize
     let known = |way: &Vec<(usize, Known)>| way.iter().all(|pair| key.1.contains(pair));
     match &ways[..] {
         [] => Wait::No,
+        _ if unclear => Wait::Unclear,
         ways if ways.iter().any(known) => Wait::With(Vec::new()),
         [way] => Wait::With(way.clone()),
         ways if covers(ways, &key.1) => Wait::With(Vec::new()),

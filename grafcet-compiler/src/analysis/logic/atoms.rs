@@ -3,7 +3,7 @@
 use super::formula::AtomId;
 use super::ranges::Ranges;
 use crate::analysis::differences::FAR;
-use crate::analysis::numbers::{domain, float};
+use crate::analysis::numbers::{domain, float, is_computed};
 use crate::model::{Model, Name, Read, TimeRef, Tree, Ty};
 use crate::sorted::Map;
 
@@ -30,6 +30,8 @@ pub(super) struct Atom {
     pub(super) is_loose: bool,
     /// A float, so that values are not numbers to be shown.
     pub(super) is_float: bool,
+    /// Arithmetic is in what it stands for.
+    pub(super) is_computed: bool,
 }
 
 /// The atoms of a chart, each once.
@@ -52,7 +54,7 @@ impl Atoms {
             return *known;
         }
         let is_loose = !matches!(tree, Tree::Read(_));
-        let atom = self.push(Key::Boolean(tree.clone()), Ranges::from_to(0, 1), is_loose, false);
+        let atom = self.push(Key::Boolean(tree.clone()), Ranges::from_to(0, 1), is_loose, false, false);
         self.booleans.insert(tree.clone(), atom);
         atom
     }
@@ -66,7 +68,8 @@ impl Atoms {
         // What is no number at all (NaN) lies beyond all of them.
         let (low, high) = if is_float { (-FAR, FAR + 1) } else { domain(model, tree).unwrap_or((-FAR, FAR)) };
         let is_loose = !matches!(tree, Tree::Read(_));
-        let atom = self.push(Key::Number(tree.clone()), Ranges::from_to(low, high), is_loose, is_float);
+        let computes = !is_float && is_computed(tree);
+        let atom = self.push(Key::Number(tree.clone()), Ranges::from_to(low, high), is_loose, is_float, computes);
         self.numbers.insert(tree.clone(), atom);
         atom
     }
@@ -78,7 +81,8 @@ impl Atoms {
         }
         let is_loose = a.is_opaque() || b.is_opaque();
         let domain = Ranges::from_to(-1, if total { 1 } else { 2 });
-        let atom = self.push(Key::Order(a.clone(), b.clone()), domain, is_loose, false);
+        let computes = total && (is_computed(a) || is_computed(b));
+        let atom = self.push(Key::Order(a.clone(), b.clone()), domain, is_loose, false, computes);
         self.orders.or_default(a.clone()).insert(b.clone(), atom);
         atom
     }
@@ -88,27 +92,35 @@ impl Atoms {
         if let Some(known) = self.before.get(&atom) {
             return *known;
         }
-        let Some(Atom { domain, is_loose, is_float, .. }) = self.get(atom).cloned() else { return atom };
-        let before = self.push(Key::Before(atom), domain, is_loose, is_float);
+        let Some(Atom { domain, is_loose, is_float, is_computed, .. }) = self.get(atom).cloned() else { return atom };
+        let before = self.push(Key::Before(atom), domain, is_loose, is_float, is_computed);
         self.before.insert(atom, before);
         before
     }
 
-    /// The values that an atom compares, in this cycle or in the one before.
+    /// The values that an atom compares, in this cycle or in the one before, and those that they are computed of.
     pub(super) fn compared(&self, atom: AtomId) -> Vec<(Tree, bool)> {
         let (key, before) = match self.get(atom).map(|atom| &atom.key) {
             Some(Key::Before(of)) => (self.get(*of).map(|atom| &atom.key), true),
             key => (key, false),
         };
-        match key {
-            Some(Key::Number(tree)) => vec![(tree.clone(), before)],
-            Some(Key::Order(a, b)) => vec![(a.clone(), before), (b.clone(), before)],
-            _ => Vec::new(),
+        let mut values = Vec::new();
+        let trees = match key {
+            Some(Key::Number(tree)) => [Some(tree), None],
+            Some(Key::Order(a, b)) => [Some(a), Some(b)],
+            _ => [None, None],
+        };
+        for tree in trees.into_iter().flatten() {
+            values.push((tree.clone(), before));
+            if is_computed(tree) {
+                tree.each_read(&mut |read| values.push((Tree::Read(read), before)));
+            }
         }
+        values
     }
 
-    fn push(&mut self, key: Key, domain: Ranges, is_loose: bool, is_float: bool) -> AtomId {
-        self.all.push(Atom { key, domain, is_loose, is_float });
+    fn push(&mut self, key: Key, domain: Ranges, is_loose: bool, is_float: bool, is_computed: bool) -> AtomId {
+        self.all.push(Atom { key, domain, is_loose, is_float, is_computed });
         // A chart with 2^32 atoms does not fit into a source file.
         AtomId::try_from(self.all.len() - 1).unwrap_or(AtomId::MAX)
     }

@@ -22,6 +22,12 @@ pub(super) struct Link {
     pub(super) in_actions: bool,
 }
 
+/// What holds of the atoms of a question.
+pub(super) struct Fact {
+    pub(super) formula: Rc<Formula>,
+    pub(super) is_assumed: bool,
+}
+
 /// The facts about single atoms, found once each, and the assumptions by atom.
 #[derive(Default)]
 pub(super) struct Links {
@@ -63,8 +69,8 @@ impl Links {
         atoms: &mut Atoms,
         asked: &mut Set<AtomId>,
         in_action: bool,
-    ) -> Vec<Rc<Formula>> {
-        let mut found = Vec::new();
+    ) -> Vec<Fact> {
+        let mut found: Vec<Fact> = Vec::new();
         let mut work: Vec<AtomId> = asked.iter().copied().list();
         while let Some(atom) = work.pop() {
             let assuming = self.has_assumptions();
@@ -73,11 +79,12 @@ impl Links {
                 links.extend(before(model, atoms, atom, assuming));
                 links
             });
-            let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| &link.formula);
+            let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| (&link.formula, false));
             let values = if assuming { atoms.compared(atom) } else { Vec::new() };
             let compared = values.iter().filter_map(|value| self.compared.get(value)).flatten();
-            for formula in own.chain(self.assumed.get(&atom).into_iter().flatten()).chain(compared) {
-                if found.iter().any(|known| Rc::ptr_eq(known, formula)) {
+            let assumed = self.assumed.get(&atom).into_iter().flatten().chain(compared).map(|formula| (formula, true));
+            for (formula, is_assumed) in own.chain(assumed) {
+                if found.iter().any(|known| Rc::ptr_eq(&known.formula, formula)) {
                     continue;
                 }
                 formula.each_atom(&mut |atom| {
@@ -85,11 +92,11 @@ impl Links {
                         work.push(atom);
                     }
                 });
-                found.push(Rc::clone(formula));
+                found.push(Fact { formula: Rc::clone(formula), is_assumed });
             }
         }
         let between = steps(model, concurrency, atoms, asked).into_iter().chain(delays(model, atoms, asked));
-        found.extend(between.map(Rc::new));
+        found.extend(between.map(|formula| Fact { formula: Rc::new(formula), is_assumed: false }));
         found
     }
 }

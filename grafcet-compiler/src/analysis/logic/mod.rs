@@ -20,12 +20,12 @@ pub(super) use witness::UNKNOWN;
 
 use std::cell::{Cell, RefCell};
 
-use self::atoms::{Atoms, Key};
+use self::atoms::{Atom, Atoms, Key};
 use self::formula::{AtomId, Formula};
-use self::links::Links;
+use self::links::{Fact, Links};
 use self::read::Reader;
 use self::solve::{Domains, Search, Undecided};
-use self::values::Values;
+use self::values::{Values, is_of_inputs};
 use super::Concurrency;
 use crate::list::List;
 use crate::model::{Model, Name, Read, Tree};
@@ -240,39 +240,48 @@ impl<'m> Logic<'m> {
                 }
             });
         }
-        let certain: Vec<(Formula, bool)> = match trust {
-            Trust::Any => Vec::new(),
-            Trust::Known => {
-                let loose = self.loose(&asked);
-                let certainly =
-                    |condition: &Condition, wanted| condition.formula.certainly(wanted, &|atom| loose.contains(&atom));
-                goals.iter().map(|(condition, wanted)| (certainly(condition, *wanted), *wanted)).list()
-            }
-        };
         let in_action = goals.iter().any(|(condition, _)| condition.in_action);
         let links = {
             let (mut links, mut atoms) = (self.links.borrow_mut(), self.atoms.borrow_mut());
             links.about(self.model, self.concurrency, &mut atoms, &mut asked, in_action)
         };
-        let mut all: Vec<(&Formula, bool)> = links.iter().map(|link| (&**link, true)).list();
-        match trust {
-            Trust::Any => all.extend(goals.iter().map(|(condition, wanted)| (&condition.formula, *wanted))),
-            Trust::Known => all.extend(certain.iter().map(|(formula, wanted)| (formula, *wanted))),
-        }
-        match self.solve(&asked, all) {
+        let goals = goals.iter().map(|(condition, wanted)| (&condition.formula, *wanted));
+        let all = links.iter().map(|link| (&*link.formula, true)).chain(goals.clone());
+        let found = if trust == Trust::Known {
+            let loose = self.loose(&asked);
+            // An assumption about what nobody knows may exclude whatever is found.
+            let is_assumed = |link: &&Fact| link.is_assumed;
+            let certain: Vec<(Formula, bool)> = links
+                .iter()
+                .filter(is_assumed)
+                .map(|link| (&*link.formula, true))
+                .chain(goals)
+                .map(|(formula, wanted)| (formula.certainly(wanted, &|atom| loose.contains(&atom)), wanted))
+                .list();
+            let all = links.iter().map(|link| (&*link.formula, true));
+            self.solve(&asked, all.chain(certain.iter().map(|(formula, wanted)| (formula, *wanted))).list(), true)
+        } else {
+            self.solve(&asked, all.list(), false)
+        };
+        match found {
             Err(Undecided) => Answer::Undecided,
             Ok(None) => Answer::Never,
             Ok(Some(found)) => Answer::Witness(text(&order, &found)),
         }
     }
 
-    fn solve(&self, asked: &Set<AtomId>, goals: Vec<(&Formula, bool)>) -> Result<Option<Domains>, Undecided> {
+    fn solve(
+        &self,
+        asked: &Set<AtomId>,
+        goals: Vec<(&Formula, bool)>,
+        sure: bool,
+    ) -> Result<Option<Domains>, Undecided> {
         let atoms = self.atoms.borrow();
         let domain = |id: &AtomId| atoms.get(*id).map(|atom| (*id, atom.domain.clone()));
         let domains: Map<_, _> = asked.iter().filter_map(domain).collect();
         let budget = QUESTION.min(self.budget.get()).checked_sub(PUT).ok_or(Undecided)?;
         let values = Values::of(self.model, &atoms, asked);
-        let mut search = Search { budget, values: values.as_ref() };
+        let mut search = Search { budget, values: values.as_ref(), sure };
         let found = search.solve(domains, goals);
         self.budget.set(self.budget.get() - PUT - (budget - search.budget));
         found
@@ -306,7 +315,15 @@ impl<'m> Logic<'m> {
             let own = reads(id);
             asked.iter().any(|other| other != id && reads(other).iter().any(|read| own.contains(read)))
         };
-        let is_loose = |id: &&AtomId| atoms.get(**id).is_none_or(|atom| atom.is_loose || is_open(id) && shared(id));
+        // What is computed of inputs is tried.
+        let is_tried = |atom: &Atom| match &atom.key {
+            Key::Number(tree) => atom.is_computed && is_of_inputs(self.model, &[tree]),
+            Key::Order(a, b) => atom.is_computed && is_of_inputs(self.model, &[a, b]),
+            _ => false,
+        };
+        let is_loose = |id: &&AtomId| {
+            atoms.get(**id).is_none_or(|atom| (atom.is_loose || is_open(id) && shared(id)) && !is_tried(atom))
+        };
         asked.iter().filter(is_loose).copied().collect()
     }
 }

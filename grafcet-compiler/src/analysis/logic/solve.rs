@@ -24,6 +24,8 @@ pub(super) struct Search<'v> {
     pub(super) budget: u32,
     /// What atoms say of values that are compared with each other.
     pub(super) values: Option<&'v Values>,
+    /// What is found has to be so for certain.
+    pub(super) sure: bool,
 }
 
 /// The budget does not suffice.

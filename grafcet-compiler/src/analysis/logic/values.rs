@@ -6,7 +6,8 @@ use super::ranges::Ranges;
 use super::solve::{Domains, Search, Undecided};
 use crate::analysis::differences::{Differences, FAR};
 use crate::analysis::numbers::{float, range};
-use crate::model::{Model, Tree};
+use crate::analysis::terms::{Demands, Terms, Told, integer};
+use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::{Map, Set};
 
 /// How two floats compare of which one is no number.
@@ -15,8 +16,18 @@ const NONE: i128 = 2;
 /// The values that comparisons of one question with each other are about.
 #[derive(Default)]
 pub(super) struct Values {
-    values: Vec<Value>,
+    compared: Vec<Value>,
     /// The atom, and which two values it compares.
+    orders: Vec<(AtomId, usize, usize)>,
+    computed: Option<Computed>,
+}
+
+/// The integers of a question, where some are computed of others.
+#[derive(Default)]
+struct Computed {
+    terms: Terms,
+    /// What is compared with constants, and booleans that are computed with.
+    numbers: Vec<(AtomId, usize)>,
     orders: Vec<(AtomId, usize, usize)>,
 }
 
@@ -41,20 +52,23 @@ impl Values {
                         _ if float(model, tree).is_some() => (-FAR, FAR + 1),
                         _ => range(model, tree).unwrap_or((-FAR, FAR)),
                     };
-                    all.values.push(Value { number: None, range: limits });
-                    all.values.len() - 1
+                    all.compared.push(Value { number: None, range: limits });
+                    all.compared.len() - 1
                 })
             };
             let (a, b) = (value(a), value(b));
             all.orders.push((id, a, b));
         }
-        if all.orders.is_empty() {
+        if keys(atoms, asked).any(|(id, ..)| atoms.get(id).is_some_and(|atom| atom.is_computed)) {
+            all.computed = Some(Computed::of(model, atoms, asked));
+        }
+        if all.orders.is_empty() && all.computed.is_none() {
             return None;
         }
         for (id, key, before) in keys(atoms, asked) {
             if let Key::Number(tree) = key {
                 if let Some(value) = known.get(&(tree, before)) {
-                    all.values[*value].number = Some(id);
+                    all.compared[*value].number = Some(id);
                 }
             }
         }
@@ -62,15 +76,15 @@ impl Values {
     }
 
     fn range(&self, value: usize, domains: &Domains) -> (i128, i128) {
-        let Value { number, range } = &self.values[value];
+        let Value { number, range } = &self.compared[value];
         let hull = number.and_then(|atom| domains.get(&atom)?.hull());
         hull.unwrap_or(*range)
     }
 
     /// What the intervals demand of the values; none if there are no such floats. No domain has a gap.
     fn demands(&self, domains: &Domains) -> Option<Differences> {
-        let mut demands = Differences::new(self.values.len());
-        let mut is_number = vec![false; self.values.len()];
+        let mut demands = Differences::new(self.compared.len());
+        let mut is_number = vec![false; self.compared.len()];
         let mut unordered = Vec::new();
         for (atom, a, b) in &self.orders {
             let Some((low, high)) = domains.get(atom).and_then(Ranges::hull) else { continue };
@@ -101,8 +115,9 @@ impl Values {
     /// The first domain with a gap, interval by interval. Whether two floats compare at all is told apart, too.
     fn gap(&self, domains: &Domains) -> Option<(AtomId, Vec<Ranges>)> {
         let orders = self.orders.iter().map(|(atom, ..)| (*atom, true));
-        let numbers = self.values.iter().filter_map(|value| Some((value.number?, false)));
-        orders.chain(numbers).find_map(|(atom, is_order)| {
+        let numbers = self.compared.iter().filter_map(|value| Some((value.number?, false)));
+        let computed = self.computed.iter().flat_map(|computed| &computed.numbers).map(|(atom, _)| (*atom, false));
+        orders.chain(numbers).chain(computed).find_map(|(atom, is_order)| {
             let domain = domains.get(&atom)?;
             let mut parts = domain.parts();
             let (low, high) = domain.hull()?;
@@ -119,7 +134,7 @@ impl Values {
 
     /// Narrows the domains of numbers to values that go together, each as near to zero as it can be.
     fn choose(&self, domains: &mut Domains, mut demands: Differences) {
-        for (index, value) in self.values.iter().enumerate() {
+        for (index, value) in self.compared.iter().enumerate() {
             let Some(domain) = value.number.and_then(|atom| domains.get_mut(&atom)) else { continue };
             if domain.hull().is_none_or(|(low, _)| low > FAR) {
                 continue;
@@ -130,6 +145,68 @@ impl Values {
             if let Some(near) = domain.example() {
                 *domain = Ranges::from_to(near, near);
                 demands.within(index + 1, 0, (near, near));
+            }
+        }
+    }
+}
+
+/// So much of what it costs to look for values is one unit.
+const PER_UNIT: u64 = 16;
+
+/// Whether a value is computed of inputs alone, in a way that is understood.
+pub(super) fn is_of_inputs(model: &Model, trees: &[&Tree]) -> bool {
+    let mut terms = Terms::default();
+    let ty = trees.iter().find_map(|tree| integer(model, tree));
+    for tree in trees {
+        terms.add(model, tree, ty, false);
+    }
+    terms.leaves().all(|(tree, _)| matches!(tree, Tree::Read(Read::Name(Name::Input(_)))))
+}
+
+impl Computed {
+    fn of(model: &Model, atoms: &Atoms, asked: &Set<AtomId>) -> Self {
+        let mut all = Self::default();
+        for (id, key, before) in keys(atoms, asked) {
+            match key {
+                Key::Number(tree) if float(model, tree).is_none() => {
+                    let term = all.terms.add(model, tree, None, before);
+                    all.numbers.push((id, term));
+                }
+                Key::Order(a, b) if float(model, a).is_none() && float(model, b).is_none() => {
+                    let ty = integer(model, a).or_else(|| integer(model, b));
+                    let [a, b] = [a, b].map(|tree| all.terms.add(model, tree, ty, before));
+                    all.orders.push((id, a, b));
+                }
+                _ => {}
+            }
+        }
+        for (id, key, before) in keys(atoms, asked) {
+            if let Key::Boolean(tree) = key {
+                all.numbers.extend(all.terms.of(tree, before).map(|term| (id, term)));
+            }
+        }
+        all
+    }
+
+    fn demands(&self, domains: &Domains) -> Demands {
+        let mut demands = Demands::default();
+        let hull = |atom: &AtomId| domains.get(atom).and_then(Ranges::hull);
+        for (atom, term) in &self.numbers {
+            demands.spans.extend(hull(atom).map(|span| (*term, span)));
+        }
+        for (atom, a, b) in &self.orders {
+            let Some((low, high)) = hull(atom) else { continue };
+            let span = (if low < 0 { -FAR } else { low }, if high > 0 { FAR } else { high });
+            demands.differences.push((*a, *b, span));
+        }
+        demands
+    }
+
+    /// Narrows the domains of numbers to values that were found.
+    fn choose(&self, domains: &mut Domains, found: &[i128]) {
+        for (atom, term) in &self.numbers {
+            if let Some(domain) = domains.get_mut(atom) {
+                *domain = Ranges::from_to(found[*term], found[*term]);
             }
         }
     }
@@ -148,11 +225,23 @@ impl Search<'_> {
     pub(super) fn settle(&mut self, mut domains: Domains, depth: u32) -> Result<Option<Domains>, Undecided> {
         let Some(values) = self.values else { return Ok(Some(domains)) };
         let Some(demands) = values.demands(&domains) else { return Ok(None) };
-        self.pay(demands.len() * (values.values.len() + 1))?;
+        self.pay(demands.len() * (values.compared.len() + 1))?;
         if !demands.is_possible() {
             return Ok(None);
         }
         let Some((atom, parts)) = values.gap(&domains) else {
+            if let Some(computed) = &values.computed {
+                let mut left = u64::from(self.budget / 2) * PER_UNIT;
+                let before = left;
+                let told = computed.terms.told(&computed.demands(&domains), &mut left);
+                self.pay(usize::try_from((before - left) / PER_UNIT).unwrap_or(usize::MAX))?;
+                match told {
+                    Told::Impossible => return Ok(None),
+                    Told::Possible(found) => computed.choose(&mut domains, &found),
+                    Told::Unclear if self.sure => return Err(Undecided),
+                    Told::Unclear => {}
+                }
+            }
             values.choose(&mut domains, demands);
             return Ok(Some(domains));
         };

@@ -25,8 +25,11 @@ pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>)
     let broken = lower.resolver.sink.count() > before;
     let (reads, places, text) = (lower.reads, lower.places, super::text::of(expr));
     // An expression with a mistake equals only its own text.
-    let tree =
-        if broken { Tree::Opaque { text: text.clone(), reads: reads.clone(), call: None, whole: false } } else { tree };
+    let tree = if broken {
+        Tree::Opaque { text: text.clone(), reads: reads.clone(), call: None, whole: false, of: None }
+    } else {
+        tree
+    };
     (Expr { tree, tokens, reads, text, mark: Mark::of(expr) }, places)
 }
 
@@ -39,7 +42,7 @@ pub(super) fn resolve_condition(expr: &syn::Expr, resolver: &mut Resolver<'_>) -
     resolver.alone.truncate(alone);
     if broken {
         let (text, reads) = (condition.text.clone(), condition.reads.clone());
-        condition.tree = Tree::Opaque { text, reads, call: None, whole: false };
+        condition.tree = Tree::Opaque { text, reads, call: None, whole: false, of: None };
     }
     condition
 }
@@ -164,7 +167,7 @@ impl<'r, 's> Lower<'r, 's> {
         }
         match self.resolver.scope.get(&name) {
             _ if self.locals.contains(&name) => {
-                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false }
+                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false, of: None }
             }
             Some(Meaning::Let(id)) => self.put_in_place(expr, &name, id),
             Some(Meaning::Value(value)) if self.resolver.is_later(&name, value) => Tree::Bool(true),
@@ -189,7 +192,7 @@ impl<'r, 's> Lower<'r, 's> {
                 Tree::Bool(true)
             }
             _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => {
-                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false }
+                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false, of: None }
             }
             _ => {
                 self.resolver.scope.unknown_name(&name, &format!("input {name}: bool;"), self.resolver.sink);
@@ -340,7 +343,9 @@ impl<'r, 's> Lower<'r, 's> {
         let syn::Expr::Lit(lit) = &*expr else { return self.opaque(expr) };
         match self.resolver.literal_time(&lit.lit) {
             Some(ticks) => self.replace(expr, Read::Ticks(ticks)),
-            None => Tree::Opaque { text: super::text::of(&*expr), reads: Vec::new(), call: None, whole: false },
+            None => {
+                Tree::Opaque { text: super::text::of(&*expr), reads: Vec::new(), call: None, whole: false, of: None }
+            }
         }
     }
 }

@@ -17,12 +17,21 @@ impl Lower<'_, '_> {
         let is_constant = matches!(expr, syn::Expr::Const(_));
         let around = self.differs;
         let is_whole = self.is_whole(expr);
-        match self.rust(text, differs, |lower| visit::inside(lower, expr)) {
+        let mut computed = None;
+        let walk = |lower: &mut Self| {
+            computed = lower.computed(expr);
+            if computed.is_none() {
+                visit::inside(lower, expr);
+            }
+        };
+        match self.rust(text, differs, walk) {
             Tree::Opaque { text, reads, .. } if is_constant => {
                 self.differs = around;
-                Tree::Opaque { text, reads, call: None, whole: false }
+                Tree::Opaque { text, reads, call: None, whole: false, of: None }
             }
-            Tree::Opaque { text, reads, call, .. } => Tree::Opaque { text, reads, call, whole: is_whole },
+            Tree::Opaque { text, reads, call, .. } => {
+                Tree::Opaque { text, reads, call, whole: is_whole, of: computed.filter(|_| is_whole).map(Box::new) }
+            }
             tree => tree,
         }
     }
@@ -38,7 +47,7 @@ impl Lower<'_, '_> {
             self.note(*read);
         }
         let call = self.evaluation(differs);
-        Tree::Opaque { text, reads, call, whole: false }
+        Tree::Opaque { text, reads, call, whole: false, of: None }
     }
 
     /// Inside a macro call there are only tokens: declared names are noted, step variables replaced.

@@ -7,6 +7,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprMethodCall, Lit, UnOp};
 
 use super::Resolver;
+use super::computed::made_from;
 use super::declare::Where;
 use super::expr::{Lower, step_path};
 use super::scope::Meaning;
@@ -141,7 +142,13 @@ impl Lower<'_, '_> {
         let is_number = |expr| matches!(self.value_of(expr), Value::Of(Kind::Number));
         match expr {
             Expr::Paren(inner) => self.is_whole(&inner.expr),
+            Expr::Group(inner) => self.is_whole(&inner.expr),
+            Expr::Lit(literal) => matches!(&literal.lit, Lit::Int(_) | Lit::Bool(_) | Lit::Char(_) | Lit::Byte(_)),
+            Expr::Unary(unary) => matches!(unary.op, UnOp::Not(_) | UnOp::Neg(_)) && self.is_whole(&unary.expr),
+            Expr::Binary(binary) => self.is_whole(&binary.left) && self.is_whole(&binary.right),
             Expr::Cast(cast) => is_number(expr) && !mentions_float(&*cast.ty),
+            Expr::Call(call) => made_from(&call.func).is_some(),
+            Expr::MethodCall(call) if self.is_time(&call.receiver) => call.method == "get",
             Expr::MethodCall(call) => {
                 let counts = matches!(self.value_of(&call.receiver), Value::Of(Kind::List(_)) | Value::Iterator);
                 is_number(expr) && (counts || self.is_whole(&call.receiver))
@@ -156,6 +163,11 @@ impl Lower<'_, '_> {
             }
             _ => false,
         }
+    }
+
+    /// Whether it is a time, so that its methods are those of times.
+    pub(super) fn is_time(&self, expr: &Expr) -> bool {
+        matches!(self.value_of(expr), Value::Of(Kind::Time))
     }
 
     /// The number of this evaluation of a call, where it may have a value of its own.

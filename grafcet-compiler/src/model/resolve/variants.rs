@@ -74,7 +74,9 @@ impl Lower<'_, '_> {
         }
         // A number that the user wrote is none of ours.
         match other {
-            Tree::Int(_) => Tree::Opaque { text: text::of(written), reads: Vec::new(), call: None, whole: false },
+            Tree::Int(_) => {
+                Tree::Opaque { text: text::of(written), reads: Vec::new(), call: None, whole: false, of: None }
+            }
             other => other,
         }
     }

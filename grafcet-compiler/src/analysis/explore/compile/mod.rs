@@ -150,7 +150,7 @@ impl<'m> Compiler<'m> {
     /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
     pub(super) fn time_of(&mut self, qualifier: Qualifier, place: Place) -> Formula {
         let text = format!("{} {}", format!("{qualifier:?}").to_uppercase(), self.model.place_name(place));
-        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new(), call: None, whole: false });
+        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new(), call: None, whole: false, of: None });
         if let Formula::Is(atom) = time {
             self.atoms[atom].is_time = true;
         }

@@ -4,22 +4,27 @@ use super::Compiler;
 use crate::analysis::differences::FAR;
 use crate::analysis::explore::formula::{Formula, Kind};
 use crate::analysis::explore::links::{Difference, Operand};
-use crate::analysis::numbers::{constant, domain, float, float_constant, is_arithmetic, range};
+use crate::analysis::numbers::{Sort, common, constant, domain, float_constant, is_arithmetic, range};
 use crate::model::{Binary, Id, Name, Read, Tree};
 
+/// The position of the infinite among all floats.
+const INFINITE: i128 = 0x7FF0_0000_0000_0000;
+
 impl Compiler<'_> {
-    /// A comparison of a float with a literal: its position among all floats is the number. What is no number at all
-    /// (NaN) lies beyond all of them, and only `!=` holds of it.
+    /// A comparison of a float with a literal or with another: its position among all floats is the number. What is no
+    /// number at all (NaN) lies beyond all of them, and only `!=` holds of it.
     pub(super) fn float_comparison(&mut self, operator: Binary, a: &Tree, b: &Tree) -> Option<Formula> {
-        let float = float(self.model, a).or_else(|| float(self.model, b))?;
+        let Some(Sort::Float(float)) = common(self.model, a, b) else { return None };
         let flipped = flipped(operator)?;
-        let (value, operator, bound) = match (float_constant(a, float), float_constant(b, float)) {
-            (None, Some(bound)) => (a, operator, bound),
-            (Some(bound), None) => (b, flipped, bound),
-            _ => return None,
+        let (atom, operator, bound) = match (float_constant(a, float), float_constant(b, float)) {
+            (None, Some(bound)) => (self.float(a), operator, bound),
+            (Some(bound), None) => (self.float(b), flipped, bound),
+            (None, None) => {
+                let ((a, b), operator) = if a <= b { ((a, b), operator) } else { ((b, a), flipped) };
+                (self.difference(a, b, true), operator, 0)
+            }
+            (Some(a), Some(b)) => return Some(Formula::Const(compare(operator, a, b))),
         };
-        self.approximate |= !matches!(value, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
-        let atom = self.atom(value, Kind::Number(-FAR, FAR + 1));
         let below = |bound| Formula::Below(atom, bound);
         Some(match operator {
             Binary::Eq => Formula::Equals(atom, bound),
@@ -29,6 +34,12 @@ impl Compiler<'_> {
             Binary::Gt => below(bound + 1).negate().and(below(FAR + 1)),
             _ => below(bound).negate().and(below(FAR + 1)),
         })
+    }
+
+    /// The atom of a float.
+    fn float(&mut self, tree: &Tree) -> usize {
+        self.approximate |= !matches!(tree, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
+        self.atom(tree, Kind::Number(-FAR, FAR + 1))
     }
 
     /// A comparison of a number with a constant, or of two numbers, of which it matters how far one lies above the other.
@@ -46,7 +57,7 @@ impl Compiler<'_> {
                     return Some(Formula::Const(compare(operator, 0, 0)));
                 }
                 let ((a, b), operator) = if a <= b { ((a, b), operator) } else { ((b, a), flipped) };
-                (self.difference(a, b), operator, 0)
+                (self.difference(a, b, false), operator, 0)
             }
         };
         let below = |bound| Formula::Below(number, bound);
@@ -88,7 +99,7 @@ impl Compiler<'_> {
     }
 
     /// How far one number lies above another. What a time is compared with is compared with zero where the time is.
-    fn difference(&mut self, a: &Tree, b: &Tree) -> usize {
+    fn difference(&mut self, a: &Tree, b: &Tree, is_float: bool) -> usize {
         let pair = (a.clone(), b.clone());
         if let Some(known) = self.differences_of.get(&pair) {
             return *known;
@@ -103,12 +114,14 @@ impl Compiler<'_> {
         let is_plain = |tree: &Tree| matches!(tree, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
         self.approximate |= !is_plain(a) || !is_plain(b);
         let what = Tree::Binary(Binary::Lt, Box::new(a.clone()), Box::new(b.clone()));
-        let atom = self.atom(&what, Kind::Number(i128::MIN, i128::MAX));
+        let limits = if is_float { (-FAR, FAR + 1) } else { (i128::MIN, i128::MAX) };
+        let atom = self.atom(&what, Kind::Number(limits.0, limits.1));
         let operand = |tree: &Tree| {
-            let limits = (i128::MIN, i128::MAX);
+            // No float lies beyond what is infinite; one that is none is told apart.
+            let limits = if is_float { (-INFINITE, INFINITE) } else { limits };
             Operand { tree: tree.clone(), range: range(self.model, tree).unwrap_or(limits) }
         };
-        let difference = Difference { atom, a: operand(a), b: operand(b) };
+        let difference = Difference { atom, a: operand(a), b: operand(b), is_float };
         self.differences.push(difference);
         self.differences_of.insert(pair, atom);
         atom

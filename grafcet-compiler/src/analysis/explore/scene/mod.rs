@@ -7,8 +7,10 @@ mod values;
 use crate::list::List;
 use std::rc::Rc;
 
+use super::computed;
 use super::formula::Kind;
 use super::knowledge::{Knowledge, Known, Learnt, Tape};
+use super::links::Tries;
 use super::net::Net;
 use super::slots::Bit;
 use super::waiting::{Groups, Waits};
@@ -94,6 +96,9 @@ pub(super) struct Scene<'n> {
     pub(super) waits: Waits,
     /// For trying out whether transitions can wait.
     pub(super) trial: Option<Box<Scene<'n>>>,
+    /// Whether there are numbers as they were decided, where some are computed; and what may still be tried.
+    pub(super) tries: Tries,
+    pub(super) left: u64,
     /// Units of work done.
     pub(super) work: u64,
 }
@@ -129,6 +134,8 @@ impl<'n> Scene<'n> {
             have_met: Vec::new(),
             waits: Waits::new(),
             trial: None,
+            tries: Tries::new(),
+            left: computed::ALL,
             work: 0,
         }
     }

@@ -27,7 +27,8 @@ impl Scene<'_> {
         match formula {
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
                 let known = |atom: &usize| knowledge.get(*atom) != Known::Unknown;
-                known(atom) || self.net.links.with(*atom).iter().any(known)
+                let beside = self.net.beside.get(atom).map_or(&[][..], Vec::as_slice);
+                known(atom) || self.net.links.with(*atom).iter().chain(beside).any(known)
             }
             Formula::Not(inner) => self.touches(inner, when),
             Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
