@@ -8,6 +8,9 @@ use crate::project::cargo;
 /// # Errors
 /// A chart does not do what it should: a neighbour does not compile, or a chart with a mistake does.
 pub(crate) fn run() -> Result {
-    run_command(cargo(&["test", "--package", "grafcet", "--test", "golden", "--test", "pictures"]).env("BLESS", "1"))?;
+    run_command(
+        cargo(&["test", "--package", "grafcet", "--test", "golden", "--test", "shapes", "--test", "pictures"])
+            .env("BLESS", "1"),
+    )?;
     run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))
 }

@@ -1,0 +1,100 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Fill {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(&mut self, inputs: &FillInputs) -> FillOutputs {
+        let mut outputs = FillOutputs {
+            valve: false,
+            pump: false,
+        };
+        let before_0 = self.region_0;
+        let before_1 = self.region_1;
+        let mut after_0 = before_0;
+        let mut after_1 = before_1;
+        if before_0 == __FillRegion0::INIT {
+            after_0 = __FillRegion0::Wait;
+            after_1 = __FillRegion1::NONE;
+        } else {
+            let mut left_2 = false;
+            let mut left_4 = false;
+            if (before_0 == __FillRegion0::Open) && !left_2 && inputs.stop {
+                left_2 = true;
+                after_0 = __FillRegion0::Stopped;
+            }
+            if (before_1 == __FillRegion1::Running) && !left_4 && inputs.stop {
+                left_4 = true;
+                after_1 = __FillRegion1::NONE;
+                after_0 = __FillRegion0::Stopped;
+            }
+            if (before_0 == __FillRegion0::Open) && (before_1 == __FillRegion1::Running)
+                && !left_2 && !left_4 && true
+            {
+                left_2 = true;
+                left_4 = true;
+                after_1 = __FillRegion1::NONE;
+                after_0 = __FillRegion0::Wait;
+            }
+            match before_0 {
+                __FillRegion0::Wait => {
+                    if inputs.stop {
+                        after_0 = __FillRegion0::Stopped;
+                    } else if inputs.start {
+                        after_0 = __FillRegion0::Valve;
+                        after_1 = __FillRegion1::Pump;
+                    } else {}
+                }
+                __FillRegion0::Valve => {
+                    if inputs.stop {
+                        after_0 = __FillRegion0::Stopped;
+                    } else if inputs.full {
+                        after_0 = __FillRegion0::Open;
+                    } else {}
+                }
+                __FillRegion0::Stopped => {
+                    if {
+                        let stop = inputs.stop;
+                        let active_0 = before_0 == __FillRegion0::Wait;
+                        let active_1 = before_0 == __FillRegion0::Valve;
+                        let active_2 = before_0 == __FillRegion0::Open;
+                        let active_3 = before_1 == __FillRegion1::Pump;
+                        let active_4 = before_1 == __FillRegion1::Running;
+                        (!stop)
+                            && (!(stop
+                                && (active_0 || active_1
+                                    || (active_2 || (active_3 || active_4)))))
+                    } {
+                        after_0 = __FillRegion0::Wait;
+                    }
+                }
+                _ => {}
+            }
+            match before_1 {
+                __FillRegion1::Pump => {
+                    if inputs.stop {
+                        after_1 = __FillRegion1::NONE;
+                        after_0 = __FillRegion0::Stopped;
+                    } else if inputs.full {
+                        after_1 = __FillRegion1::Running;
+                    } else {}
+                }
+                _ => {}
+            }
+        }
+        self.region_0 = after_0;
+        self.region_1 = after_1;
+        match after_0 {
+            __FillRegion0::Valve => {
+                outputs.valve = true;
+            }
+            _ => {}
+        }
+        match after_1 {
+            __FillRegion1::Pump => {
+                outputs.pump = true;
+            }
+            _ => {}
+        }
+        outputs
+    }
+}

@@ -1,0 +1,73 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Presses {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(&mut self, inputs: &PressesInputs) -> PressesOutputs {
+        let mut outputs = PressesOutputs {
+            left: false,
+            right: false,
+        };
+        match self.region_0 {
+            __PressesRegion0::Wait => {
+                if inputs.start {
+                    self.region_0 = __PressesRegion0::Left;
+                    self.region_1 = __PressesRegion1::Right;
+                }
+            }
+            __PressesRegion0::INIT => {
+                self.region_0 = __PressesRegion0::Wait;
+            }
+            _ => {
+                if self.region_0 == __PressesRegion0::LeftReady
+                    && self.region_1 == __PressesRegion1::RightReady
+                {
+                    self.region_1 = __PressesRegion1::NONE;
+                    self.region_0 = __PressesRegion0::Wait;
+                } else {
+                    self.region_0 = match self.region_0 {
+                        __PressesRegion0::Left => {
+                            if inputs.left_done {
+                                __PressesRegion0::LeftReady
+                            } else {
+                                __PressesRegion0::Left
+                            }
+                        }
+                        waiting => waiting,
+                    };
+                    self.region_1 = match self.region_1 {
+                        __PressesRegion1::Right => {
+                            if inputs.right_done {
+                                __PressesRegion1::RightReady
+                            } else {
+                                __PressesRegion1::Right
+                            }
+                        }
+                        waiting => waiting,
+                    };
+                }
+            }
+        }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        match self.region_0 {
+            __PressesRegion0::Wait => {}
+            _ => {
+                match self.region_0 {
+                    __PressesRegion0::Left => {
+                        outputs.left = true;
+                    }
+                    _ => {}
+                }
+                match self.region_1 {
+                    __PressesRegion1::Right => {
+                        outputs.right = true;
+                    }
+                    _ => {}
+                }
+            }
+        }
+        outputs
+    }
+}

@@ -1,0 +1,25 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Lamp {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
+        let mut outputs = LampOutputs { lamp: false };
+        'search: {
+            let before = self.situation;
+            let after = match before {
+                __LampState::Off => {
+                    if inputs.on { __LampState::On } else { break 'search }
+                }
+                __LampState::On => {
+                    if !inputs.on { __LampState::Off } else { break 'search }
+                }
+            };
+            self.situation = after;
+        }
+        let after = self.situation;
+        let in_second = after == __LampState::On;
+        outputs.lamp |= in_second;
+        outputs
+    }
+}
