@@ -79,8 +79,8 @@ pub(super) const FAULTS: [Fault; 16] = [
     Fault {
         name: "an edge of an input is seen by every evolution of a search (A2)",
         file: CODE_TIME,
-        right: "into_iter().map(|local| quote!(#local = false;)).collect()",
-        wrong: "into_iter().map(|_| TokenStream::new()).collect()",
+        right: "into_iter().map(|local| quote!(#local = false;)).tokens()",
+        wrong: "into_iter().map(|_| TokenStream::new()).tokens()",
     },
     Fault {
         name: "the last branch has priority",
