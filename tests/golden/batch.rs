@@ -64,8 +64,7 @@ impl ::grafcet::__private::core::default::Default for BatchOutputs {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum BatchStep {
     ///Step `Idle`.
@@ -84,12 +83,21 @@ impl BatchStep {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::Idle => "Idle",
-            Self::Fill => "Fill",
-            Self::Heat => "Heat",
-            Self::Stir => "Stir",
-            Self::Drain => "Drain",
+            BatchStep::Idle => "Idle",
+            BatchStep::Fill => "Fill",
+            BatchStep::Heat => "Heat",
+            BatchStep::Stir => "Stir",
+            BatchStep::Drain => "Drain",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for BatchStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for BatchStep {
@@ -108,8 +116,7 @@ impl ::grafcet::__private::core::fmt::Display for BatchStep {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum BatchTransition {
     ///`Idle -[rising(start)]-> (Fill, Heat)`
@@ -126,11 +133,20 @@ impl BatchTransition {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::IdleToFillAndHeat => "IdleToFillAndHeat",
-            Self::FillAndHeatToStir => "FillAndHeatToStir",
-            Self::StirToDrain => "StirToDrain",
-            Self::DrainToIdle => "DrainToIdle",
+            BatchTransition::IdleToFillAndHeat => "IdleToFillAndHeat",
+            BatchTransition::FillAndHeatToStir => "FillAndHeatToStir",
+            BatchTransition::StirToDrain => "StirToDrain",
+            BatchTransition::DrainToIdle => "DrainToIdle",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for BatchTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for BatchTransition {
@@ -186,8 +202,7 @@ pub trait BatchActions {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 enum __BatchRegion0 {
@@ -198,17 +213,47 @@ enum __BatchRegion0 {
     NONE,
     INIT,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __BatchRegion0 {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &[
+            "Idle",
+            "Fill",
+            "Stir",
+            "Drain",
+            "NONE",
+            "INIT",
+        ];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
+}
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 enum __BatchRegion1 {
     Heat,
     NONE,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __BatchRegion1 {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &["Heat", "NONE"];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
 }
 ///The chart `Batch`.
 #[cfg_attr(
@@ -331,13 +376,11 @@ impl ::grafcet::__private::core::fmt::Display for BatchSituation {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        ::grafcet::__private::situation::write(
-            self,
-            <Batch as ::grafcet::__private::Chart>::STEPS
-                .iter()
-                .map(|step| (*step).name()),
-            f,
-        )
+        let names = ::grafcet::__private::core::iter::Iterator::map(
+            <Batch as ::grafcet::__private::Chart>::STEPS.iter(),
+            |step| (*step).name(),
+        );
+        ::grafcet::__private::situation::write(self, names, f)
     }
 }
 impl Batch {

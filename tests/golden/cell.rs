@@ -61,8 +61,7 @@ pub struct CellOutputs {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum CellStep {
     ///Step `Ready`.
@@ -89,16 +88,25 @@ impl CellStep {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::Ready => "Ready",
-            Self::Stopped => "Stopped",
-            Self::Restart => "Restart",
-            Self::Idle => "Idle",
-            Self::Feed => "Feed",
-            Self::Close => "Close",
-            Self::Open => "Open",
-            Self::Auto => "Auto",
-            Self::Count => "Count",
+            CellStep::Ready => "Ready",
+            CellStep::Stopped => "Stopped",
+            CellStep::Restart => "Restart",
+            CellStep::Idle => "Idle",
+            CellStep::Feed => "Feed",
+            CellStep::Close => "Close",
+            CellStep::Open => "Open",
+            CellStep::Auto => "Auto",
+            CellStep::Count => "Count",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for CellStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for CellStep {
@@ -117,8 +125,7 @@ impl ::grafcet::__private::core::fmt::Display for CellStep {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum CellTransition {
     ///`Ready -[estop]-> Stopped`
@@ -145,16 +152,25 @@ impl CellTransition {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::ReadyToStopped => "ReadyToStopped",
-            Self::StoppedToRestart => "StoppedToRestart",
-            Self::RestartToReady => "RestartToReady",
-            Self::CloseToOpen => "CloseToOpen",
-            Self::IdleToFeed => "IdleToFeed",
-            Self::FeedToClose => "FeedToClose",
-            Self::OpenToIdle => "OpenToIdle",
-            Self::IdleToAuto => "IdleToAuto",
-            Self::AutoToIdle => "AutoToIdle",
+            CellTransition::ReadyToStopped => "ReadyToStopped",
+            CellTransition::StoppedToRestart => "StoppedToRestart",
+            CellTransition::RestartToReady => "RestartToReady",
+            CellTransition::CloseToOpen => "CloseToOpen",
+            CellTransition::IdleToFeed => "IdleToFeed",
+            CellTransition::FeedToClose => "FeedToClose",
+            CellTransition::OpenToIdle => "OpenToIdle",
+            CellTransition::IdleToAuto => "IdleToAuto",
+            CellTransition::AutoToIdle => "AutoToIdle",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for CellTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for CellTransition {
@@ -169,14 +185,25 @@ impl ::grafcet::__private::core::fmt::Display for CellTransition {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 enum __CellRegion0 {
     Ready,
     Stopped,
     Restart,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &["Ready", "Stopped", "Restart"];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
 }
 /// A state, and above it the mark of a search that did not become stable.
 #[derive(
@@ -217,8 +244,7 @@ impl __CellRegion0Mark {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 enum __CellRegion1 {
@@ -229,17 +255,47 @@ enum __CellRegion1 {
     Auto,
     NONE,
 }
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __CellRegion1 {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &[
+            "Idle",
+            "Feed",
+            "Close",
+            "Open",
+            "Auto",
+            "NONE",
+        ];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
+}
 #[derive(
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 enum __CellRegion2 {
     Count,
     NONE,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &["Count", "NONE"];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
 }
 ///The chart `Cell`.
 #[cfg_attr(
@@ -336,13 +392,11 @@ impl ::grafcet::__private::core::fmt::Display for CellSituation {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        ::grafcet::__private::situation::write(
-            self,
-            <Cell as ::grafcet::__private::Chart>::STEPS
-                .iter()
-                .map(|step| (*step).name()),
-            f,
-        )
+        let names = ::grafcet::__private::core::iter::Iterator::map(
+            <Cell as ::grafcet::__private::Chart>::STEPS.iter(),
+            |step| (*step).name(),
+        );
+        ::grafcet::__private::situation::write(self, names, f)
     }
 }
 impl Cell {

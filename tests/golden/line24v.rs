@@ -56,8 +56,7 @@ pub struct Line24VOutputs {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum Line24VStep {
     ///Step `S1`.
@@ -74,11 +73,20 @@ impl Line24VStep {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::S1 => "S1",
-            Self::S2 => "S2",
-            Self::S3 => "S3",
-            Self::S4 => "S4",
+            Line24VStep::S1 => "S1",
+            Line24VStep::S2 => "S2",
+            Line24VStep::S3 => "S3",
+            Line24VStep::S4 => "S4",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for Line24VStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for Line24VStep {
@@ -97,8 +105,7 @@ impl ::grafcet::__private::core::fmt::Display for Line24VStep {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum Line24VTransition {
     ///`S1 -[b1]-> S2`
@@ -115,11 +122,20 @@ impl Line24VTransition {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::S1ToS2 => "S1ToS2",
-            Self::S2ToS3 => "S2ToS3",
-            Self::S3ToS4 => "S3ToS4",
-            Self::S4ToS1 => "S4ToS1",
+            Line24VTransition::S1ToS2 => "S1ToS2",
+            Line24VTransition::S2ToS3 => "S2ToS3",
+            Line24VTransition::S3ToS4 => "S3ToS4",
+            Line24VTransition::S4ToS1 => "S4ToS1",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for Line24VTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for Line24VTransition {
@@ -134,8 +150,7 @@ impl ::grafcet::__private::core::fmt::Display for Line24VTransition {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 #[repr(u32)]
@@ -144,6 +159,18 @@ enum __Line24VState {
     S2,
     S3,
     S4,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __Line24VState {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &["S1", "S2", "S3", "S4"];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
 }
 /// A state, and above it the mark of a search that did not become stable.
 #[derive(

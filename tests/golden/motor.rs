@@ -50,8 +50,7 @@ pub struct MotorOutputs {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum MotorStep {
     ///Step `Off`.
@@ -64,9 +63,18 @@ impl MotorStep {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::Off => "Off",
-            Self::On => "On",
+            MotorStep::Off => "Off",
+            MotorStep::On => "On",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for MotorStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for MotorStep {
@@ -85,8 +93,7 @@ impl ::grafcet::__private::core::fmt::Display for MotorStep {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum MotorTransition {
     ///`Off -[on && !over_temp]-> On`
@@ -99,9 +106,18 @@ impl MotorTransition {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::OffToOn => "OffToOn",
-            Self::OnToOff => "OnToOff",
+            MotorTransition::OffToOn => "OffToOn",
+            MotorTransition::OnToOff => "OnToOff",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for MotorTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for MotorTransition {
@@ -116,14 +132,25 @@ impl ::grafcet::__private::core::fmt::Display for MotorTransition {
     ::grafcet::__private::core::clone::Clone,
     ::grafcet::__private::core::marker::Copy,
     ::grafcet::__private::core::cmp::PartialEq,
-    ::grafcet::__private::core::cmp::Eq,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::cmp::Eq
 )]
 #[doc(hidden)]
 enum __MotorState {
     Off,
     On,
     INIT,
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for __MotorState {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        const NAMES: &[&::grafcet::__private::str] = &["Off", "On", "INIT"];
+        f.write_str(
+            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+        )
+    }
 }
 /// A motor that can be switched on and off, guarded against over-temperature.
 #[cfg_attr(

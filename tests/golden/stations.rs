@@ -50,8 +50,7 @@ pub struct StationsOutputs {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum StationsStep {
     ///Step `Wait`.
@@ -72,13 +71,22 @@ impl StationsStep {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::Wait => "Wait",
-            Self::Drill => "Drill",
-            Self::Drilled => "Drilled",
-            Self::Test => "Test",
-            Self::Tested => "Tested",
-            Self::Out => "Out",
+            StationsStep::Wait => "Wait",
+            StationsStep::Drill => "Drill",
+            StationsStep::Drilled => "Drilled",
+            StationsStep::Test => "Test",
+            StationsStep::Tested => "Tested",
+            StationsStep::Out => "Out",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for StationsStep {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for StationsStep {
@@ -97,8 +105,7 @@ impl ::grafcet::__private::core::fmt::Display for StationsStep {
     ::grafcet::__private::core::cmp::Eq,
     ::grafcet::__private::core::cmp::PartialOrd,
     ::grafcet::__private::core::cmp::Ord,
-    ::grafcet::__private::core::hash::Hash,
-    ::grafcet::__private::core::fmt::Debug
+    ::grafcet::__private::core::hash::Hash
 )]
 pub enum StationsTransition {
     ///`Wait -[part]-> (Drill, Test)`
@@ -117,12 +124,21 @@ impl StationsTransition {
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
         match self {
-            Self::WaitToDrillAndTest => "WaitToDrillAndTest",
-            Self::DrillToDrilled => "DrillToDrilled",
-            Self::TestToTested => "TestToTested",
-            Self::DrilledAndTestedToOut => "DrilledAndTestedToOut",
-            Self::OutToWait => "OutToWait",
+            StationsTransition::WaitToDrillAndTest => "WaitToDrillAndTest",
+            StationsTransition::DrillToDrilled => "DrillToDrilled",
+            StationsTransition::TestToTested => "TestToTested",
+            StationsTransition::DrilledAndTestedToOut => "DrilledAndTestedToOut",
+            StationsTransition::OutToWait => "OutToWait",
         }
+    }
+}
+#[automatically_derived]
+impl ::grafcet::__private::core::fmt::Debug for StationsTransition {
+    fn fmt(
+        &self,
+        f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
+    ) -> ::grafcet::__private::core::fmt::Result {
+        f.write_str((*self).name())
     }
 }
 impl ::grafcet::__private::core::fmt::Display for StationsTransition {
@@ -215,13 +231,11 @@ impl ::grafcet::__private::core::fmt::Display for StationsSituation {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        ::grafcet::__private::situation::write(
-            self,
-            <Stations as ::grafcet::__private::Chart>::STEPS
-                .iter()
-                .map(|step| (*step).name()),
-            f,
-        )
+        let names = ::grafcet::__private::core::iter::Iterator::map(
+            <Stations as ::grafcet::__private::Chart>::STEPS.iter(),
+            |step| (*step).name(),
+        );
+        ::grafcet::__private::situation::write(self, names, f)
     }
 }
 impl Stations {

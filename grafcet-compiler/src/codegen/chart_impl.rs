@@ -346,7 +346,8 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
         /// The names of the active steps, as in `Fill, Heat`; nothing where none is active.
         impl #p::core::fmt::Display for #name {
             fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                #p::situation::write(self, <#chart as #p::Chart>::STEPS.iter().map(|step| (*step).name()), f)
+                let names = #p::core::iter::Iterator::map(<#chart as #p::Chart>::STEPS.iter(), |step| (*step).name());
+                #p::situation::write(self, names, f)
             }
         }
     })

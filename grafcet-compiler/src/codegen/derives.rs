@@ -12,6 +12,8 @@ use crate::place::quote;
 /// The traits that a type derives on its own.
 pub(super) struct Derives {
     names: Vec<&'static str>,
+    /// Written by hand beside the type: rustc takes long, and much memory, for a derived `Debug` of thousands of names.
+    by_hand: Option<&'static str>,
     /// Types of fields of which nobody knows whether they are `Copy`. A derive would report that at the whole chart, so `Clone`
     /// and `Copy` are written out under the condition that they are; [`requirements`](super::requirements) asks for it.
     foreign: Vec<Type>,
@@ -28,26 +30,27 @@ pub(super) fn of<'t>(types: impl Iterator<Item = &'t Ty>) -> Derives {
             derives.push("Eq");
         }
     }
-    Derives { names: derives, foreign }
+    Derives { names: derives, by_hand: None, foreign }
 }
 
-/// Of an enum of names.
+/// Of an enum of names, which writes its `Debug`.
 pub(super) fn of_names() -> Derives {
-    plain(vec!["Clone", "Copy", "PartialEq", "Eq", "PartialOrd", "Ord", "Hash", "Debug"])
+    plain(vec!["Clone", "Copy", "PartialEq", "Eq", "PartialOrd", "Ord", "Hash"])
 }
 
-/// Of a private enum of states.
+/// Of a private enum of states, which writes its `Debug`.
 pub(super) fn of_states() -> Derives {
-    plain(vec!["Clone", "Copy", "PartialEq", "Eq", "Debug"])
+    plain(vec!["Clone", "Copy", "PartialEq", "Eq"])
 }
 
 fn plain(names: Vec<&'static str>) -> Derives {
-    Derives { names, foreign: Vec::new() }
+    Derives { names, by_hand: Some("Debug"), foreign: Vec::new() }
 }
 
 impl Derives {
     /// With another one.
     pub(super) fn and(mut self, name: &'static str) -> Self {
+        self.by_hand = self.by_hand.filter(|written| *written != name);
         self.names.push(name);
         self
     }
@@ -86,8 +89,10 @@ impl Derives {
 
     /// What the chart derives beside these and others that the type has already.
     pub(super) fn users(&self, model: &Model, others: &[&str]) -> TokenStream {
-        let has =
-            |path: &&Path| !standard(path).is_some_and(|name| self.names.iter().chain(others).any(|own| name == *own));
+        let has = |path: &&Path| {
+            !standard(path)
+                .is_some_and(|name| self.names.iter().chain(&self.by_hand).chain(others).any(|own| name == *own))
+        };
         let attributes = model.derives.iter().map(|derive| {
             let traits: Vec<&Path> = derive.traits.iter().filter(has).list();
             match &derive.when {

@@ -6,7 +6,7 @@ use super::{Cx, derives, names, requirements, types};
 use crate::model::{Model, Ty};
 use crate::place::quote;
 
-/// `name` and `Display` of an enum of names, whose variants are listed.
+/// `name`, `Debug` and `Display` of an enum of names, whose variants are listed.
 pub(super) fn texts<'n>(
     model: &Model,
     name: &Ident,
@@ -14,10 +14,11 @@ pub(super) fn texts<'n>(
     p: &TokenStream,
 ) -> TokenStream {
     let (vis, levels) = (&model.vis, types::levels(model));
+    // Behind `Self::`, rustc looks through all variants for each.
     let arms = variants.map(|variant| {
         let text = variant.to_string();
         let text = text.trim_start_matches("r#");
-        quote!(Self::#variant => #text,)
+        quote!(#name::#variant => #text,)
     });
     quote! {
         #levels
@@ -30,6 +31,13 @@ pub(super) fn texts<'n>(
         }
 
         // A method of that name in a trait of the user comes first behind a reference, and a variant behind `Self::`.
+        #[automatically_derived]
+        impl #p::core::fmt::Debug for #name {
+            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                f.write_str((*self).name())
+            }
+        }
+
         impl #p::core::fmt::Display for #name {
             fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
                 f.pad((*self).name())

@@ -18,7 +18,8 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
 
 /// The steps of a region; at most one of them is active.
 fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
-    let derives = derives::of_states().attributes(cx.model, &cx.p);
+    let p = &cx.p;
+    let derives = derives::of_states().attributes(cx.model, p);
     let region = &cx.plan.regions.all()[id];
     let name = cx.names.region(id, cx.plan);
     let steps = region.steps.iter().map(|step| names::private_variant(cx.model, *step));
@@ -26,12 +27,21 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
     let start = cx.has_start_variant(id).then(|| cx.names.start.clone());
     let variants: Vec<Ident> = steps.chain(empty).chain(start).list();
     let marked = cx.is_marked(id).then(|| marked(cx, &variants));
+    let texts = variants.iter().map(|variant| variant.to_string().trim_start_matches("r#").to_owned()).list();
     let wide = cx.is_wide().then(|| quote!(#[repr(u32)]));
     quote! {
         #derives
         #[doc(hidden)]
         #wide
         enum #name { #(#variants,)* }
+
+        #[automatically_derived]
+        impl #p::core::fmt::Debug for #name {
+            fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
+                const NAMES: &[&#p::str] = &[#(#texts),*];
+                f.write_str(NAMES.get(*self as #p::usize).copied().unwrap_or_default())
+            }
+        }
 
         #marked
     }
@@ -42,7 +52,7 @@ fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
 fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
     let p = &cx.p;
     let (name, state) = (cx.names.marked(cx.plan), cx.names.region(0, cx.plan));
-    let derives = derives::of_states().attributes(cx.model, p);
+    let derives = derives::of_states().and("Debug").attributes(cx.model, p);
     let mark = variants.len().next_power_of_two();
     let (number, literal): (_, fn(usize) -> Literal) = match mark {
         0..=128 => (quote!(#p::u8), |n| Literal::u8_suffixed(u8::try_from(n).unwrap_or(u8::MAX))),

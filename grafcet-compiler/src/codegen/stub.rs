@@ -81,7 +81,7 @@ fn records(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
 fn enums(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let list = |name: &Ident, variants: Vec<TokenStream>| {
         let vis = &model.vis;
-        let derives = derives::of_names().attributes(model, p);
+        let derives = derives::of_names().and("Debug").attributes(model, p);
         quote! {
             #derives
             #[allow(missing_docs, dead_code, non_camel_case_types, clippy::all, clippy::pedantic)]
