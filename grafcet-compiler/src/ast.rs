@@ -341,6 +341,8 @@ pub enum Condition {
     Holds(Expr),
     /// `else`: where none of the other branches of the same steps does.
     Else(Span),
+    /// It could not be read, as has been said.
+    Broken,
 }
 
 /// `n = 0`, an action on clearing.

@@ -42,8 +42,19 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Association> {
     };
     let time = time(input, qualifier, sink)?;
     let target = behind_qualifier(input, &start, qualifier)?;
-    let condition =
-        if input.eat_word("if") { Some(condition::parse(input, "the condition of the action")?) } else { None };
+    let mut condition = None;
+    if input.eat_word("if") {
+        match condition::parse(input, "the condition of the action") {
+            Ok(expr) => condition = Some(expr),
+            Err(error) => {
+                // What it belongs to is looked at all the same.
+                error.report(sink);
+                let mark = input.since(&start);
+                recover::skip(input, &start, Place::Step);
+                return Ok(Association { mark, qualifier, time, event, target, condition });
+            }
+        }
+    }
     let mark = input.since(&start);
     let block = matches!(target, Target::Block(_)) && condition.is_none();
     if !block || input.at(";") {

@@ -207,13 +207,7 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
     if !headed || input.at("-") {
         head(input, &start, sink)?;
     }
-    match transition::parse(inside, input.since(&start)) {
-        Ok(transition) => Ok(Some(Arrow::Transition(transition))),
-        Err(error) => {
-            error.report(sink);
-            Ok(None)
-        }
-    }
+    Ok(Some(Arrow::Transition(transition::parse(inside, input.since(&start), sink))))
 }
 
 /// `--[x]`

@@ -10,7 +10,7 @@ use crate::diagnostic::Mark;
 pub(super) fn all(mut input: Input) -> Option<Error> {
     let mut notes = Vec::new();
     let start = input;
-    collect(&mut input, &mut notes);
+    collect(&mut input, &mut notes, true);
     if notes.is_empty() && start.at_word("if") {
         notes.push((start.span().into(), "a condition stands for itself; remove `if`".to_owned()));
     }
@@ -42,11 +42,12 @@ fn operator(word: &str) -> Option<&'static str> {
     }
 }
 
-fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
+/// At the `outermost` level, `=>` ends a condition.
+fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>, outermost: bool) {
     let mut operand = false;
     // Where a `;` is missing, the rest of the chart is no part of this condition.
     for _ in 0..100 {
-        if input.is_empty() || input.at(";") {
+        if input.is_empty() || input.at(";") || outermost && input.at("=>") {
             return;
         }
         let start = *input;
@@ -58,7 +59,7 @@ fn collect(input: &mut Input, notes: &mut Vec<(Mark, String)>) {
         }
         operand = input.punct().is_none();
         match input.delimiter().and_then(|delimiter| input.enter(delimiter)) {
-            Some(mut inside) => collect(&mut inside, notes),
+            Some(mut inside) => collect(&mut inside, notes, false),
             None => {
                 input.bump();
             }

@@ -4,32 +4,43 @@ use proc_macro2::Ident;
 
 use super::{Error, Input, Result, condition, target};
 use crate::ast::{Clearing, Condition, Transition};
-use crate::diagnostic::Mark;
+use crate::diagnostic::{Mark, Sink};
 
-/// The inside of the brackets; `mark` covers the whole arrow once its end is known.
-pub(super) fn parse(mut inside: Input, mark: Mark) -> Result<Transition> {
+/// The inside of the brackets; `mark` covers the whole arrow once its end is known. What is refused hides nothing of the rest.
+pub(super) fn parse(mut inside: Input, mark: Mark, sink: &mut Sink) -> Transition {
     if inside.is_empty() {
-        return Err(Error::new(mark, "a transition has a condition; for one that is always true write `-[true]->`"));
+        sink.notation(mark, "a transition has a condition; for one that is always true write `-[true]->`");
+        return Transition { mark, name: None, condition: Condition::Broken, clearing: Vec::new() };
     }
     let name = name(&mut inside);
+    let condition = condition(&mut inside).unwrap_or_else(|error| {
+        error.report(sink);
+        Condition::Broken
+    });
+    // What follows a condition that is refused.
+    while !inside.at("=>") && inside.bump() {}
+    let mut clearing = Vec::new();
+    if inside.eat("=>") {
+        self::clearing(&mut inside, &mut clearing, sink);
+    }
+    Transition { mark, name, condition, clearing }
+}
+
+fn condition(inside: &mut Input) -> Result<Condition> {
     let condition = if inside.eat_word("else") {
         Condition::Else(inside.last())
     } else {
-        Condition::Holds(condition::parse(&mut inside, "a condition, such as `true`")?)
+        Condition::Holds(condition::parse(inside, "a condition, such as `true`")?)
     };
-    let mut clearing = Vec::new();
-    if inside.eat("=>") {
-        clearing = self::clearing(&mut inside)?;
+    if inside.is_empty() || inside.at("=>") {
+        return Ok(condition);
     }
-    if !inside.is_empty() {
-        return Err(match condition {
-            Condition::Else(_) => {
-                inside.error("`else` has no condition of its own; draw a branch with this condition in front of it")
-            }
-            Condition::Holds(_) => leftover(&inside),
-        });
-    }
-    Ok(Transition { mark, name, condition, clearing })
+    Err(match condition {
+        Condition::Else(_) => {
+            inside.error("`else` has no condition of its own; draw a branch with this condition in front of it")
+        }
+        _ => leftover(inside),
+    })
 }
 
 /// `go:`, but not the beginning of a path.
@@ -43,12 +54,26 @@ fn name(inside: &mut Input) -> Option<Ident> {
     name
 }
 
-fn clearing(inside: &mut Input) -> Result<Vec<Clearing>> {
-    let mut actions = vec![one_clearing(inside)?];
+fn clearing(inside: &mut Input, actions: &mut Vec<Clearing>, sink: &mut Sink) {
+    next_clearing(inside, actions, sink);
     while inside.eat(",") {
-        actions.push(one_clearing(inside)?);
+        next_clearing(inside, actions, sink);
     }
-    Ok(actions)
+}
+
+/// Up to the next comma: what is refused hides nothing of the others.
+fn next_clearing(inside: &mut Input, actions: &mut Vec<Clearing>, sink: &mut Sink) {
+    let error = match one_clearing(inside) {
+        Ok(action) => {
+            actions.push(action);
+            (!inside.is_empty() && !inside.at(",")).then(|| leftover(inside))
+        }
+        Err(error) => Some(error),
+    };
+    if let Some(error) = error {
+        error.report(sink);
+        while !inside.at(",") && inside.bump() {}
+    }
 }
 
 fn one_clearing(inside: &mut Input) -> Result<Clearing> {

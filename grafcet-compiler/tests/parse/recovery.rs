@@ -26,7 +26,7 @@ fn every_mistake_of_a_chart_in_source_order() {
     }";
     assert_eq!(marks(text), ["b", ";", "X", "L", ":", "y", "=", "soon"]);
     let (body, broken) = body(text);
-    assert_eq!(body, "initial step A {S q; L r}; step B {q}; A; B; A; B -[ok]-> A");
+    assert_eq!(body, "initial step A {S q; L r}; step B {q}; A -[BROKEN]-> B; A -[BROKEN]-> B -[ok]-> A");
     assert_eq!(broken, ["a", "b", "q"], "a comma may be what is missing");
 }
 
@@ -101,9 +101,9 @@ fn names_of_broken_items_are_guessed() {
 }
 
 #[test]
-fn a_link_that_cannot_be_read_is_cut_out_of_its_chain() {
+fn a_link_that_cannot_be_read_is_cut_out_of_its_chain_and_a_condition_is_not() {
     let text = "sfc C { A -[a]-> B -[b b]-> C -[c]-> D -[]-> E; F -x-> G -[g]- H; }";
-    assert_eq!(body(text).0, "A -[a]-> B; C -[c]-> D; E; F; G -[g]-> H");
+    assert_eq!(body(text).0, "A -[a]-> B -[BROKEN]-> C -[c]-> D -[BROKEN]-> E; F; G -[g]-> H");
 }
 
 #[test]

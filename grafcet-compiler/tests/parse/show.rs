@@ -190,6 +190,7 @@ fn arrow(arrow: &Arrow) -> String {
             let condition = match condition {
                 Condition::Holds(expr) => tokens(expr),
                 Condition::Else(_) => "ELSE".to_owned(),
+                Condition::Broken => "BROKEN".to_owned(),
             };
             format!("-[{name}{condition}{clearing}]->")
         }

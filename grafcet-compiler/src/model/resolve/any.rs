@@ -61,6 +61,7 @@ impl Resolver<'_> {
         self.owner = Owner::Any;
         let condition = match &transition.condition {
             Condition::Holds(condition) => Some(expr::resolve_condition(condition, self)),
+            Condition::Broken => None,
             Condition::Else(word) => {
                 let message =
                     "`else` stands at a branch of a step, and `any` comes before all branches; write its condition";

@@ -92,8 +92,9 @@ impl Resolver<'_> {
         self.owner = self.owner_of(before);
         self.from = names(before).first().map(ToString::to_string);
         let condition = match &transition.condition {
-            Condition::Holds(condition) => expr::resolve_condition(condition, self),
-            Condition::Else(word) => otherwise::always(*word),
+            Condition::Holds(condition) => Some(expr::resolve_condition(condition, self)),
+            Condition::Else(word) => Some(otherwise::always(*word)),
+            Condition::Broken => None,
         };
         if let Some(name) = &transition.name {
             self.scope.declare_transition(name, self.sink);
@@ -104,7 +105,7 @@ impl Resolver<'_> {
         self.owner = Owner::Chart;
         self.from = None;
         self.missing(after);
-        let (Some(sources), Some(targets)) = (sources, targets) else { return self.lose() };
+        let (Some(sources), Some(targets), Some(condition)) = (sources, targets, condition) else { return self.lose() };
         self.loose_end(before, End::Source);
         self.loose_end(after, End::Target);
         let id = self.model.transitions.push(Transition {
