@@ -2,7 +2,7 @@
 
 use std::panic::{self, AssertUnwindSafe};
 
-use grafcet_compiler::analysis::Races;
+use grafcet_compiler::analysis::{Facts, Races};
 use grafcet_compiler::plan::Plan;
 
 use crate::oracle::Interpreted;
@@ -39,7 +39,7 @@ fn report(entry: &Entry) -> Result<Found, String> {
         let kind = if message.contains("no error of the interpreter") { "interpreter" } else { "lockstep" };
         return Ok(Some((kind, shortened(&case.lines, message, lockstep))));
     }
-    if !Plan::of(&model, &Races::default()).memory.time {
+    if !Plan::of(&model, &Facts::of(&model), &Races::default()).memory.time {
         return Ok(None);
     }
     let sleeping = |lines: &[Line]| {

@@ -90,7 +90,9 @@ impl Facts<'_> {
     /// Every search of a chart that is certain to become stable does so.
     fn stability(&mut self, graph: &Graph) {
         let model = self.model;
-        if model.is_grafcet() && (Stability::of(model).is_certain() || explore::settles(model, 1_000_000)) {
+        if model.is_grafcet()
+            && (Stability::of(model, &Concurrency::of(model)).is_certain() || explore::settles(model, 1_000_000))
+        {
             if let Some((_, edge)) = graph.cycles().find(|(_, edge)| !edge.stable) {
                 self.report("stable", replay::names(model, &graph.states[edge.to].situation).join(", "));
             }

@@ -26,6 +26,7 @@ mod words;
 
 use std::collections::BTreeSet;
 
+use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::{Diagnostic, Severity, Sink};
 use grafcet_compiler::model::Model;
 use grafcet_compiler::{check, model, parse};
@@ -69,7 +70,7 @@ fn look(text: &str) -> (Option<Model>, Vec<Diagnostic>) {
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     if complete && !sink.has_errors() {
-        check::evolution(&model, &mut sink);
+        check::evolution(&model, &Facts::of(&model), &mut sink);
     }
     (complete.then_some(model), sink.finish())
 }
