@@ -16,6 +16,8 @@ pub mod model;
 pub mod parse;
 mod place;
 pub mod plan;
+#[cfg(feature = "program")]
+pub mod program;
 mod qualifier;
 mod similar;
 pub mod sorted;

@@ -3,6 +3,7 @@
 //!
 //! - the corpus: the `.chart` files of this folder, run by `cargo test`
 //! - [`random`]: well-formed charts made from a number, run by `cargo xtask conformance`
+//! - [`program`]: the naive programs of both beside the interpreter, without rustc
 #![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 pub mod asleep;
@@ -16,6 +17,7 @@ pub mod generated;
 pub mod interp;
 pub mod oracle;
 pub mod play;
+pub mod program;
 pub mod random;
 #[path = "../reader.rs"]
 pub mod reader;

@@ -217,6 +217,12 @@ impl<'m> Interpreter<'m> {
         &self.memory.state.situation
     }
 
+    /// The variables, in the order of declaration. Combinational ones (A22) hold no value.
+    #[must_use]
+    pub fn vars(&self) -> &[Value] {
+        &self.memory.state.vars
+    }
+
     /// The outputs of the last cycle; before the first one and after `init` the initial values.
     #[must_use]
     pub fn outputs(&self) -> &[Value] {

@@ -1,0 +1,137 @@
+//! The cycle of a `grafcet`, IEC 60848: the search for stability.
+
+use super::Lower;
+use crate::model::Id;
+use crate::program::build::{all, any, compare, differ, no, not, number, part, when, yes};
+use crate::program::{Comparison, Expr, Initial, Mark, PlaceId, Role, Statement, Type, Value};
+
+use super::stored::Stored;
+
+impl<'m> Lower<'_, 'm> {
+    /// "Evolutions until the situation is stable; stored actions run with their evolution, continuous ones are evaluated once, on the
+    /// stable situation."
+    pub(super) fn search_cycle(&mut self) -> Vec<Statement<'m>> {
+        let on = Initial::Value(Value::Bool(true));
+        let stable = self.field("stable".to_owned(), Role::Stable, Type::Bool, on);
+        let mut stored = self.stored_places();
+        let mut cycle = Vec::new();
+        let (kept, values) = self.keep_read_outputs();
+        part(&mut cycle, "time passes", self.pass_time());
+        let mut sampled = self.sample_once();
+        if !sampled.is_empty() {
+            sampled.splice(0..0, self.copy_situation());
+        }
+        part(&mut cycle, "delays, on the situation the cycle starts from (A36)", sampled);
+        part(&mut cycle, "the outputs before", values);
+        let activate = self.activate(&mut stored);
+        if !activate.is_empty() {
+            let first = vec![Statement::If(Expr::Place(self.first), activate, Vec::new())];
+            part(&mut cycle, "activation of the initial situation (A37)", first);
+        }
+        let body = self.evolution(stable, &mut stored);
+        let rounds = self.bound().saturating_add(1);
+        part(&mut cycle, "search for stability (A24, A25, A30)", vec![Statement::Loop { rounds, body }]);
+        self.continuous(&mut cycle);
+        part(&mut cycle, "whether the next cycle would do the same", self.settle_search(stable, &kept));
+        let mut end = Vec::new();
+        // An evolution that the bound stopped has not taken place: its edges are still to be seen.
+        when(&mut end, Expr::Place(stable), self.use_up_edges());
+        end.push(Statement::Set(self.first, no()));
+        part(&mut cycle, "end", end);
+        cycle
+    }
+
+    /// A30: what the chart states, or twice the number of steps plus two.
+    fn bound(&self) -> u32 {
+        let steps = u32::try_from(self.model.steps.len()).unwrap_or(u32::MAX);
+        self.model.max_evolutions.unwrap_or_else(|| steps.saturating_mul(2).saturating_add(2))
+    }
+
+    /// One round of the search.
+    fn evolution(&mut self, stable: PlaceId, stored: &mut Stored<'m>) -> Vec<Statement<'m>> {
+        let mut body = Vec::new();
+        part(&mut body, "the situation before", self.copy_situation());
+        let none_yet = compare(Comparison::Equal, Expr::Place(self.evolutions), number(0));
+        let fresh = all(vec![Expr::Place(self.first), none_yet]);
+        part(&mut body, "edges and combinational variables (A2, A22)", self.sample_evolution(fresh));
+        part(&mut body, "what nothing above keeps from clearing (A13, A17)", self.decide_free());
+        part(&mut body, "what clears", self.decide());
+        part(&mut body, "from above downwards (A11, A15, A19)", self.descend());
+        let (writes, calls) = self.stored_actions(stored);
+        part(&mut body, "stored actions, on the values before (A5)", writes);
+        let mut changes: Vec<Expr<'m>> =
+            self.was.iter().zip(&self.state).map(|(was, state)| differ(*was, *state)).collect();
+        changes.extend(stored.next.iter().map(|(place, next)| differ(*place, *next)));
+        changes.extend(stored.due.iter().map(|due| Expr::Place(*due)));
+        let is_stable = vec![Statement::Set(stable, yes()), Statement::Break];
+        part(&mut body, "stable (A25)", vec![Statement::If(not(any(changes)), is_stable, Vec::new())]);
+        let mut stop = vec![Statement::Set(stable, no())];
+        stop.extend(self.take_back());
+        stop.push(Statement::Break);
+        let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound() as usize));
+        part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
+        let mut commit = calls;
+        commit.extend(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
+        commit.extend(self.begin_times());
+        commit.extend(self.use_up_edges());
+        commit.push(Statement::Set(self.evolutions, Expr::Next(self.evolutions)));
+        part(&mut body, "it takes place, all at once (A6)", commit);
+        part(&mut body, "what observers are told", self.tell_evolution());
+        body
+    }
+
+    /// The bound stops the search: the situation it had reached stays.
+    fn take_back(&self) -> Vec<Statement<'m>> {
+        let pairs = self.was.iter().zip(&self.state);
+        pairs.map(|(was, state)| Statement::Set(*state, Expr::Place(*was))).collect()
+    }
+
+    fn tell_evolution(&self) -> Vec<Statement<'m>> {
+        let mut body = Vec::new();
+        for id in self.model.transitions.ids() {
+            when(&mut body, Expr::Place(self.clears[id.index()]), vec![Statement::Mark(Mark::Cleared(id))]);
+        }
+        for step in self.model.steps.ids() {
+            let left = all(vec![self.was(step), not(self.is(step))]);
+            when(&mut body, left, vec![Statement::Mark(Mark::Deactivated(step))]);
+        }
+        for step in self.model.steps.ids() {
+            let entered = all(vec![not(self.was(step)), self.is(step)]);
+            when(&mut body, entered, vec![Statement::Mark(Mark::Activated(step))]);
+        }
+        body.push(Statement::Mark(Mark::Evolved));
+        body
+    }
+
+    /// Whether a search that begins again would find what this one has found: it was stable, no edge is gone, delays have seen the
+    /// situation it has led to, and no output that is read has another value now.
+    fn settle_search(&self, stable: PlaceId, kept: &[(PlaceId, PlaceId)]) -> Vec<Statement<'m>> {
+        let Some(settled) = self.settled else { return Vec::new() };
+        let mut moves = vec![Expr::Place(self.first), not(Expr::Place(stable)), self.has_edges()];
+        if !self.delays.is_empty() {
+            moves.push(compare(Comparison::Differs, Expr::Place(self.evolutions), number(0)));
+        }
+        moves.extend(kept.iter().map(|(place, copy)| differ(*place, *copy)));
+        moves.extend(self.opaque_ran.map(Expr::Place));
+        vec![Statement::Set(settled, not(any(moves)))]
+    }
+
+    /// The outputs that something reads, of a chart that uses time.
+    fn keep_read_outputs(&mut self) -> (Vec<(PlaceId, PlaceId)>, Vec<Statement<'m>>) {
+        let (mut kept, mut body) = (Vec::new(), Vec::new());
+        if self.settled.is_none() {
+            return (kept, body);
+        }
+        for read in self.model.expressions().concat() {
+            let crate::model::Read::Name(crate::model::Name::Output(id)) = read else { continue };
+            let place = self.outputs[id.index()];
+            if !kept.iter().any(|(other, _)| *other == place) {
+                let name = format!("was.{}", self.name(place));
+                let copy = self.like(name, place);
+                kept.push((place, copy));
+                body.push(Statement::Set(copy, Expr::Place(place)));
+            }
+        }
+        (kept, body)
+    }
+}

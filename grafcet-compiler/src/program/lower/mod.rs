@@ -1,0 +1,168 @@
+//! From the model to the naive program: a paragraph of `docs/semantics.md`, a function.
+//!
+//! It copies the situation, decides every transition on the copy, and writes what follows. Nothing here thinks of cost.
+//!
+//! - `places`: what is stored
+//! - `view`: what an expression reads, at each moment of the cycle
+//! - `time`, `sample`: times that pass and begin; edges, delays and combinational variables
+//! - `decide`: which transitions clear
+//! - `sfc`, `control`, `runs`: IEC 61131-3, one evolution and `ACTION_CONTROL`
+//! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848, the search for stability
+//! - `deadline`: until when nothing changes
+
+mod continuous;
+mod control;
+mod deadline;
+mod decide;
+mod grafcet;
+mod hierarchy;
+mod places;
+mod runs;
+mod sample;
+mod sfc;
+mod stored;
+mod time;
+mod view;
+
+use std::fmt;
+
+use super::{Expr, PlaceId, PlaceInfo, Program};
+use crate::analysis::{Concurrency, combinational, hierarchy as facts};
+use crate::model::{Effect, Model, PartialId, Place, Qualifier, StepId};
+use crate::plan::Regions;
+use crate::sorted::Set;
+
+use places::{Delays, Edges, Phases};
+
+/// How a situation is stored.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Encoding {
+    /// Steps that are never active together share a place.
+    Regions,
+    /// A bit for each step.
+    Flags,
+}
+
+/// What has no program.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Refused {
+    /// Partial grafcets that force or enclose each other (A14), or combinational variables that depend on each other (A22).
+    Circle,
+    /// A qualifier with a target that the dialect does not have (A32): of this step.
+    Target(String),
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Circle => f.write_str("something depends on itself"),
+            Self::Target(step) => write!(f, "an action of step {step} has a qualifier that it cannot have"),
+        }
+    }
+}
+
+/// The program of a chart that has passed the checks.
+///
+/// # Errors
+/// The chart has not passed them.
+pub fn naive(model: &Model, encoding: Encoding) -> Result<Program<'_>, Refused> {
+    possible(model)?;
+    let initial = facts::initial_situation(model);
+    let regions = match encoding {
+        Encoding::Regions => Regions::of(model, &Concurrency::of(model), &initial),
+        Encoding::Flags => Regions::flags(model, &initial),
+    };
+    let mut lower = Lower::new(model, &regions, initial);
+    let cycle = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
+    let deadline = lower.deadline();
+    let regions = regions.all().iter().map(|region| region.steps.clone()).collect();
+    Ok(Program { model, places: lower.places, regions, cycle, deadline })
+}
+
+/// What is made for one chart, and what is known about it meanwhile.
+struct Lower<'r, 'm> {
+    model: &'m Model,
+    regions: &'r Regions,
+    initial: Set<StepId>,
+    /// The partial grafcets, each behind those that act on it.
+    partials: Vec<PartialId>,
+    places: Vec<PlaceInfo<'m>>,
+    first: PlaceId,
+    /// By region: its state, and that before the evolution.
+    state: Vec<PlaceId>,
+    was: Vec<PlaceId>,
+    /// By region, where it counts: the time, and that reached before the evolution of an `sfc` (A34).
+    time: Vec<Option<PlaceId>>,
+    reached: Vec<Option<PlaceId>>,
+    /// The same by macro-step.
+    macro_time: Vec<Option<PlaceId>>,
+    macro_reached: Vec<Option<PlaceId>>,
+    phases: Vec<Phases>,
+    /// Since the cycle before, where the chart uses time.
+    elapsed: Option<PlaceId>,
+    reading: Option<PlaceId>,
+    settled: Option<PlaceId>,
+    /// `sfc`: a block or an assignment has begun or ended; in a chart that uses time.
+    turned: Option<PlaceId>,
+    /// A block of the user that is not looked into has run; in a chart that uses time.
+    opaque_ran: Option<PlaceId>,
+    /// The timers of action controls: input, what they have held, and for how long they wait.
+    timers: Vec<(PlaceId, PlaceId, Expr<'m>)>,
+    /// What a block writes, and whether it has: by the place it is for.
+    own: Vec<(PlaceId, PlaceId, PlaceId)>,
+    /// By edge, where it is asked for: in conditions, and in the actions of an `sfc`.
+    edges: Vec<Option<Edges>>,
+    action_edges: Vec<Option<Edges>>,
+    delays: Vec<Delays>,
+    outputs: Vec<PlaceId>,
+    /// By output: what the cycle before returned, where an action of an `sfc` reads it.
+    last_outputs: Vec<Option<PlaceId>>,
+    vars: Vec<PlaceId>,
+    params: Vec<PlaceId>,
+    /// By variable, where it is one.
+    combinational: Vec<Option<PlaceId>>,
+    /// By transition and by `any`: whether it clears.
+    clears: Vec<PlaceId>,
+    anys: Vec<PlaceId>,
+    /// `sfc`, by step: whether it has been left, or entered.
+    left: Vec<PlaceId>,
+    entered: Vec<PlaceId>,
+    /// By partial grafcet below another one: nothing above keeps it from clearing.
+    free: Vec<Option<PlaceId>>,
+    /// `grafcet`: how many evolutions have changed something.
+    evolutions: PlaceId,
+}
+
+/// What the rules of the dialect and of the hierarchy exclude.
+fn possible(model: &Model) -> Result<(), Refused> {
+    let order = facts::top_down(model);
+    for (index, partial) in order.iter().enumerate() {
+        if facts::masters(model, *partial).iter().any(|master| !order[..index].contains(master)) {
+            return Err(Refused::Circle);
+        }
+    }
+    let vars = combinational::in_order(model);
+    for (index, var) in vars.iter().enumerate() {
+        if combinational::reads(model, *var).iter().any(|other| vars[index..].contains(other)) {
+            return Err(Refused::Circle);
+        }
+    }
+    for association in model.associations.values() {
+        use Qualifier::{D, L, N, On, P0, P1, R, S};
+        let possible = match (model.is_grafcet(), association.qualifier, &association.effect) {
+            (false, On, _) => false,
+            (false, P1 | P0, effect) => !matches!(effect, Effect::Control(_)),
+            (false, ..) => true,
+            (true, S | R, effect) => matches!(effect, Effect::Control(_)),
+            (true, P1 | P0 | On, effect) => !matches!(effect, Effect::Control(_)),
+            (true, N | L | D, effect) => {
+                matches!(effect, Effect::Control(_) | Effect::Assign(Place::Output(_), _) | Effect::Call(..))
+            }
+            (true, ..) => false,
+        };
+        if !possible {
+            return Err(Refused::Target(model.steps[association.step].name.to_string()));
+        }
+    }
+    Ok(())
+}

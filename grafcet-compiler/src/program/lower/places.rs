@@ -1,0 +1,409 @@
+//! What is stored, and how it is called.
+
+use super::{Lower, Set};
+use crate::analysis::{combinational, hierarchy};
+use crate::model::{
+    Blink, Blinker, DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty,
+};
+use crate::plan::Regions;
+use crate::program::{Initial, PlaceId, PlaceInfo, Role, Type, Value};
+
+/// An edge: what it compares with, and what its expression is now.
+#[derive(Clone, Copy)]
+pub(super) struct Edges {
+    pub(super) before: PlaceId,
+    pub(super) now: PlaceId,
+}
+
+/// What a delay remembers.
+#[derive(Clone, Copy)]
+pub(super) struct Delays {
+    /// What its expression is now.
+    pub(super) now: PlaceId,
+    pub(super) input: PlaceId,
+    pub(super) held: PlaceId,
+    pub(super) output: PlaceId,
+}
+
+/// The phase of something that blinks since the activation of a region's step or of a macro-step.
+#[derive(Clone, Copy)]
+pub(super) struct Phases {
+    pub(super) role: Role,
+    pub(super) period: u32,
+    pub(super) phase: PlaceId,
+    /// `sfc`: before the evolution.
+    pub(super) reached: PlaceId,
+}
+
+impl<'r, 'm> Lower<'r, 'm> {
+    pub(super) fn new(model: &'m Model, regions: &'r Regions, initial: Set<StepId>) -> Self {
+        let mut lower = Self {
+            model,
+            regions,
+            initial,
+            partials: hierarchy::top_down(model),
+            places: Vec::new(),
+            first: PlaceId(0),
+            state: Vec::new(),
+            was: Vec::new(),
+            time: Vec::new(),
+            reached: Vec::new(),
+            macro_time: Vec::new(),
+            macro_reached: Vec::new(),
+            phases: Vec::new(),
+            elapsed: None,
+            reading: None,
+            settled: None,
+            turned: None,
+            opaque_ran: None,
+            timers: Vec::new(),
+            own: Vec::new(),
+            edges: vec![None; model.edges.len()],
+            action_edges: vec![None; model.edges.len()],
+            delays: Vec::new(),
+            outputs: Vec::new(),
+            last_outputs: vec![None; model.outputs.len()],
+            vars: Vec::new(),
+            params: Vec::new(),
+            combinational: vec![None; model.vars.len()],
+            clears: Vec::new(),
+            anys: Vec::new(),
+            left: Vec::new(),
+            entered: Vec::new(),
+            free: vec![None; model.partials.len()],
+            evolutions: PlaceId(0),
+        };
+        lower.first = lower.field("first".to_owned(), Role::First, Type::Bool, truth(true));
+        lower.situation();
+        lower.declared();
+        lower.clocks();
+        lower.remembered();
+        lower.transitions();
+        lower
+    }
+
+    pub(super) fn field(&mut self, name: String, role: Role, ty: Type<'m>, initial: Initial<'m>) -> PlaceId {
+        self.places.push(PlaceInfo { name, role, ty, initial, is_field: true });
+        PlaceId(self.places.len() - 1)
+    }
+
+    pub(super) fn local(&mut self, name: String, ty: Type<'m>) -> PlaceId {
+        let initial = initial_of(ty);
+        self.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
+        PlaceId(self.places.len() - 1)
+    }
+
+    pub(super) fn truth(&mut self, name: String) -> PlaceId {
+        self.local(name, Type::Bool)
+    }
+
+    /// A local of the type of another place.
+    pub(super) fn like(&mut self, name: String, other: PlaceId) -> PlaceId {
+        let ty = self.places[other.0].ty;
+        self.local(name, ty)
+    }
+
+    pub(super) fn name(&self, place: PlaceId) -> &str {
+        &self.places[place.0].name
+    }
+
+    pub(super) fn step_name(&self, step: StepId) -> String {
+        plain(&self.model.steps[step].name)
+    }
+
+    /// The situation and its copy.
+    fn situation(&mut self) {
+        for region in 0..self.regions.all().len() {
+            let steps = &self.regions.all()[region].steps;
+            let active = self.regions.all()[region].initial;
+            let (name, role, ty, initial) = if self.regions.are_flags() {
+                let name = format!("{}.X", self.step_name(steps[0]));
+                (name, Role::Bit(steps[0]), Type::Bool, Value::Bool(active.is_some()))
+            } else {
+                let name = self.region_name("state", region);
+                (name, Role::State(region), Type::State(region), Value::Step(active))
+            };
+            let was = format!("was.{name}");
+            let state = self.field(name, role, ty, Initial::Value(initial));
+            self.state.push(state);
+            let was = self.like(was, state);
+            self.was.push(was);
+        }
+    }
+
+    /// `state`, or with the first step of the region where there are several.
+    fn region_name(&self, what: &str, region: usize) -> String {
+        match self.regions.all() {
+            [_] => what.to_owned(),
+            regions => format!("{what}.{}", self.step_name(regions[region].steps[0])),
+        }
+    }
+
+    /// Outputs, variables and parameters.
+    fn declared(&mut self) {
+        let model = self.model;
+        for (id, output) in model.outputs.iter() {
+            let initial = constant(output.init.as_ref());
+            let place = self.field(plain(&output.name), Role::Output(id), declared(&output.ty), initial);
+            self.outputs.push(place);
+        }
+        for (id, var) in model.vars.iter() {
+            let place = self.field(plain(&var.name), Role::Var(id), declared(&var.ty), constant(var.init.as_ref()));
+            self.vars.push(place);
+        }
+        for (id, param) in model.params.iter() {
+            let initial = constant(param.init.as_ref());
+            let place = self.field(plain(&param.name), Role::Param(id), declared(&param.ty), initial);
+            self.params.push(place);
+        }
+        for var in combinational::in_order(model) {
+            let name = format!("now.{}", plain(&model.vars[var].name));
+            self.combinational[var.index()] = Some(self.truth(name));
+        }
+        if model.is_grafcet() {
+            return;
+        }
+        for association in model.associations.values() {
+            for read in association.reads().concat() {
+                if let Read::Name(crate::model::Name::Output(id)) = read {
+                    if self.last_outputs[id.index()].is_none() {
+                        let (name, output) = (plain(&model.outputs[id].name), self.outputs[id.index()]);
+                        self.last_outputs[id.index()] = Some(self.like(format!("last.{name}"), output));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Times that something asks for.
+    fn clocks(&mut self) {
+        let model = self.model;
+        self.time = vec![None; self.state.len()];
+        self.reached = self.time.clone();
+        self.macro_time = vec![None; model.macros.len()];
+        self.macro_reached = self.macro_time.clone();
+        if !model.uses_time() {
+            return;
+        }
+        self.reading = Some(self.field("reading".to_owned(), Role::Reading, Type::Ticks, time()));
+        self.settled = Some(self.field("settled".to_owned(), Role::Settled, Type::Bool, truth(false)));
+        self.elapsed = Some(self.local("elapsed".to_owned(), Type::Ticks));
+        let own = |association: &crate::model::Association| {
+            !matches!(association.effect, Effect::Control(_) | Effect::Call(..))
+        };
+        if !model.is_grafcet() && model.associations.values().any(own) {
+            self.turned = Some(self.truth("turned".to_owned()));
+        }
+        let opaque = |effect: &&Effect| matches!(effect, Effect::Block(code) if code.statements.is_none());
+        if model.effects().iter().any(opaque) {
+            self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
+        }
+        for read in model.expressions().concat() {
+            match read {
+                Read::Since(step) | Read::Elapsed(_, step) => self.count(step),
+                Read::MacroSince(id) | Read::MacroElapsed(_, id) if self.macro_time[id.index()].is_none() => {
+                    let name = plain(&model.macros[id].name);
+                    let place = self.field(format!("{name}.T"), Role::MacroTime(id), Type::Ticks, time());
+                    self.macro_time[id.index()] = Some(place);
+                    self.macro_reached[id.index()] = Some(self.local(format!("reached.{name}.T"), Type::Ticks));
+                }
+                Read::Blink(blink) => self.count_phase(blink),
+                _ => {}
+            }
+        }
+        // A32: these compare with the time of their step.
+        if model.is_grafcet() {
+            for association in model.associations.values() {
+                if association.time.is_some() {
+                    self.count(association.step);
+                }
+            }
+        }
+    }
+
+    /// The time of a step is that of its region.
+    fn count(&mut self, step: StepId) {
+        let region = self.regions.of_step(step);
+        if self.time[region].is_some() {
+            return;
+        }
+        let name = if self.regions.are_flags() {
+            format!("{}.T", self.step_name(step))
+        } else {
+            self.region_name("time", region)
+        };
+        let reached = format!("reached.{name}");
+        self.time[region] = Some(self.field(name, Role::Time(region), Type::Ticks, time()));
+        self.reached[region] = Some(self.local(reached, Type::Ticks));
+    }
+
+    fn count_phase(&mut self, blink: Blink) {
+        let (period, role) = (blink.period(), self.phase_role(blink));
+        if self.phases.iter().any(|phase| phase.role == role) {
+            return;
+        }
+        let name = match blink.of {
+            Blinker::Step(step) if self.regions.are_flags() => self.step_name(step),
+            Blinker::Step(step) => self.region_name("state", self.regions.of_step(step)),
+            Blinker::Macro(id) => plain(&self.model.macros[id].name),
+        };
+        let phase = self.field(format!("phase.{name}.{period}"), role, Type::Ticks, time());
+        let reached = self.local(format!("reached.phase.{name}.{period}"), Type::Ticks);
+        self.phases.push(Phases { role, period, phase, reached });
+    }
+
+    pub(super) fn phase_role(&self, blink: Blink) -> Role {
+        let period = blink.period();
+        match blink.of {
+            Blinker::Step(step) => Role::Phase { region: self.regions.of_step(step), period },
+            Blinker::Macro(of) => Role::MacroPhase { of, period },
+        }
+    }
+
+    /// Edges and delays.
+    fn remembered(&mut self) {
+        let model = self.model;
+        for id in model.delays.ids() {
+            let name = format!("delay{}", id.index());
+            let delays = Delays {
+                now: self.truth(format!("{name}.now")),
+                input: self.field(format!("{name}.in"), Role::DelayInput(id), Type::Bool, truth(false)),
+                held: self.field(format!("{name}.held"), Role::DelayHeld(id), Type::Ticks, time()),
+                output: self.field(format!("{name}.out"), Role::DelayOutput(id), Type::Bool, truth(false)),
+            };
+            self.delays.push(delays);
+        }
+        let (early, late) = self.asked_edges();
+        for id in model.edges.ids() {
+            let name = format!("edge{}", id.index());
+            if early.contains(&id) {
+                let before = self.field(format!("{name}.before"), Role::Edge(id), Type::Bool, truth(false));
+                let now = self.truth(format!("{name}.now"));
+                self.edges[id.index()] = Some(Edges { before, now });
+            }
+            if late.contains(&id) {
+                let name = format!("action.{name}");
+                let before = self.field(format!("{name}.before"), Role::ActionEdge(id), Type::Bool, truth(false));
+                let now = self.truth(format!("{name}.now"));
+                self.action_edges[id.index()] = Some(Edges { before, now });
+            }
+        }
+    }
+
+    /// The edges that conditions and delays ask for, and those that the actions of an `sfc` ask for.
+    fn asked_edges(&self) -> (Set<EdgeId>, Set<EdgeId>) {
+        let model = self.model;
+        let (mut early, mut late) = (Set::new(), Set::new());
+        for transition in model.transitions.values() {
+            self.edges_in(&transition.condition.reads, &mut early);
+            for reads in transition.clearing.iter().flat_map(Effect::reads) {
+                self.edges_in(reads, &mut early);
+            }
+        }
+        for delay in model.delays.values() {
+            self.edges_in(&delay.of.reads, &mut early);
+        }
+        for association in model.associations.values() {
+            for reads in association.reads() {
+                self.edges_in(reads, if model.is_grafcet() { &mut early } else { &mut late });
+            }
+        }
+        (early, late)
+    }
+
+    fn edges_in(&self, reads: &[Read], found: &mut Set<EdgeId>) {
+        for read in reads {
+            if let Read::Rising(id) | Read::Falling(id) = read {
+                if found.insert(*id) {
+                    self.edges_in(&self.model.edges[*id].of.reads, found);
+                }
+            }
+        }
+    }
+
+    /// What is decided in an evolution.
+    fn transitions(&mut self) {
+        let model = self.model;
+        for (id, any) in model.anys.iter() {
+            let place = self.truth(format!("any{}.{}", id.index(), self.arrow(any.first)));
+            self.anys.push(place);
+        }
+        for id in model.transitions.ids() {
+            let mut name = format!("clears.{}", self.arrow(id));
+            let same = self.clears.iter().filter(|place| self.name(**place).split('#').next() == Some(&name)).count();
+            if same > 0 {
+                name = format!("{name}#{}", same + 1);
+            }
+            let place = self.truth(name);
+            self.clears.push(place);
+        }
+        if !model.is_grafcet() {
+            for step in model.steps.ids() {
+                let name = self.step_name(step);
+                let (left, entered) = (self.truth(format!("left.{name}")), self.truth(format!("entered.{name}")));
+                self.left.push(left);
+                self.entered.push(entered);
+            }
+            return;
+        }
+        self.evolutions = self.local("evolutions".to_owned(), Type::Number);
+        for (id, partial) in model.partials.iter() {
+            if partial.enclosed_by.is_some() || model.forces.values().any(|force| force.target == id) {
+                let name = partial.name.as_ref().map_or_else(|| "chart".to_owned(), plain);
+                self.free[id.index()] = Some(self.truth(format!("free.{name}")));
+            }
+        }
+    }
+
+    /// `Off→On`, or the transition's name.
+    fn arrow(&self, id: TransitionId) -> String {
+        let transition = &self.model.transitions[id];
+        if let (Some(name), None) = (&transition.name, transition.any) {
+            return plain(name);
+        }
+        let side = |steps: &[StepId]| {
+            let names: Vec<String> = steps.iter().map(|step| self.step_name(*step)).collect();
+            if names.len() == 1 { names.concat() } else { format!("({})", names.join(",")) }
+        };
+        format!("{}→{}", side(&transition.sources), side(&transition.targets))
+    }
+
+    pub(super) fn delay(&self, id: DelayId) -> Delays {
+        self.delays[id.index()]
+    }
+}
+
+pub(super) fn plain(name: &proc_macro2::Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+fn truth<'m>(value: bool) -> Initial<'m> {
+    Initial::Value(Value::Bool(value))
+}
+
+fn time<'m>() -> Initial<'m> {
+    Initial::Value(Value::Ticks(0))
+}
+
+fn constant(init: Option<&Written>) -> Initial<'_> {
+    init.map_or(Initial::Default, Initial::Constant)
+}
+
+fn declared(ty: &Ty) -> Type<'_> {
+    match ty {
+        Ty::Bool(_) => Type::Bool,
+        Ty::Time(_) => Type::Ticks,
+        Ty::Int { .. } | Ty::Other(_) => Type::User(ty),
+    }
+}
+
+fn initial_of(ty: Type<'_>) -> Initial<'_> {
+    Initial::Value(match ty {
+        Type::Bool => Value::Bool(false),
+        Type::Ticks => Value::Ticks(0),
+        Type::State(_) => Value::Step(None),
+        Type::Number => Value::Int(0),
+        Type::Phase => Value::Phase(crate::program::Phase::First),
+        Type::User(_) => return Initial::Default,
+    })
+}

@@ -1,0 +1,166 @@
+//! What is sampled: edges, delays (A36) and combinational variables (A22), each behind those it reads.
+
+use super::Lower;
+use super::view::Moment;
+use crate::analysis::combinational;
+use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, VarId};
+use crate::program::build::{add, any, at_least, choose, compare, differ, when, zero};
+use crate::program::{Comparison, Expr, Statement};
+use crate::sorted::Set;
+
+/// Something that is sampled.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Sample {
+    Edge(EdgeId),
+    Delay(DelayId),
+    Combinational(VarId),
+}
+
+impl<'m> Lower<'_, 'm> {
+    /// Everything that a cycle samples once: delays, and what they look at. In an `sfc` all edges of conditions too.
+    pub(super) fn sample_once(&self) -> Vec<Statement<'m>> {
+        let mut order = Vec::new();
+        let mut seen = Set::new();
+        for id in self.model.delays.ids() {
+            self.visit(Sample::Delay(id), &mut seen, &mut order);
+        }
+        if !self.model.is_grafcet() {
+            self.visit_edges(&mut seen, &mut order);
+        }
+        self.samples(&order, Expr::Place(self.first))
+    }
+
+    /// What each evolution of a search samples: edges and combinational variables. `fresh` says that it is the very first one,
+    /// which has no edges (A26).
+    pub(super) fn sample_evolution(&self, fresh: Expr<'m>) -> Vec<Statement<'m>> {
+        let mut order = Vec::new();
+        let mut seen = Set::new();
+        self.visit_edges(&mut seen, &mut order);
+        for var in self.model.vars.ids() {
+            if self.combinational[var.index()].is_some() {
+                self.visit(Sample::Combinational(var), &mut seen, &mut order);
+            }
+        }
+        order.retain(|sample| !matches!(sample, Sample::Delay(_)));
+        self.samples(&order, fresh)
+    }
+
+    /// Point 8: the edges that the actions of an `sfc` see.
+    pub(super) fn sample_for_actions(&self) -> Vec<Statement<'m>> {
+        let mut order = Vec::new();
+        let mut seen = Set::new();
+        for id in self.model.edges.ids() {
+            if self.action_edges[id.index()].is_some() {
+                self.visit(Sample::Edge(id), &mut seen, &mut order);
+            }
+        }
+        let mut body = Vec::new();
+        for sample in order {
+            let Sample::Edge(id) = sample else { continue };
+            let Some(edges) = self.action_edges[id.index()] else { continue };
+            body.push(Statement::Set(edges.now, self.user(&self.model.edges[id].of, Moment::After)));
+            when(&mut body, Expr::Place(self.first), vec![Statement::Set(edges.before, Expr::Place(edges.now))]);
+        }
+        body
+    }
+
+    /// The edges are seen: the next ones compare with what is now.
+    pub(super) fn use_up_edges(&self) -> Vec<Statement<'m>> {
+        let edges = self.edges.iter().flatten();
+        edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).collect()
+    }
+
+    /// The same of those that actions see.
+    pub(super) fn use_up_action_edges(&self) -> Vec<Statement<'m>> {
+        let edges = self.action_edges.iter().flatten();
+        edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).collect()
+    }
+
+    /// Whether any of them rises or falls.
+    pub(super) fn has_edges(&self) -> Expr<'m> {
+        let edges = self.edges.iter().chain(&self.action_edges).flatten();
+        any(edges.map(|edges| differ(edges.before, edges.now)).collect())
+    }
+
+    fn visit_edges(&self, seen: &mut Set<Sample>, order: &mut Vec<Sample>) {
+        for id in self.model.edges.ids() {
+            if self.edges[id.index()].is_some() {
+                self.visit(Sample::Edge(id), seen, order);
+            }
+        }
+    }
+
+    /// Puts a sample behind those it reads.
+    fn visit(&self, sample: Sample, seen: &mut Set<Sample>, order: &mut Vec<Sample>) {
+        if !seen.insert(sample) {
+            return;
+        }
+        let mut reads: Vec<Read> = Vec::new();
+        match sample {
+            Sample::Edge(id) => reads.extend(&self.model.edges[id].of.reads),
+            Sample::Delay(id) => reads.extend(&self.model.delays[id].of.reads),
+            Sample::Combinational(id) => {
+                for condition in combinational::asserted(self.model, id).filter_map(|one| one.condition.as_ref()) {
+                    reads.extend(&condition.reads);
+                }
+            }
+        }
+        for read in reads {
+            match read {
+                Read::Rising(id) | Read::Falling(id) => self.visit(Sample::Edge(id), seen, order),
+                Read::Delay(id) => self.visit(Sample::Delay(id), seen, order),
+                Read::Name(Name::Var(id)) if self.combinational[id.index()].is_some() => {
+                    self.visit(Sample::Combinational(id), seen, order);
+                }
+                _ => {}
+            }
+        }
+        order.push(sample);
+    }
+
+    fn samples(&self, order: &[Sample], fresh: Expr<'m>) -> Vec<Statement<'m>> {
+        let mut body = Vec::new();
+        for sample in order {
+            match *sample {
+                Sample::Edge(id) => {
+                    let Some(edges) = self.edges[id.index()] else { continue };
+                    body.push(Statement::Set(edges.now, self.user(&self.model.edges[id].of, Moment::Before)));
+                    // It compares with itself: there is none.
+                    let none = Statement::Set(edges.before, Expr::Place(edges.now));
+                    when(&mut body, fresh.clone(), vec![none]);
+                }
+                Sample::Delay(id) => body.extend(self.sample_delay(id)),
+                Sample::Combinational(id) => body.extend(self.combinational(id)),
+            }
+        }
+        body
+    }
+
+    /// "`t1/e/t2` becomes true once `e` has been true for t1 and false once `e` has been false for t2."
+    fn sample_delay(&self, id: DelayId) -> Vec<Statement<'m>> {
+        let (delay, places) = (&self.model.delays[id], self.delay(id));
+        let Some(elapsed) = self.elapsed else { return Vec::new() };
+        let (now, held) = (Expr::Place(places.now), Expr::Place(places.held));
+        let same = compare(Comparison::Equal, now.clone(), Expr::Place(places.input));
+        let time = choose(now.clone(), self.time_of(delay.on), self.time_of(delay.off));
+        let follow = vec![Statement::Set(places.output, now.clone())];
+        vec![
+            Statement::Set(places.now, self.user(&delay.of, Moment::Before)),
+            Statement::Set(places.held, choose(same, add(held.clone(), Expr::Place(elapsed)), zero())),
+            Statement::Set(places.input, now),
+            Statement::If(at_least(held, time), follow, Vec::new()),
+        ]
+    }
+
+    /// A22: the OR over its associations.
+    fn combinational(&self, var: VarId) -> Vec<Statement<'m>> {
+        let Some(place) = self.combinational[var.index()] else { return Vec::new() };
+        let mut terms = Vec::new();
+        for (id, association) in self.model.associations.iter() {
+            if self.is_continuous(id) && matches!(association.effect, Effect::Control(Place::Var(at)) if at == var) {
+                terms.push(self.asserts(id));
+            }
+        }
+        vec![Statement::Set(place, any(terms))]
+    }
+}

@@ -1,0 +1,289 @@
+//! The cycle of a chart as a program of a small language: places, statements, expressions.
+//!
+//! [`naive`] makes one from a model, a function for each paragraph of `docs/semantics.md` and without a thought of cost; its text is
+//! pseudo-code (`Display`); [`run`] executes it on values.
+//!
+//! ```text
+//! was.state = state
+//! clears.Off→On = was.state is Off && on
+//! …
+//! if entered.On: state = On
+//! ```
+
+#![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
+
+mod build;
+mod lower;
+mod print;
+pub mod run;
+
+use crate::model::{
+    ActionId, AssociationId, Code, DelayId, EdgeId, Expr as Written, InputId, MacroId, Model, OutputId, ParamId, Place,
+    Qualifier, Read, StepId, TransitionId, Tree, Ty, VarId,
+};
+
+pub use lower::{Encoding, Refused, naive};
+
+/// What a chart does in one cycle.
+pub struct Program<'m> {
+    /// Whose names and types it uses.
+    pub model: &'m Model,
+    /// All that is stored, in a cycle and between two of them. Those that are fields are what `new` writes and a snapshot holds.
+    pub places: Vec<PlaceInfo<'m>>,
+    /// The groups of steps that share a place, in the order of [`Role::State`].
+    pub regions: Vec<Vec<StepId>>,
+    pub cycle: Vec<Statement<'m>>,
+    /// Of a chart that uses time.
+    pub deadline: Option<Deadline<'m>>,
+}
+
+/// An index into [`Program::places`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct PlaceId(pub usize);
+
+/// Something that holds a value.
+pub struct PlaceInfo<'m> {
+    pub name: String,
+    pub role: Role,
+    pub ty: Type<'m>,
+    pub initial: Initial<'m>,
+    /// It outlives the cycle. What does not begins each cycle with its initial value.
+    pub is_field: bool,
+}
+
+/// What a place is for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Role {
+    /// The next cycle is a first one.
+    First,
+    /// `grafcet`: the last search ended in a stable situation.
+    Stable,
+    /// The reading of the clock in the last cycle.
+    Reading,
+    /// The next cycle would do the same as the last one, were it not for inputs and time.
+    Settled,
+    /// Which step of a region is active.
+    State(usize),
+    /// Whether a step is active.
+    Bit(StepId),
+    /// The time of the active step of a region; under flags, each step is one.
+    Time(usize),
+    /// The time of a macro-step.
+    MacroTime(MacroId),
+    /// How far a period is since the activation of the active step of a region.
+    Phase {
+        region: usize,
+        period: u32,
+    },
+    /// The same of a macro-step.
+    MacroPhase {
+        of: MacroId,
+        period: u32,
+    },
+    /// What `rising` and `falling` compare with.
+    Edge(EdgeId),
+    /// `sfc`: the same, as the actions of the cycle before saw it.
+    ActionEdge(EdgeId),
+    DelayInput(DelayId),
+    DelayHeld(DelayId),
+    DelayOutput(DelayId),
+    Output(OutputId),
+    Var(VarId),
+    /// Exchanged from outside, and kept by `init`.
+    Param(ParamId),
+    /// S, SD, DS, SL of a target, which is named by its first association.
+    FlipFlop(AssociationId, Qualifier),
+    /// Whether the input of a timer (L, D, SD, DS, SL) was true.
+    TimerInput(AssociationId, Qualifier),
+    /// How long it has been.
+    TimerHeld(AssociationId, Qualifier),
+    /// The association whose time the timer takes.
+    TimerOf(AssociationId, Qualifier),
+    /// The association that set a flip-flop.
+    SetBy(AssociationId, Qualifier),
+    /// Whether an action was active in the last cycle.
+    Active(AssociationId),
+    /// The association that acted last.
+    Acted(AssociationId),
+    /// Whether an association with N, L or D held its action up in the last cycle.
+    Held(AssociationId),
+    /// Of one cycle.
+    Local,
+}
+
+/// What values a place holds.
+#[derive(Clone, Copy)]
+pub enum Type<'m> {
+    Bool,
+    Ticks,
+    /// One step of a region, or none.
+    State(usize),
+    /// The number of an association.
+    Number,
+    Phase,
+    /// A declared type that is none of these.
+    User(&'m Ty),
+}
+
+/// What a place begins with.
+#[derive(Clone, Copy)]
+pub enum Initial<'m> {
+    Value(Value),
+    /// The constant behind `=`.
+    Constant(&'m Written),
+    /// `Default` of a declared type.
+    Default,
+}
+
+/// A value.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Value {
+    Bool(bool),
+    /// Of an integer type, a variant's place in its list, or the number of an association.
+    Int(i128),
+    Ticks(u32),
+    /// The state of a region.
+    Step(Option<StepId>),
+    Phase(Phase),
+    /// Of a type that nothing is known about: a number that only the caller of `run` understands.
+    Other(u64),
+}
+
+/// Which call of a code action this is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Phase {
+    /// The action has become active, or runs once.
+    First,
+    Repeated,
+    /// It is no longer active.
+    Final,
+}
+
+#[derive(Clone)]
+pub enum Statement<'m> {
+    /// A paragraph.
+    Part(&'static str, Vec<Statement<'m>>),
+    Set(PlaceId, Expr<'m>),
+    If(Expr<'m>, Vec<Statement<'m>>, Vec<Statement<'m>>),
+    /// By the value of a place; the last are for all other values.
+    Match(PlaceId, Vec<(Value, Vec<Statement<'m>>)>, Vec<Statement<'m>>),
+    Loop {
+        /// As many rounds as this are certain to reach a `Break`.
+        rounds: u32,
+        body: Vec<Statement<'m>>,
+    },
+    /// Leaves the innermost loop.
+    Break,
+    Run(Box<Run<'m>>),
+    Call(ActionId, Expr<'m>, Vec<Expr<'m>>),
+    Mark(Mark),
+    /// Keeps the optimiser behind from moving code across it.
+    Fence,
+}
+
+/// A block of the user.
+#[derive(Clone)]
+pub struct Run<'m> {
+    pub code: &'m Code,
+    /// What each name in it stands for; what it writes stands for itself.
+    pub binds: Vec<(Read, Expr<'m>)>,
+    pub writes: Vec<Write>,
+}
+
+/// What a block may write.
+#[derive(Clone, Copy)]
+pub struct Write {
+    pub name: Place,
+    pub to: PlaceId,
+    /// Becomes true where it really is written.
+    pub noted: Option<PlaceId>,
+}
+
+/// What observers are told. Nothing else depends on it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mark {
+    Cleared(TransitionId),
+    Activated(StepId),
+    Deactivated(StepId),
+    /// All that one evolution has done is told.
+    Evolved,
+}
+
+#[derive(Clone)]
+pub enum Expr<'m> {
+    Value(Value),
+    Place(PlaceId),
+    /// What a place begins with.
+    Initial(PlaceId),
+    Input(InputId),
+    /// The reading of the clock.
+    Now,
+    /// Whether the state of a region is one of these.
+    Is(PlaceId, Vec<StepId>),
+    Not(Box<Expr<'m>>),
+    /// In this order, and no further than needed.
+    All(Vec<Expr<'m>>),
+    Any(Vec<Expr<'m>>),
+    Compare(Comparison, Box<Expr<'m>>, Box<Expr<'m>>),
+    /// The second where the first holds, else the third.
+    Choose(Box<[Expr<'m>; 3]>),
+    /// Of times: a sum or difference that saturates.
+    Add(Box<Expr<'m>>, Box<Expr<'m>>),
+    Sub(Box<Expr<'m>>, Box<Expr<'m>>),
+    /// Of a number: one more.
+    Next(PlaceId),
+    /// From the second reading of the clock to the first, which may have wrapped.
+    Since(Box<Expr<'m>>, Box<Expr<'m>>),
+    /// How far a period is (the last) that had come so far (the first) when so much time has passed.
+    Period(Box<Expr<'m>>, Box<Expr<'m>>, u32),
+    /// Rust of the user.
+    User(Box<User<'m>>),
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Comparison {
+    Equal,
+    Differs,
+    Below,
+    AtLeast,
+}
+
+/// An expression of the user: its tokens for a printer of Rust, its tree for whoever has to understand it.
+#[derive(Clone)]
+pub struct User<'m> {
+    pub tokens: &'m syn::Expr,
+    pub tree: &'m Tree,
+    /// What it reads, and what that is at this moment of the cycle.
+    pub binds: Vec<(Read, Expr<'m>)>,
+}
+
+/// Until when nothing changes.
+pub struct Deadline<'m> {
+    /// The next cycle is due at once.
+    pub at_once: Expr<'m>,
+    /// Where the first holds, something may change after the second. The soonest counts.
+    pub waits: Vec<(Expr<'m>, Expr<'m>)>,
+}
+
+impl Program<'_> {
+    /// The active steps by the values of the places.
+    #[must_use]
+    pub fn active(&self, values: &[Value]) -> Vec<StepId> {
+        let mut active = Vec::new();
+        for (place, value) in self.places.iter().zip(values) {
+            match (place.role, value) {
+                (Role::State(_), Value::Step(Some(step))) => active.push(*step),
+                (Role::Bit(step), Value::Bool(true)) => active.push(step),
+                _ => {}
+            }
+        }
+        active.sort_unstable();
+        active
+    }
+
+    /// The place with a role.
+    #[must_use]
+    pub fn place(&self, role: Role) -> Option<PlaceId> {
+        self.places.iter().position(|place| place.role == role).map(PlaceId)
+    }
+}

@@ -1,0 +1,132 @@
+//! `cargo xtask conformance --program`: the naive programs of random charts beside the interpreter, without rustc.
+
+use std::collections::BTreeMap;
+use std::num::NonZero;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use grafcet_compiler::model::Model;
+use grafcet_compiler::program::Encoding;
+use grafcet_conformance::program::{Outcome, compare, sleeps};
+use grafcet_conformance::reader::Line;
+use grafcet_conformance::{chart, random, reader};
+
+const USAGE: &str = "\
+program [--charts N] [--cycles N] [--seed N] [--number N] [--dialect sfc|grafcet]
+
+  --charts   charts that the compiler accepts, of each dialect (default 2500)
+  --cycles   cycles of each (default 200)
+  --seed     which charts (default 1)
+  --number   begins with the chart of this number, as the report gives it";
+
+/// How many differences are shown.
+const SHOWN: usize = 5;
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), String> {
+    let mut options = BTreeMap::from([("--charts", 2500), ("--cycles", 200), ("--seed", 1)]);
+    let (mut dialects, mut number) = (vec![false, true], None);
+    let mut words = std::env::args().skip(1);
+    while let Some(word) = words.next() {
+        let value = words.next().ok_or(USAGE)?;
+        if word == "--dialect" {
+            dialects = vec![value == "grafcet"];
+            continue;
+        }
+        let count = value.parse::<u64>().map_err(|error| format!("{word} {value}: {error}"))?;
+        if word == "--number" {
+            number = Some(count);
+        } else {
+            *options.get_mut(&*word).ok_or(USAGE)? = count;
+        }
+    }
+    let first = number.unwrap_or(options["--seed"].wrapping_mul(100_000));
+    let mut differing = 0;
+    for grafcet in dialects {
+        differing += dialect(grafcet, first, &options)?;
+    }
+    if differing == 0 { Ok(()) } else { Err(format!("{differing} charts differ")) }
+}
+
+fn dialect(grafcet: bool, first: u64, options: &BTreeMap<&str, u64>) -> Result<usize, String> {
+    let name = if grafcet { "grafcet" } else { "sfc" };
+    let (start, cycles) = (Instant::now(), usize::try_from(options["--cycles"]).unwrap_or(usize::MAX));
+    let next = Next { number: AtomicU64::new(first), accepted: AtomicU64::new(0), charts: options["--charts"] };
+    let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
+    let work = || play(grafcet, &next, cycles);
+    let parts: Vec<Result<Part, String>> = std::thread::scope(|scope| {
+        let all: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        all.into_iter().map(|one| one.join().unwrap_or_else(|_| Err("a thread panicked".to_owned()))).collect()
+    });
+    let mut sum = Part::default();
+    for part in parts {
+        let part = part?;
+        sum.charts += part.charts;
+        sum.stopped += part.stopped;
+        sum.differing.extend(part.differing);
+    }
+    sum.differing.iter().take(SHOWN).for_each(|text| println!("{text}"));
+    let (charts, stopped, differing) = (sum.charts, sum.stopped, sum.differing.len());
+    let seconds = start.elapsed().as_secs_f64();
+    println!(
+        "{name}: {charts} charts x {cycles} cycles, {differing} differ; {stopped} stopped by arithmetic; {seconds:.0} s"
+    );
+    Ok(differing)
+}
+
+/// Which chart comes next, for all threads.
+struct Next {
+    number: AtomicU64,
+    accepted: AtomicU64,
+    charts: u64,
+}
+
+/// What one thread has done.
+#[derive(Default)]
+struct Part {
+    charts: u64,
+    stopped: u64,
+    differing: Vec<String>,
+}
+
+fn play(grafcet: bool, next: &Next, cycles: usize) -> Result<Part, String> {
+    let mut part = Part::default();
+    loop {
+        let number = next.number.fetch_add(1, Ordering::Relaxed);
+        if next.accepted.load(Ordering::Relaxed) >= next.charts {
+            return Ok(part);
+        }
+        let made = random::chart(number, grafcet, cycles);
+        let Ok(model) = chart::resolve(&made.chart) else { continue };
+        if next.accepted.fetch_add(1, Ordering::Relaxed) >= next.charts {
+            return Ok(part);
+        }
+        part.charts += 1;
+        let lines = reader::read(&format!("{}---\n{}", made.chart, made.timeline))?.lines;
+        match differs(&model, &lines, number) {
+            Ok(whole) => part.stopped += u64::from(!whole),
+            Err(error) => part.differing.push(format!("{number}: {error}\n{}", made.chart)),
+        }
+    }
+}
+
+/// Each chart in one of the encodings, some of them asleep too. Whether the whole timeline was understood.
+fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
+    let encoding = if (number / 16) % 2 == 0 { Encoding::Regions } else { Encoding::Flags };
+    let outcome = compare(model, lines, encoding).map_err(|error| format!("{encoding:?}: {error}"))?;
+    if (number / 32) % 8 == 0 {
+        let lines = &lines[..lines.len().min(40)];
+        sleeps(model, lines, encoding).map_err(|error| format!("{encoding:?}, asleep: {error}"))?;
+    }
+    Ok(matches!(outcome, Outcome::Same))
+}

@@ -1,0 +1,276 @@
+//! The naive program of a chart beside the interpreter of the model, without rustc.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::analysis::combinational;
+use grafcet_compiler::model::{Id, Model, OutputId, StepId, TransitionId, Ty, VarId};
+use grafcet_compiler::program::run::{Call, Cycle, Machine, Nothing};
+use grafcet_compiler::program::{Encoding, Mark, Phase, PlaceId, Program, Role, Value, naive};
+
+use crate::interp::{self, Interpreter};
+use crate::reader::{Kind, Line};
+use crate::{Shown, Subject, Values, asleep};
+
+/// A program as a chart that runs.
+pub struct Programmed<'p, 'm> {
+    program: &'p Program<'m>,
+    machine: Machine<'p, 'm>,
+    outputs: Vec<PlaceId>,
+    vars: Vec<PlaceId>,
+    stable: Option<PlaceId>,
+}
+
+impl<'p, 'm> Programmed<'p, 'm> {
+    /// In its initial situation.
+    ///
+    /// # Errors
+    /// An initial value is not understood.
+    pub fn new(program: &'p Program<'m>) -> Result<Self, String> {
+        let machine = Machine::new(program, &mut Nothing).map_err(|error| error.to_string())?;
+        let (mut outputs, mut vars) = (Vec::new(), Vec::new());
+        for (index, place) in program.places.iter().enumerate() {
+            match place.role {
+                Role::Output(_) => outputs.push(PlaceId(index)),
+                Role::Var(_) => vars.push(PlaceId(index)),
+                _ => {}
+            }
+        }
+        Ok(Self { program, machine, outputs, vars, stable: program.place(Role::Stable) })
+    }
+
+    fn step(&mut self, inputs: &Values, now: u32) -> Result<Cycle, String> {
+        let model = self.program.model;
+        let inputs: Vec<Value> = model.inputs.values().map(|i| value(given(inputs, &plain(&i.name)), &i.ty)).collect();
+        self.machine.cycle(&inputs, now, &mut Nothing).map_err(|error| error.to_string())
+    }
+
+    fn is_stable(&self) -> bool {
+        self.stable.is_none_or(|place| self.machine.value(place) == Value::Bool(true))
+    }
+
+    /// In the order of declaration.
+    fn output(&self, id: OutputId) -> Value {
+        self.machine.value(self.outputs[id.index()])
+    }
+
+    fn var(&self, id: VarId) -> Value {
+        self.machine.value(self.vars[id.index()])
+    }
+}
+
+impl Subject for Programmed<'_, '_> {
+    fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {
+        let cycle = self.step(inputs, now)?;
+        let calls = cycle.calls.iter().map(|call| written(self.program.model, call)).collect();
+        Ok(Shown { calls, stable: self.is_stable(), ..self.shown() })
+    }
+
+    fn init(&mut self) -> Result<(), String> {
+        self.machine.init();
+        Ok(())
+    }
+
+    fn set_params(&mut self, changed: &Values) -> Result<(), String> {
+        for (id, param) in self.program.model.params.iter() {
+            if let (Some(new), Some(place)) = (changed.get(&plain(&param.name)), self.program.place(Role::Param(id))) {
+                self.machine.set(place, value(*new, &param.ty));
+            }
+        }
+        Ok(())
+    }
+
+    fn shown(&self) -> Shown {
+        let model = self.program.model;
+        let mut outputs = BTreeMap::new();
+        for (id, output) in model.outputs.iter() {
+            outputs.insert(plain(&output.name), number(self.output(id)));
+        }
+        outputs.retain(|_, value| *value != 0);
+        let steps = self.machine.active().iter().map(|step| plain(&model.steps[*step].name)).collect();
+        Shown { steps, stable: true, outputs, calls: Vec::new() }
+    }
+
+    fn next_deadline(&self) -> Option<u32> {
+        self.machine.next_deadline(&mut Nothing).unwrap_or_default()
+    }
+}
+
+/// What is compared of one cycle.
+#[derive(PartialEq, Eq, Debug)]
+struct Seen {
+    active: Vec<StepId>,
+    outputs: Vec<i128>,
+    vars: Vec<i128>,
+    calls: Vec<String>,
+    stable: bool,
+    /// What has cleared, evolution by evolution.
+    evolutions: Vec<BTreeSet<TransitionId>>,
+}
+
+/// How a comparison ended.
+pub enum Outcome {
+    /// Without a difference.
+    Same,
+    /// The interpreter refuses the chart, or it has come to arithmetic that would panic: from there on nothing is compared.
+    NotUnderstood(String),
+}
+
+/// Plays a timeline on the program and on the interpreter.
+///
+/// # Errors
+/// The first difference.
+pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outcome, String> {
+    let mut oracle = match Interpreter::new(model) {
+        Ok(oracle) => oracle,
+        Err(error) => return Ok(Outcome::NotUnderstood(error.to_string())),
+    };
+    let program = naive(model, encoding).map_err(|refused| refused.to_string())?;
+    let mut subject = Programmed::new(&program)?;
+    let held: Vec<VarId> = model.vars.ids().filter(|id| !combinational::in_order(model).contains(id)).collect();
+    for line in lines {
+        let at = |what: String| format!("line {}: {}\n  {what}", line.number, line.text());
+        match &line.kind {
+            Kind::Init => {
+                oracle.init().map_err(|error| at(error.to_string()))?;
+                subject.init()?;
+            }
+            Kind::Params(changed) => {
+                let params = model.params.values().zip(oracle.params());
+                let new = params.map(|(param, old)| match changed.get(&plain(&param.name)) {
+                    Some(new) => other(value(*new, &param.ty)),
+                    None => *old,
+                });
+                oracle.set_params(&new.collect::<Vec<_>>()).map_err(|error| at(error.to_string()))?;
+                subject.set_params(changed)?;
+            }
+            Kind::Shows(_) | Kind::Wakes(_) => {}
+            Kind::Cycle { inputs, now, .. } => {
+                let values = model.inputs.values().map(|i| other(value(given(inputs, &plain(&i.name)), &i.ty)));
+                let expected = match oracle.cycle(&values.collect::<Vec<_>>(), *now) {
+                    Ok(cycle) => cycle,
+                    Err(error) => return Ok(Outcome::NotUnderstood(error.to_string())),
+                };
+                let found = subject.step(inputs, *now).map_err(at)?;
+                let expected = of_oracle(model, &expected, &held, oracle.vars());
+                let found = of_program(&subject, &found, &held);
+                if expected != found {
+                    return Err(at(format!("interpreter {expected:?}\n  program     {found:?}")));
+                }
+            }
+        }
+    }
+    Ok(Outcome::Same)
+}
+
+/// Plays a timeline on a program that is scanned at every tick, and on one that sleeps until its deadline.
+///
+/// # Errors
+/// The first difference.
+pub fn sleeps(model: &Model, lines: &[Line], encoding: Encoding) -> Result<(), String> {
+    let program = naive(model, encoding).map_err(|refused| refused.to_string())?;
+    if program.deadline.is_none() {
+        return Ok(());
+    }
+    let (mut first, mut second) = (Programmed::new(&program)?, Programmed::new(&program)?);
+    asleep::compare(&mut first, &mut second, lines).map_err(|difference| difference.to_string())
+}
+
+fn of_oracle(model: &Model, cycle: &interp::Cycle, held: &[VarId], vars: &[interp::Value]) -> Seen {
+    let mut evolutions: Vec<_> = cycle.seen.iter().map(|evolution| evolution.cleared.clone()).collect();
+    // Of a search the last one has not taken place, of an `sfc` one that clears nothing.
+    if model.is_grafcet() {
+        evolutions.truncate(cycle.evolutions as usize);
+    } else {
+        evolutions.retain(|cleared| !cleared.is_empty());
+    }
+    let calls = cycle.calls.iter().map(|call| {
+        let args = call.args.iter().map(|arg| back(*arg)).collect();
+        let phase = match call.phase {
+            interp::Phase::First => Phase::First,
+            interp::Phase::Repeated => Phase::Repeated,
+            interp::Phase::Final => Phase::Final,
+        };
+        written(model, &Call { action: call.action, phase, args })
+    });
+    Seen {
+        active: cycle.active.iter().copied().collect(),
+        outputs: cycle.outputs.iter().map(|value| number(back(*value))).collect(),
+        vars: held.iter().map(|id| number(back(vars[id.index()]))).collect(),
+        calls: calls.collect(),
+        stable: cycle.stable,
+        evolutions,
+    }
+}
+
+fn of_program(subject: &Programmed<'_, '_>, cycle: &Cycle, held: &[VarId]) -> Seen {
+    let (mut evolutions, mut cleared) = (Vec::new(), BTreeSet::new());
+    for mark in &cycle.marks {
+        match mark {
+            Mark::Cleared(id) => _ = cleared.insert(*id),
+            Mark::Evolved => evolutions.push(std::mem::take(&mut cleared)),
+            Mark::Activated(_) | Mark::Deactivated(_) => {}
+        }
+    }
+    let model = subject.program.model;
+    Seen {
+        active: subject.machine.active(),
+        outputs: model.outputs.ids().map(|id| number(subject.output(id))).collect(),
+        vars: held.iter().map(|id| number(subject.var(*id))).collect(),
+        calls: cycle.calls.iter().map(|call| written(model, call)).collect(),
+        stable: subject.is_stable(),
+        evolutions,
+    }
+}
+
+fn written(model: &Model, call: &Call) -> String {
+    let phase = match call.phase {
+        Phase::First => "first",
+        Phase::Repeated => "repeated",
+        Phase::Final => "final",
+    };
+    let args: Vec<String> = call.args.iter().map(|arg| number(*arg).to_string()).collect();
+    format!("{phase} {}({})", plain(&model.actions[call.action].name), args.join(","))
+}
+
+fn plain(name: &proc_macro2::Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+/// What a timeline does not name is false or zero.
+fn given(values: &Values, name: &str) -> i128 {
+    values.get(name).copied().unwrap_or_default()
+}
+
+fn value(number: i128, ty: &Ty) -> Value {
+    match ty {
+        Ty::Bool(_) => Value::Bool(number != 0),
+        Ty::Time(_) => Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),
+        _ => Value::Int(number),
+    }
+}
+
+/// The same value in the interpreter's words.
+fn other(value: Value) -> interp::Value {
+    match value {
+        Value::Bool(value) => interp::Value::Bool(value),
+        Value::Ticks(ticks) => interp::Value::Ticks(ticks),
+        other => interp::Value::Int(number(other)),
+    }
+}
+
+fn back(value: interp::Value) -> Value {
+    match value {
+        interp::Value::Bool(value) => Value::Bool(value),
+        interp::Value::Ticks(ticks) => Value::Ticks(ticks),
+        interp::Value::Int(number) => Value::Int(number),
+    }
+}
+
+fn number(value: Value) -> i128 {
+    match value {
+        Value::Bool(value) => i128::from(value),
+        Value::Int(value) => value,
+        Value::Ticks(ticks) => i128::from(ticks),
+        Value::Step(_) | Value::Phase(_) | Value::Other(_) => -1,
+    }
+}
