@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::analysis::combinational;
+use grafcet_compiler::analysis::{Facts, combinational};
 use grafcet_compiler::model::{Id, Model, OutputId, StepId, TransitionId, Ty, VarId};
 use grafcet_compiler::program::run::{Call, Cycle, Machine, Nothing};
 use grafcet_compiler::program::{Encoding, Mark, Phase, PlaceId, Program, Role, Value, naive};
@@ -124,7 +124,7 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outc
         Ok(oracle) => oracle,
         Err(error) => return Ok(Outcome::NotUnderstood(error.to_string())),
     };
-    let program = naive(model, encoding).map_err(|refused| refused.to_string())?;
+    let program = naive(model, &Facts::of(model), encoding).map_err(|refused| refused.to_string())?;
     let mut subject = Programmed::new(&program)?;
     let held: Vec<VarId> = model.vars.ids().filter(|id| !combinational::in_order(model).contains(id)).collect();
     for line in lines {
@@ -167,7 +167,7 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outc
 /// # Errors
 /// The first difference.
 pub fn sleeps(model: &Model, lines: &[Line], encoding: Encoding) -> Result<(), String> {
-    let program = naive(model, encoding).map_err(|refused| refused.to_string())?;
+    let program = naive(model, &Facts::of(model), encoding).map_err(|refused| refused.to_string())?;
     if program.deadline.is_none() {
         return Ok(());
     }

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Id, Model, OutputId, Place, Read};
 use grafcet_compiler::parse;
@@ -50,10 +51,12 @@ fn every_program_behaves_as_worked_out_by_hand() {
         let case = reader::read(&text).expect("a chart and a timeline");
         let model = read(&case.chart);
         for encoding in ENCODINGS {
-            let result = naive(&model, encoding).map_err(|refused| refused.to_string()).and_then(|program| {
-                let mut subject = Programmed::new(&program)?;
-                play::against_the_file(&mut subject, &case.lines).map_err(|difference| difference.to_string())
-            });
+            let result = naive(&model, &Facts::of(&model), encoding).map_err(|refused| refused.to_string()).and_then(
+                |program| {
+                    let mut subject = Programmed::new(&program)?;
+                    play::against_the_file(&mut subject, &case.lines).map_err(|difference| difference.to_string())
+                },
+            );
             match result {
                 Ok(()) => played += 1,
                 Err(error) => _ = writeln!(failures, "{name} {encoding:?}: {error}"),
@@ -102,7 +105,7 @@ fn a_block_that_ends_is_looked_at_again() {
 /// What the checks refuse has no program, whoever asks.
 #[test]
 fn what_has_no_meaning_is_refused() {
-    let refused = |text: &str| naive(&read(text), Encoding::Regions).err();
+    let refused = |text: &str| naive(&read(text), &Facts::of(&read(text)), Encoding::Regions).err();
     let circle = "grafcet C { var a, b: bool; initial step A { a if b; b if a; } step B; A -[a]-> B -[true]-> A; }";
     assert_eq!(refused(circle), Some(Refused::Circle));
     let forcing = "grafcet C { partial Up { initial step A { force Down {}; } step A2; A -[true]-> A2 -[true]-> A; }
@@ -139,7 +142,7 @@ fn rust_that_is_not_looked_into_is_asked_for() {
         "sfc C { input level: i16; output n: u8; initial step A; step B { P1 { for _ in 0..3 { n += 1; } } } \
          A -[level.abs() > 5]-> B -[level.abs() < 5]-> A; }",
     );
-    let program = naive(&model, Encoding::Regions).expect("a program");
+    let program = naive(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let mut machine = Machine::new(&program, &mut Known).expect("initial values");
     let n = program.place(Role::Output(OutputId::new(0))).expect("an output");
     let mut shown = Vec::new();
@@ -160,7 +163,7 @@ fn programs_are_as_recorded() {
         for chart in charts::charts(&rust) {
             let model = resolved(chart);
             let encoding = if model.flags { Encoding::Flags } else { Encoding::Regions };
-            let program = naive(&model, encoding).expect("a program");
+            let program = naive(&model, &Facts::of(&model), encoding).expect("a program");
             _ = write!(text, "{}{program}", if text.is_empty() { "" } else { "\n\n" });
         }
         recorded(&root.join(format!("tests/golden/program/{name}.txt")), &text);
@@ -168,7 +171,7 @@ fn programs_are_as_recorded() {
     let flags = read(
         "sfc Pair { input b1, b2: bool; output q: bool; initial step S1; step S2 { q; } S1 -[b1]-> S2 -[b2]-> S1; }",
     );
-    let program: Program<'_> = naive(&flags, Encoding::Flags).expect("a program");
+    let program: Program<'_> = naive(&flags, &Facts::of(&flags), Encoding::Flags).expect("a program");
     recorded(&root.join("tests/golden/program/flags.txt"), &program.to_string());
 }
 

@@ -118,7 +118,7 @@ impl<'m> Lower<'_, 'm> {
             let value = any(driving.iter().map(|id| self.asserts(*id)).collect());
             body.push(Statement::Set(next, value));
         } else {
-            let mut otherwise = vec![Statement::Set(next, self.initial_value(to))];
+            let mut otherwise = vec![Statement::Set(next, Expr::Initial(to))];
             for id in driving {
                 let value = match &model.associations[id].effect {
                     Effect::Assign(_, value) => self.user(value, Moment::Before),

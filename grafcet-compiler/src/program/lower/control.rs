@@ -125,7 +125,7 @@ impl<'m> Lower<'_, 'm> {
         let reset = input(self, R);
         let mut terms = Vec::new();
         for qualifier in [N, S, L, D, P, Sd, Ds, Sl] {
-            if !self.has(target, qualifier) && !(qualifier == S && self.only_stored(target)) {
+            if !(self.has(target, qualifier) || qualifier == S && self.only_stored(target)) {
                 continue;
             }
             let set = input(self, qualifier);

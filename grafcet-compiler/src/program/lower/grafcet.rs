@@ -53,7 +53,7 @@ impl<'m> Lower<'_, 'm> {
         part(&mut body, "the situation before", self.copy_situation());
         let none_yet = compare(Comparison::Equal, Expr::Place(self.evolutions), number(0));
         let fresh = all(vec![Expr::Place(self.first), none_yet]);
-        part(&mut body, "edges and combinational variables (A2, A22)", self.sample_evolution(fresh));
+        part(&mut body, "edges and combinational variables (A2, A22)", self.sample_evolution(&fresh));
         part(&mut body, "what nothing above keeps from clearing (A13, A17)", self.decide_free());
         part(&mut body, "what clears", self.decide());
         part(&mut body, "from above downwards (A11, A15, A19)", self.descend());

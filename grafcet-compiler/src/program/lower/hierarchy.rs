@@ -54,13 +54,9 @@ impl<'m> Lower<'_, 'm> {
         let mut body = Vec::new();
         for leaving in [true, false] {
             for step in &self.model.partials[partial].steps {
-                let mut clearing = Vec::new();
-                for (id, transition) in self.model.transitions.iter() {
-                    let steps = if leaving { &transition.sources } else { &transition.targets };
-                    if transition.partial == partial && steps.contains(step) {
-                        clearing.push(Expr::Place(self.clears[id.index()]));
-                    }
-                }
+                let transitions = if leaving { &self.model.leaving } else { &self.model.entering };
+                let clearing: Vec<Expr<'m>> =
+                    transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).collect();
                 if !clearing.is_empty() {
                     body.push(Statement::If(any(clearing), vec![self.put(*step, !leaving)], Vec::new()));
                 }

@@ -27,7 +27,7 @@ mod view;
 use std::fmt;
 
 use super::{Expr, PlaceId, PlaceInfo, Program};
-use crate::analysis::{Concurrency, combinational, hierarchy as facts};
+use crate::analysis::{Facts, combinational, hierarchy::masters};
 use crate::model::{Effect, Model, PartialId, Place, Qualifier, StepId};
 use crate::plan::Regions;
 use crate::sorted::Set;
@@ -65,14 +65,13 @@ impl fmt::Display for Refused {
 ///
 /// # Errors
 /// The chart has not passed them.
-pub fn naive(model: &Model, encoding: Encoding) -> Result<Program<'_>, Refused> {
-    possible(model)?;
-    let initial = facts::initial_situation(model);
+pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Result<Program<'m>, Refused> {
+    possible(model, facts)?;
     let regions = match encoding {
-        Encoding::Regions => Regions::of(model, &Concurrency::of(model), &initial),
-        Encoding::Flags => Regions::flags(model, &initial),
+        Encoding::Regions => Regions::of(model, &facts.concurrency, &facts.initial),
+        Encoding::Flags => Regions::flags(model, &facts.initial),
     };
-    let mut lower = Lower::new(model, &regions, initial);
+    let mut lower = Lower::new(model, &regions, facts);
     let cycle = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
     let regions = regions.all().iter().map(|region| region.steps.clone()).collect();
@@ -134,10 +133,10 @@ struct Lower<'r, 'm> {
 }
 
 /// What the rules of the dialect and of the hierarchy exclude.
-fn possible(model: &Model) -> Result<(), Refused> {
-    let order = facts::top_down(model);
+fn possible(model: &Model, facts: &Facts<'_>) -> Result<(), Refused> {
+    let order = &facts.top_down;
     for (index, partial) in order.iter().enumerate() {
-        if facts::masters(model, *partial).iter().any(|master| !order[..index].contains(master)) {
+        if masters(model, *partial).iter().any(|master| !order[..index].contains(master)) {
             return Err(Refused::Circle);
         }
     }
@@ -151,10 +150,9 @@ fn possible(model: &Model) -> Result<(), Refused> {
         use Qualifier::{D, L, N, On, P0, P1, R, S};
         let possible = match (model.is_grafcet(), association.qualifier, &association.effect) {
             (false, On, _) => false,
-            (false, P1 | P0, effect) => !matches!(effect, Effect::Control(_)),
+            (_, P1 | P0 | On, effect) => !matches!(effect, Effect::Control(_)),
             (false, ..) => true,
             (true, S | R, effect) => matches!(effect, Effect::Control(_)),
-            (true, P1 | P0 | On, effect) => !matches!(effect, Effect::Control(_)),
             (true, N | L | D, effect) => {
                 matches!(effect, Effect::Control(_) | Effect::Assign(Place::Output(_), _) | Effect::Call(..))
             }

@@ -1,7 +1,7 @@
 //! What is stored, and how it is called.
 
 use super::{Lower, Set};
-use crate::analysis::{combinational, hierarchy};
+use crate::analysis::{Facts, combinational};
 use crate::model::{
     Blink, Blinker, DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty,
 };
@@ -36,12 +36,12 @@ pub(super) struct Phases {
 }
 
 impl<'r, 'm> Lower<'r, 'm> {
-    pub(super) fn new(model: &'m Model, regions: &'r Regions, initial: Set<StepId>) -> Self {
+    pub(super) fn new(model: &'m Model, regions: &'r Regions, facts: &Facts<'_>) -> Self {
         let mut lower = Self {
             model,
             regions,
-            initial,
-            partials: hierarchy::top_down(model),
+            initial: facts.initial.clone(),
+            partials: facts.top_down.clone(),
             places: Vec::new(),
             first: PlaceId(0),
             state: Vec::new(),

@@ -59,7 +59,7 @@ impl<'m> Lower<'_, 'm> {
         let assigns = |id: &&AssociationId| matches!(model.associations[**id].effect, Effect::Assign(..));
         let assigning: Vec<AssociationId> = target.associations.iter().filter(assigns).copied().collect();
         let mut otherwise = vec![match place {
-            Place::Output(_) if !assigning.is_empty() => Statement::Set(to, self.initial_value(to)),
+            Place::Output(_) if !assigning.is_empty() => Statement::Set(to, Expr::Initial(to)),
             _ => Statement::Set(to, Expr::Place(target.q)),
         }];
         for id in assigning {
@@ -67,11 +67,6 @@ impl<'m> Lower<'_, 'm> {
             otherwise = vec![Statement::If(Expr::Place(flags[id.index()]), run, otherwise)];
         }
         into.extend(otherwise);
-    }
-
-    /// What a place begins with.
-    pub(super) fn initial_value(&self, place: PlaceId) -> Expr<'m> {
-        Expr::Initial(place)
     }
 
     /// P0, and the final call where leaving a step has ended the action. "P0 together with a final call is one run."

@@ -27,12 +27,12 @@ impl<'m> Lower<'_, 'm> {
         if !self.model.is_grafcet() {
             self.visit_edges(&mut seen, &mut order);
         }
-        self.samples(&order, Expr::Place(self.first))
+        self.samples(&order, &Expr::Place(self.first))
     }
 
     /// What each evolution of a search samples: edges and combinational variables. `fresh` says that it is the very first one,
     /// which has no edges (A26).
-    pub(super) fn sample_evolution(&self, fresh: Expr<'m>) -> Vec<Statement<'m>> {
+    pub(super) fn sample_evolution(&self, fresh: &Expr<'m>) -> Vec<Statement<'m>> {
         let mut order = Vec::new();
         let mut seen = Set::new();
         self.visit_edges(&mut seen, &mut order);
@@ -118,7 +118,7 @@ impl<'m> Lower<'_, 'm> {
         order.push(sample);
     }
 
-    fn samples(&self, order: &[Sample], fresh: Expr<'m>) -> Vec<Statement<'m>> {
+    fn samples(&self, order: &[Sample], fresh: &Expr<'m>) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         for sample in order {
             match *sample {

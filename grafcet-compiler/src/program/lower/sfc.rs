@@ -64,14 +64,8 @@ impl<'m> Lower<'_, 'm> {
 
     /// The transitions that lead from a step, or to it.
     fn clearing(&self, step: StepId, from: bool) -> Vec<Expr<'m>> {
-        let mut clearing = Vec::new();
-        for (id, transition) in self.model.transitions.iter() {
-            let steps = if from { &transition.sources } else { &transition.targets };
-            if steps.contains(&step) {
-                clearing.push(Expr::Place(self.clears[id.index()]));
-            }
-        }
-        clearing
+        let transitions = if from { &self.model.leaving } else { &self.model.entering };
+        transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).collect()
     }
 
     /// `X' = (X − ∪ sources(F)) ∪ ∪ targets(F)`

@@ -42,7 +42,7 @@ impl<'m> Lower<'_, 'm> {
     /// What the stored actions write, and the calls behind them; all in source order, those of transitions last.
     pub(super) fn stored_actions(&mut self, stored: &mut Stored<'m>) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
         let model = self.model;
-        let mut body = self.begin_stored(stored);
+        let mut body = begin(stored);
         for (_, association) in model.associations.iter() {
             let occurs = self.occurs(association, Moment::Before);
             self.stored_action(association, occurs, Moment::Before, stored, &mut body);
@@ -72,15 +72,11 @@ impl<'m> Lower<'_, 'm> {
         if body.is_empty() {
             return body;
         }
-        body.splice(0..0, self.begin_stored(stored));
+        body.splice(0..0, begin(stored));
         body.append(&mut stored.calls);
         body.extend(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
         stored.due.clear();
         body
-    }
-
-    fn begin_stored(&self, stored: &Stored<'m>) -> Vec<Statement<'m>> {
-        stored.next.iter().map(|(place, next)| Statement::Set(*next, Expr::Place(*place))).collect()
     }
 
     /// Whether the event of a stored action occurs. A12: forcing raises the same events.
@@ -174,4 +170,9 @@ impl<'m> Lower<'_, 'm> {
         let place = self.place(place);
         stored.next.iter().find(|(of, _)| *of == place).map_or(place, |(_, next)| *next)
     }
+}
+
+/// Each place keeps its value where nothing writes it.
+fn begin<'m>(stored: &Stored<'m>) -> Vec<Statement<'m>> {
+    stored.next.iter().map(|(place, next)| Statement::Set(*next, Expr::Place(*place))).collect()
 }

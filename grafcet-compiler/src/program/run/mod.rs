@@ -452,7 +452,7 @@ fn default(ty: Type<'_>) -> Value {
 }
 
 /// The declared type of a place, where its integers have one.
-fn width<'m>(ty: Type<'m>) -> Option<&'m Ty> {
+fn width(ty: Type<'_>) -> Option<&Ty> {
     match ty {
         Type::User(ty) => Some(ty),
         _ => None,

@@ -200,7 +200,8 @@ fn shifted(operator: Binary, a: i128, b: i128, width: Option<Width>) -> Result<T
     // Up to the top and back again: what does not fit is gone, and the sign is that of the type.
     let top = a.wrapping_shl(by).wrapping_shl(unused);
     let signed = width.is_none_or(|width| width.signed);
-    let back = if signed { top >> unused } else { i128::try_from(top.cast_unsigned() >> unused).unwrap_or(i128::MAX) };
+    let kept = if unused == 0 { -1 } else { (1_i128 << bits.min(126)) - 1 };
+    let back = if signed { top >> unused } else { (top >> unused) & kept };
     Ok(Term::Int(back, width))
 }
 
