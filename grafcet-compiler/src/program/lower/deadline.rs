@@ -3,7 +3,7 @@
 use super::Lower;
 use crate::model::{Binary, Blinker, Effect, Expr as Written, Id, Name, Qualifier, Read, TimeRef, Tree};
 use crate::program::build::{add, all, any, below, choose, compare, not, sub, ticks};
-use crate::program::{Comparison, Deadline, Expr, PlaceId};
+use crate::program::{Comparison, Deadline, Expr, PlaceId, Value};
 use crate::sorted::Set;
 
 /// At which times of a step or macro-step something changes.
@@ -39,7 +39,37 @@ impl<'m> Lower<'_, 'm> {
             let waiting = all(vec![Expr::Place(*input), below(Expr::Place(*held), time.clone())]);
             waits.push((waiting, sub(time.clone(), Expr::Place(*held))));
         }
-        Some(Deadline { at_once: not(Expr::Place(settled)), waits })
+        let mut at_once = self.restless();
+        at_once.insert(0, not(Expr::Place(settled)));
+        Some(Deadline { at_once: any(at_once), waits })
+    }
+
+    /// Where each cycle asks for a call that may have another value each time.
+    fn restless(&self) -> Vec<Expr<'m>> {
+        let model = self.model;
+        let mut found = Vec::new();
+        for transition in model.transitions.values() {
+            if transition.condition.tree.may_differ() {
+                found.push(all(transition.sources.iter().map(|step| self.is(*step)).collect()));
+            }
+        }
+        for association in model.associations.values() {
+            let mut asked: Vec<&Written> = association.condition.iter().chain(&association.event).collect();
+            if association.qualifier == Qualifier::N {
+                asked.extend(association.effect.expressions());
+            }
+            if asked.iter().any(|expr| expr.tree.may_differ()) {
+                found.push(self.is(association.step));
+            }
+        }
+        // Edges and delays are sampled in every cycle.
+        let sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
+        for of in sampled {
+            if of.tree.may_differ() {
+                found.push(Expr::Value(Value::Bool(true)));
+            }
+        }
+        found
     }
 
     fn wait(&self, of: Blinker, change: Change, waits: &mut Vec<(Expr<'m>, Expr<'m>)>) {

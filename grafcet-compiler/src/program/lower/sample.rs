@@ -4,7 +4,7 @@ use super::Lower;
 use super::view::Moment;
 use crate::analysis::combinational;
 use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, VarId};
-use crate::program::build::{add, any, at_least, choose, compare, differ, when, zero};
+use crate::program::build::{add, all, any, at_least, choose, compare, differ, not, when, zero};
 use crate::program::{Comparison, Expr, Statement};
 use crate::sorted::Set;
 
@@ -76,10 +76,22 @@ impl<'m> Lower<'_, 'm> {
         edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).collect()
     }
 
-    /// Whether any of them rises or falls.
+    /// Whether there is an edge that something asks for: it is gone in the next cycle.
     pub(super) fn has_edges(&self) -> Expr<'m> {
-        let edges = self.edges.iter().chain(&self.action_edges).flatten();
-        any(edges.map(|edges| differ(edges.before, edges.now)).collect())
+        let reads = self.model.expressions().concat();
+        let mut found = Vec::new();
+        for id in self.model.edges.ids() {
+            for edges in [self.edges[id.index()], self.action_edges[id.index()]].into_iter().flatten() {
+                let (before, now) = (Expr::Place(edges.before), Expr::Place(edges.now));
+                let rises = all(vec![not(before.clone()), now.clone()]);
+                match (reads.contains(&Read::Rising(id)), reads.contains(&Read::Falling(id))) {
+                    (true, true) => found.push(differ(edges.before, edges.now)),
+                    (true, false) => found.push(rises),
+                    (false, _) => found.push(all(vec![before, not(now)])),
+                }
+            }
+        }
+        any(found)
     }
 
     fn visit_edges(&self, seen: &mut Set<Sample>, order: &mut Vec<Sample>) {
