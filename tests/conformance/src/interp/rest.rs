@@ -49,5 +49,7 @@ impl Memory {
 
 /// Stands still.
 pub(super) fn still<K: Ord>(times: &mut BTreeMap<K, u64>) {
-    times.values_mut().for_each(|time| *time = 0);
+    for time in times.values_mut() {
+        *time = 0;
+    }
 }
