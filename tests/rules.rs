@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use grafcet_compiler::ast::Dialect;
-use grafcet_compiler::diagnostic::rules::{ALL, Rule, Severity};
+use grafcet_compiler::ast::{Dialect, Severity};
+use grafcet_compiler::diagnostic::rules::{ALL, Rule};
 
 /// The folders of `tests/ui` whose files are named after rules.
 const GROUPS: &[&str] = &["drawing", "evolution", "actions", "conditions", "structure", "properties"];
