@@ -48,4 +48,36 @@ grafcet! {
     }
 }
 
+// Of three branches each excludes the two others, as the fourth excludes all.
+grafcet! {
+    grafcet Gates {
+        input heavy, long, wet, stop: bool;
+
+        initial step Wait;
+        step Left;
+        step Right;
+        step Dryer;
+
+        Wait -[heavy && !stop]-> Left -[!heavy]-> Wait;
+        Wait -[long && !heavy && !stop]-> Right -[!long]-> Wait;
+        Wait -[wet && !heavy && !long && !stop]-> Dryer -[!wet]-> Wait;
+        Wait -[stop]-> Left;
+    }
+}
+
+grafcet! {
+    grafcet Warned {
+        input heavy, long, wet: bool;
+
+        initial step Wait;
+        step Left;
+        step Right;
+        step Dryer;
+
+        Wait -[heavy]-> Left -[!heavy]-> Wait;
+        Wait -[long && !heavy]-> Right -[!long]-> Wait;
+        Wait -[wet && !heavy && !long]-> Dryer -[!wet]-> Wait;
+    }
+}
+
 fn main() {}
