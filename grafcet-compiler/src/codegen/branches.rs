@@ -1,5 +1,7 @@
 //! The branches of one step: what all of their conditions begin with is tested once.
 
+use std::borrow::Cow;
+
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -10,14 +12,14 @@ use crate::model::{Binary, Expr, Read, Tree, placeholder};
 use crate::place::{self, quote};
 
 /// One branch: under which condition it is taken, `None` for "always", and what it does.
-pub(super) struct Branch {
-    pub(super) condition: Option<Expr>,
+pub(super) struct Branch<'e> {
+    pub(super) condition: Option<Cow<'e, Expr>>,
     pub(super) then: TokenStream,
 }
 
 impl Cx<'_> {
     /// `{ if … { … } else if … { … } else { … } }`; the first branch whose condition holds is taken, else `stay`.
-    pub(super) fn branches(&self, branches: Vec<Branch>, stay: &TokenStream) -> TokenStream {
+    pub(super) fn branches(&self, branches: Vec<Branch<'_>>, stay: &TokenStream) -> TokenStream {
         if let Some((common, branches)) = self.shared(&branches) {
             let common = self.value(&common, Moment::Condition);
             let inner = self.branches(branches, stay);
@@ -42,7 +44,14 @@ impl Cx<'_> {
 impl Cx<'_> {
     /// The conjunct that all conditions begin with, and the branches without it. One that calls functions of the user may
     /// do something when it is evaluated, and is left alone.
-    fn shared(&self, branches: &[Branch]) -> Option<(Expr, Vec<Branch>)> {
+    fn shared<'e>(&self, branches: &[Branch<'e>]) -> Option<(Expr, Vec<Branch<'e>>)> {
+        let first = first_term(&branches.first()?.condition.as_ref()?.tree);
+        let begins = |branch: &Branch<'_>| {
+            branch.condition.as_ref().is_some_and(|condition| first_term(&condition.tree) == first)
+        };
+        if branches.len() < 2 || !branches.iter().all(begins) {
+            return None;
+        }
         let mut common: Option<Expr> = None;
         let mut rests = Vec::with_capacity(branches.len());
         for Branch { condition, then } in branches {
@@ -51,9 +60,9 @@ impl Cx<'_> {
                 return None;
             }
             common = Some(first);
-            rests.push(Branch { condition: rest, then: then.clone() });
+            rests.push(Branch { condition: rest.map(Cow::Owned), then: then.clone() });
         }
-        common.filter(|_| branches.len() > 1).map(|common| (common, rests))
+        common.map(|common| (common, rests))
     }
 
     /// `a && (b && c)` and `(a && b) && c` begin with `a`; the rest is `None` where there is none.
@@ -73,6 +82,14 @@ impl Cx<'_> {
         let rest = tree.1.zip(tokens.1).map(|(tree, tokens)| part(tree, tokens));
         Some((part(tree.0, tokens.0), rest))
     }
+}
+
+/// What a condition begins with: most have nothing in common, and that is seen without taking them apart.
+fn first_term(mut tree: &Tree) -> &Tree {
+    while let Tree::Binary(Binary::And, left, _) = tree {
+        tree = left;
+    }
+    tree
 }
 
 /// Whether a name stands anywhere in the tokens.

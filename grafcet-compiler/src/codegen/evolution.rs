@@ -1,5 +1,7 @@
 //! One evolution: which transitions clear in the situation `before`, and the situation `after`.
 
+use std::borrow::Cow;
+
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
@@ -175,15 +177,19 @@ impl Cx<'_> {
         if leaving.is_empty() {
             return stay.clone();
         }
-        let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });
+        let branches = leaving.iter().map(|id| self.a_branch(*id, self.clear_to(*id)));
         self.branches(branches.list(), stay)
     }
 
+    fn a_branch(&self, id: TransitionId, then: TokenStream) -> Branch<'_> {
+        Branch { condition: self.condition(id).map(Cow::Borrowed), then }
+    }
+
     /// The condition of a transition behind the other branches of its steps, `None` for `true` and for `else`.
-    pub(super) fn condition(&self, id: TransitionId) -> Option<Expr> {
+    pub(super) fn condition(&self, id: TransitionId) -> Option<&Expr> {
         let transition = &self.model.transitions[id];
         let always = transition.condition.tree == Tree::Bool(true) || transition.plain_else().is_some();
-        (!always).then(|| transition.condition.clone())
+        (!always).then_some(&transition.condition)
     }
 
     /// A path on which nothing clears: in a search it is the end of it.
@@ -265,7 +271,7 @@ impl Cx<'_> {
     /// other.
     pub(super) fn first_of(&self, leaving: &[TransitionId]) -> TokenStream {
         if leaving.len() > 1 && leaving.iter().all(|id| self.model.transitions[*id].sources.len() == 1) {
-            let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear(*id) });
+            let branches = leaving.iter().map(|id| self.a_branch(*id, self.clear(*id)));
             return self.branches(branches.list(), &TokenStream::new());
         }
         let mut chain = TokenStream::new();
@@ -287,7 +293,7 @@ impl Cx<'_> {
     /// The condition of a transition whose first source step is active, behind the other branches, with the other sources;
     /// `None` is "always".
     fn enabled(&self, id: TransitionId) -> Option<TokenStream> {
-        let condition = self.condition(id).map(|condition| self.value(&condition, Moment::Condition));
+        let condition = self.condition(id).map(|condition| self.value(condition, Moment::Condition));
         let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().chain(condition).list();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }

@@ -130,7 +130,7 @@ impl Cx<'_> {
     fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
-        let condition = self.condition(id).map(|condition| self.value(&condition, Moment::Condition));
+        let condition = self.condition(id).map(|condition| self.value(condition, Moment::Condition));
         let terms: Vec<_> = sources.chain(condition).list();
         quote!(#(#terms)&&*)
     }

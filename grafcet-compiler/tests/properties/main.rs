@@ -274,3 +274,23 @@ fn times_that_pass() {
     let table = fails(&chart("never late && A.X;"), "property_violated", "cycle 3");
     assert_eq!(table[3], "3     | !a, A.T >= 5s | -       | A");
 }
+
+/// The edge of a step in an action compares what two evolutions have led to; in the first cycle there is none.
+#[test]
+fn edges_of_steps_in_actions() {
+    let chart = |property: &str| {
+        format!(
+            "sfc C {{ #![allow(grafcet::never_true)] input a, b: bool; output q, s, t, u, v: bool; \
+             initial step A {{ N u if rising(A.X); }} step B {{ N q if rising(B.X); N v if rising(B.X && a); }} \
+             step E {{ N s if rising(B.X || A.X); N t if falling(B.X) && !rising(E.X); }} \
+             A -[a]-> B -[!a]-> E -[a && b]-> B; {property} }}"
+        )
+    };
+    for property in ["never s;", "never t;", "never u;", "always q => B.X;"] {
+        holds(&chart(property));
+    }
+    let way = fails(&chart("never q;"), "property_violated", "`q` holds");
+    assert_eq!(way.len(), 3, "{way:?}");
+    // Beside an input it counts as unknown.
+    fails(&chart("never v && !q;"), "property_undecided", "`rising(B.X && a)`");
+}

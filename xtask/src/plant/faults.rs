@@ -27,7 +27,7 @@ const TIME: &str = "grafcet-core/src/time.rs";
 const CODE_TIME: &str = "grafcet-compiler/src/codegen/time.rs";
 
 /// What is planted.
-pub(super) const FAULTS: [Fault; 16] = [
+pub(super) const FAULTS: [Fault; 20] = [
     Fault {
         name: "`>` for `>=` in a timer",
         file: TIME,
@@ -85,8 +85,8 @@ pub(super) const FAULTS: [Fault; 16] = [
     Fault {
         name: "the last branch has priority",
         file: "grafcet-compiler/src/codegen/evolution.rs",
-        right: "let branches = leaving.iter().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });",
-        wrong: "let branches = leaving.iter().rev().map(|id| Branch { condition: self.condition(*id), then: self.clear_to(*id) });",
+        right: "let branches = leaving.iter().map(|id| self.a_branch(*id, self.clear_to(*id)));",
+        wrong: "let branches = leaving.iter().rev().map(|id| self.a_branch(*id, self.clear_to(*id)));",
     },
     Fault {
         name: "no final call where a time has elapsed",
@@ -123,5 +123,29 @@ pub(super) const FAULTS: [Fault; 16] = [
         file: "grafcet-compiler/src/codegen/control/flags.rs",
         right: "quote!(#restart |= #again;)",
         wrong: "quote!(#restart |= false && #again;)",
+    },
+    Fault {
+        name: "an inner transition clears in an enclosing step that is left (A19, in place)",
+        file: "grafcet-compiler/src/codegen/hierarchy.rs",
+        right: "let code = quote!(#evolve #frozen #(#below)*);",
+        wrong: "let code = quote!(#(#below)* #evolve #frozen);",
+    },
+    Fault {
+        name: "S dominates R in a flip-flop",
+        file: "grafcet-compiler/src/codegen/control/mod.rs",
+        right: "(self.#memory || #input) && !#reset;",
+        wrong: "self.#memory && !#reset || #input;",
+    },
+    Fault {
+        name: "time passes in the first cycle",
+        file: CODE_TIME,
+        right: "let elapsed = if self.counts_in_first() {",
+        wrong: "let elapsed = if false && self.counts_in_first() {",
+    },
+    Fault {
+        name: "an evolution that the bound stops consumes its edges (A30)",
+        file: "grafcet-compiler/src/codegen/grafcet.rs",
+        right: "self.keep_edges().1 };",
+        wrong: "TokenStream::new() };",
     },
 ];

@@ -70,7 +70,7 @@ impl Atom {
     /// Whether its value at each moment of a cycle follows from what was chosen at the begin and from what has happened since.
     pub(super) fn is_exact(&self) -> bool {
         match self.kind {
-            Kind::Step(_) | Kind::Macro(_) | Kind::Slot(_) | Kind::Since(_) | Kind::Phase(_) => true,
+            Kind::Step(_) | Kind::Was(_) | Kind::Macro(_) | Kind::Slot(_) | Kind::Since(_) | Kind::Phase(_) => true,
             Kind::MacroSince(_) => false,
             Kind::Free | Kind::Number(..) => {
                 let mut stands_still = !self.what.may_differ();
@@ -90,6 +90,8 @@ pub(super) enum Kind {
     Number(i128, i128),
     /// Whether the step is active.
     Step(usize),
+    /// `sfc`: whether the step was active when the cycle began.
+    Was(usize),
     /// Whether a step of the macro-step's expansion is active.
     Macro(usize),
     /// A boolean that is followed from cycle to cycle.

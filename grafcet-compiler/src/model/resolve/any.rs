@@ -4,6 +4,7 @@ use quote::ToTokens;
 use syn::{BinOp, UnOp};
 
 use super::Resolver;
+use super::apart;
 use super::blink::Owner;
 use super::chains::End;
 use super::expr;
@@ -179,8 +180,13 @@ impl Resolver<'_> {
         // As written, before they are guarded themselves.
         let anys = self.model.anys.iter().map(|(id, any)| (id, self.model.transitions[any.first].condition.clone()));
         let anys: Vec<(AnyId, Expr)> = anys.list();
+        let mut asked_again = Vec::new();
         for (id, condition) in anys {
             let (partial, first) = (self.model.anys[id].partial, self.model.anys[id].first);
+            // The steps of a sequence of an `sfc` are never active together, and priority asks each branch once.
+            if condition.tree.may_differ() && (self.model.is_grafcet() || self.is_parallel(partial)) {
+                asked_again.push((condition.text.clone(), condition.mark));
+            }
             let sources: Set<StepId> = self.model.anys[id].sources.iter().copied().collect();
             let activity = self.is_parallel(partial).then(|| active(&self.model.anys[id].sources, condition.mark));
             for other in self.model.partials[partial].transitions.clone() {
@@ -203,6 +209,35 @@ impl Resolver<'_> {
                 transition.guards.push(id);
             }
         }
+        for (text, mark) in asked_again {
+            let message = format!(
+                "`{text}` may have another value each time, and the condition of this `any` is asked for several steps in one evolution; \
+                 hand it to the chart as an input, which is read once a cycle, or say `assume pure …;` where it has no state"
+            );
+            self.sink.notation(mark, message);
+            self.lose();
+        }
+        self.asked_again_by_else();
+    }
+
+    /// An `else` beside an `any` of a `grafcet` asks anew for what the other branches ask for: it does not only wait for them.
+    fn asked_again_by_else(&mut self) {
+        let guarded = |(_, transition): &(TransitionId, &Transition)| !transition.guards.is_empty();
+        let elses = self.model.transitions.iter().filter(guarded).filter_map(|(_, one)| one.otherwise.clone());
+        let mut branches: Vec<TransitionId> = elses.flatten().collect();
+        branches.sort_unstable();
+        branches.dedup();
+        for id in branches {
+            let Expr { text, mark, .. } = &self.model.transitions[id].condition;
+            if self.model.transitions[id].own_condition().may_differ() {
+                let message = format!(
+                    "`{text}` may have another value each time, and beside an `any` the `else` of this step asks for it once more; \
+                     hand it to the chart as an input, which is read once a cycle, or say `assume pure …;` where it has no state"
+                );
+                self.sink.notation(*mark, message);
+                self.model.incomplete = true;
+            }
+        }
     }
 
     /// Whether several steps of a net may be active together, at first sight.
@@ -216,10 +251,12 @@ impl Resolver<'_> {
             transition.targets.len() > 1 || transition.sources.is_empty()
         };
         let forced = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.len() > 1);
+        let overlap = || self.model.is_grafcet() && apart::may_part(self, partial);
         several(|step| step.initial)
             || several(|step| step.linked)
             || net.transitions.iter().any(forks)
             || self.model.forces.values().any(|force| force.target == partial && forced(&force.order))
+            || overlap()
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod actions;
 mod any;
+mod apart;
 mod blink;
 mod chains;
 mod code;

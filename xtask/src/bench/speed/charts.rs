@@ -29,6 +29,7 @@ pub(super) fn all(root: &Path) -> Result<Vec<Chart>> {
     for dialect in DIALECTS {
         charts.push(chart(&format!("sequence of 1000 steps, {dialect}"), Some(1000), sequence(dialect, 1000)));
         charts.push(chart(&format!("nested, 1000 steps, {dialect}"), Some(1000), nested(dialect, 100)));
+        charts.push(chart(&format!("1000 steps with any, {dialect}"), Some(1000), stoppable(dialect, 1000)));
         charts.push(chart(&format!("sequence of 10000 steps, {dialect}"), Some(15_000), sequence(dialect, 10_000)));
     }
     charts.push(chart("8 partial grafcets of 8 steps", Some(500), partials(false)));
@@ -108,7 +109,17 @@ fn with_count(dialect: &str, last: &str) -> String {
     }
 }
 
+/// A sequence that can be stopped from everywhere.
+fn stoppable(dialect: &str, steps: usize) -> String {
+    let stop = "step Stopped; any -[i5 && i6]-> Stopped -[!i5 && i7]-> S0;\n";
+    in_frame(dialect, INPUTS, COUNT, &format!("{stop}{}", steps_in_turn(dialect, steps)))
+}
+
 fn sequence(dialect: &str, steps: usize) -> String {
+    in_frame(dialect, INPUTS, COUNT, &steps_in_turn(dialect, steps))
+}
+
+fn steps_in_turn(dialect: &str, steps: usize) -> String {
     let mut body = String::new();
     for number in 0..steps {
         let attributes = if number == 0 { "initial " } else { "" };
@@ -121,7 +132,7 @@ fn sequence(dialect: &str, steps: usize) -> String {
         _ = writeln!(body, "{from} -[{}]-> {to};", condition(&from, number));
     }
     body += "Last -[i0]-> S0;";
-    in_frame(dialect, INPUTS, COUNT, &body)
+    body
 }
 
 /// A sequence of blocks of ten steps: two parallel branches, one of them with a selection.

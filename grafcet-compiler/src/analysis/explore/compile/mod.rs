@@ -7,8 +7,8 @@ use super::links::Difference;
 use crate::analysis::{combinational, mixed};
 use crate::list::List;
 use crate::model::{
-    Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, TimeRef, Tree, Ty, Unary,
-    VarId,
+    Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree, Ty,
+    Unary, VarId,
 };
 use crate::sorted::Map;
 
@@ -27,6 +27,8 @@ pub(super) struct Compiler<'m> {
     combinational: Map<Place, Option<usize>>,
     /// Inside the expression of an edge.
     in_edge: bool,
+    /// What is compiled is what held when the cycle began.
+    was: bool,
     /// Inside an action: of an `sfc`, its edges compare what two evolutions have led to.
     pub(super) in_action: bool,
     /// Something is taken as unknown that is not, or only partly.
@@ -46,6 +48,7 @@ impl<'m> Compiler<'m> {
             shared: Vec::new(),
             combinational: Map::new(),
             in_edge: false,
+            was: false,
             in_action: false,
             approximate: false,
         }
@@ -112,13 +115,17 @@ impl<'m> Compiler<'m> {
 
     fn read(&mut self, tree: &Tree, read: Read) -> Formula {
         match read {
+            Read::Active(step) if self.was => self.was_active(step),
+            Read::MacroActive(id) if self.was => {
+                any(self.model.macros[id].steps.iter().map(|step| self.was_active(*step)).collect())
+            }
             Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step.index()))),
             Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id.index()))),
             Read::Name(Name::Input(_) | Name::Param(_)) => Formula::Is(self.atom(tree, Kind::Free)),
             Read::Name(Name::Var(id)) => self.place(tree, Place::Var(id)),
             Read::Name(Name::Output(id)) => self.place(tree, Place::Output(id)),
-            Read::Rising(id) => self.edge(tree, id, Formula::Rising),
-            Read::Falling(id) => self.edge(tree, id, Formula::Falling),
+            Read::Rising(id) => self.edge(tree, id, true),
+            Read::Falling(id) => self.edge(tree, id, false),
             Read::Delay(id) => self.delay(tree, id),
             Read::Blink(blink) => {
                 self.approximate = true;
@@ -133,10 +140,14 @@ impl<'m> Compiler<'m> {
         }
     }
 
-    fn edge(&mut self, tree: &Tree, id: EdgeId, edge: fn(usize) -> Formula) -> Formula {
-        if self.in_edge || self.in_action && self.model.is_late(id) {
+    fn edge(&mut self, tree: &Tree, id: EdgeId, rises: bool) -> Formula {
+        let late = self.in_action && self.model.is_late(id);
+        if self.in_edge || late && !is_of_steps(&self.model.edges[id].of.tree) {
             // What an edge of an edge looks at lies two cycles back.
             return self.unknown(tree);
+        }
+        if late {
+            return self.late_edge(id, rises);
         }
         if self.edges[id.index()].is_none() {
             self.in_edge = true;
@@ -144,7 +155,24 @@ impl<'m> Compiler<'m> {
             self.in_edge = false;
             self.edges[id.index()] = Some(of);
         }
-        edge(id.index())
+        if rises { Formula::Rising(id.index()) } else { Formula::Falling(id.index()) }
+    }
+
+    /// `sfc`: an edge of steps in an action compares what the evolution has led to with what that of the cycle before has: this
+    /// one has begun there. In the first cycle both are the initial situation.
+    fn late_edge(&mut self, id: EdgeId, rises: bool) -> Formula {
+        let model = self.model;
+        let now = self.formula(&model.edges[id].of.tree);
+        self.was = true;
+        let before = self.formula(&model.edges[id].of.tree);
+        self.was = false;
+        if rises { now.and(before.negate()) } else { before.and(now.negate()) }
+    }
+
+    fn was_active(&mut self, step: StepId) -> Formula {
+        let text = format!("{} at the begin of the cycle", self.model.steps[step].name);
+        let tree = Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false };
+        Formula::Is(self.atom(&tree, Kind::Was(step.index())))
     }
 
     /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
@@ -271,6 +299,22 @@ impl<'m> Compiler<'m> {
             ),
             Tree::Int(_) | Tree::Opaque { .. } => false,
         }
+    }
+}
+
+/// Whether the expression looks at nothing but which steps are active.
+fn is_of_steps(tree: &Tree) -> bool {
+    match tree {
+        Tree::Bool(_) | Tree::Read(Read::Active(_) | Read::MacroActive(_)) => true,
+        Tree::Unary(Unary::Not, inner) => is_of_steps(inner),
+        Tree::Binary(operator, a, b) => {
+            let boolean = matches!(
+                operator,
+                Binary::And | Binary::Or | Binary::BitAnd | Binary::BitOr | Binary::BitXor | Binary::Eq | Binary::Ne
+            );
+            boolean && is_of_steps(a) && is_of_steps(b)
+        }
+        _ => false,
     }
 }
 

@@ -228,7 +228,7 @@ impl<'n> Scene<'n> {
                 }
                 let free = match net.atoms[*atom].kind {
                     Kind::Free | Kind::Number(..) | Kind::Since(_) | Kind::MacroSince(_) | Kind::Phase(_) => true,
-                    Kind::Step(step) => !self.is_own(step),
+                    Kind::Step(step) | Kind::Was(step) => !self.is_own(step),
                     Kind::Macro(id) => !self.owns(id),
                     Kind::Slot(_) => false,
                 };

@@ -31,9 +31,12 @@ impl Scene<'_> {
                 known => known,
             },
             Kind::Step(step) if self.is_own(step) => Known::Bool(self.at(when).active.binary_search(&step).is_ok()),
+            Kind::Was(step) if self.is_own(step) => {
+                Known::Bool(self.at(When::Sample).active.binary_search(&step).is_ok())
+            }
             Kind::Macro(id) if self.owns(id) => Known::Bool(self.any_active(id, when)),
             Kind::Phase(step) if self.is_own(step) && self.begins(step, when) => Known::Bool(true),
-            Kind::Free | Kind::Step(_) | Kind::Macro(_) | Kind::Phase(_) => self.given.get(atom),
+            Kind::Free | Kind::Step(_) | Kind::Was(_) | Kind::Macro(_) | Kind::Phase(_) => self.given.get(atom),
             Kind::Slot(slot) => self.slot(slot, when),
             Kind::Since(step) => {
                 let active = self.at(when).active.binary_search(&step).is_ok();
