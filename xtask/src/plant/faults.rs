@@ -145,7 +145,7 @@ pub(super) const FAULTS: [Fault; 20] = [
     Fault {
         name: "an evolution that the bound stops consumes its edges (A30)",
         file: "grafcet-compiler/src/codegen/grafcet.rs",
-        right: "self.keep_edges().1 };",
-        wrong: "TokenStream::new() };",
+        right: "Undo::Nothing => self.keep_edges().1,",
+        wrong: "Undo::Nothing => TokenStream::new(),",
     },
 ];
