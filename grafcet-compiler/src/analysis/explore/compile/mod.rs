@@ -171,7 +171,7 @@ impl<'m> Compiler<'m> {
 
     fn was_active(&mut self, step: StepId) -> Formula {
         let text = format!("{} at the begin of the cycle", self.model.steps[step].name);
-        let tree = Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false };
+        let tree = Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false, of: None };
         Formula::Is(self.atom(&tree, Kind::Was(step.index())))
     }
 
