@@ -7,7 +7,7 @@ use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, 
 use crate::analysis::{Logic, Nesting, mixed, unlisted_of, visible};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
-use crate::model::{Claim, Expr, How, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree};
+use crate::model::{Claim, Expr, How, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
 /// A situation from which there is no way home.
@@ -181,7 +181,7 @@ impl Report<'_> {
                     }
                 }
                 let what = if texts.is_empty() { "values".to_owned() } else { texts.join(", ") };
-                if !values.is_empty() && values.iter().all(is_arithmetic) {
+                if !values.is_empty() && values.iter().all(|tree| is_arithmetic(self.model, tree)) {
                     let message = format!(
                         "whether this holds is not decided: no values were found for {what} with which every result fits into \
                          its type, nor that there are none; compute in a wider type, or say what happens at its ends, as \
@@ -314,14 +314,15 @@ fn is_time_of(read: Read, time: &Tree) -> bool {
     }
 }
 
-/// Whether it is computed of inputs and params alone, in ways that are known.
-fn is_arithmetic(tree: &Tree) -> bool {
+/// Whether it is computed of integers that are inputs or params, in ways that are known.
+fn is_arithmetic(model: &Model, tree: &Tree) -> bool {
     match tree {
-        Tree::Int(_) | Tree::Read(Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_)) => true,
-        Tree::Unary(_, inner) => is_arithmetic(inner),
-        Tree::Binary(_, a, b) => is_arithmetic(a) && is_arithmetic(b),
+        Tree::Int(_) | Tree::Read(Read::Ticks(_)) => true,
+        Tree::Read(Read::Name(name @ (Name::Input(_) | Name::Param(_)))) => !matches!(model.ty(*name), Ty::Other(_)),
+        Tree::Unary(_, inner) => is_arithmetic(model, inner),
+        Tree::Binary(_, a, b) => is_arithmetic(model, a) && is_arithmetic(model, b),
         Tree::Opaque { of: Some(computed), .. } => {
-            computed.how != How::Other && computed.operands.iter().all(is_arithmetic)
+            computed.how != How::Other && computed.operands.iter().all(|tree| is_arithmetic(model, tree))
         }
         _ => false,
     }

@@ -166,7 +166,7 @@ impl Links {
                 Allowed::Yes => {}
                 Allowed::No => return false,
                 Allowed::Unclear => {
-                    let is_known = |atom: &&usize| knowledge.get(**atom) != Known::Unknown && self.computed[**atom];
+                    let is_known = |atom: &&usize| knowledge.get(**atom) != Known::Unknown;
                     unclear.extend(self.groups[number].atoms().iter().filter(is_known));
                 }
             }
@@ -298,18 +298,24 @@ impl Scene<'_> {
     /// taken for granted.
     pub(super) fn goes_together(&mut self) -> bool {
         let links = &self.net.links;
-        let mut unclear = Vec::new();
+        let (mut unclear, mut past) = (Vec::new(), Vec::new());
         let mut tries = std::mem::take(&mut self.tries);
         let mut left = self.left;
         let (given, recorded) = self.knowledge();
         let allowed = links.allow(given, &mut tries, &mut left, &mut unclear)
-            && links.allow(recorded, &mut tries, &mut left, &mut unclear);
+            && links.allow(recorded, &mut tries, &mut left, &mut past);
+        // Whether there were such values in the cycle before, the way there has to answer for.
+        let is_new = |atom: &usize| !self.before.contains(&(*atom, recorded.get(*atom)));
+        if past.iter().any(is_new) {
+            unclear.append(&mut past);
+        }
         self.work += (self.left - left) / PER_UNIT;
         self.left = left;
         self.tries = tries;
         if allowed && !unclear.is_empty() {
             self.late = true;
-            self.granted.extend(unclear.into_iter().map(|atom| (atom, Known::Unknown)));
+            let computed = unclear.into_iter().filter(|atom| links.is_computed(*atom));
+            self.granted.extend(computed.map(|atom| (atom, Known::Unknown)));
         }
         allowed
     }

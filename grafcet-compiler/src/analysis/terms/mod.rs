@@ -4,6 +4,7 @@
 //! panics, and any other goes on at the other end: nothing is said to be impossible that either of the two can do, and nothing is
 //! said to be possible unless there are values with which nothing of the kind happens. These values have been tried.
 
+mod bits;
 mod build;
 mod solve;
 mod spans;

@@ -74,6 +74,12 @@ impl<'t> Question<'t> {
                     return Ok(false);
                 }
             }
+            if self.has_bits() {
+                match self.mask(spans)? {
+                    None => return Ok(false),
+                    Some(more) => changed |= more,
+                }
+            }
             match self.compare(spans)? {
                 None => return Ok(false),
                 Some(more) if changed || more => {}
@@ -257,7 +263,7 @@ fn forwards(operation: Operation, a: Span, b: Span) -> Option<Span> {
 }
 
 /// With all bits below its highest one.
-fn filled(number: i128) -> i128 {
+pub(super) fn filled(number: i128) -> i128 {
     if number <= 0 { 0 } else { i128::MAX >> (number.leading_zeros() - 1) }
 }
 

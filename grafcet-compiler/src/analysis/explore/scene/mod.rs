@@ -57,6 +57,8 @@ pub(super) struct Scene<'n> {
     given: Knowledge,
     /// Of the cycle before.
     recorded: Knowledge,
+    /// That of it which is so wherever this cycle begins, if anything is computed.
+    pub(super) before: Learnt,
     pub(super) now: Snapshot,
     /// `sfc`: the snapshot the cycle started from, while its actions run.
     pub(super) start: Option<Snapshot>,
@@ -112,6 +114,7 @@ impl<'n> Scene<'n> {
             tape: Tape::default(),
             given: Knowledge::new(atoms),
             recorded: Knowledge::new(atoms),
+            before: Learnt::new(),
             now: Snapshot::default(),
             start: None,
             previous: None,
@@ -146,6 +149,10 @@ impl<'n> Scene<'n> {
         self.reset();
         for (atom, known) in &state.before {
             self.recorded.learn(*atom, *known);
+        }
+        if self.net.links.any_computed() {
+            self.before.clear();
+            self.before.extend(&state.before[..]);
         }
         for (atom, known) in &state.ages {
             self.given.learn(*atom, *known);
