@@ -895,7 +895,6 @@ impl Batch {
             0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32, 0u32, 0u32, 0u32,
             4u32, 0u32, 0u32, 0u32, 0u32, 3u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32,
         ];
-        static FORCES: [d::table::Text; 0] = [];
         static ACTIONS: [d::table::Text; 48] = [
             "N",
             "",
@@ -969,16 +968,15 @@ impl Batch {
             0usize, 1usize, 2usize, 1usize, 2usize, 3usize, 3usize, 4usize, 4usize,
             0usize,
         ];
-        static CLEARING: [d::table::Text; 0] = [];
         d::Description {
             name: "Batch",
             dialect: d::Dialect::Sfc,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &d::table::steps::<5>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            steps: &d::table::steps::<5>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
             transitions: &d::table::transitions::<
                 4,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
             lets: &[],
         }
     };

@@ -390,7 +390,6 @@ impl Line24V {
             0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32,
             1u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32,
         ];
-        static FORCES: [d::table::Text; 0] = [];
         static ACTIONS: [d::table::Text; 16] = [
             "N",
             "",
@@ -429,16 +428,15 @@ impl Line24V {
         static ENDS: [d::table::End; 8] = [
             0usize, 1usize, 1usize, 2usize, 2usize, 3usize, 3usize, 0usize,
         ];
-        static CLEARING: [d::table::Text; 0] = [];
         d::Description {
             name: "Line24V",
             dialect: d::Dialect::Grafcet,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &d::table::steps::<4>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            steps: &d::table::steps::<4>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
             transitions: &d::table::transitions::<
                 4,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
             lets: &[],
         }
     };

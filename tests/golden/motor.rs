@@ -295,7 +295,6 @@ impl Motor {
         static STEP_NUMBERS: [d::table::Number; 10] = [
             0u32, 1u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 2u32, 0u32,
         ];
-        static FORCES: [d::table::Text; 0] = [];
         static ACTIONS: [d::table::Text; 12] = [
             "N",
             "",
@@ -324,16 +323,15 @@ impl Motor {
             1u32, 1u32, 0u32, 1u32, 1u32, 0u32,
         ];
         static ENDS: [d::table::End; 4] = [0usize, 1usize, 1usize, 0usize];
-        static CLEARING: [d::table::Text; 0] = [];
         d::Description {
             name: "Motor",
             dialect: d::Dialect::Sfc,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &d::table::steps::<2>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            steps: &d::table::steps::<2>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
             transitions: &d::table::transitions::<
                 2,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
             lets: &[],
         }
     };

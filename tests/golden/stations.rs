@@ -501,7 +501,6 @@ impl Stations {
             0u32, 0u32, 0u32, 0u32, 0u32, 1u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32, 0u32,
             0u32, 0u32, 1u32, 0u32,
         ];
-        static FORCES: [d::table::Text; 0] = [];
         static ACTIONS: [d::table::Text; 16] = [
             "S",
             "",
@@ -544,16 +543,15 @@ impl Stations {
             0usize, 1usize, 3usize, 1usize, 2usize, 3usize, 4usize, 2usize, 4usize,
             5usize, 5usize, 0usize,
         ];
-        static CLEARING: [d::table::Text; 0] = [];
         d::Description {
             name: "Stations",
             dialect: d::Dialect::Grafcet,
             partials: &[d::Partial::new("")],
             macros: &[],
-            steps: &d::table::steps::<6>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            steps: &d::table::steps::<6>(&STEPS, &STEP_NUMBERS, Actions::ALL, &[]),
             transitions: &d::table::transitions::<
                 5,
-            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING),
+            >(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &[]),
             lets: &[],
         }
     };

@@ -56,6 +56,7 @@ fn description(chart: &Description<'_>) -> TokenStream {
         Dialect::Grafcet => quote!(d::Dialect::Grafcet),
     };
     let (partials, macros) = (partials.iter().map(partial), macros.iter().map(macro_step));
+    let forces = or_empty(!steps.iter().all(|step| step.forces.is_empty()), "FORCES");
     let (step_count, steps) = (number(steps.len()), step_tables(steps));
     let (tables, transitions) = (transition_tables(transitions), all_transitions(transitions));
     let lets = lets.iter().map(named);
@@ -67,7 +68,7 @@ fn description(chart: &Description<'_>) -> TokenStream {
             dialect: #dialect,
             partials: &[#(#partials),*],
             macros: &[#(#macros),*],
-            steps: &d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, &FORCES),
+            steps: &d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, #forces),
             transitions: &#transitions,
             lets: &[#(#lets),*],
         }
@@ -77,7 +78,9 @@ fn description(chart: &Description<'_>) -> TokenStream {
 /// Out of the tables; what an `any` leaves, of which a chart has few, stands beside them.
 fn all_transitions(transitions: &[Transition<'_>]) -> TokenStream {
     let count = number(transitions.len());
-    let all = quote!(d::table::transitions::<#count>(&TRANSITIONS, &TRANSITION_NUMBERS, &ENDS, &CLEARING));
+    let named = or_empty(!transitions.is_empty(), "TRANSITIONS");
+    let clearing = or_empty(!transitions.iter().all(|transition| transition.clearing.is_empty()), "CLEARING");
+    let all = quote!(d::table::transitions::<#count>(#named, &TRANSITION_NUMBERS, &ENDS, #clearing));
     let anys = transitions.iter().enumerate().filter_map(|(id, transition)| {
         let (id, Any { steps, except }) = (number(id), transition.any?);
         let steps = steps.iter().copied().map(number);
@@ -123,7 +126,7 @@ fn step_tables(steps: &[Step<'_>]) -> TokenStream {
     let numbers = numbers("STEP_NUMBERS", &quote!(Number), steps.iter().flat_map(row));
     let forces = texts("FORCES", steps.iter().flat_map(|step| step.forces).copied());
     let actions: Vec<&Action<'_>> = steps.iter().flat_map(|step| step.actions).list();
-    let count = number(actions.len());
+    let (count, written) = (number(actions.len()), or_empty(!actions.is_empty(), "ACTIONS"));
     let parts = actions.iter().flat_map(|a| [a.qualifier, a.time, a.condition, a.text]);
     let actions = texts("ACTIONS", parts);
     quote! {
@@ -133,7 +136,7 @@ fn step_tables(steps: &[Step<'_>]) -> TokenStream {
         #actions
         struct Actions;
         impl Actions {
-            const ALL: &'static [d::Action<'static>] = &d::table::actions::<#count>(&ACTIONS);
+            const ALL: &'static [d::Action<'static>] = &d::table::actions::<#count>(#written);
         }
     }
 }
@@ -148,8 +151,17 @@ fn transition_tables(transitions: &[Transition<'_>]) -> TokenStream {
     quote!(#named #rows #ends #clearing)
 }
 
+/// A table that many charts do without: it would cost rustc as much as any other item.
+fn or_empty(is_there: bool, name: &str) -> TokenStream {
+    let name = format_ident!("{name}");
+    if is_there { quote!(&#name) } else { quote!(&[]) }
+}
+
 fn texts<'t>(name: &str, texts: impl Iterator<Item = &'t str>) -> TokenStream {
     let texts: Vec<&str> = texts.list();
+    if texts.is_empty() {
+        return TokenStream::new();
+    }
     let (name, count) = (format_ident!("{name}"), number(texts.len()));
     quote!(static #name: [d::table::Text; #count] = [#(#texts),*];)
 }
