@@ -1,5 +1,5 @@
 //! The linker script of the image for the board; the source of the charts that follow a rule, as each author writes them;
-//! under the feature `c`, the charts in C, compiled as for a controller (`-Os`).
+//! under the features `c` and `tables`, the charts in C, compiled as for a controller (`-Os`).
 
 mod machines;
 mod par8;
@@ -34,14 +34,22 @@ fn main() {
         write(&out.join(format!("{author}.rs")), &format!("{rings}{}", par8()));
     }
     write(&out.join("flags.rs"), &rings::flags(100));
+    let headers = folder.join("c");
     if env::var_os("CARGO_FEATURE_C").is_some() {
-        let mut sources = files(&folder.join("c"));
-        for (name, text) in rings::STEPS.map(|steps| (format!("chain{steps}"), rings::c(steps))) {
-            sources.push(write(&out.join(format!("{name}.c")), &text));
-        }
-        sources.push(write(&out.join("par8.c"), &par8::c()));
-        compile(&sources, &folder.join("c"), &out);
+        let mut sources = files(&headers);
+        sources.extend(in_c(&out, rings::c, &par8::c()));
+        compile(&sources, &headers, &out);
     }
+    if env::var_os("CARGO_FEATURE_TABLES").is_some() {
+        compile(&in_c(&out, rings::c_tables, &par8::c_tables()), &headers, &out);
+    }
+}
+
+/// The charts that follow a rule.
+fn in_c(out: &Path, ring: fn(usize) -> String, par8: &str) -> Vec<PathBuf> {
+    let rings = rings::STEPS.into_iter().map(|steps| (format!("chain{steps}"), ring(steps)));
+    let all = rings.chain([("par8".to_owned(), par8.to_owned())]);
+    all.map(|(name, text)| write(&out.join(format!("{name}.c")), &text)).collect()
 }
 
 fn write(path: &Path, text: &str) -> PathBuf {

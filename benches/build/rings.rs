@@ -5,14 +5,21 @@ use crate::machines::{chart, input, list, names, output, signals, smlang_machine
 /// How many steps.
 pub(crate) const STEPS: [usize; 3] = [10, 100, 1000];
 
+/// How many steps a chart has that nobody else writes: it shows what grows with them.
+const LONG: usize = 5000;
+
 /// As a user of the macro writes it.
 pub(crate) fn generated(steps: usize) -> String {
-    let chart = chart(steps);
-    let with = |name: &str, setting: &str| format!("both! {{ chain{steps}{name} {{\n{setting}{chart} }} }}\n");
+    let ring = chart(steps);
+    let with = |name: &str, setting: &str| format!("both! {{ chain{steps}{name} {{\n{setting}{ring} }} }}\n");
     let mut all = with("", "");
     if steps == 100 {
         all += &with("_size", "optimize size;\n");
         all += &with("_flags", "encoding flags;\n");
+    }
+    if steps == 1000 && std::env::var_os("CARGO_FEATURE_LONG").is_some() {
+        let long = chart(LONG);
+        all += &format!("both! {{ chain{LONG} {{\n{long} }} }}\n");
     }
     all
 }
@@ -41,21 +48,40 @@ pub(crate) fn hand(steps: usize) -> String {
 
 /// As an engineer writes it in C.
 pub(crate) fn c(steps: usize) -> String {
+    let next =
+        list(steps, |i| format!("case S{i}: if (i->x{}) return S{}; break;\n", input(i, steps), (i + 1) % steps));
+    let act = list(steps, |i| format!("case S{i}: q->q{} = true; break;\n", output(i, steps)));
+    let (next, act) = (format!("switch (step) {{ {next} }} return step;"), format!("switch (step) {{ {act} }}"));
+    c_of(steps, "", &next, &act)
+}
+
+/// The same as a table: for each step the numbers of two bytes in the records of the signals, which a cast turns into arrays
+/// of bytes. Safe Rust has no such cast.
+pub(crate) fn c_tables(steps: usize) -> String {
+    let rows = list(steps, |i| format!("{{ {}, {} }},\n", input(i, steps), output(i, steps)));
+    let table = format!("static const struct {{ uint8_t input, output; }} STEPS[] = {{ {rows} }};");
+    let next = format!(
+        "if (!((const bool *)i)[STEPS[step].input]) return step;
+        return step == S{} ? S0 : step + 1;",
+        steps - 1
+    );
+    c_of(steps, &table, &next, "((bool *)q)[STEPS[step].output] = true;")
+}
+
+fn c_of(steps: usize, table: &str, next: &str, act: &str) -> String {
     let (step, bound) = if steps < 256 { ("uint8_t", "uint8_t") } else { ("uint16_t", "uint16_t") };
     let (inputs, outputs) = (names("x", steps), names("q", steps));
     let variants = list(steps, |i| format!("S{i}, "));
-    let next =
-        list(steps, |i| format!("case S{i}: if (i->x{}) return S{}; break;\n", input(i, steps), (i + 1) % steps));
     let clear = list(signals(steps), |i| format!("q->q{i} = "));
-    let act = list(steps, |i| format!("case S{i}: q->q{} = true; break;\n", output(i, steps)));
     let left = 2 * steps + 2;
     format!(
         "#include \"chart.h\"
 typedef struct {{ bool {inputs}; }} inputs_t;
 typedef struct {{ bool {outputs}; }} outputs_t;
 enum {{ {variants} INIT }};
-static inline {step} next({step} step, const inputs_t *i) {{ switch (step) {{ {next} }} return step; }}
-static inline void act({step} step, outputs_t *q) {{ {clear} false; switch (step) {{ {act} }} }}
+{table}
+static inline {step} next({step} step, const inputs_t *i) {{ {next} }}
+static inline void act({step} step, outputs_t *q) {{ {clear} false; {act} }}
 typedef struct {{ {step} step; }} sfc_t;
 void chain{steps}_sfc_cycle(sfc_t *c, const inputs_t *i, outputs_t *q) {{
     c->step = c->step == INIT ? S0 : next(c->step, i);

@@ -145,7 +145,11 @@ static inline bool next(chart_t *c, const inputs_t *i, uint32_t now) {
 }
 
 static inline void act(const chart_t *c, const inputs_t *i, uint32_t now, outputs_t *q) {
-    *q = (outputs_t){ .busy = c->busy, .valve = c->valve, .alarm = c->alarm };
+    q->ready = q->belt = q->heater = q->pump = q->stirrer = q->eject = false;
+    q->capper = q->press = q->printer = q->labeler = false;
+    q->busy = c->busy;
+    q->valve = c->valve;
+    q->alarm = c->alarm;
     switch (c->main) {
     case IDLE: q->ready = true; return;
     case LOAD: case DELIVER: q->belt = true; return;

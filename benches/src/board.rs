@@ -9,7 +9,7 @@ use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_semihosting::debug;
 use cortex_m_semihosting::hio::{self, HostStream};
-use grafcet_benches::{Bench, Function, Inputs, Outputs, Visitor, visit};
+use grafcet_benches::{Bench, Function, Inputs, Outputs, Visitor, visit_all};
 
 use crate::{CYCLES, counts, hash, idle, random};
 
@@ -34,7 +34,7 @@ fn run() -> Option<()> {
     timer.set_reload(0xff_ffff);
     timer.clear_current();
     timer.enable_counter();
-    visit(&mut Counter { console: hio::hstdout().ok()? });
+    visit_all(&mut Counter { console: hio::hstdout().ok()? });
     Some(())
 }
 

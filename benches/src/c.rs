@@ -207,3 +207,49 @@ pub mod cell {
         pub const CYCLE: crate::Cycle<Chart, ChartInputs, ChartOutputs> = cycle;
     }
 }
+
+/// The charts whose times end every search, as their C files declare them: the fields in their order, and what the two
+/// dialects begin with. Who has one dialect alone leaves the other out.
+macro_rules! timed {
+    ($($chart:ident { $($field:ident: $type:ty = $value:expr,)* } $($dialect:ident $first:literal)+;)*) => {
+        $(pub mod $chart {
+            #[repr(C)]
+            pub struct State { $($field: $type),* }
+            impl State {
+                fn new(step: u8) -> Self {
+                    let mut state = Self { $($field: $value),* };
+                    state.step = step;
+                    state
+                }
+            }
+            $(pub mod $dialect {
+                pub use crate::signals::$chart::*;
+                #[repr(transparent)]
+                pub struct Chart(super::State);
+                impl Chart {
+                    pub fn new() -> Self { Self(super::State::new($first)) }
+                    #[allow(dead_code)]
+                    pub fn is_stable(&self) -> bool { true }
+                }
+                unsafe extern "C" {
+                    #[link_name = concat!(stringify!($chart), "_", stringify!($dialect), "_cycle")]
+                    fn cycle(chart: &mut Chart, inputs: &ChartInputs, now: u32, outputs: &mut ChartOutputs);
+                }
+                pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = cycle;
+            })+
+        })*
+    };
+}
+
+timed! {
+    laundry { since: u32 = 0, step: u8 = 0, turns: u8 = 0, rinses: u8 = 0, locked: bool = false, } sfc 25 grafcet 0;
+    plating {
+        since: u32 = 0, parts: u16 = 0, step: u8 = 0, dips: u8 = 0, tries: u8 = 0, grip: bool = false,
+    } sfc 40 grafcet 0;
+    reactor { since: u32 = 0, stirring_since: u32 = 0, step: u8 = 0, stirring: u8 = 5, } sfc 6 grafcet 0;
+    picker { since: u32 = 0, step: u8 = 0, tries: u8 = 0, suck: bool = false, } sfc 16 grafcet 0;
+    packer {
+        taping_since: u32 = 0, moving_since: u32 = 0, cartons: u16 = 0, step: u8 = 0, outfeed: u8 = 0, bottles: u8 = 0,
+        ack: bool = true, auto: bool = true,
+    } grafcet 1;
+}

@@ -6,14 +6,14 @@
 
 use core::hint::black_box;
 
-use grafcet_benches::{Bench, Function, Inputs, Outputs, Visitor, visit};
+use grafcet_benches::{Bench, Function, Inputs, Outputs, Visitor, visit_all};
 
 use crate::{counts, hash, idle, random};
 
 core::arch::global_asm!(".global bench_nothing", "bench_nothing: ret");
 
 pub fn run() {
-    visit(&mut Counter);
+    visit_all(&mut Counter);
 }
 
 struct Counter;

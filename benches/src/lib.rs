@@ -9,26 +9,28 @@ use core::mem::MaybeUninit;
 
 #[macro_use]
 mod signals;
-#[cfg_attr(feature = "c", path = "c.rs")]
+#[cfg_attr(any(feature = "c", feature = "tables"), path = "c.rs")]
 #[cfg_attr(feature = "flags", path = "flags.rs")]
 #[cfg_attr(feature = "generated", path = "generated/mod.rs")]
 #[cfg_attr(feature = "hand", path = "hand/mod.rs")]
 #[cfg_attr(feature = "smlang", path = "smlang.rs")]
 #[cfg_attr(feature = "statig", path = "statig.rs")]
+// Of the charts in C some are tables.
+#[cfg_attr(feature = "tables", allow(dead_code))]
 mod implementation;
 
 /// The cycle function of a chart, as its language writes it: Rust returns the outputs, C writes them where it is told.
-#[cfg(not(feature = "c"))]
+#[cfg(not(any(feature = "c", feature = "tables")))]
 pub type Cycle<C, I, O> = fn(&mut C, &I) -> O;
 /// The cycle function of a chart, as its language writes it: Rust returns the outputs, C writes them where it is told.
-#[cfg(feature = "c")]
+#[cfg(any(feature = "c", feature = "tables"))]
 pub type Cycle<C, I, O> = unsafe extern "C" fn(&mut C, &I, &mut O);
 
 /// The cycle function of a chart that uses time.
-#[cfg(not(feature = "c"))]
+#[cfg(not(any(feature = "c", feature = "tables")))]
 pub type TimedCycle<C, I, O> = fn(&mut C, &I, u32) -> O;
 /// The cycle function of a chart that uses time.
-#[cfg(feature = "c")]
+#[cfg(any(feature = "c", feature = "tables"))]
 pub type TimedCycle<C, I, O> = unsafe extern "C" fn(&mut C, &I, u32, &mut O);
 
 /// A cycle function of whatever shape.
@@ -45,12 +47,12 @@ impl<C, I, O> Function<C, I, O> for Cycle<C, I, O> {
 
     #[inline(always)]
     fn call(self, chart: &mut C, inputs: &I, _: u32, outputs: &mut O) {
-        #[cfg(not(feature = "c"))]
+        #[cfg(not(any(feature = "c", feature = "tables")))]
         {
             *outputs = self(chart, inputs);
         }
         // SAFETY: the functions in `benches/c` keep to their types.
-        #[cfg(feature = "c")]
+        #[cfg(any(feature = "c", feature = "tables"))]
         unsafe {
             self(chart, inputs, outputs);
         }
@@ -62,12 +64,12 @@ impl<C, I, O> Function<C, I, O> for TimedCycle<C, I, O> {
 
     #[inline(always)]
     fn call(self, chart: &mut C, inputs: &I, now: u32, outputs: &mut O) {
-        #[cfg(not(feature = "c"))]
+        #[cfg(not(any(feature = "c", feature = "tables")))]
         {
             *outputs = self(chart, inputs, now);
         }
         // SAFETY: as above.
-        #[cfg(feature = "c")]
+        #[cfg(any(feature = "c", feature = "tables"))]
         unsafe {
             self(chart, inputs, now, outputs);
         }
@@ -131,7 +133,7 @@ macro_rules! benches {
         })*
 
         /// Shows all charts to a visitor.
-        pub fn visit(visitor: &mut impl Visitor) {
+        pub fn visit(visitor: &mut impl crate::Visitor) {
             $($($chart::$dialect::visit(visitor);)*)*
         }
     };
@@ -152,11 +154,31 @@ benches! {
     chain100_flags: Cycle sfc grafcet;
     chain1000: Cycle sfc grafcet;
     par8: Cycle sfc grafcet;
+    par16: Cycle sfc grafcet;
     selection: Cycle sfc grafcet;
     washer: Cycle sfc grafcet;
     crossing: TimedCycle sfc grafcet;
     mixed: TimedCycle sfc grafcet;
     cell: Cycle grafcet;
+    laundry: TimedCycle sfc grafcet;
+    plating: TimedCycle sfc grafcet;
+    reactor: TimedCycle sfc grafcet;
+    packer: TimedCycle grafcet;
+    picker: TimedCycle sfc grafcet;
+}
+
+#[cfg(feature = "long")]
+mod long {
+    benches! {
+        chain5000: Cycle sfc grafcet;
+    }
+}
+
+/// The same, and the charts that take the compiler long.
+pub fn visit_all(visitor: &mut impl Visitor) {
+    visit(visitor);
+    #[cfg(feature = "long")]
+    long::visit(visitor);
 }
 
 #[cfg(any(feature = "hand", feature = "c"))]
@@ -175,6 +197,11 @@ benches! {
     crossing: TimedCycle sfc grafcet;
     mixed: TimedCycle sfc grafcet;
     cell: Cycle grafcet;
+    laundry: TimedCycle sfc grafcet;
+    plating: TimedCycle sfc grafcet;
+    reactor: TimedCycle sfc grafcet;
+    packer: TimedCycle grafcet;
+    picker: TimedCycle sfc grafcet;
 }
 
 // One event, one transition: what these crates do in a cycle is what an `sfc` does.
@@ -191,6 +218,15 @@ benches! {
 #[cfg(feature = "flags")]
 benches! {
     chain100: Cycle sfc;
+}
+
+// What follows a rule.
+#[cfg(feature = "tables")]
+benches! {
+    chain10: Cycle sfc grafcet;
+    chain100: Cycle sfc grafcet;
+    chain1000: Cycle sfc grafcet;
+    par8: Cycle sfc grafcet;
 }
 
 /// A root that keeps nothing: the image all others are compared with.

@@ -18,6 +18,9 @@ const CYCLES: usize = 4096;
 /// Different inputs; they come in rounds.
 const INPUTS: usize = 256;
 
+/// For so many cycles inputs are held.
+const HELD: usize = 64;
+
 /// Milliseconds from one cycle to the next, as the charts with time are told.
 const PERIOD: u32 = 100;
 
@@ -48,18 +51,25 @@ fn idle<I: Inputs>() -> [I; INPUTS] {
     [I::from_word(0); INPUTS]
 }
 
-/// FNV-1a of the outputs, and whether each cycle was stable.
+/// FNV-1a of the outputs, and whether each cycle was stable: of inputs that change in every cycle, and of the same held for
+/// so long that times pass.
 fn hash<C, I, O: Outputs, F: Function<C, I, O>>(bench: &Bench<C, F>, inputs: &[I]) -> u32 {
     let mut chart = (bench.new)();
     let mut outputs = O::default();
     let mut hash = 0x811c_9dc5_u32;
     let mut see = |value: u32| hash = (hash ^ value).wrapping_mul(0x0100_0193);
     let mut now = 0;
-    for inputs in inputs.iter().cycle().take(CYCLES) {
-        bench.cycle.call(&mut chart, inputs, now, &mut outputs);
-        now += PERIOD;
-        outputs.each(&mut see);
-        see(u32::from((bench.is_stable)(&chart)));
+    for (rounds, held) in [(CYCLES / INPUTS, 1), (1, HELD)] {
+        for _ in 0..rounds {
+            for inputs in inputs {
+                for _ in 0..held {
+                    bench.cycle.call(&mut chart, inputs, now, &mut outputs);
+                    now += PERIOD;
+                    outputs.each(&mut see);
+                    see(u32::from((bench.is_stable)(&chart)));
+                }
+            }
+        }
     }
     hash
 }

@@ -42,7 +42,15 @@ macro_rules! with_signals {
                 x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
                     => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
             }
+            chain5000 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
             par8 (sfc grafcet) {
+                x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
+                    => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
+            }
+            par16 (sfc grafcet) {
                 x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11, x12, x13, x14, x15
                     => q0, q1, q2, q3, q4, q5, q6, q7, q8, q9, q10, q11, q12, q13, q14, q15
             }
@@ -65,13 +73,40 @@ macro_rules! with_signals {
                 ack, auto, part, clamped, drilled, stamped { estop: bool = |bits| bits % 64 == 1 }
                     => conveyor, clamp, drill, stamp, alarm { parts: u16 }
             }
+            laundry (sfc grafcet) {
+                start, door, full, hot, empty, balanced
+                    => ready, locked, valve, heater, left, right, pump, slow, fast, alarm
+            }
+            plating (sfc grafcet) {
+                start, there, low, high, good, home { recipe: u8 = |bits| 1 + (bits % 3) as u8 }
+                    => ready, grip, forward, backward, lower, lift, heat, water, current, air, reject { parts: u16 }
+            }
+            reactor (sfc grafcet) {
+                start, good {
+                    level: u16 = |bits: u32| (bits & 1023) as u16,
+                    pressure: u16 = |bits: u32| (bits >> 7 & 1023) as u16,
+                    temperature: i16 = |bits: u32| (bits >> 13 & 1023) as i16
+                }
+                    => ready, inlet_a, inlet_b, stirrer, dose, cooler, vent, drain, sampled { power: u16 }
+            }
+            packer (grafcet) {
+                ack, auto, carton, erected, bottle, closed, out, jog {
+                    estop: bool = |bits| bits % 64 == 1,
+                    jam: bool = |bits: u32| (bits >> 6).is_multiple_of(16)
+                }
+                    => alarm, manual, erect, gate, push, close, tape, eject, belt, jammed, lamp { cartons: u16 }
+            }
+            picker (sfc grafcet) {
+                start, part, left, right, up, down, vacuum, ack
+                    => ready, go_left, go_right, lower, suck, blow, alarm { code: u8 }
+            }
         }
     };
 }
 
 /// Makes inputs of a word and numbers of the outputs of one chart.
 macro_rules! words {
-    ($signals:path, { $($input:ident),* $({ $extra:ident: $type:ty = $value:expr })?
+    ($signals:path, { $($input:ident),* $({ $($extra:ident: $type:ty = $value:expr),* })?
         => $($output:ident),* $({ $number:ident: $of:ty })? }) => {
         const _: () = {
             use $signals::{ChartInputs, ChartOutputs};
@@ -79,7 +114,7 @@ macro_rules! words {
             impl crate::Inputs for ChartInputs {
                 fn from_word(mut bits: u32) -> Self {
                     $(let $input = crate::next_bit(&mut bits);)*
-                    Self { $($input,)* $($extra: ($value)(bits))? }
+                    Self { $($input,)* $($($extra: ($value)(bits),)*)? }
                 }
             }
 
@@ -97,6 +132,12 @@ macro_rules! words {
 macro_rules! generated {
     ($($chart:ident ($($dialect:ident)*) $signals:tt)*) => {
         $(generated!(@chart $chart ($($dialect)*) $signals);)*
+    };
+    (@chart chain5000 $dialects:tt $signals:tt) => {
+        #[cfg(feature = "long")]
+        words!(crate::implementation::chain5000::sfc, $signals);
+        #[cfg(feature = "long")]
+        words!(crate::implementation::chain5000::grafcet, $signals);
     };
     (@chart $chart:ident (grafcet) $signals:tt) => {
         words!(crate::implementation::$chart::grafcet, $signals);
@@ -121,13 +162,13 @@ macro_rules! by_hand {
             words!(crate::signals::$chart, $signals);
         )*
     };
-    (@types { $($input:ident),* $({ $extra:ident: $type:ty = $value:expr })?
+    (@types { $($input:ident),* $({ $($extra:ident: $type:ty = $value:expr),* })?
         => $($output:ident),* $({ $number:ident: $of:ty })? }) => {
         #[derive(Clone, Copy)]
         #[repr(C)]
         pub struct ChartInputs {
             $(pub $input: bool,)*
-            $(pub $extra: $type,)?
+            $($(pub $extra: $type,)*)?
         }
 
         #[derive(Clone, Copy, Default)]

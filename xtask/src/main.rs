@@ -26,6 +26,8 @@ Usage: cargo xtask <task>
 
   bench     what generated charts cost on a controller, on the host and while building, beside hand-written ones and other
             crates: writes docs/cost.md, the README's table and the figures that CI compares with
+  bench charts, bench builds
+            the first half of it alone, and the second: how long building takes
   bench cost
             the costs on a controller and on the host, shown and not written
   bench host
@@ -63,6 +65,8 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
         ["bench"] => bench::run(),
+        ["bench", "builds"] => bench::builds(),
+        ["bench", "charts"] => bench::charts(),
         ["bench", "cost"] => bench::cost(),
         ["bench", "host"] => bench::on_host(),
         ["bench", "pinned"] => bench::pinned(),

@@ -25,21 +25,36 @@ impl BareMetal {
     /// # Errors
     /// There is none; the message says what to install.
     pub(crate) fn find(target: &str) -> Result<Self> {
+        let found = Self::find_that(target, |_| Ok(true))?;
+        found.ok_or_else(|| {
+            format!(
+                "no compiler here can build for {target}; install the target with `rustup target add {target}`, or a compiler \
+                 with its source: `rustup component add rust-src`, on Debian `apt-get install rustc-web cargo-web rust-web-src`"
+            )
+        })
+    }
+
+    /// The way by a compiler of this version, where there is one.
+    ///
+    /// # Errors
+    /// A compiler does not start.
+    pub(crate) fn of_version(target: &str, version: &str) -> Result<Option<Self>> {
+        Self::find_that(target, |rustc| is_version(rustc, version))
+    }
+
+    fn find_that(target: &str, fits: impl Fn(&Path) -> Result<bool>) -> Result<Option<Self>> {
         let rustc = Path::new("rustc");
-        if has_core(&print(rustc, &["--print", "target-libdir", "--target", target])?) {
-            return Ok(Self::Installed);
+        if fits(rustc)? && has_core(&print(rustc, &["--print", "target-libdir", "--target", target])?) {
+            return Ok(Some(Self::Installed));
         }
         for rustc in find_all("rustc") {
             let cargo = rustc.with_file_name("cargo");
             let source = print(&rustc, &["--print", "sysroot"])?.join("lib/rustlib/src/rust/library/core");
-            if cargo.is_file() && source.is_dir() {
-                return Ok(Self::FromSource { cargo, rustc, linker: linker()? });
+            if cargo.is_file() && source.is_dir() && fits(&rustc)? {
+                return Ok(Some(Self::FromSource { cargo, rustc, linker: linker()? }));
             }
         }
-        Err(format!(
-            "no compiler here can build for {target}; install the target with `rustup target add {target}`, or a compiler \
-             with its source: `rustup component add rust-src`, on Debian `apt-get install rustc-web cargo-web rust-web-src`"
-        ))
+        Ok(None)
     }
 
     /// How to name it to the user.
@@ -61,8 +76,7 @@ impl BareMetal {
             Self::Installed => Path::new("rustc"),
             Self::FromSource { rustc, .. } => rustc,
         };
-        let version = capture(project::forget_cargo(Command::new(rustc).arg("--version")))?;
-        Ok(version.trim_end().to_owned())
+        version(rustc)
     }
 
     /// `cargo <subcommand> --target <target>` at the root of the workspace.
@@ -80,6 +94,48 @@ impl BareMetal {
             }
         }
     }
+}
+
+/// `cargo <arguments>` of a compiler of this version for the host, at the root of the workspace, and the compiler.
+///
+/// # Errors
+/// There is none, or it does not start.
+pub(crate) fn host(wanted: &str, arguments: &[&str]) -> Result<(Command, PathBuf)> {
+    if is_version(Path::new("rustc"), wanted)? {
+        return Ok(in_use(arguments));
+    }
+    for rustc in find_all("rustc") {
+        let cargo = rustc.with_file_name("cargo");
+        if cargo.is_file() && is_version(&rustc, wanted)? {
+            let mut command = Command::new(cargo);
+            command.args(arguments).current_dir(project::root()).env("RUSTC", &rustc);
+            project::forget_cargo(&mut command);
+            return Ok((command, rustc));
+        }
+    }
+    Err(missing(wanted))
+}
+
+/// The same of the toolchain in use, whatever its version is.
+pub(crate) fn in_use(arguments: &[&str]) -> (Command, PathBuf) {
+    (project::cargo(arguments), "rustc".into())
+}
+
+/// What to do where a version is missing.
+pub(crate) fn missing(wanted: &str) -> String {
+    format!(
+        "no rustc {wanted} in the PATH, with which all costs are measured: `rustup toolchain install {wanted} --target \
+         thumbv7m-none-eabi --target thumbv6m-none-eabi` and `cargo +{wanted} xtask …`, or Debian's rustc-web of that version"
+    )
+}
+
+fn is_version(rustc: &Path, wanted: &str) -> Result<bool> {
+    Ok(version(rustc)?.split_whitespace().nth(1) == Some(wanted))
+}
+
+fn version(rustc: &Path) -> Result<String> {
+    let version = capture(project::forget_cargo(Command::new(rustc).arg("--version")))?;
+    Ok(version.trim_end().to_owned())
 }
 
 fn has_core(libraries: &Path) -> bool {

@@ -1,8 +1,10 @@
 //! The charts as a user of the macro writes them.
 
+mod plants;
 mod sequences;
 mod structured;
 
+pub use plants::{laundry, packer, picker, plating, reactor};
 pub use sequences::{seq4, seq16, seq64};
 pub use structured::{cell, mixed};
 

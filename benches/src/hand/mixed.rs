@@ -1,29 +1,27 @@
-//! A filling station: two sections of two parallel branches each, times, stored outputs.
+//! A filling station: two sections of two parallel branches each, times, stored outputs. The main sequence and the left
+//! branches are one enum, the right ones have their own, which has a meaning beside the left ones.
+//!
+//! A step's time is `now` less the reading at which it was entered. Steps go on as soon as their times are over, but for `Print`: where
+//! nothing is printed for 49.7 days, the printer runs for another second.
 
 pub use crate::signals::mixed::{ChartInputs, ChartOutputs};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Main {
+enum Step {
     Idle,
     Load,
     Clamp,
-    /// The first parallel section.
-    Fill,
     Weigh,
     Reject,
-    /// The second parallel section.
-    Close,
     Unclamp,
     Deliver,
     /// Before the first cycle.
     Init,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Left {
+    // The first parallel section.
     Heat,
     Hold,
     Heated,
+    // The second one.
     Cap,
     Press,
     Capped,
@@ -41,100 +39,84 @@ enum Right {
 }
 
 struct State {
-    main: Main,
-    /// Have a meaning in the parallel sections.
-    left: Left,
-    right: Right,
-    /// When the left branch, or outside of the sections the main one, was entered with a time to wait for.
-    left_since: u32,
+    since: u32,
     right_since: u32,
+    step: Step,
+    right: Right,
     busy: bool,
     valve: bool,
     alarm: bool,
 }
 
 impl State {
-    fn new(main: Main) -> Self {
-        let (left, right) = (Left::Heat, Right::Open);
-        Self { main, left, right, left_since: 0, right_since: 0, busy: false, valve: false, alarm: false }
+    fn new(step: Step) -> Self {
+        Self { since: 0, right_since: 0, step, right: Right::Open, busy: false, valve: false, alarm: false }
+    }
+
+    fn is_parallel(&self) -> bool {
+        matches!(self.step, Step::Heat | Step::Hold | Step::Heated | Step::Cap | Step::Press | Step::Capped)
     }
 
     /// One evolution; whether anything has moved.
+    #[inline(always)]
     fn next(&mut self, i: &ChartInputs, now: u32) -> bool {
-        self.main = match self.main {
-            Main::Init => Main::Idle,
-            Main::Idle if i.start => {
+        let time = now.wrapping_sub(self.since);
+        let right = self.right;
+        let moved = self.is_parallel() && self.next_right(i, now);
+        self.step = match self.step {
+            Step::Init => Step::Idle,
+            Step::Idle if i.start => {
                 self.busy = true;
-                Main::Load
+                Step::Load
             }
-            Main::Load if i.part => {
+            Step::Load if i.part => {
                 self.alarm = false;
-                Main::Clamp
+                Step::Clamp
             }
-            Main::Clamp if i.clamped => {
-                self.left = Left::Heat;
+            Step::Clamp if i.clamped => {
                 self.right = Right::Open;
                 self.right_since = now;
                 self.valve = true;
-                Main::Fill
+                Step::Heat
             }
-            Main::Fill if self.left == Left::Heated && self.right == Right::Dosed => Main::Weigh,
-            Main::Weigh if i.weighed => {
+            Step::Heat if i.hot => Step::Hold,
+            Step::Hold if time >= 5_000 => Step::Heated,
+            Step::Heated if right == Right::Dosed => Step::Weigh,
+            Step::Weigh if i.weighed => {
                 if i.good {
-                    self.left = Left::Cap;
                     self.right = Right::Print;
                     self.right_since = now;
-                    Main::Close
+                    Step::Cap
                 } else {
-                    self.left_since = now;
                     self.alarm = true;
-                    Main::Reject
+                    Step::Reject
                 }
             }
-            Main::Reject if i.gone || now.wrapping_sub(self.left_since) >= 10_000 => {
+            Step::Reject if i.gone || time >= 10_000 => {
                 self.busy = false;
-                Main::Idle
+                Step::Idle
             }
-            Main::Close if self.left == Left::Capped && self.right == Right::Labelled => Main::Unclamp,
-            Main::Unclamp if !i.clamped => Main::Deliver,
-            Main::Deliver if i.gone => {
+            Step::Cap if i.capped => Step::Press,
+            Step::Press if time >= 3_000 => Step::Capped,
+            Step::Capped if right == Right::Labelled => Step::Unclamp,
+            Step::Unclamp if !i.clamped => Step::Deliver,
+            Step::Deliver if i.gone => {
                 self.busy = false;
-                Main::Idle
+                Step::Idle
             }
-            Main::Fill | Main::Close => return self.next_left(i, now) | self.next_right(i, now),
-            _ => return false,
+            _ => return moved,
         };
+        self.since = now;
         true
     }
 
-    fn next_left(&mut self, i: &ChartInputs, now: u32) -> bool {
-        self.left = match self.left {
-            Left::Heat if i.hot => {
-                self.left_since = now;
-                Left::Hold
-            }
-            Left::Hold if now.wrapping_sub(self.left_since) >= 5_000 => Left::Heated,
-            Left::Cap if i.capped => {
-                self.left_since = now;
-                Left::Press
-            }
-            Left::Press if now.wrapping_sub(self.left_since) >= 3_000 => Left::Capped,
-            _ => return false,
-        };
-        true
-    }
-
+    #[inline(always)]
     fn next_right(&mut self, i: &ChartInputs, now: u32) -> bool {
+        let time = now.wrapping_sub(self.right_since);
         self.right = match self.right {
-            Right::Open if now.wrapping_sub(self.right_since) >= 1_000 => {
-                self.right_since = now;
-                Right::Dose
-            }
-            Right::Dose if i.filled => {
-                self.right_since = now;
-                Right::Settle
-            }
-            Right::Settle if now.wrapping_sub(self.right_since) >= 2_000 => {
+            Right::Open if time >= 1_000 => Right::Dose,
+            Right::Dose if i.filled => Right::Settle,
+            Right::Settle if time >= 2_000 => {
                 self.valve = false;
                 Right::Dosed
             }
@@ -142,82 +124,37 @@ impl State {
             Right::Label if !i.stuck => Right::Labelled,
             _ => return false,
         };
+        self.right_since = now;
         true
     }
 
+    #[inline(always)]
     fn act(&self, i: &ChartInputs, now: u32) -> ChartOutputs {
         let mut q = ChartOutputs { busy: self.busy, valve: self.valve, alarm: self.alarm, ..ChartOutputs::default() };
-        match self.main {
-            Main::Idle => q.ready = true,
-            Main::Load | Main::Deliver => q.belt = true,
-            Main::Reject => q.eject = true,
-            Main::Fill | Main::Close => {
-                match self.left {
-                    Left::Heat => q.heater = true,
-                    Left::Hold => q.heater = !i.hot,
-                    Left::Cap => q.capper = true,
-                    Left::Press => q.press = true,
-                    Left::Heated | Left::Capped => {}
+        match self.step {
+            Step::Idle => q.ready = true,
+            Step::Load | Step::Deliver => q.belt = true,
+            Step::Reject => q.eject = true,
+            Step::Heat => q.heater = true,
+            Step::Hold => q.heater = !i.hot,
+            Step::Cap => q.capper = true,
+            Step::Press => q.press = true,
+            Step::Clamp | Step::Weigh | Step::Unclamp | Step::Init | Step::Heated | Step::Capped => {}
+        }
+        if self.is_parallel() {
+            match self.right {
+                Right::Dose => {
+                    q.pump = true;
+                    q.stirrer = now.wrapping_sub(self.right_since) >= 500;
                 }
-                match self.right {
-                    Right::Dose => {
-                        q.pump = true;
-                        q.stirrer = now.wrapping_sub(self.right_since) >= 500;
-                    }
-                    Right::Settle => q.stirrer = true,
-                    Right::Print => q.printer = now.wrapping_sub(self.right_since) < 1_000,
-                    Right::Label => q.labeler = true,
-                    Right::Open | Right::Dosed | Right::Labelled => {}
-                }
+                Right::Settle => q.stirrer = true,
+                Right::Print => q.printer = now.wrapping_sub(self.right_since) < 1_000,
+                Right::Label => q.labeler = true,
+                Right::Open | Right::Dosed | Right::Labelled => {}
             }
-            _ => {}
         }
         q
     }
 }
 
-/// IEC 61131-3: one evolution per cycle, none in the first.
-pub mod sfc {
-    pub use super::{ChartInputs, ChartOutputs};
-    use super::{Main, State};
-
-    pub struct Chart(State);
-
-    impl Chart {
-        pub fn new() -> Self {
-            Self(State::new(Main::Init))
-        }
-
-        pub fn cycle(&mut self, inputs: &ChartInputs, now: u32) -> ChartOutputs {
-            self.0.next(inputs, now);
-            self.0.act(inputs, now)
-        }
-    }
-
-    pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
-}
-
-/// IEC 60848: evolutions until nothing moves; the times end every search.
-pub mod grafcet {
-    pub use super::{ChartInputs, ChartOutputs};
-    use super::{Main, State};
-
-    pub struct Chart(State);
-
-    impl Chart {
-        pub fn new() -> Self {
-            Self(State::new(Main::Idle))
-        }
-
-        pub fn is_stable(&self) -> bool {
-            true
-        }
-
-        pub fn cycle(&mut self, inputs: &ChartInputs, now: u32) -> ChartOutputs {
-            while self.0.next(inputs, now) {}
-            self.0.act(inputs, now)
-        }
-    }
-
-    pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
-}
+super::timed_dialects!(Idle);

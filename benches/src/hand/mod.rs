@@ -3,9 +3,14 @@
 
 pub mod cell;
 pub mod crossing;
+pub mod laundry;
 pub mod line24v;
 pub mod mixed;
 pub mod motor;
+pub mod packer;
+pub mod picker;
+pub mod plating;
+pub mod reactor;
 pub mod selection;
 pub mod seq16;
 pub mod seq4;
@@ -84,5 +89,58 @@ macro_rules! dialects {
     };
 }
 use dialects;
+
+/// The two charts of a `State` with its functions `new`, `next`, which says whether anything has moved, and `act`. Times end
+/// every search.
+macro_rules! timed_dialects {
+    ($first:ident) => {
+        /// IEC 61131-3: one evolution per cycle; that of the first activates the initial step.
+        pub mod sfc {
+            pub use super::{ChartInputs, ChartOutputs};
+            use super::{State, Step};
+
+            pub struct Chart(State);
+
+            impl Chart {
+                pub fn new() -> Self {
+                    Self(State::new(Step::Init))
+                }
+
+                pub fn cycle(&mut self, inputs: &ChartInputs, now: u32) -> ChartOutputs {
+                    self.0.next(inputs, now);
+                    self.0.act(inputs, now)
+                }
+            }
+
+            pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+        }
+
+        /// IEC 60848: evolutions until nothing moves.
+        pub mod grafcet {
+            pub use super::{ChartInputs, ChartOutputs};
+            use super::{State, Step};
+
+            pub struct Chart(State);
+
+            impl Chart {
+                pub fn new() -> Self {
+                    Self(State::new(Step::$first))
+                }
+
+                pub fn is_stable(&self) -> bool {
+                    true
+                }
+
+                pub fn cycle(&mut self, inputs: &ChartInputs, now: u32) -> ChartOutputs {
+                    while self.0.next(inputs, now) {}
+                    self.0.act(inputs, now)
+                }
+            }
+
+            pub const CYCLE: crate::TimedCycle<Chart, ChartInputs, ChartOutputs> = Chart::cycle;
+        }
+    };
+}
+use timed_dialects;
 
 include!(concat!(env!("OUT_DIR"), "/hand.rs"));

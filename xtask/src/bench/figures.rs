@@ -3,16 +3,21 @@
 use std::fmt::Write;
 use std::fs;
 
+use super::builds::{Times, WATCHED};
 use super::table::FIGURES;
-use super::{AUTHORS, Boards, Cost, Row, Size};
+use super::{AUTHORS, Boards, Cost, LONG, Row, Size};
 use crate::command::Result;
 use crate::project::root;
 
 const FILE: &str = "benches/figures.txt";
 
+/// In front of what building takes.
+const BUILD: &str = "host build ";
+
 const HEADER: &str = "\
 # Written by `cargo xtask bench`: for each target the compiler, then for each chart, dialect and author the bytes of flash, the
-# instructions of 4096 busy and of 4096 idle cycles, the bytes of RAM, the hash of the outputs.
+# instructions of 4096 busy and of 4096 idle cycles, the bytes of RAM, the hash of the outputs. At the end, how many times statig's
+# processor time building takes.
 ";
 
 /// In another folder crates have other hashes, and the linker puts functions elsewhere: one of so many parts.
@@ -20,6 +25,9 @@ const OTHER_FOLDER: u32 = 100;
 
 /// With another compiler than the recorded one, figures may be larger by one of so many parts.
 const OTHER_COMPILER: u32 = 10;
+
+/// Processor time differs from run to run: a ratio of build times may be larger by one of so many parts.
+const OTHER_RUN: f64 = 6.0;
 
 /// What a run before has measured.
 pub(super) struct Recorded {
@@ -52,9 +60,11 @@ impl Recorded {
             }
         }
         let prefix = format!("{target} ");
-        let known = self.text.lines().filter(|line| line.starts_with(&prefix) && line.contains(" generated ")).count();
-        if known != rows.len() {
-            problems.push(format!("{known} charts are recorded, {} are measured", rows.len()));
+        let recorded = self.text.lines().filter_map(|line| line.strip_prefix(&prefix));
+        let known = recorded.filter(|line| line.contains(" generated ") && !line.starts_with(LONG.0)).count();
+        let measured = rows.iter().filter(|row| !row.name.starts_with(LONG.0)).count();
+        if known != measured {
+            problems.push(format!("{known} charts are recorded, {measured} are measured"));
         }
         match problems.len() {
             0 => {
@@ -65,6 +75,27 @@ impl Recorded {
                 Err(format!("{target}: {}\n`cargo xtask bench` records what is meant to be so", problems.join("\n  ")))
             }
         }
+    }
+
+    /// Says where building takes more of statig's time than is recorded.
+    pub(super) fn compare_builds(&self, ratios: [f64; 2]) -> Result {
+        for (name, now) in WATCHED.into_iter().zip(ratios) {
+            let prefix = format!("{BUILD}{name} ");
+            let recorded = self.text.lines().find_map(|line| line.strip_prefix(&prefix)?.parse::<f64>().ok());
+            let Some(recorded) = recorded else {
+                println!(
+                    "bench: build {name}: {now:.2} times statig's processor time; `cargo xtask bench builds` records it"
+                );
+                continue;
+            };
+            println!("bench: build {name}: {now:.2} times statig's processor time, recorded {recorded:.2}");
+            if now > recorded + recorded / OTHER_RUN {
+                return Err(format!(
+                    "building ({name}) takes {now:.2} times statig's processor time, recorded is {recorded:.2}"
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// The recorded cost of a chart as an author wrote it.
@@ -96,10 +127,26 @@ fn parse(figures: &str) -> Result<Cost> {
     cost().ok_or_else(|| format!("{FILE}: not a cost: {figures}"))
 }
 
-/// Writes all figures of the boards. The host's are not compared: its compiler is any that the user has.
+/// Writes all figures of the boards. The host's are not compared.
 pub(super) fn record(boards: &Boards, compilers: &[String]) -> Result {
-    let file = root().join(FILE);
-    fs::write(&file, text(boards, compilers)).map_err(|error| format!("{}: {error}", file.display()))
+    let old = Recorded::read()?.text;
+    write(text(boards, compilers), old.lines().filter(|line| line.starts_with(BUILD)))
+}
+
+/// Writes what building takes.
+pub(super) fn record_builds(times: &Times) -> Result {
+    let old = Recorded::read()?.text;
+    let ratios = WATCHED.iter().zip(times.ratios());
+    let lines: Vec<String> = ratios.map(|(name, ratio)| format!("{BUILD}{name} {ratio:.2}")).collect();
+    let kept: Vec<&str> = old.lines().filter(|line| !line.starts_with(BUILD)).collect();
+    write(kept.join("\n") + "\n", lines.iter().map(String::as_str))
+}
+
+fn write<'a>(mut text: String, builds: impl Iterator<Item = &'a str>) -> Result {
+    for line in builds {
+        _ = writeln!(text, "{line}");
+    }
+    fs::write(root().join(FILE), text).map_err(|error| format!("{FILE}: {error}"))
 }
 
 fn text(boards: &Boards, compilers: &[String]) -> String {
@@ -154,6 +201,13 @@ mod tests {
     fn another_compiler_has_a_tenth() {
         assert_eq!(compare("rustc 1.97", row(70, 55_000)), Ok(()));
         assert!(compare("rustc 1.97", row(71, 55_000)).is_err());
+    }
+
+    #[test]
+    fn building_may_take_a_little_more() {
+        let recorded = Recorded { text: "host build clean 2.70\nhost build small 1.20\n".to_owned() };
+        assert_eq!(recorded.compare_builds([3.1, 1.3]), Ok(()));
+        assert!(recorded.compare_builds([3.2, 1.2]).is_err() && recorded.compare_builds([2.7, 1.41]).is_err());
     }
 
     #[test]

@@ -10,9 +10,9 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use super::{CYCLES, Cost, Row, measure};
+use super::{COMPILER, CYCLES, Cost, Row, measure};
 use crate::command::{Result, capture_within, run, tool};
-use crate::project;
+use crate::{project, toolchain};
 
 /// The function of the program in which callgrind collects.
 const COUNTED: &str = "bench_counted";
@@ -36,8 +36,8 @@ pub(super) fn all(authors: &[&'static str]) -> Result<Vec<Row>> {
 /// Every chart of one author.
 fn costs(valgrind: &Path, author: &str) -> Result<Vec<(String, Cost)>> {
     let folder = project::target("host");
-    let mut command = project::cargo(&["build", "--quiet", "--locked", "--release", "--bin", "count"]);
-    command.args(["--manifest-path", "benches/Cargo.toml", "--features", author]);
+    let (mut command, _) = toolchain::host(COMPILER, &["build", "--quiet", "--locked", "--release", "--bin", "count"])?;
+    command.args(["--manifest-path", "benches/Cargo.toml", "--features", &measure::features(author)]);
     run(command.arg("--target-dir").arg(&folder))?;
     let mut command = Command::new(valgrind);
     command.args(["--tool=callgrind", "--quiet", "--combine-dumps=yes"]);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use super::{AUTHORS, Cost, Row, Size};
+use super::{AUTHORS, Cost, LONG, Row, Size};
 use crate::command::{Result, capture_within, run, tool};
 use crate::image::Linker;
 use crate::toolchain::BareMetal;
@@ -34,10 +34,20 @@ struct Count {
 }
 
 /// The charts as these authors wrote them, for one target; the first has all of them.
-pub(super) fn all(target: &str, authors: &[&'static str]) -> Result<Vec<Row>> {
-    let toolchain = BareMetal::find(target)?;
+pub(super) fn all(toolchain: &BareMetal, target: &str, authors: &[&'static str]) -> Result<Vec<Row>> {
     println!("bench: {target}, {}", toolchain.describe());
-    rows(authors, |author| costs(&toolchain, target, author))
+    rows(authors, |author| costs(toolchain, target, author, &features(author)))
+}
+
+/// The generated charts alone, without those that take the compiler long.
+pub(super) fn generated(toolchain: &BareMetal, target: &str) -> Result<Vec<Row>> {
+    println!("bench: {target}, {}", toolchain.describe());
+    rows(&AUTHORS[..1], |author| costs(toolchain, target, author, author))
+}
+
+/// The features of the benches with all charts of one author.
+pub(super) fn features(author: &str) -> String {
+    if author == AUTHORS[0] { format!("{author},{}", LONG.1) } else { author.to_owned() }
 }
 
 /// The charts of these authors side by side; the first has all of them.
@@ -66,13 +76,14 @@ pub(super) fn rows(authors: &[&'static str], costs: impl Fn(&str) -> Result<Vec<
 }
 
 /// Every chart of one author.
-fn costs(toolchain: &BareMetal, target: &str, author: &str) -> Result<Vec<(String, Cost)>> {
+fn costs(toolchain: &BareMetal, target: &str, author: &str, features: &str) -> Result<Vec<(String, Cost)>> {
     let folder = project::target(firmware::FOLDER).join(target).join("release");
-    build(toolchain, target, author, &["--bin", "count"])?;
+    build(toolchain, target, features, &["--bin", "count"])?;
     let counts = count(&folder.join("count"))?;
-    build(toolchain, target, author, &["--lib", "--crate-type", "staticlib"])?;
+    build(toolchain, target, features, &["--lib", "--crate-type", "staticlib"])?;
     let library = folder.join("libgrafcet_benches.a");
-    let linker = if author == "c" { Linker::with_c(library, target)? } else { Linker::new(library)? };
+    let linker =
+        if ["c", "tables"].contains(&author) { Linker::with_c(library, target)? } else { Linker::new(library)? };
     check_finders(&linker, author)?;
     let nothing = linker.link(NOTHING)?.flash()?;
     let cost = |count: Count| {
@@ -101,9 +112,9 @@ fn check_finders(linker: &Linker, author: &str) -> Result {
     Ok(())
 }
 
-fn build(toolchain: &BareMetal, target: &str, author: &str, what: &[&str]) -> Result {
+fn build(toolchain: &BareMetal, target: &str, features: &str, what: &[&str]) -> Result {
     let mut command = toolchain.cargo("rustc", target);
-    command.args(["--quiet", "--locked", "--release", "--manifest-path", "benches/Cargo.toml", "--features", author]);
+    command.args(["--quiet", "--locked", "--release", "--manifest-path", "benches/Cargo.toml", "--features", features]);
     run(command.args(what).arg("--target-dir").arg(project::target(firmware::FOLDER)))
 }
 

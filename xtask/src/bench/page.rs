@@ -5,8 +5,8 @@ use std::fs;
 use std::process::Command;
 
 use super::Measured;
-use super::builds::{CRATES, Times};
-use super::goals::{self, Goal};
+use super::builds::{CRATES, Compilation, Times};
+use super::goals;
 use super::table::{self, FIGURES};
 use crate::command::{Result, capture, tool};
 use crate::project::root;
@@ -24,24 +24,43 @@ Written by `cargo xtask bench`, which measures everything in one run. The charts
 - **RAM**: bytes of the chart's state
 
 All are exact and the same in every run, apart from statig's: its code differs from build to build. Compiled at `opt-level = \"s\"` with LTO, C at
-`-Os`, for Cortex-M3 (`thumbv7m-none-eabi`), Cortex-M0 (`thumbv6m-none-eabi`) and the host, of which only instructions are counted: its compilers are
-those at hand, so it has no goals, and CI does not look at it. All authors of a chart give the same outputs on the same inputs wherever they run,
-cycle by cycle: the run compares a hash of them. All evolve first and act then; smlang and statig take one transition per event, which is
-what an `sfc` does, and have no parallel branches: Par8 is nine machines with code around them.
+`-Os`, for Cortex-M3 (`thumbv7m-none-eabi`), Cortex-M0 (`thumbv6m-none-eabi`) and the host, of which only instructions are counted: it has no goals,
+and CI does not look at it. All rows are of one version of rustc, whatever else is installed. All authors of a chart give the same outputs on the same inputs wherever they run,
+cycle by cycle: the run compares a hash of them, of inputs that change in every cycle and of the same held for 6.4 s. All evolve first and act then; smlang and statig take one
+transition per event, which is what an `sfc` does, and have no parallel branches: Par8 is nine machines with code around them. Who writes times by hand keeps the reading at
+which a step was entered, and says where it matters that the counter wraps; generated charts have no such limit.
 
-*ratio* is that to the best of the others; bold is more than that.
+*ratio* is that to the best of the others; bold is more than that. *tables* is for orientation and no rival: C whose steps are rows of a table of byte numbers, for charts that
+follow a rule. It takes a pointer cast over the records of the signals (`((const bool *)inputs)[row.input]`), which safe Rust does not have, and the same kind of condition in all steps.
 ";
 
-/// Writes the page.
-pub(super) fn write(measured: &Measured, times: &Times, goals: &[Goal], compilers: &[String]) -> Result {
+/// Where the build times begin, which are measured apart.
+const BUILD: &str = "## Build\n";
+
+/// Writes the page but for the build times, which stay as they are.
+pub(super) fn write(measured: &Measured, compilers: &[String]) -> Result {
     let mut page = format!("{HEAD}\n{}\n", tools(compilers)?);
-    _ = writeln!(page, "## Goals\n\n{}", goals::table(goals));
+    _ = writeln!(page, "## Goals\n\n{}", goals::table(&goals::of_costs(&measured.boards)));
     for figure in FIGURES {
         _ = writeln!(page, "## {}\n\n{}", title(figure.name), table::of(figure, measured));
     }
-    page += &builds(times);
-    let file = root().join(FILE);
-    fs::write(&file, page).map_err(|error| format!("{}: {error}", file.display()))
+    let old = read()?;
+    write_text(&(page + old.find(BUILD).map_or("", |start| &old[start..])))
+}
+
+/// Writes the build times anew, and their goals.
+pub(super) fn write_builds(times: &Times) -> Result {
+    let old = read()?;
+    let before = old.find(BUILD).map_or(&old[..], |start| &old[..start]);
+    write_text(&format!("{before}{}\n{}", builds(times), goals::table(&goals::of_builds(times))))
+}
+
+fn read() -> Result<String> {
+    fs::read_to_string(root().join(FILE)).map_err(|error| format!("{FILE}: {error}"))
+}
+
+fn write_text(page: &str) -> Result {
+    fs::write(root().join(FILE), page).map_err(|error| format!("{FILE}: {error}"))
 }
 
 fn title(figure: &str) -> String {
@@ -56,13 +75,12 @@ fn tools(compilers: &[String]) -> Result<String> {
     let qemu = first_line(tool("qemu-system-arm", "qemu-system-arm")?)?;
     let mut compilers = compilers.to_owned();
     compilers.dedup();
-    let rustc = capture(Command::new("rustc").arg("--version"))?;
     let cc = first_line(tool("cc", "gcc")?)?;
     let valgrind = first_line(tool("valgrind", "valgrind")?)?;
-    let host = format!("({}) {}, {cc}, {valgrind}", std::env::consts::ARCH, rustc.trim_end());
+    let host = format!("({}) {cc}, {valgrind}", std::env::consts::ARCH);
     let rivals = CRATES[1..].iter().map(|name| version(name)).collect::<Result<Vec<_>>>()?.join(", ");
     let (date, compilers) = (date.trim_end(), compilers.join(", "));
-    Ok(format!("{date}: for the controllers {compilers}, {gcc}; on the host {host}; {qemu}; {rivals}.\n"))
+    Ok(format!("{date}: {compilers}; for the controllers {gcc}, {qemu}; on the host {host}; {rivals}.\n"))
 }
 
 fn first_line(program: std::path::PathBuf) -> Result<String> {
@@ -80,17 +98,21 @@ fn version(name: &str) -> Result<String> {
 }
 
 fn builds(times: &Times) -> String {
-    let mut text = "## Build\n\nSeconds of processor time of cargo and all it starts, the shortest of several in turns: they depend on the \
+    let mut text = "## Build\n\nMeasured by `cargo xtask bench builds`. Seconds of processor time of cargo and all it starts, the shortest of several in turns: they depend on the \
                     machine, their ratios less so.\n\n"
         .to_owned();
-    _ = writeln!(text, "| | {} | {} | {} |\n| --- | --: | --: | --: |", CRATES[0], CRATES[1], CRATES[2]);
+    _ = writeln!(text, "| | {} | {} | {} | of statig's |", CRATES[0], CRATES[1], CRATES[2]);
+    text += "| --- | --: | --: | --: | --: |\n";
     let rows = [
         ("the macro and its dependencies, from nothing", &times.clean),
+        ("`cargo check`, 100 small charts, after an edit", &times.small),
         ("`cargo check`, ring of 100 steps", &times.chain100),
         ("`cargo check`, ring of 1000 steps", &times.chain1000),
     ];
     for (what, [ours, smlang, statig]) in rows {
-        _ = writeln!(text, "| {what} | {ours:.2} | {smlang:.2} | {statig:.2} |");
+        _ = writeln!(text, "| {what} | {ours:.2} | {smlang:.2} | {statig:.2} | {:.2} |", ours / statig);
     }
+    let Compilation { seconds, mebibytes } = times.long;
+    _ = writeln!(text, "\nrustc takes {seconds:.2} s and {mebibytes:.0} MiB for a ring of 5000 steps.");
     text
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{AUTHORS, CYCLES, Cost, Measured, RESOLUTION, RIVALS, Row};
+use super::{AUTHORS, CYCLES, Cost, Measured, RESOLUTION, RIVALS, Row, TABLES};
 
 /// A figure of a chart's cost.
 #[derive(Debug)]
@@ -42,12 +42,22 @@ impl Figure {
         match (value, self.per) {
             (None, _) => "–".to_owned(),
             (Some(value), 1) => value.to_string(),
-            (Some(value), per) => format!("{:.1}", f64::from(value) / f64::from(per)),
+            (Some(value), _) => format!("{:.1}", self.shown(value)),
         }
     }
 
-    /// The cells of one chart on one target: by all authors, and the ratio of the first to the best of the others, with a
-    /// mark where it is more.
+    /// One of it.
+    pub(super) fn unit(&self) -> &'static str {
+        if self.per == 1 { "a byte" } else { "an instruction" }
+    }
+
+    /// The figure as it is shown, as a number.
+    pub(super) fn shown(&self, value: u32) -> f64 {
+        f64::from(value) / f64::from(self.per)
+    }
+
+    /// The cells of one chart on one target: by all authors, the ratio of the first to the best of the others, with a mark
+    /// where it is more, and what tables take.
     fn cells(&self, row: &Row) -> String {
         let mut cells = String::new();
         for author in 0..=RIVALS {
@@ -60,13 +70,14 @@ impl Figure {
             }
             _ => cells.push_str(" – |"),
         }
+        _ = write!(cells, " {} |", self.show(self.get(row, TABLES)));
         cells
     }
 }
 
 /// One figure of all charts wherever it is measured, in Markdown.
 pub(super) fn of(figure: &Figure, measured: &Measured) -> String {
-    let names = ["grafcet", "by hand", "C", "smlang", "statig", "ratio"];
+    let names = ["grafcet", "by hand", "C", "smlang", "statig", "ratio", "*tables*"];
     let places = places(figure, measured);
     let mut table = String::from("| |");
     let mut rule = String::from("| --- |");
@@ -92,16 +103,24 @@ pub(super) fn of(figure: &Figure, measured: &Measured) -> String {
 }
 
 /// The processors on which a figure is measured, with the charts there.
-fn places<'a>(figure: &Figure, measured: &'a Measured) -> Vec<(&'static str, &'a [Row])> {
-    let cpu = |target: &str| if target.starts_with("thumbv6m") { "M0" } else { "M3" };
+fn places<'a>(figure: &Figure, measured: &'a Measured) -> Vec<(&'a str, &'a [Row])> {
     let boards = measured.boards.iter().map(|(target, rows)| (cpu(target), &rows[..]));
     let places = boards.chain([("host", &measured.host[..])]);
     places.filter(|(_, rows)| rows.iter().any(|row| figure.get(row, 0).is_some())).collect()
 }
 
+/// The processor of a target, and what is no target.
+pub(super) fn cpu(target: &str) -> &str {
+    match target.split_once('-') {
+        Some(("thumbv6m", _)) => "M0",
+        Some(("thumbv7m", _)) => "M3",
+        _ => target,
+    }
+}
+
 /// The author's name in the tables.
 pub(super) fn author(place: usize) -> &'static str {
-    ["grafcet", "hand-written Rust", "hand-written C", "smlang", "statig", "one bit per step"]
+    ["grafcet", "hand-written Rust", "hand-written C", "smlang", "statig", "one bit per step", "tables in C"]
         .get(place)
         .copied()
         .unwrap_or(AUTHORS[0])
@@ -121,26 +140,27 @@ mod tests {
         costs[2] = cost(70, 8192, 2);
         // Who does not compete.
         costs[5] = cost(1, 1, 1);
+        costs[6] = cost(9, 1, 1);
         Row { name: "motor sfc".to_owned(), costs }
     }
 
     #[test]
     fn the_best_rival_counts() {
-        assert_eq!(FLASH.cells(&row()), " 64 | 63 | 70 | – | – | **1.02** |");
-        assert_eq!(BUSY.cells(&row()), " 1.0 | 1.0 | 2.0 | – | – | 1.00 |");
+        assert_eq!(FLASH.cells(&row()), " 64 | 63 | 70 | – | – | **1.02** | 9 |");
+        assert_eq!(BUSY.cells(&row()), " 1.0 | 1.0 | 2.0 | – | – | 1.00 | 0.0 |");
     }
 
     #[test]
     fn places_stand_side_by_side() {
         let mut host = row();
         host.costs.iter_mut().flatten().for_each(|cost| cost.size = None);
-        let boards = vec![("thumbv7m", vec![row()]), ("thumbv6m", vec![row()])];
+        let boards = vec![("thumbv7m-none-eabi", vec![row()]), ("thumbv6m-none-eabi", vec![row()])];
         let measured = Measured { boards, host: vec![host] };
         let last = |figure| of(figure, &measured).lines().last().map(str::to_owned);
-        let cells = " 1 | 1 | 2 | – | – | 1.00 |";
+        let cells = " 1 | 1 | 2 | – | – | 1.00 | 1 |";
         assert_eq!(last(&RAM), Some(format!("| motor sfc |{cells}{cells}")), "the host has none");
-        let cells = " 1.0 | 1.0 | 1.0 | – | – | 1.00 |";
+        let cells = " 1.0 | 1.0 | 1.0 | – | – | 1.00 | 1.0 |";
         assert_eq!(last(&IDLE), Some(format!("| motor sfc |{cells}{cells}{cells}")));
-        assert!(of(&IDLE, &measured).contains(" M0 ratio | host grafcet |"));
+        assert!(of(&IDLE, &measured).contains(" M0 ratio | M0 *tables* | host grafcet |"));
     }
 }
