@@ -9,6 +9,16 @@ use crate::diagnostic::{Mark, Sink};
 
 const ALL: &str = "the qualifiers are N, S, R, L, D, P, P1, P0, SD, DS and SL";
 
+/// Words with which other notations say when something is done.
+const MOMENTS: &[&str] = &["entry", "enter", "exit", "leave", "during", "do", "while", "for", "loop", "match"];
+
+const BY_MOMENT: &str = "what a step does has a qualifier: `P1 { … }` runs when the step becomes active, `P0 { … }` when it is \
+                         left, `N { … }` in every cycle";
+
+/// Qualifiers written as words.
+const SPOKEN: &[(&str, &str)] =
+    &[("set", "S"), ("reset", "R"), ("setze", "S"), ("pulse", "P"), ("puls", "P"), ("nonstored", "N")];
+
 pub(crate) fn is_qualifier(word: &str) -> bool {
     Qualifier::of_letters(word).is_some()
 }
@@ -156,6 +166,20 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
         && !behind.on_new_line()
         && (ends(&time) || time.literal().is_some() && ends(&time.next()));
     let stands_like_one = behind.at_name() || behind.literal().is_some() || braces;
+    if MOMENTS.contains(&word) && behind.at(":") && !behind.at(":=") {
+        return Err(input.error(BY_MOMENT));
+    }
+    if word == "F" && behind.at("/") {
+        let (target, order) = (behind.next(), behind.next().next());
+        let message = match target.word() {
+            Some(target) if order.at_group(Delimiter::Brace) => {
+                format!("a forcing order is written `force {target} {{…}};`")
+            }
+            _ => "a forcing order is written `force G {INIT};`".to_owned(),
+        };
+        let mark = Mark { start: input.span(), end: behind.span() };
+        return Err(Error::new(mark, message));
+    }
     if !stands_like_one || behind.on_new_line() || begins(&behind) && !behind_it {
         return Ok(());
     }
@@ -173,10 +197,10 @@ fn unknown(input: &mut Input, word: &str) -> Result<()> {
         format!("qualifiers are capital letters: write `{upper}`")
     } else if words::meant(word) == Some("step") {
         "a step cannot stand in a step; a `macro step` or an `enclosing step` holds others".to_owned()
-    } else if ["entry", "enter", "exit", "leave", "during", "do", "while", "for", "loop", "match"].contains(&word) {
-        "what a step does has a qualifier: `P1 { … }` runs when the step becomes active, `P0 { … }` when it is left, \
-         `N { … }` in every cycle"
-            .to_owned()
+    } else if MOMENTS.contains(&word) {
+        BY_MOMENT.to_owned()
+    } else if let Some((_, letter)) = SPOKEN.iter().find(|(spoken, _)| *spoken == word.to_lowercase()) {
+        format!("`{word}` is the qualifier `{letter}`: `{letter} {};`", behind.word().unwrap_or("q"))
     } else {
         format!("`{word}` is no qualifier; {ALL}")
     }))
@@ -215,7 +239,12 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
             "the time of `{word}` is a literal such as `5s` or the name of a `param` or `var` of type `time`"
         )));
     }
-    sink.notation(span, format!("`{word}` needs a time in front of its target: `{word} 5s q;`"));
+    let message = if input.word().is_some() && (input.next().at(";") || input.next().is_empty()) {
+        format!("`{word}` needs two things behind it, a time and its target: `{word} 5s q;`")
+    } else {
+        format!("`{word}` needs a time in front of its target: `{word} 5s q;`")
+    };
+    sink.notation(span, message);
     Ok(None)
 }
 

@@ -181,7 +181,7 @@ fn node(input: &mut Input, sink: &mut Sink) -> Result<Node> {
 /// One arrow. A transition that could not be parsed is reported here, and is `None`.
 fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
     let start = *input;
-    let mut headed = false;
+    let (mut headed, mut doubled) = (false, false);
     if input.eat("->") {
         let mark = input.since(&start);
         if !input.at_group(Delimiter::Bracket) {
@@ -192,7 +192,7 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
     } else if input.eat("<-") {
         return Err(Error::new(start.span(), "arrows point forward: write `B -[x]-> A` in place of `A <-[x]- B`"));
     } else if input.eat("-") {
-        doubled(input, &start, sink);
+        doubled = self::doubled(input, &start, sink);
     } else if input.eat("==>") || input.eat("=>") {
         sink.notation(input.since(&start), "between two steps a transition is drawn with its condition: `A -[x]-> B`");
         return Ok(None);
@@ -205,22 +205,24 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
         return without_brackets(input, &start, sink);
     };
     if !headed || input.at("-") {
-        head(input, &start, sink)?;
+        head(input, &start, doubled, sink)?;
     }
     Ok(Some(Arrow::Transition(transition::parse(inside, input.since(&start), sink))))
 }
 
-/// `--[x]`
-fn doubled(input: &mut Input, start: &Input, sink: &mut Sink) {
+/// `--[x]`, which is reported: whether it is that.
+fn doubled(input: &mut Input, start: &Input, sink: &mut Sink) -> bool {
     let first = *input;
     while input.at("-") && !input.at("->") && input.bump() {}
-    if !input.is_at(&first) && input.at_group(Delimiter::Bracket) {
+    let doubled = !input.is_at(&first) && input.at_group(Delimiter::Bracket);
+    if doubled {
         sink.notation(input.since(start), "an arrow has single dashes: `-[x]->`");
     }
+    doubled
 }
 
-/// What should be `->` behind the brackets.
-fn head(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<()> {
+/// What should be `->` behind the brackets. That dashes are `doubled` is said once.
+fn head(input: &mut Input, start: &Input, doubled: bool, sink: &mut Sink) -> Result<()> {
     let brackets = input.last();
     if input.eat("->") {
         return Ok(());
@@ -235,6 +237,9 @@ fn head(input: &mut Input, start: &Input, sink: &mut Sink) -> Result<()> {
         return Ok(());
     }
     let message = if input.eat("->") {
+        if doubled {
+            return Ok(());
+        }
         "an arrow has single dashes: `-[x]->`"
     } else if input.eat(">") || input.eat("=>") {
         "the head of an arrow is `->`: `-[x]->`"

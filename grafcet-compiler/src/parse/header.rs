@@ -70,6 +70,7 @@ fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
         "sfc" => (Dialect::Sfc, "sfc"),
         "grafcet" | "graphcet" | "grafset" => (Dialect::Grafcet, "grafcet"),
         // A chart by another name is read on, so that it still gives its types.
+        "ablaufsprache" | "ablaufkette" if input.next().word().is_some() => (Dialect::Sfc, "sfc"),
         other if input.next().word().is_some() && input.next().next().at_group(Delimiter::Brace) => {
             sink.notation(input.span(), format!("{expected}; found {}", input.found()));
             input.bump();

@@ -84,6 +84,16 @@ fn unexpected(input: &Input) -> Error {
     if input.behind("#").is_some_and(|next| !next.at_group(Delimiter::Bracket)) {
         return input.error("a time is written with its unit alone: `5s`, not `T#5s`");
     }
+    let word = input.word().unwrap_or_default().to_lowercase();
+    if ["when", "falls", "wenn"].contains(&word.as_str()) {
+        return input.error("the condition of an action stands behind `if`: `q if condition;`");
+    }
+    if ["after", "nach"].contains(&word.as_str()) && input.next().literal().is_some() {
+        return input.error("an action that begins later has the qualifier `D` and its time in front: `D 5s q;`");
+    }
+    if word == "implies" {
+        return input.error("an implication is written `=>`: `always a => b;`");
+    }
     input.error(format!("expected `;`, found {found}"))
 }
 

@@ -110,6 +110,11 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
     if input.eat(";") {
         return Ok(StepBody::default());
     }
+    if input.at(":") && words::item_begins(&input.next()) {
+        sink.notation(input.span(), "a step without a body ends with `;`, not with `:`");
+        input.bump();
+        return Ok(StepBody::default());
+    }
     if input.is_empty() || input.on_new_line() || words::item_begins(input) {
         sink.notation(input.last(), "`;` is missing behind this; a step ends with `;` or has a body in braces");
         return Ok(StepBody::default());

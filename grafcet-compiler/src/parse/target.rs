@@ -48,13 +48,27 @@ fn assignment(mut block: Input) -> Option<Error> {
     None
 }
 
+/// `T1(IN := start, PT := 5s)`
+fn named_argument(mut call: Input) -> Option<Error> {
+    let mut inside = call.enter(Delimiter::Parenthesis)?;
+    while !inside.at(":=") && inside.bump() {}
+    inside.at(":=").then(|| {
+        inside.error(
+            "arguments stand in their order, without names: `heat(80)`; a timer is a time in a condition, `5s/Step`, or the qualifier \
+             `D` or `L`",
+        )
+    })
+}
+
 fn args(input: &mut Input) -> Result<Vec<Expr>> {
     let args = |input: ParseStream| {
         let content;
         syn::parenthesized!(content in input);
         Punctuated::<Expr, Token![,]>::parse_terminated(&content)
     };
-    Ok(input.rust_tokens(1, args)?.into_iter().list())
+    let start = *input;
+    let args = input.rust_tokens(1, args).map_err(|error| named_argument(start).unwrap_or(error))?;
+    Ok(args.into_iter().list())
 }
 
 fn value(input: &mut Input, name: &Ident) -> Result<Expr> {

@@ -47,6 +47,18 @@ const ELSEWHERE: &[(&str, &str)] = &[
     ("parameter", "param"),
     ("constant", "param"),
     ("end", "final"),
+    ("var_input", "input"),
+    ("var_output", "output"),
+    ("var_in_out", "var"),
+    ("var_temp", "var"),
+    ("eingang", "input"),
+    ("ausgang", "output"),
+    ("merker", "var"),
+    ("variable", "var"),
+    ("schritt", "step"),
+    ("initialschritt", "initial"),
+    ("anfangsschritt", "initial"),
+    ("aktion", "action"),
 ];
 
 /// What can stand beside a name in an expression or a type.
@@ -74,7 +86,7 @@ pub(super) fn meant(written: &str) -> Option<&'static str> {
 
 /// `INITIAL_STEP`, as IEC 61131-3 writes it.
 pub(super) fn is_initial_step(word: &str) -> bool {
-    word.eq_ignore_ascii_case("initial_step")
+    ["initial_step", "initialschritt", "anfangsschritt"].iter().any(|known| word.eq_ignore_ascii_case(known))
 }
 
 /// Reports the next word, which is meant, but not written, as one of the notation.

@@ -165,7 +165,7 @@ fn associations() {
         ("sd 5s q;", "sd", "write `SD`"),
         ("X 5s q;", "X", "no qualifier"),
         ("run { x() }", "run", "no qualifier"),
-        ("L q;", "L", "needs a time in front of its target: `L 5s q;`"),
+        ("L q;", "L", "needs two things behind it, a time and its target: `L 5s q;`"),
         ("L q = true;", "L", "needs a time"),
         ("SD heat(80);", "SD", "needs a time"),
         ("DS q if a;", "DS", "needs a time"),

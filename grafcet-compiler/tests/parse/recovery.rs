@@ -90,7 +90,7 @@ fn names_of_broken_items_are_guessed() {
         ("initial X: { }", "X"),
         ("partial P;", "P"),
         ("#[doc] macro step M;", "M"),
-        ("schritt X { }", "X"),
+        ("kasten X { }", "X"),
         ("a: bool;", "a"),
         ("N q;", ""),
         ("clock x;", ""),

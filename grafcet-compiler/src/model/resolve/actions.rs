@@ -24,6 +24,9 @@ impl Resolver<'_> {
         let time = association.time.as_ref().map(|time| self.time_arg(time, qualifier));
         let event = association.event.as_ref().map(|event| expr::resolve_condition(event, self));
         let condition = association.condition.as_ref().map(|condition| expr::resolve_condition(condition, self));
+        if self.is_time_alone(association) {
+            return self.lose();
+        }
         let Some(effect) = self.effect(&association.target) else { return self.lose() };
         let id = self.model.associations.push(Association {
             step,
@@ -37,6 +40,14 @@ impl Resolver<'_> {
             target_mark: mark_of(&association.target),
         });
         self.model.steps[step].associations.push(id);
+    }
+
+    /// `L soak;`: that a time is missing in front of its target has been said, and what is there is the time.
+    fn is_time_alone(&self, association: &ast::Association) -> bool {
+        let Target::Name(name) = &association.target else { return false };
+        let Some(Meaning::Value(Name::Param(id))) = self.scope.get(name) else { return false };
+        let timed = association.qualifier.is_some_and(|(qualifier, _)| qualifier.has_time());
+        timed && association.time.is_none() && self.model.is_time(Name::Param(id))
     }
 
     /// What an action does; a target that cannot be one is reported.
