@@ -237,7 +237,7 @@ impl Net {
             for atom in &atoms {
                 match self.atoms[*atom].kind {
                     Kind::Step(step) | Kind::Was(step) | Kind::Since(step) | Kind::Phase(step) => {
-                        reads_steps.push(step)
+                        reads_steps.push(step);
                     }
                     Kind::Macro(id) | Kind::MacroSince(id) => reads_steps.extend(&self.macros[id]),
                     Kind::Free | Kind::Number(..) | Kind::Slot(_) => {}
