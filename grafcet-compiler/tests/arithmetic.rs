@@ -384,26 +384,35 @@ impl All {
     fn holds(&self, values: &[i64], build: Build, said: bool) -> Option<bool> {
         let mut open = false;
         for (a, sign, b) in &self.0 {
-            let (Some(a), Some(b)) = (a.value(values, build), b.value(values, build)) else {
-                if !said {
-                    return None;
+            let (low, high) = a.ty().limits();
+            let holds = match (a.value(values, build), b.value(values, build)) {
+                (Some(a), Some(b)) => compare(a, sign, b),
+                // No value of the type is beyond its end.
+                (None, Some(b)) if !matches!(*sign, "==" | "!=") && compare(low, sign, b) == compare(high, sign, b) => {
+                    compare(low, sign, b)
                 }
-                open = true;
-                continue;
-            };
-            let holds = match *sign {
-                "<" => a < b,
-                "<=" => a <= b,
-                ">" => a > b,
-                ">=" => a >= b,
-                "==" => a == b,
-                _ => a != b,
+                _ if !said => return None,
+                _ => {
+                    open = true;
+                    continue;
+                }
             };
             if !holds {
                 return Some(false);
             }
         }
         (!open).then_some(true)
+    }
+}
+
+fn compare(a: i64, sign: &str, b: i64) -> bool {
+    match sign {
+        "<" => a < b,
+        "<=" => a <= b,
+        ">" => a > b,
+        ">=" => a >= b,
+        "==" => a == b,
+        _ => a != b,
     }
 }
 

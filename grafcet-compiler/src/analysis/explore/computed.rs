@@ -1,11 +1,11 @@
 //! Numbers that are computed of each other: whether there are inputs with which they are as conditions have found them.
 
 use super::formula::{Atom, Kind};
-use super::knowledge::{Knowledge, Known};
+use super::knowledge::{Known, Learnt};
 use super::links::{Allowed, Difference};
 use crate::analysis::Union;
 use crate::analysis::numbers::{float, is_computed};
-use crate::analysis::terms::{Demands, Span, Terms, Told, integer};
+use crate::analysis::terms::{Demands, Terms, Told, integer};
 use crate::list::List;
 use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::Map;
@@ -20,9 +20,9 @@ pub(super) struct Computed {
     atoms: Vec<usize>,
     terms: Terms,
     /// Atoms that compare a term with constants; and booleans that are computed with.
-    numbers: Vec<(usize, usize)>,
+    numbers: Map<usize, usize>,
     /// How far a term lies above another.
-    differences: Vec<(usize, usize, usize)>,
+    differences: Map<usize, (usize, usize)>,
     tried: Vec<usize>,
 }
 
@@ -88,14 +88,14 @@ impl Computed {
         for subject in members.iter().map(|member| &subjects[*member]) {
             group.atoms.push(subject.atom);
             match subject.add(model, &mut group.terms)[..] {
-                [a, b] => group.differences.push((subject.atom, a, b)),
-                [a] => group.numbers.push((subject.atom, a)),
+                [a, b] => _ = group.differences.insert(subject.atom, (a, b)),
+                [a] => _ = group.numbers.insert(subject.atom, a),
                 _ => {}
             }
-            let chosen = |tree: &&Tree| {
-                let term = group.terms.of(tree, false);
-                is_time(tree) || term.is_none_or(|term| group.terms.leaves_of(term).into_iter().all(can_be_chosen))
-            };
+        }
+        let can_be_chosen = group.terms.all_of(can_be_chosen);
+        let chosen = |tree: &&Tree| is_time(tree) || group.terms.of(tree, false).is_none_or(|term| can_be_chosen[term]);
+        for subject in members.iter().map(|member| &subjects[*member]) {
             if subject.trees.iter().flatten().all(chosen) {
                 group.tried.push(subject.atom);
             }
@@ -104,7 +104,7 @@ impl Computed {
         for (tree, term) in group.terms.leaves() {
             if let Some(atom) = numbers.get(tree).filter(|atom| !group.atoms.contains(atom)) {
                 group.atoms.push(*atom);
-                group.numbers.push((*atom, term));
+                group.numbers.insert(*atom, term);
             }
         }
         group
@@ -119,20 +119,21 @@ impl Computed {
         self.tried.iter().copied()
     }
 
-    pub(super) fn allows(&self, knowledge: &Knowledge, left: &mut u64) -> Allowed {
+    /// Whether there are values with which all this is known.
+    pub(super) fn allows(&self, known: &Learnt, left: &mut u64) -> Allowed {
         let mut demands = Demands::default();
-        let known = |atom: usize| -> Option<Span> {
-            match knowledge.get(atom) {
-                Known::Unknown => None,
-                Known::Bool(value) => Some((i128::from(value), i128::from(value))),
-                Known::Range(low, high) => Some((low, high)),
+        for (atom, known) in known {
+            let span = match known {
+                Known::Unknown => continue,
+                Known::Bool(value) => (i128::from(*value), i128::from(*value)),
+                Known::Range(low, high) => (*low, *high),
+            };
+            if let Some(term) = self.numbers.get(atom) {
+                demands.spans.push((*term, span));
             }
-        };
-        for (atom, term) in &self.numbers {
-            demands.spans.extend(known(*atom).map(|span| (*term, span)));
-        }
-        for (atom, a, b) in &self.differences {
-            demands.differences.extend(known(*atom).map(|span| (*a, *b, span)));
+            if let Some((a, b)) = self.differences.get(atom) {
+                demands.differences.push((*a, *b, span));
+            }
         }
         let mut question = QUESTION.min(*left);
         let before = question;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::computed::Computed;
 use super::formula::{Atom, Kind};
-use super::knowledge::{Knowledge, Known};
+use super::knowledge::{Knowledge, Known, Learnt};
 use super::scene::Scene;
 use crate::analysis::Union;
 use crate::analysis::differences::{Differences, FAR};
@@ -71,7 +71,7 @@ pub(super) enum Allowed {
 }
 
 /// The answers about groups in which something is computed.
-pub(super) type Tries = BTreeMap<(usize, Vec<Known>), Allowed>;
+pub(super) type Tries = BTreeMap<(usize, Learnt), Allowed>;
 
 impl Links {
     /// `numbers` are the atoms that compare a number with constants, by number.
@@ -150,12 +150,19 @@ impl Links {
                 Group::Compared(compared) if compared.allows(knowledge) => Allowed::Yes,
                 Group::Compared(_) => Allowed::No,
                 Group::Computed(computed) => {
-                    let known: Vec<Known> = computed.atoms().iter().map(|atom| knowledge.get(*atom)).list();
+                    let mut known = Learnt::new();
+                    for atom in knowledge.learnt() {
+                        if self.group_of[*atom] == Some(number) && knowledge.get(*atom) != Known::Unknown {
+                            known.push((*atom, knowledge.get(*atom)));
+                        }
+                    }
+                    known.sort_unstable();
+                    known.dedup();
                     let key = (number, known);
                     match tries.get(&key) {
                         Some(allowed) => *allowed,
                         None => {
-                            let allowed = computed.allows(knowledge, left);
+                            let allowed = computed.allows(&key.1, left);
                             tries.insert(key, allowed);
                             allowed
                         }
@@ -166,8 +173,8 @@ impl Links {
                 Allowed::Yes => {}
                 Allowed::No => return false,
                 Allowed::Unclear => {
-                    let is_known = |atom: &&usize| knowledge.get(**atom) != Known::Unknown;
-                    unclear.extend(self.groups[number].atoms().iter().filter(is_known));
+                    let of_group = |atom: &&usize| self.group_of[**atom] == Some(number);
+                    unclear.extend(knowledge.learnt().iter().filter(of_group));
                 }
             }
         }

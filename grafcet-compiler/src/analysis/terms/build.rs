@@ -190,11 +190,12 @@ impl Terms {
     }
 
     pub(super) fn constant(&mut self, value: i128) -> usize {
-        let same = |node: &Node| matches!(node.what, What::Constant) && node.range == (value, value);
-        match self.nodes.iter().position(same) {
-            Some(known) => known,
-            None => self.push(What::Constant, (value, value), (value, value)),
+        if let Some(known) = self.constants.get(&value) {
+            return *known;
         }
+        let number = self.push(What::Constant, (value, value), (value, value));
+        self.constants.insert(value, number);
+        number
     }
 
     /// A result that always fits into its type, or is no result of Rust.

@@ -12,7 +12,6 @@ mod spans;
 pub(super) use build::integer;
 
 use super::differences::FAR;
-use crate::list::List;
 use crate::model::{Integer, Tree};
 use crate::sorted::Map;
 
@@ -48,9 +47,10 @@ pub(super) struct Terms {
     nodes: Vec<Node>,
     /// Of this cycle, or of the one before.
     known: Map<(Tree, bool), usize>,
+    constants: Map<i128, usize>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 struct Node {
     what: What,
     /// Every value that it can have, and those that it has without anything out of the common.
@@ -58,7 +58,7 @@ struct Node {
     usual: Span,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 enum What {
     Constant,
     /// A value that is not computed, or nobody knows how.
@@ -127,18 +127,16 @@ impl Terms {
         self.known.iter().map(|((tree, _), term)| (tree, *term)).filter(move |(_, term)| is_leaf(*term))
     }
 
-    /// What is not computed of all that a term is computed of.
-    pub(super) fn leaves_of(&self, term: usize) -> Vec<&Tree> {
-        let mut within = vec![false; self.nodes.len()];
-        within[term] = true;
-        for term in (0..=term).rev() {
-            if within[term] {
-                for operand in self.operands(term) {
-                    within[operand] = true;
-                }
-            }
+    /// Per term whether all is so that it is computed of.
+    pub(super) fn all_of(&self, is_so: impl Fn(&Tree) -> bool) -> Vec<bool> {
+        let mut all = vec![true; self.nodes.len()];
+        for (tree, leaf) in self.leaves() {
+            all[leaf] = is_so(tree);
         }
-        self.leaves().filter(|(_, leaf)| within[*leaf]).map(|(tree, _)| tree).list()
+        for term in 0..all.len() {
+            all[term] &= self.operands(term).into_iter().all(|operand| all[operand]);
+        }
+        all
     }
 
     /// The number of what this tree stands for, if it is known.

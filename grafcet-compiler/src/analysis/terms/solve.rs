@@ -2,7 +2,7 @@
 
 use super::build::{limits, usual};
 use super::spans::{Question, Spent, windows};
-use super::{Demands, Fit, Operation, Span, Terms, Told, What};
+use super::{Demands, Fit, Node, Operation, Span, Terms, Told, What};
 use crate::analysis::differences::FAR;
 use crate::list::List;
 
@@ -20,6 +20,52 @@ enum Found {
 impl Terms {
     /// Whether there are values of which all this is true; `left` is what it may cost.
     pub(in crate::analysis) fn told(&self, demands: &Demands, left: &mut u64) -> Told {
+        let (part, at) = self.part(demands);
+        let demands = Demands {
+            spans: demands.spans.iter().map(|(term, span)| (at[*term], *span)).list(),
+            differences: demands.differences.iter().map(|(a, b, span)| (at[*a], at[*b], *span)).list(),
+        };
+        match part.told_of_all(&demands, left) {
+            // What nothing is demanded of has any value.
+            Told::Possible(found) => {
+                let any = |term: usize| 0.clamp(self.nodes[term].usual.0, self.nodes[term].usual.1);
+                let value = |term: usize| found.get(at[term]).copied().unwrap_or_else(|| any(term));
+                Told::Possible((0..self.nodes.len()).map(value).list())
+            }
+            told => told,
+        }
+    }
+
+    /// The terms that demands are about with those that these are computed of; and by term its number among them.
+    fn part(&self, demands: &Demands) -> (Self, Vec<usize>) {
+        let mut used = vec![false; self.nodes.len()];
+        for (term, _) in &demands.spans {
+            used[*term] = true;
+        }
+        for (a, b, _) in &demands.differences {
+            (used[*a], used[*b]) = (true, true);
+        }
+        for term in (0..used.len()).rev() {
+            if used[term] {
+                for operand in self.operands(term) {
+                    used[operand] = true;
+                }
+            }
+        }
+        let (mut part, mut at) = (Self::default(), vec![usize::MAX; used.len()]);
+        for term in (0..used.len()).filter(|term| used[*term]) {
+            at[term] = part.nodes.len();
+            let what = match self.nodes[term].what {
+                What::Exact(operation, a, b) => What::Exact(operation, at[a], at[b]),
+                What::Fit(of, fit) => What::Fit(at[of], fit),
+                other => other,
+            };
+            part.nodes.push(Node { what, ..self.nodes[term] });
+        }
+        (part, at)
+    }
+
+    fn told_of_all(&self, demands: &Demands, left: &mut u64) -> Told {
         let mut question = Question::new(self, demands, true, *left);
         let found = question.search();
         *left = question.left;
