@@ -167,14 +167,15 @@ benches! {
     picker: TimedCycle sfc grafcet;
 }
 
+/// Charts that take the compiler long.
 #[cfg(feature = "long")]
-mod long {
+pub mod long {
     benches! {
         chain5000: Cycle sfc grafcet;
     }
 }
 
-/// The same, and the charts that take the compiler long.
+/// Shows all charts to a visitor, those that take long behind the others.
 pub fn visit_all(visitor: &mut impl Visitor) {
     visit(visitor);
     #[cfg(feature = "long")]
