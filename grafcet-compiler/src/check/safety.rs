@@ -40,12 +40,20 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
     let name = &model.steps[step].name;
     let way = activation.path.table(model);
     let by = &model.transitions[activation.by];
-    let mend = match divergence(model, meeting) {
-        Some(step) => {
+    let starts = starts(model, meeting);
+    let mend = match (&starts[..], divergence(model, meeting)) {
+        ([first, other, ..], _) => {
+            let (first, other) = (&model.steps[*first].name, &model.steps[*other].name);
+            format!(
+                "the chart starts in `{first}` and in `{other}`, and both ways lead to the same step; is `{other}` an \
+                 initial step too many?"
+            )
+        }
+        (_, Some(step)) => {
             let step = &model.steps[step].name;
             format!("several transitions behind `{step}` can clear at once; let their conditions exclude each other")
         }
-        None => {
+        (_, None) => {
             "let parallel branches meet in one convergence, `(…, …) -[x]-> …`, before a step behind them is entered"
                 .to_owned()
         }
@@ -65,19 +73,18 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
             notes.push((model.transitions[parting].mark, message));
         }
     }
-    let starts: Vec<StepId> = meeting.starts.iter().filter(|start| model.steps[**start].initial).copied().list();
-    if let (Parting::Start, [first, others @ ..]) = (meeting.parting, &starts[..]) {
-        notes.extend(others.iter().map(|other| {
-            let (name, first) = (&model.steps[*other].name, &model.steps[*first].name);
-            let message = format!(
-                "the chart starts in `{first}` and in `{name}`, and both ways lead to the same step; is `{name}` an \
-                 initial step too many?"
-            );
-            (Mark::from(name), message)
-        }));
-    }
+    let others = starts.iter().skip(1).map(|other| &model.steps[*other].name);
+    notes.extend(others.map(|name| (Mark::from(name), format!("the chart starts in `{name}`, too"))));
     let scopes = [&by.levels[..], &model.steps[step].levels, &model.partials[by.partial].levels, &model.levels];
     sink.rule_in(model.dialect, &rules::UNSAFE_STEP, &scopes, notes);
+}
+
+/// The initial steps from which the ways come, where the start of the chart has parted them.
+fn starts(model: &Model, meeting: &Meeting) -> Vec<StepId> {
+    if meeting.parting != Parting::Start {
+        return Vec::new();
+    }
+    meeting.starts.iter().filter(|start| model.steps[**start].initial).copied().list()
 }
 
 /// The step from which several transitions have cleared at once, where that has parted the ways.
