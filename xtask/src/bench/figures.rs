@@ -26,8 +26,9 @@ const OTHER_FOLDER: u32 = 100;
 /// With another compiler than the recorded one, figures may be larger by one of so many parts.
 const OTHER_COMPILER: u32 = 10;
 
-/// Processor time differs from run to run: a ratio of build times may be larger by one of so many parts.
-const OTHER_RUN: f64 = 6.0;
+/// A build is measured once, beside whatever else the machine does: the ratio moves by so many parts (3.26 on quiet cores, 3.7 on busy
+/// ones).
+const OTHER_RUN: f64 = 3.0;
 
 /// What a run before has measured.
 pub(super) struct Recorded {
@@ -206,8 +207,8 @@ mod tests {
     #[test]
     fn building_may_take_a_little_more() {
         let recorded = Recorded { text: "host build clean 2.70\nhost build small 1.20\n".to_owned() };
-        assert_eq!(recorded.compare_builds([3.1, 1.3]), Ok(()));
-        assert!(recorded.compare_builds([3.2, 1.2]).is_err() && recorded.compare_builds([2.7, 1.41]).is_err());
+        assert_eq!(recorded.compare_builds([3.5, 1.5]), Ok(()));
+        assert!(recorded.compare_builds([3.7, 1.2]).is_err() && recorded.compare_builds([2.7, 1.7]).is_err());
     }
 
     #[test]
