@@ -8,7 +8,7 @@ use grafcet_conformance::brute::run::{self, Kind, Outcome, number};
 /// Each chart of a kind, and all differences at once. So many of them have to be compared exactly, so that the test is one.
 fn agree(kind: Kind, exactly: usize) {
     let (mut differences, mut exact, mut claims) = (String::new(), 0, [0; 3]);
-    for index in 0..120 {
+    for index in 0..150 {
         let (text, outcome) = number(index, kind).expect("a chart that the interpreter understands");
         let Outcome::Compared(comparison) = outcome else { continue };
         exact += usize::from(comparison.exact);

@@ -254,8 +254,26 @@ fn representatives(model: &Model, signed: bool, bits: u32) -> Vec<Value> {
     let claimed = model.properties.iter().flat_map(|property| property.claim.expressions()).map(|expr| &expr.tree);
     for tree in conditions.chain(edges).chain(others).chain(assigned).chain(assumed).chain(claimed) {
         constants(tree, &mut |constant| values.extend([constant - 1, constant, constant + 1]));
+        // Between two numbers that are compared with each other, or added, all that are small count.
+        if relates(tree) {
+            values.extend(0..=4);
+        }
     }
     values.into_iter().filter(|value| (first..=last).contains(value)).map(Value::Int).collect()
+}
+
+/// Whether numbers that are not constants meet in it.
+fn relates(tree: &Tree) -> bool {
+    let is_constant = |tree: &Tree| matches!(tree, Tree::Int(_));
+    match tree {
+        Tree::Unary(_, operand) => relates(operand),
+        Tree::Binary(Binary::Add | Binary::Mul | Binary::Div | Binary::Rem, ..) => true,
+        Tree::Binary(Binary::Lt | Binary::Le | Binary::Gt | Binary::Ge | Binary::Eq | Binary::Ne, left, right) => {
+            !is_constant(left) && !is_constant(right) || relates(left) || relates(right)
+        }
+        Tree::Binary(_, left, right) => relates(left) || relates(right),
+        _ => false,
+    }
 }
 
 fn constants(tree: &Tree, found: &mut impl FnMut(i128)) {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::draw::Arrow;
 use super::hierarchy::Body;
 use super::words::Words;
 use crate::random::Rng;
@@ -10,7 +11,7 @@ use crate::random::Rng;
 const ALLOWED: &str = "\
     several_initial_steps unreachable_step dead_transition unsafe_step stuck_join deadlock never_true always_true \
     shadowed_branch overlapping_branches level_source_transition conflicting_values write_race set_without_reset \
-    reset_without_set timed_contention unused_input undriven_output unused_variable unused_action unused_param";
+    reset_without_set timed_contention unused_input undriven_output unused_variable unused_action unused_param unused_let";
 
 /// The attribute that allows the lints.
 #[must_use]
@@ -70,13 +71,34 @@ impl Maker {
             }
             lines.push("}".to_owned());
         }
-        for arrow in &body.arrows {
-            let condition = words.condition(self, arrow);
+        for (index, arrow) in body.arrows.iter().enumerate() {
+            let condition = if Self::is_last(&body.arrows, index) && self.rng.chance(25) {
+                "else".to_owned()
+            } else {
+                words.condition(self, arrow)
+            };
             lines.push(format!("{} -[{condition}]-> {};", list(&arrow.from), list(&arrow.to)));
+        }
+        if self.rng.chance(12) {
+            let except = if self.rng.chance(25) {
+                format!(" except {}", self.rng.pick(&body.steps).name)
+            } else {
+                String::new()
+            };
+            let to = self.rng.pick(&body.steps).name.clone();
+            let like = Arrow { from: vec![to.clone()], to: Vec::new() };
+            lines.push(format!("any{except} -[{}]-> {to};", words.condition(self, &like)));
         }
         if body.name.is_some() {
             lines.push("}".to_owned());
         }
+    }
+
+    /// Whether it is the last of several that leave the same steps: it can be their `else`.
+    fn is_last(arrows: &[Arrow], index: usize) -> bool {
+        let from = &arrows[index].from;
+        let same = |arrow: &Arrow| arrow.from == *from;
+        !from.is_empty() && arrows[..index].iter().any(same) && !arrows[index + 1..].iter().any(same)
     }
 }
 

@@ -77,7 +77,9 @@ impl Verdicts {
         self.seen(&evolution.after);
         self.cleared.extend(&evolution.cleared);
         let left = |step: &StepId| evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(step));
-        let entered = evolution.cleared.iter().flat_map(|id| &model.transitions[*id].targets);
+        // An active target of an `any` stays active: that is what it says.
+        let entering = evolution.cleared.iter().map(|id| &model.transitions[*id]).filter(|one| one.any.is_none());
+        let entered = entering.flat_map(|transition| &transition.targets);
         self.unsafe_steps.extend(entered.filter(|step| evolution.before.contains(step) && !left(step)));
     }
 }

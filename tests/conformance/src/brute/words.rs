@@ -9,6 +9,10 @@ pub(super) struct Words {
     inputs: Vec<String>,
     /// `level: u8`
     number: bool,
+    /// `high: u8` beside it: both are small, so that no arithmetic leaves its type.
+    numbers: bool,
+    /// Conditions with a name.
+    named: Vec<(String, String)>,
     vars: Vec<Var>,
     /// Outputs that only properties read.
     shown: Vec<(String, Shown)>,
@@ -49,7 +53,9 @@ struct Var {
 impl Words {
     pub(super) fn new(maker: &mut Maker, bodies: &[Body]) -> Self {
         let rng = &mut maker.rng;
-        let inputs = (0..*rng.pick(&[2, 2, 3, 3, 3, 4, 5])).map(|index| "abcdef"[index..=index].to_owned()).collect();
+        let numbers = rng.chance(10);
+        let counts = if numbers { &[1, 2, 2, 2, 2, 2, 2] } else { &[2, 2, 3, 3, 3, 4, 5] };
+        let inputs = (0..*rng.pick(counts)).map(|index| "abcdef"[index..=index].to_owned()).collect();
         let mut vars = Vec::new();
         for index in 0..*rng.pick(&[0, 0, 0, 1, 1, 2]) {
             let mode = match rng.below(5) {
@@ -67,10 +73,16 @@ impl Words {
             let starts = body.steps.iter().filter(|step| step.words.contains("initial"));
             initial.extend(starts.map(|step| step.name.clone()));
         }
-        let (number, edges) = (rng.chance(20), rng.chance(40));
+        let (number, edges) = (numbers || rng.chance(20), rng.chance(40));
         let ways = [Shown::Continuous, Shown::Continuous, Shown::Stored, Shown::Assigned];
         let shown = (0..*rng.pick(&[0, 0, 1, 1, 2])).map(|index| (format!("q{index}"), *rng.pick(&ways))).collect();
-        Self { inputs, number, vars, shown, steps, initial, edges }
+        let mut words = Self { inputs, number, numbers, named: Vec::new(), vars, shown, steps, initial, edges };
+        for index in 0..*maker.rng.pick(&[0, 0, 0, 1, 2]) {
+            let depth = maker.rng.between(1, 2);
+            let of = words.expr(maker, depth, words.vars.len());
+            words.named.push((format!("w{index}"), of));
+        }
+        words
     }
 
     pub(super) fn declarations(&self) -> Vec<String> {
@@ -78,11 +90,16 @@ impl Words {
         if self.number {
             lines.push("input level: u8;".to_owned());
         }
+        if self.numbers {
+            lines.push("input high: u8;".to_owned());
+            lines.push("assume never level > 4 || high > 4;".to_owned());
+        }
         for var in &self.vars {
             let (word, initial) = (if var.output { "output" } else { "var" }, if var.initial { " = true" } else { "" });
             lines.push(format!("{word} {}: bool{initial};", var.name));
         }
         lines.extend(self.shown.iter().map(|(name, _)| format!("output {name}: bool;")));
+        lines.extend(self.named.iter().map(|(name, of)| format!("let {name} = {of};")));
         lines
     }
 
@@ -117,6 +134,11 @@ impl Words {
         match maker.rng.below(20) {
             0 => format!("{not}{}.X", maker.rng.pick(&self.steps)),
             3 | 4 if vars > 0 => format!("{not}{}", self.vars[maker.rng.below(vars)].name),
+            // Those of a condition with a name may be edges and variables: they stand where all may be read.
+            5 if vars == self.vars.len() && !self.named.is_empty() => {
+                format!("{not}{}", maker.rng.pick(&self.named).0)
+            }
+            6..=8 if self.numbers => related(maker),
             6..=8 if self.number => {
                 let operator = *maker.rng.pick(&["<", "<=", ">", ">=", "==", "!="]);
                 format!("(level {operator} {})", maker.rng.pick(&[0, 3, 4, 200, 255]))
@@ -246,6 +268,9 @@ impl Words {
     /// A condition over inputs.
     fn excluded(&self, maker: &mut Maker) -> String {
         let not = if maker.rng.chance(40) { "!" } else { "" };
+        if self.numbers && maker.rng.chance(30) {
+            return format!("{not}{}", related(maker));
+        }
         if self.number && maker.rng.chance(25) {
             return format!("{not}(level {} {})", maker.rng.pick(&["<", ">=", "=="]), maker.rng.pick(&[0, 3, 4, 200]));
         }
@@ -267,6 +292,16 @@ impl Words {
             _ => format!("{not}{}.X", maker.rng.pick(&self.steps)),
         }
     }
+}
+
+/// Two numbers compared with each other or with constants, with arithmetic and without it.
+fn related(maker: &mut Maker) -> String {
+    let sides =
+        ["level", "level", "high", "high", "(level * 2)", "(level + 1)", "(level + high)", "(high % 3)", "(high / 2)"];
+    let left = *maker.rng.pick(&sides);
+    let right = if maker.rng.chance(50) { *maker.rng.pick(&["0", "1", "2", "3"]) } else { *maker.rng.pick(&sides) };
+    let operator = *maker.rng.pick(&["<", "<=", ">", ">=", "==", "!="]);
+    format!("({left} {operator} {right})")
 }
 
 /// The names of all steps, macro-steps too.

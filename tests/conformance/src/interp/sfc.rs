@@ -148,10 +148,9 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
             continue;
         }
         evolution.enabled.insert(id);
-        if !any::lets(&anys, id, view.model) {
-            continue;
-        }
-        let free = transition.sources.iter().all(|step| !left.contains(step));
+        // Priority is not what makes a condition hold: an `any` that clears goes before, as an earlier branch does.
+        let lets = any::lets(&anys, id, view.model);
+        let free = lets && transition.sources.iter().all(|step| !left.contains(step));
         match view.holds(any::condition(id, view.model)) {
             Ok(true) => evolution.fireable.insert(id),
             Err(error) if free => return Err(error),
