@@ -144,6 +144,8 @@ pub enum Value {
     Ticks(u32),
     /// The state of a region.
     Step(Option<StepId>),
+    /// The same while the first cycle is still to come; seen from outside this step is active (A1).
+    Start(Option<StepId>),
     Phase(Phase),
     /// Of a type that nothing is known about: a number that only the caller of `run` understands.
     Other(u64),
@@ -165,8 +167,8 @@ pub enum Statement<'m> {
     Part(&'static str, Vec<Statement<'m>>),
     Set(PlaceId, Expr<'m>),
     If(Expr<'m>, Vec<Statement<'m>>, Vec<Statement<'m>>),
-    /// By the value of a place; the last are for all other values.
-    Match(PlaceId, Vec<(Value, Vec<Statement<'m>>)>, Vec<Statement<'m>>),
+    /// By the value of a place, each value in one arm at most; the last statements are for all other values.
+    Match(PlaceId, Vec<Arm<'m>>, Vec<Statement<'m>>),
     Loop {
         /// As many rounds as this are certain to reach a `Break`.
         rounds: u32,
@@ -180,6 +182,9 @@ pub enum Statement<'m> {
     /// Keeps the optimiser behind from moving code across it.
     Fence,
 }
+
+/// Some values, and what is done for them.
+pub type Arm<'m> = (Vec<Value>, Vec<Statement<'m>>);
 
 /// A block of the user.
 #[derive(Clone)]
@@ -272,7 +277,7 @@ impl Program<'_> {
         let mut active = Vec::new();
         for (place, value) in self.places.iter().zip(values) {
             match (place.role, value) {
-                (Role::State(_), Value::Step(Some(step))) => active.push(*step),
+                (Role::State(_), Value::Step(Some(step)) | Value::Start(Some(step))) => active.push(*step),
                 (Role::Bit(step), Value::Bool(true)) => active.push(step),
                 _ => {}
             }

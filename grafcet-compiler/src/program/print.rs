@@ -82,6 +82,7 @@ impl Program<'_> {
             Value::Ticks(ticks) => self.model.time_text(i128::from(ticks)),
             Value::Step(Some(step)) => self.model.steps[step].name.to_string(),
             Value::Step(None) => "none".to_owned(),
+            Value::Start(_) => "start".to_owned(),
             Value::Phase(Phase::First) => "first".to_owned(),
             Value::Phase(Phase::Repeated) => "repeated".to_owned(),
             Value::Phase(Phase::Final) => "final".to_owned(),
@@ -116,8 +117,9 @@ impl Program<'_> {
             }
             Statement::Match(place, arms, otherwise) => {
                 writeln!(f, "{indent}match {}", self.name(*place))?;
-                for (value, body) in arms {
-                    self.arm(f, &self.value(*value), body, depth + 1)?;
+                for (values, body) in arms {
+                    let values: Vec<String> = values.iter().map(|value| self.value(*value)).collect();
+                    self.arm(f, &values.join("|"), body, depth + 1)?;
                 }
                 if otherwise.is_empty() { Ok(()) } else { self.arm(f, "else", otherwise, depth + 1) }
             }

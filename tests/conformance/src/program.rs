@@ -271,6 +271,6 @@ fn number(value: Value) -> i128 {
         Value::Bool(value) => i128::from(value),
         Value::Int(value) => value,
         Value::Ticks(ticks) => i128::from(ticks),
-        Value::Step(_) | Value::Phase(_) | Value::Other(_) => -1,
+        Value::Step(_) | Value::Start(_) | Value::Phase(_) | Value::Other(_) => -1,
     }
 }

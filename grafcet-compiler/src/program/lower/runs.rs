@@ -145,7 +145,7 @@ impl<'m> Lower<'_, 'm> {
         let mut arms = Vec::new();
         for id in driving {
             let run = self.effect(&self.model.associations[id].effect, moment, phase.clone());
-            arms.push((Value::Int(i128::try_from(id.index()).unwrap_or(i128::MAX)), run));
+            arms.push((vec![Value::Int(i128::try_from(id.index()).unwrap_or(i128::MAX))], run));
         }
         vec![Statement::Match(acted, arms, Vec::new())]
     }

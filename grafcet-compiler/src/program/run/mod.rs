@@ -217,7 +217,7 @@ impl<'m> Running<'_, 'm> {
             }
             Statement::Match(place, arms, otherwise) => {
                 let value = self.values[place.0];
-                let arm = arms.iter().find(|(of, _)| *of == value);
+                let arm = arms.iter().find(|(of, _)| of.contains(&value));
                 return self.block(arm.map_or(otherwise, |(_, body)| body));
             }
             Statement::Loop { rounds, body } => {
