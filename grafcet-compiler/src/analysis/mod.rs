@@ -1,8 +1,12 @@
 //! Facts about the model. Pure: no spans, no errors, no tokens.
 
+mod branches;
 pub mod circles;
+mod claims;
 pub mod combinational;
 mod concurrency;
+mod constant;
+mod dead;
 mod differences;
 pub mod explore;
 mod facts;
@@ -21,7 +25,11 @@ mod union;
 mod unlisted;
 pub mod visible;
 
+pub(crate) use branches::{Branches, Overlap, Rivalry, Shadowed};
+pub(crate) use claims::Claims;
 pub use concurrency::Concurrency;
+pub(crate) use constant::{Constant, Constants, apart, constant, has_edge, holds_without_edge};
+pub(crate) use dead::{Dead, Explained};
 pub use facts::Facts;
 pub use logic::{Answer, Condition, Logic};
 pub use mixed::mixed;

@@ -2,73 +2,70 @@
 
 use super::branches::never_else;
 use crate::analysis::explore::situation;
-use crate::analysis::{Answer, Condition, Logic};
-use crate::diagnostic::{Rule, Severity, Sink, rules};
-use crate::list::List;
-use crate::model::{Binary, Expr, LevelAttr, Model, Read, StepId, Transition, TransitionId, Tree};
+use crate::analysis::{Condition, Constant, Constants, Logic, apart, constant, has_edge, holds_without_edge};
+use crate::diagnostic::{Severity, Sink, rules};
+use crate::model::{Expr, LevelAttr, Model, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
-/// The transitions of which something was said.
-#[derive(Default)]
-pub(super) struct Said {
-    /// Their condition never holds.
-    pub(super) never: Set<TransitionId>,
-    /// It always holds.
-    pub(super) always: Set<TransitionId>,
-}
-
-pub(super) fn check(model: &Model, logic: &Logic<'_>, conditions: &[Condition], sink: &mut Sink) -> Said {
-    let mut said = Said::default();
-    let plain = Logic::new(model);
+/// Returns the transitions of which was said that they always hold: `found` are those that do.
+pub(super) fn check(
+    model: &Model,
+    logic: &Logic<'_>,
+    conditions: &[Condition],
+    found: &Constants,
+    sink: &mut Sink,
+) -> Set<TransitionId> {
+    let mut always = Set::new();
     for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
         let scopes = model.levels_of_transition(transition);
         if let Some(first) = transition.any.map(|any| model.anys[any].first).filter(|first| *first != id) {
             // It has been said of the one that stands for all.
-            let add = |said: &mut Set<TransitionId>| said.contains(&first) && said.insert(id);
-            add(&mut said.never);
-            add(&mut said.always);
-            continue;
-        }
-        let Some(rule) = constant(logic, condition, &transition.condition.tree) else {
-            level_source(model, logic, transition, condition, sink);
-            if holds_while_enabled(&plain, transition) && enabled_anyway(model, transition, &scopes, sink) {
-                said.always.insert(id);
+            if always.contains(&first) {
+                always.insert(id);
             }
             continue;
-        };
-        if rule.name == rules::NEVER_TRUE.name {
-            said.never.insert(id);
-        } else if transition.otherwise.is_some() {
-            // The other branches never clear, as was said of each.
-            continue;
-        } else if rule.severity_in(model.dialect, &scopes) != Severity::Allow {
-            said.always.insert(id);
         }
-        if rule.name == rules::NEVER_TRUE.name && !logic.never(&logic.condition(transition.own_condition())) {
-            behind_any(model, transition, &scopes, sink);
-            continue;
+        if found.never.contains(&id) {
+            never(model, logic, transition, &scopes, sink);
+        } else if found.always.contains(&id) && transition.otherwise.is_none() {
+            if rules::ALWAYS_TRUE.severity_in(model.dialect, &scopes) != Severity::Allow {
+                always.insert(id);
+            }
+            always_true(&transition.condition, &scopes, sink);
+        } else if !found.always.contains(&id) {
+            // The other branches beside an `else` that always holds never clear, as was said of each.
+            level_source(model, logic, transition, condition, sink);
+            if found.while_enabled.contains(&id) && enabled_anyway(model, transition, &scopes, sink) {
+                always.insert(id);
+            }
         }
-        let what = format!("{} never clears", model.transition_text(transition));
-        let expr = &transition.condition;
-        if transition.otherwise.is_some() {
-            sink.rule(rule, &scopes, vec![(expr.mark, never_else(model, transition))]);
-            continue;
-        }
-        report(rule, (expr, apart(model, logic, &expr.tree)), &what, &scopes, sink);
     }
     for association in model.associations.values() {
         for expr in association.condition.iter().chain(&association.event) {
-            if let Some(rule) = constant(logic, &logic.of_action(&expr.tree), &expr.tree) {
-                let step = &model.steps[association.step];
-                let apart = apart(model, logic, &expr.tree);
-                report(rule, (expr, apart), "this action never acts", &model.levels_of(step), sink);
+            let scopes = model.levels_of(&model.steps[association.step]);
+            match constant(logic, &logic.of_action(&expr.tree), &expr.tree) {
+                Some(Constant::Never) => never_true(model, logic, expr, "this action never acts", &scopes, sink),
+                Some(Constant::Always) => always_true(expr, &scopes, sink),
+                None => {}
             }
         }
         if let (true, Some(event)) = (model.is_grafcet(), &association.event) {
             level_event(logic, event, sink);
         }
     }
-    said
+    always
+}
+
+/// A transition whose condition never holds.
+fn never(model: &Model, logic: &Logic<'_>, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) {
+    if !logic.never(&logic.condition(transition.own_condition())) {
+        behind_any(model, transition, scopes, sink);
+    } else if transition.otherwise.is_some() {
+        sink.rule(&rules::NEVER_TRUE, scopes, vec![(transition.condition.mark, never_else(model, transition))]);
+    } else {
+        let what = format!("{} never clears", model.transition_text(transition));
+        never_true(model, logic, &transition.condition, &what, scopes, sink);
+    }
 }
 
 /// Whenever the condition holds, something clears that comes first.
@@ -87,24 +84,6 @@ fn behind_any(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]], s
     sink.rule(&rules::SHADOWED_BRANCH, scopes, notes);
 }
 
-/// Whether a condition holds because it asks for the steps in front of the transition. That another step is not active
-/// then, as in `!Other.X`, may be said to be safe.
-fn holds_while_enabled(logic: &Logic<'_>, transition: &Transition) -> bool {
-    let own = |read: &Read| matches!(read, Read::Active(step) if transition.sources.contains(step));
-    if transition.otherwise.is_some() || transition.any.is_some() || !transition.condition.reads.iter().any(own) {
-        return false;
-    }
-    let condition = &logic.condition(&transition.condition.tree);
-    let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
-    let active: Vec<Condition> = transition.sources.iter().map(active).list();
-    let mut goals: Vec<_> = active.iter().map(|source| (source, true)).list();
-    if logic.impossible(&goals) {
-        return false;
-    }
-    goals.push((condition, false));
-    logic.impossible(&goals)
-}
-
 /// Reports a condition that waits for nothing; whether somebody sees it.
 fn enabled_anyway(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]], sink: &mut Sink) -> bool {
     let expr = &transition.condition;
@@ -117,53 +96,20 @@ fn enabled_anyway(model: &Model, transition: &Transition, scopes: &[&[LevelAttr]
     rules::ALWAYS_TRUE.severity_in(model.dialect, scopes) != Severity::Allow
 }
 
-/// The rule that a condition breaks which always has the same value.
-fn constant(logic: &Logic<'_>, condition: &Condition, tree: &Tree) -> Option<&'static Rule> {
-    // A name alone can have any value.
-    if matches!(tree, Tree::Bool(true) | Tree::Read(Read::Name(_))) {
-        return None;
-    }
-    if logic.never(condition) {
-        return Some(&rules::NEVER_TRUE);
-    }
-    logic.always(condition).then_some(&rules::ALWAYS_TRUE)
-}
-
-/// Two steps that a condition wants to be active together, and that never are.
-fn apart(model: &Model, logic: &Logic<'_>, tree: &Tree) -> Option<String> {
-    let mut steps: Vec<StepId> = Vec::new();
-    let mut open = vec![tree];
-    while let Some(tree) = open.pop() {
-        match tree {
-            Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.extend([&**b, &**a]),
-            Tree::Read(Read::Active(step)) => steps.push(*step),
-            _ => {}
-        }
-    }
-    let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
-    let active: Vec<Condition> = steps.iter().map(active).list();
-    let pairs = (0..steps.len()).flat_map(|a| (a + 1..steps.len()).map(move |b| (a, b)));
-    let mut apart = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
-    let (a, b) = apart.next()?;
-    let name = |step: StepId| &model.steps[step].name;
-    Some(format!(" (`{}` and `{}` are never active together)", name(steps[a]), name(steps[b])))
-}
-
-fn report(
-    rule: &'static Rule,
-    (expr, apart): (&Expr, Option<String>),
-    what: &str,
-    scopes: &[&[LevelAttr]],
-    sink: &mut Sink,
-) {
+fn never_true(model: &Model, logic: &Logic<'_>, expr: &Expr, what: &str, scopes: &[&[LevelAttr]], sink: &mut Sink) {
+    let why = apart(logic, &expr.tree).map_or_else(String::new, |(a, b)| {
+        let (a, b) = (&model.steps[a].name, &model.steps[b].name);
+        format!(" (`{a}` and `{b}` are never active together)")
+    });
     let text = &expr.text;
-    let message = if rule.name == rules::NEVER_TRUE.name {
-        let why = apart.unwrap_or_default();
-        format!("`{text}` never holds{why}, so {what}; correct the condition, or delete what depends on it")
-    } else {
-        format!("`{text}` always holds, so nothing waits for it; correct the condition, or write `true`")
-    };
-    sink.rule(rule, scopes, vec![(expr.mark, message)]);
+    let message = format!("`{text}` never holds{why}, so {what}; correct the condition, or delete what depends on it");
+    sink.rule(&rules::NEVER_TRUE, scopes, vec![(expr.mark, message)]);
+}
+
+fn always_true(expr: &Expr, scopes: &[&[LevelAttr]], sink: &mut Sink) {
+    let text = &expr.text;
+    let message = format!("`{text}` always holds, so nothing waits for it; correct the condition, or write `true`");
+    sink.rule(&rules::ALWAYS_TRUE, scopes, vec![(expr.mark, message)]);
 }
 
 /// IEC 60848: a source transition is always enabled, so its condition is an event.
@@ -198,20 +144,4 @@ fn level_event(logic: &Logic<'_>, event: &Expr, sink: &mut Sink) {
         );
         sink.rule(&rules::EVENT_WITHOUT_EDGE, &[], vec![(event.mark, message)]);
     }
-}
-
-fn edges(expr: &Expr) -> impl Iterator<Item = Read> + '_ {
-    expr.reads.iter().copied().filter(|read| matches!(read, Read::Rising(_) | Read::Falling(_)))
-}
-
-pub(super) fn has_edge(expr: &Expr) -> bool {
-    edges(expr).next().is_some()
-}
-
-/// Whether the condition certainly can hold while none of its edges does.
-fn holds_without_edge(logic: &Logic<'_>, expr: &Expr, condition: &Condition) -> bool {
-    let edges: Vec<Condition> = edges(expr).map(|read| logic.condition(&Tree::Read(read))).list();
-    let mut goals: Vec<_> = edges.iter().map(|edge| (edge, false)).list();
-    goals.push((condition, true));
-    matches!(logic.certainly_together(&goals, &[]), Answer::Witness(_))
 }

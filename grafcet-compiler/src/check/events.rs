@@ -1,6 +1,6 @@
 //! `grafcet`: IEC 60848's classes of conditions: an assignation condition is a level, an event is an edge.
 
-use super::conditions::has_edge;
+use crate::analysis::has_edge;
 use crate::diagnostic::{Sink, rules};
 use crate::model::{Effect, Model, Qualifier};
 use crate::plan::is_stored;

@@ -25,13 +25,12 @@ mod waits;
 
 pub use initial::initial_values;
 
-use self::silent::{Silent, Told};
-
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Facts, Logic, Races, mixed};
+use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Races, mixed};
 use crate::diagnostic::{Sink, rules};
 use crate::list::List;
-use crate::model::{Model, Name, Read, Tree};
+use crate::model::{Model, Name, Read, TransitionId, Tree};
+use crate::sorted::Set;
 
 /// The rules that need no more than the drawing itself; most hold on a chart with unresolved parts too.
 pub fn drawing(model: &Model, sink: &mut Sink) {
@@ -52,46 +51,44 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order. Returned are the races that were
 /// found, whatever the chart says of them: they are facts for the plan too.
 pub fn evolution(model: &Model, facts: &Facts<'_>, sink: &mut Sink) -> Races {
-    let (never, independent) = (&facts.never[..], &facts.assumed);
-    let concurrency = independent.across_partials(model);
-    let logic = Logic::within(model, &concurrency, never);
-    // Of these it has been said that they make no sense.
-    let mixed = mixed(model);
+    let (never, structure) = (&facts.never[..], &facts.assumed);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
-    let (exploration, aways) = properties::check(model, &logic, limits, never, sink);
-    let conditions: Vec<_> = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).list();
-    let conditions::Said { never: mut said, always } = conditions::check(model, &logic, &conditions, sink);
-    // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and behind an evolution act
+    let concurrency = structure.across_partials(model);
+    let logic = Logic::within(model, &concurrency, never);
+    let mixed = mixed(model);
+    let claims = Claims::of(model, &logic, limits, never, &mixed);
+    let exploration = &claims.exploration;
+    let conditions = model.transitions.values().map(|t| logic.condition(&t.condition.tree)).list();
+    let constants = Constants::of(model, &logic, &conditions);
+    let dead = Dead::of(model, structure, exploration);
+    // What the exploration has seen to be apart is no conflict. In an `sfc` the steps before and after an evolution act
     // in the same cycle, so that steps can race which are never active together.
     let seen = concurrency.without(|a, b| !exploration.together(a, b));
     let racing = if model.is_grafcet() { &seen } else { &concurrency };
-    let mut dead = reach::idle(model, &exploration);
-    dead.extend(&said);
-    let branches =
-        branches::Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions, always: &always };
-    if sink.broke(&rules::READS_CONTINUOUS) {
-        // Such a condition is not the one that is meant.
-        let reads_output = |read: &Read| matches!(read, Read::Name(Name::Output(_)));
-        let unclear = model.transitions.iter().filter(|(_, t)| t.condition.reads.iter().any(reads_output));
-        dead.extend(unclear.map(|(id, _)| id));
-    }
-    said.extend(branches.check(&dead, sink));
-    let mut told = Told::default();
-    let mut dead = reach::check(model, independent, &exploration, &said, &mut told, sink);
-    dead.extend(&said);
+    let races = Races::of(model, racing, &limits, never);
+    let branches = Branches { model, concurrency: &seen, logic: &logic, conditions: &conditions };
+    let rivalry = branches.rivalry(&not_compared(model, &dead, &constants, sink));
+    // Of these one of the rules of conditions and branches says that they never clear.
+    let mut said = constants.never.clone();
+    said.extend(rivalry.shadowed.iter().map(|shadowed| shadowed.id));
+    let never_clear: Set<TransitionId> = dead.idle.iter().chain(&said).copied().collect();
     let presumed = branches.presumed_exclusive();
+
+    properties::check(model, &claims, limits, sink);
+    let always = conditions::check(model, &logic, &conditions, &constants, sink);
+    branches::check(model, &rivalry, &always, sink);
+    let mut told = Explained::default();
+    reach::check(model, (structure, exploration), &dead, &said, &mut told, sink);
     let partings = if presumed.is_empty() {
-        safety::check(model, &exploration, sink)
+        safety::check(model, exploration, sink)
     } else {
         let never: Vec<&Tree> = never.iter().copied().chain(&presumed).list();
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
     };
-    let mut stays = waits::check(model, independent, &exploration, &dead, &mut told, sink);
-    stays.extend(reach::dead_ends(model, &dead, sink));
-    let excuses = properties::Told { stays: &stays, partings: &partings };
-    properties::homes(model, (&exploration, limits), &aways, &excuses, never, sink);
-    Silent { model, structure: independent, exploration: &exploration }.check(told, sink);
-    let races = Races::of(model, racing, &limits, never);
+    let mut stays = waits::check(model, structure, exploration, &never_clear, &mut told, sink);
+    stays.extend(reach::dead_ends(model, &never_clear, sink));
+    properties::homes(model, &claims, limits, &properties::Told { stays: &stays, partings: &partings }, sink);
+    silent::check(model, exploration, &dead, told, sink);
     race::check(model, &races, &mixed, sink);
     contention::check(model, &seen, never, sink);
     if !sink.broke(&rules::WRONG_TARGET) {
@@ -103,4 +100,15 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, sink: &mut Sink) -> Races {
         unstable::check(model, &concurrency, never, exploration.settles(), sink);
     }
     races
+}
+
+/// Transitions that no branch is compared with: they never clear, or their condition is not the one that is meant.
+fn not_compared(model: &Model, dead: &Dead<'_>, constants: &Constants, sink: &Sink) -> Set<TransitionId> {
+    let mut left_out: Set<TransitionId> = dead.idle.iter().chain(&constants.never).copied().collect();
+    if sink.broke(&rules::READS_CONTINUOUS) {
+        let reads_output = |read: &Read| matches!(read, Read::Name(Name::Output(_)));
+        let unclear = model.transitions.iter().filter(|(_, t)| t.condition.reads.iter().any(reads_output));
+        left_out.extend(unclear.map(|(id, _)| id));
+    }
+    left_out
 }

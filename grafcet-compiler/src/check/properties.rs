@@ -1,88 +1,28 @@
 //! `property_violated`, `property_undecided`, `not_home`: what the chart itself says that it does.
-//!
-//! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
 use super::rivals;
-use crate::analysis::explore::{Answer, Doubt, Exploration, Given, Limits, Path, Stay, alone, situation};
-use crate::analysis::{Logic, Nesting, mixed, unlisted_of, visible};
+use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay, situation};
+use crate::analysis::{Claims, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
-use crate::model::{Claim, Expr, How, LevelAttr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty};
+use crate::model::{Claim, How, LevelAttr, Model, Name, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
-/// A situation from which there is no way home.
-pub(super) struct Away<'m> {
-    property: &'m Property,
-    path: Path,
-}
-
-/// Returns the exploration, for the other rules, and what is to be said of `home` where it does not follow from these.
-pub(super) fn check<'m>(
-    model: &'m Model,
-    logic: &Logic<'_>,
-    limits: Limits,
-    never: &[&Tree],
-    sink: &mut Sink,
-) -> (Exploration, Vec<Away<'m>>) {
-    let mut aways = Vec::new();
-    // What nobody can say the value of is no matter of a proof.
-    let mixed = mixed(model);
-    let open: Vec<(&Property, Tree)> = model
-        .properties
-        .iter()
-        .filter(|property| !property.claim.expressions().iter().any(|expr| reads_any(expr, &mixed)))
-        .filter_map(|property| Some((property, property.claim.violation()?)))
-        .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))))
-        .list();
-    let watched: Vec<&Tree> = open.iter().map(|(_, violation)| violation).list();
-    let exploration = Exploration::assuming(model, &limits, &watched, never);
+/// Reports what is violated, and what is not decided.
+pub(super) fn check(model: &Model, claims: &Claims<'_>, limits: Limits, sink: &mut Sink) {
     let report = Report { model, limits };
-    for (index, (property, _)) in open.iter().enumerate() {
-        let answer = exploration.watched(index);
-        let alone = matches!(answer, Answer::Unknown(_))
-            .then(|| alone::watched(model, &limits, &open[index].1, never, open.len() == 1));
-        match alone.flatten().unwrap_or(answer) {
+    for (property, answer) in &claims.open {
+        match answer {
             Answer::Never => {}
-            Answer::Possible(path) => report.violated(property, &path, sink),
-            Answer::Unknown(doubt) => report.undecided(property, &doubt, sink),
+            Answer::Possible(path) => report.violated(property, path, sink),
+            Answer::Unknown(doubt) => report.undecided(property, doubt, sink),
         }
     }
-    let has_home = model.properties.iter().any(|property| matches!(property.claim, Claim::Home(..)));
-    let nesting = if has_home { Nesting::of(model) } else { None };
-    for property in &model.properties {
-        let Claim::Home(home, _) = &property.claim else { continue };
-        if nesting.as_ref().is_some_and(|nesting| nesting.returns_to(home, never)) {
-            continue;
-        }
-        // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
-        match away(model, &exploration, limits, (home, &[]), never, !watched.is_empty()) {
-            Answer::Never => {}
-            Answer::Possible(path) => aways.push(Away { property, path }),
-            Answer::Unknown(doubt) => report.undecided(property, &doubt, sink),
+    for (property, answer) in &claims.away {
+        if let Answer::Unknown(doubt) = answer {
+            report.undecided(property, doubt, sink);
         }
     }
-    if watched.is_empty() || exploration.is_complete() {
-        return (exploration, aways);
-    }
-    // To follow what the properties are about takes more than the rules need.
-    (Exploration::assuming(model, &limits, &[], never), aways)
-}
-
-/// Whether there is a situation without a way home.
-fn away(
-    model: &Model,
-    exploration: &Exploration,
-    limits: Limits,
-    home: (&[StepId], &[Stay]),
-    never: &[&Tree],
-    has_watched: bool,
-) -> Answer {
-    // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
-    alone::away_from(model, &limits, home, never, true).unwrap_or_else(|| {
-        let answer = exploration.away_but_for(home.0, home.1);
-        let again = matches!(answer, Answer::Unknown(_)) && has_watched;
-        again.then(|| alone::away_from(model, &limits, home, never, false)).flatten().unwrap_or(answer)
-    })
 }
 
 /// What other errors tell of why there is no way home.
@@ -95,44 +35,27 @@ pub(super) struct Told<'c> {
 
 /// Reports that there is no way home, where no other error tells why: that the chart stays where it is, now or later, or that two
 /// ways part and never meet again.
-pub(super) fn homes(
-    model: &Model,
-    (exploration, limits): (&Exploration, Limits),
-    aways: &[Away<'_>],
-    told: &Told<'_>,
-    never: &[&Tree],
-    sink: &mut Sink,
-) {
-    for away in aways {
-        let Claim::Home(home, mark) = &away.property.claim else { continue };
-        if home.iter().any(|step| !exploration.reachable(*step)) && sink.has_dead_ends() {
-            continue;
-        }
-        let parts =
-            |path: &Path| path.cycles.last().is_some_and(|end| end.cleared.iter().any(|id| told.partings.contains(id)));
-        let report = Report { model, limits };
-        if parts(&away.path) {
+pub(super) fn homes(model: &Model, claims: &Claims<'_>, limits: Limits, told: &Told<'_>, sink: &mut Sink) {
+    let report = Report { model, limits };
+    let parts =
+        |path: &Path| path.cycles.last().is_some_and(|end| end.cleared.iter().any(|id| told.partings.contains(id)));
+    for (property, answer) in &claims.away {
+        let (Claim::Home(home, mark), Answer::Possible(path)) = (&property.claim, answer) else { continue };
+        let is_lost = |step: &StepId| !claims.exploration.reachable(*step);
+        if home.iter().any(is_lost) && sink.has_dead_ends() || parts(path) {
             continue;
         }
         if told.stays.is_empty() {
-            report.not_home(away.property, (home, *mark), &away.path, sink);
+            report.not_home(property, (home, *mark), path, sink);
             continue;
         }
         // One that is no way to where the chart stays, either.
-        if let Answer::Possible(path) = self::away(model, exploration, limits, (home, told.stays), never, true) {
+        if let Answer::Possible(path) = claims.away_from(home, told.stays, true) {
             if !parts(&path) {
-                report.not_home(away.property, (home, *mark), &path, sink);
+                report.not_home(property, (home, *mark), &path, sink);
             }
         }
     }
-}
-
-fn reads_any(expr: &Expr, places: &Set<Place>) -> bool {
-    expr.reads.iter().any(|read| match read {
-        Read::Name(Name::Output(id)) => places.contains(&Place::Output(*id)),
-        Read::Name(Name::Var(id)) => places.contains(&Place::Var(*id)),
-        _ => false,
-    })
 }
 
 struct Report<'m> {

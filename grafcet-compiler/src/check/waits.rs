@@ -3,9 +3,8 @@
 //! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
 //! no deadlock beside that. Where all wait for each other, since one took what another needs, it is a deadlock.
 
-use super::silent::Told;
-use crate::analysis::Concurrency;
-use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, situation};
+use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, situation, smallest};
+use crate::analysis::{Concurrency, Explained};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
@@ -17,12 +16,11 @@ pub(super) fn check(
     structure: &Concurrency,
     exploration: &Exploration,
     dead: &Set<TransitionId>,
-    told: &mut Told,
+    told: &mut Explained,
     sink: &mut Sink,
 ) -> Vec<Stay> {
     let mut stays = Vec::new();
-    let contended: Vec<&Deadlock> =
-        exploration.deadlocks().iter().filter(|deadlock| is_contended(model, exploration, deadlock)).list();
+    let contended = exploration.contended(model);
     for deadlock in smallest(&contended) {
         let errors = sink.errors();
         contention(model, exploration, deadlock, sink);
@@ -67,30 +65,6 @@ pub(super) fn check(
         stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
     stays
-}
-
-/// Those of which no earlier one is a part.
-fn smallest<'e>(deadlocks: &[&'e Deadlock]) -> Vec<&'e Deadlock> {
-    let mut known: Vec<&Deadlock> = Vec::new();
-    for deadlock in deadlocks {
-        let more = |other: &&Deadlock| other.steps.iter().all(|step| deadlock.steps.contains(step));
-        if !known.iter().any(more) {
-            known.push(deadlock);
-        }
-    }
-    known
-}
-
-/// Whether all steps wait in AND-convergences, and one of these misses what another convergence has taken.
-fn is_contended(model: &Model, exploration: &Exploration, deadlock: &Deadlock) -> bool {
-    let of = |step: StepId| exploration.stuck_joins().iter().filter(move |stuck| stuck.waiting == step);
-    let taken = |stuck: &StuckJoin| {
-        let Some(culprit) = stuck.culprit else { return false };
-        let (taking, join) = (&model.transitions[culprit].sources, &model.transitions[stuck.join].sources);
-        taking.len() > 1 && taking.iter().any(|source| join.contains(source))
-    };
-    deadlock.steps.iter().all(|step| of(*step).next().is_some())
-        && deadlock.steps.iter().any(|step| of(*step).any(taken))
 }
 
 /// A deadlock in which steps wait for what others have taken.
@@ -148,12 +122,6 @@ fn stuck_join(model: &Model, stuck: &StuckJoin, sink: &mut Sink) {
 pub(super) fn levels<'m>(model: &'m Model, stuck: &StuckJoin) -> [&'m [LevelAttr]; 4] {
     let join = &model.transitions[stuck.join];
     [&join.levels, &model.steps[stuck.waiting].levels, &model.partials[join.partial].levels, &model.levels]
-}
-
-/// Whether it is part of a deadlock in which all wait for each other.
-pub(super) fn in_contention(model: &Model, exploration: &Exploration, stuck: &StuckJoin) -> bool {
-    let deadlocks = exploration.deadlocks().iter().filter(|deadlock| deadlock.steps.contains(&stuck.waiting));
-    deadlocks.into_iter().any(|deadlock| is_contended(model, exploration, deadlock))
 }
 
 fn report(model: &Model, deadlock: &Deadlock, sink: &mut Sink) {

@@ -9,13 +9,14 @@
 //! - `sfc`, `grafcet`, `hierarchy`, `writes`: what a cycle does
 //! - `clocks`: times that have to be followed from cycle to cycle
 //! - `search`, `leaf`, `graph`: from situation to situation
-//! - `future`, `verdicts`, `home`: what follows
+//! - `future`, `verdicts`, `home`, `contention`: what follows
 
 mod actions;
 pub mod alone;
 mod clocks;
 mod compile;
 mod computed;
+mod contention;
 mod cycle;
 mod formula;
 mod future;
@@ -45,6 +46,7 @@ mod ways;
 mod whole;
 
 pub(crate) use self::home::Stay;
+pub use contention::smallest;
 pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
 pub use rivals::{Rival, rivals_meeting};
 pub use settles::settles;

@@ -1,0 +1,96 @@
+//! Whether what a chart claims of itself is so.
+//!
+//! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
+
+use super::explore::{Answer, Exploration, Limits, Stay, alone};
+use super::{Logic, Nesting, visible};
+use crate::list::List;
+use crate::model::{Claim, Expr, Model, Name, Place, Property, Read, StepId, Tree};
+use crate::sorted::Set;
+
+/// The properties of a chart that are not proved.
+pub(crate) struct Claims<'m> {
+    model: &'m Model,
+    limits: Limits,
+    never: &'m [&'m Tree],
+    /// Of the chart, for all rules.
+    pub(crate) exploration: Exploration,
+    /// What can be violated, or is not decided.
+    pub(crate) open: Vec<(&'m Property, Answer)>,
+    /// The same of ways home.
+    pub(crate) away: Vec<(&'m Property, Answer)>,
+}
+
+impl<'m> Claims<'m> {
+    /// Explores the chart; `mixed` is what nobody can say the value of, which is no matter of a proof.
+    pub(crate) fn of(
+        model: &'m Model,
+        logic: &Logic<'_>,
+        limits: Limits,
+        never: &'m [&'m Tree],
+        mixed: &Set<Place>,
+    ) -> Self {
+        let claimed: Vec<(&Property, Tree)> = model
+            .properties
+            .iter()
+            .filter(|property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed)))
+            .filter_map(|property| Some((property, property.claim.violation()?)))
+            .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))))
+            .list();
+        let watched: Vec<&Tree> = claimed.iter().map(|(_, violation)| violation).list();
+        let exploration = Exploration::assuming(model, &limits, &watched, never);
+        let mut open = Vec::new();
+        for (index, (property, violation)) in claimed.iter().enumerate() {
+            let answer = exploration.watched(index);
+            let alone = matches!(answer, Answer::Unknown(_))
+                .then(|| alone::watched(model, &limits, violation, never, claimed.len() == 1));
+            match alone.flatten().unwrap_or(answer) {
+                Answer::Never => {}
+                answer => open.push((*property, answer)),
+            }
+        }
+        let mut claims = Self { model, limits, never, exploration, open, away: Vec::new() };
+        claims.ways_home(!watched.is_empty());
+        if !watched.is_empty() && !claims.exploration.is_complete() {
+            // To follow what the properties are about takes more than the rules need.
+            claims.exploration = Exploration::assuming(model, &limits, &[], never);
+        }
+        claims
+    }
+
+    fn ways_home(&mut self, has_watched: bool) {
+        let model = self.model;
+        let has_home = model.properties.iter().any(|property| matches!(property.claim, Claim::Home(..)));
+        let nesting = if has_home { Nesting::of(model) } else { None };
+        for property in &model.properties {
+            let Claim::Home(home, _) = &property.claim else { continue };
+            if nesting.as_ref().is_some_and(|nesting| nesting.returns_to(home, self.never)) {
+                continue;
+            }
+            match self.away_from(home, &[], has_watched) {
+                Answer::Never => {}
+                answer => self.away.push((property, answer)),
+            }
+        }
+    }
+
+    /// Whether there is a situation without a way home, nor to where the chart stays; `has_watched` where the exploration
+    /// has followed other properties, too.
+    pub(crate) fn away_from(&self, home: &[StepId], stays: &[Stay], has_watched: bool) -> Answer {
+        let alone = |only: bool| alone::away_from(self.model, &self.limits, (home, stays), self.never, only);
+        // What it does not touch does not decide about it: neither other partial grafcets nor other properties.
+        alone(true).unwrap_or_else(|| {
+            let answer = self.exploration.away_but_for(home, stays);
+            let again = matches!(answer, Answer::Unknown(_)) && has_watched;
+            again.then(|| alone(false)).flatten().unwrap_or(answer)
+        })
+    }
+}
+
+fn reads_any(expr: &Expr, places: &Set<Place>) -> bool {
+    expr.reads.iter().any(|read| match read {
+        Read::Name(Name::Output(id)) => places.contains(&Place::Output(*id)),
+        Read::Name(Name::Var(id)) => places.contains(&Place::Var(*id)),
+        _ => false,
+    })
+}
