@@ -186,6 +186,8 @@ pub enum Tree {
         call: Option<u32>,
         /// Its type is one of integers, `bool` or `char`, as of `level.abs()` and `level as u8`.
         whole: bool,
+        /// A part of what it reads, such as `sensor.level`, or a pattern of it: it can be anything, as that can.
+        open: bool,
         /// What it computes, where that is arithmetic of integers.
         of: Option<Box<Computed>>,
     },

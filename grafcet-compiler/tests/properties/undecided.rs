@@ -34,6 +34,43 @@ fn unfollowed() {
     holds(&count(allowed, "Add"));
 }
 
+/// Nobody knows whether Rust that is not looked into can hold at all.
+#[test]
+fn rust_that_is_not_looked_into_leads_nowhere() {
+    let back = |condition: &str| {
+        let pure = if condition.contains("near") { "assume pure near;" } else { "" };
+        format!(
+            "sfc C {{ #![allow(grafcet::unused_input)] {pure} input go: bool; input x: u8; input s: Sensor; input o: Option<u8>; \
+             initial step A; step B; A -[go]-> B; B -[{condition}]-> A; home A; }}"
+        )
+    };
+    for condition in [
+        "near(x)",
+        "!near(x)",
+        "near(s.level) && go",
+        "far(x)",
+        "rising(near(x))",
+        "s.level(3) > 3",
+        "o.unwrap_or(3) > 4",
+    ] {
+        fails(&back(condition), "property_undecided", "depends on");
+    }
+    // A part of an input can be anything, and where each value leads on nobody has to know which.
+    for condition in
+        ["s.level > 3", "matches!(s, Sensor::Dry)", "o.is_some()", "s == Sensor::DRY", "x > LIMIT", "near(x) || go"]
+    {
+        holds(&back(condition));
+    }
+    holds(&back("near(x)").replace("home A;", "B -[!near(x)]-> A; home A;"));
+    // A counterexample may rely on it, but not on arithmetic that is not computed.
+    let there = |condition: &str| {
+        let chart = back("go").replace("A -[go]-> B;", &format!("A -[{condition}]-> B;"));
+        chart.replace("home A;", "never B.X;")
+    };
+    fails(&there("far(x)"), "property_violated", "cycle 2");
+    fails(&there("x.ilog2() > 20"), "property_undecided", "depends on");
+}
+
 /// Variables that change within a cycle of a `grafcet` in ways that are not followed.
 #[test]
 fn unfollowed_within_a_cycle() {

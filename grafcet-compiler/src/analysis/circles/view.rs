@@ -144,7 +144,14 @@ impl<'v, 'm> View<'v, 'm> {
     fn unknown(&self) -> Tree {
         let number = self.circles.unknown.get();
         self.circles.unknown.set(number + 1);
-        Tree::Opaque { text: format!("{UNKNOWN}{number}"), reads: Vec::new(), call: None, whole: false, of: None }
+        Tree::Opaque {
+            text: format!("{UNKNOWN}{number}"),
+            reads: Vec::new(),
+            call: None,
+            whole: false,
+            open: false,
+            of: None,
+        }
     }
 }
 

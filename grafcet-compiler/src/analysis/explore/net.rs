@@ -100,6 +100,8 @@ pub(super) struct Net {
     pub(super) is_common: Vec<bool>,
     /// See [`unfollowed::atoms`].
     pub(super) unfollowed: Vec<bool>,
+    /// See [`unfollowed::presumed`].
+    pub(super) presumed: Vec<bool>,
     /// See [`unfollowed::bound`].
     pub(super) bound: Vec<bool>,
     /// See [`unfollowed::beside`].
@@ -157,7 +159,8 @@ impl Net {
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
         let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).list();
         let links = Links::of(model, &atoms, &differences, &numbers);
-        let unfollowed = unfollowed::atoms(&atoms, &links);
+        let presumed = unfollowed::presumed(&atoms, &links);
+        let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
         let bound = unfollowed::bound(&atoms, &unfollowed);
         let count = atoms.len();
         let (unit_of, units) = units::of(model);
@@ -194,6 +197,7 @@ impl Net {
             is_edge_atom: vec![false; count],
             is_common: vec![false; count],
             unfollowed,
+            presumed,
             bound,
             beside: Map::new(),
             clocks: Vec::new(),

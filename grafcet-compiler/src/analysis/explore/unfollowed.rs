@@ -11,19 +11,36 @@ use crate::sorted::Map;
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
 /// not looked into, or on each other. Inputs can be anything in each cycle, and times count as unknown. Where numbers are
 /// computed of inputs, it is tried whether there are some.
-pub(super) fn atoms(atoms: &[Atom], links: &Links) -> Vec<bool> {
+pub(super) fn atoms(atoms: &[Atom], links: &Links, presumed: &[bool]) -> Vec<bool> {
+    let own = own(atoms);
+    let is_open = |atom: &Atom| is_open(atom, &own);
+    let can_be = |(number, atom): (usize, &Atom)| {
+        if links.is_computed(number) {
+            links.is_tried(number)
+        } else {
+            is_free(atom) || is_open(atom) && !presumed[number]
+        }
+    };
+    atoms.iter().enumerate().map(|atom| !can_be(atom)).list()
+}
+
+/// Which atoms ask Rust that is not looked into about inputs that nothing else reads, such as `near(level)`. Nobody knows whether
+/// that has each of its values, so it proves nothing; but a way to what must not happen may presume it.
+pub(super) fn presumed(atoms: &[Atom], links: &Links) -> Vec<bool> {
+    let own = own(atoms);
+    let asks = |atom: &Atom| !is_free(atom) && is_open(atom, &own) && !is_looked_into(&atom.what);
+    atoms.iter().enumerate().map(|(number, atom)| !links.is_computed(number) && asks(atom)).list()
+}
+
+/// The inputs and params that only one of the atoms reads.
+fn own(atoms: &[Atom]) -> impl Fn(&Name) -> bool {
     let mut readers: Map<Name, usize> = Map::new();
     for atom in atoms {
         for name in names(&atom.what) {
             *readers.or_default(name) += 1;
         }
     }
-    let own = |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1);
-    let is_open = |atom: &Atom| is_open(atom, &own);
-    let can_be = |(number, atom): (usize, &Atom)| {
-        if links.is_computed(number) { links.is_tried(number) } else { is_free(atom) || is_open(atom) }
-    };
-    atoms.iter().enumerate().map(|atom| !can_be(atom)).list()
+    move |name: &Name| matches!(name, Name::Input(_) | Name::Param(_)) && readers.get(name) == Some(&1)
 }
 
 /// Which atoms have to do with those that are `unfollowed`, because both read an input or a param, or through others: such an
@@ -98,6 +115,15 @@ fn is_open(atom: &Atom, own: &impl Fn(&Name) -> bool) -> bool {
         );
     });
     known && names(&atom.what).iter().any(own)
+}
+
+fn is_looked_into(tree: &Tree) -> bool {
+    match tree {
+        Tree::Opaque { reads, call, open, .. } => call.is_none() && (*open || reads.is_empty()),
+        Tree::Unary(_, inner) => is_looked_into(inner),
+        Tree::Binary(_, a, b) => is_looked_into(a) && is_looked_into(b),
+        _ => true,
+    }
 }
 
 fn names(tree: &Tree) -> Vec<Name> {

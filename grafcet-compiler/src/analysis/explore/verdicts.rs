@@ -73,7 +73,7 @@ impl Report<'_> {
     fn note(&self, cycle: &Cycle, path: &mut Path) {
         for (atom, _) in &cycle.granted {
             let what = &self.net.atoms[*atom].what;
-            if !path.granted.contains(what) {
+            if !self.net.presumed[*atom] && !path.granted.contains(what) {
                 path.granted.push(what.clone());
             }
         }

@@ -26,7 +26,7 @@ pub(super) fn resolve_with_places(expr: &syn::Expr, resolver: &mut Resolver<'_>)
     let (reads, places, text) = (lower.reads, lower.places, super::text::of(expr));
     // An expression with a mistake equals only its own text.
     let tree = if broken {
-        Tree::Opaque { text: text.clone(), reads: reads.clone(), call: None, whole: false, of: None }
+        Tree::Opaque { text: text.clone(), reads: reads.clone(), call: None, whole: false, open: false, of: None }
     } else {
         tree
     };
@@ -42,7 +42,7 @@ pub(super) fn resolve_condition(expr: &syn::Expr, resolver: &mut Resolver<'_>) -
     resolver.alone.truncate(alone);
     if broken {
         let (text, reads) = (condition.text.clone(), condition.reads.clone());
-        condition.tree = Tree::Opaque { text, reads, call: None, whole: false, of: None };
+        condition.tree = Tree::Opaque { text, reads, call: None, whole: false, open: false, of: None };
     }
     condition
 }
@@ -166,9 +166,14 @@ impl<'r, 's> Lower<'r, 's> {
             return Tree::Bool(name == "true");
         }
         match self.resolver.scope.get(&name) {
-            _ if self.locals.contains(&name) => {
-                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false, of: None }
-            }
+            _ if self.locals.contains(&name) => Tree::Opaque {
+                text: name.to_string(),
+                reads: Vec::new(),
+                call: None,
+                whole: false,
+                open: false,
+                of: None,
+            },
             Some(Meaning::Let(id)) => self.put_in_place(expr, &name, id),
             Some(Meaning::Value(value)) if self.resolver.is_later(&name, value) => Tree::Bool(true),
             Some(Meaning::Value(value)) => {
@@ -191,9 +196,14 @@ impl<'r, 's> Lower<'r, 's> {
                 self.resolver.sink.notation(&name, message);
                 Tree::Bool(true)
             }
-            _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => {
-                Tree::Opaque { text: name.to_string(), reads: Vec::new(), call: None, whole: false, of: None }
-            }
+            _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => Tree::Opaque {
+                text: name.to_string(),
+                reads: Vec::new(),
+                call: None,
+                whole: false,
+                open: false,
+                of: None,
+            },
             _ => {
                 self.resolver.scope.unknown_name(&name, &format!("input {name}: bool;"), self.resolver.sink);
                 Tree::Bool(true)
@@ -343,9 +353,14 @@ impl<'r, 's> Lower<'r, 's> {
         let syn::Expr::Lit(lit) = &*expr else { return self.opaque(expr) };
         match self.resolver.literal_time(&lit.lit) {
             Some(ticks) => self.replace(expr, Read::Ticks(ticks)),
-            None => {
-                Tree::Opaque { text: super::text::of(&*expr), reads: Vec::new(), call: None, whole: false, of: None }
-            }
+            None => Tree::Opaque {
+                text: super::text::of(&*expr),
+                reads: Vec::new(),
+                call: None,
+                whole: false,
+                open: false,
+                of: None,
+            },
         }
     }
 }

@@ -16,7 +16,7 @@ impl Lower<'_, '_> {
         // `const { … }` is evaluated once and for all.
         let is_constant = matches!(expr, syn::Expr::Const(_));
         let around = self.differs;
-        let is_whole = self.is_whole(expr);
+        let (is_whole, is_open) = (self.is_whole(expr), self.is_open(expr));
         let mut computed = None;
         let walk = |lower: &mut Self| {
             computed = lower.computed(expr);
@@ -27,10 +27,11 @@ impl Lower<'_, '_> {
         match self.rust(text, differs, walk) {
             Tree::Opaque { text, reads, .. } if is_constant => {
                 self.differs = around;
-                Tree::Opaque { text, reads, call: None, whole: false, of: None }
+                Tree::Opaque { text, reads, call: None, whole: false, open: false, of: None }
             }
             Tree::Opaque { text, reads, call, .. } => {
-                Tree::Opaque { text, reads, call, whole: is_whole, of: computed.filter(|_| is_whole).map(Box::new) }
+                let of = computed.filter(|_| is_whole).map(Box::new);
+                Tree::Opaque { text, reads, call, whole: is_whole, open: is_open, of }
             }
             tree => tree,
         }
@@ -47,7 +48,7 @@ impl Lower<'_, '_> {
             self.note(*read);
         }
         let call = self.evaluation(differs);
-        Tree::Opaque { text, reads, call, whole: false, of: None }
+        Tree::Opaque { text, reads, call, whole: false, open: false, of: None }
     }
 
     /// Inside a macro call there are only tokens: declared names are noted, step variables replaced.

@@ -165,6 +165,23 @@ impl Lower<'_, '_> {
         }
     }
 
+    /// Whether it is a part of a value, or asks which pattern that has: what the value can be, it can be, too.
+    pub(super) fn is_open(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Path(_) => true,
+            Expr::Paren(inner) => self.is_open(&inner.expr),
+            Expr::Group(inner) => self.is_open(&inner.expr),
+            Expr::Field(field) => self.is_open(&field.base),
+            Expr::Index(index) => self.is_open(&index.expr),
+            Expr::Macro(call) => call.mac.path.is_ident("matches"),
+            Expr::MethodCall(call) => {
+                let asks = ["is_some", "is_none", "is_ok", "is_err", "is_empty"].iter().any(|name| call.method == name);
+                asks && self.is_known_method(call) && self.is_open(&call.receiver)
+            }
+            _ => false,
+        }
+    }
+
     /// Whether it is a time, so that its methods are those of times.
     pub(super) fn is_time(&self, expr: &Expr) -> bool {
         matches!(self.value_of(expr), Value::Of(Kind::Time))

@@ -74,9 +74,14 @@ impl Lower<'_, '_> {
         }
         // A number that the user wrote is none of ours.
         match other {
-            Tree::Int(_) => {
-                Tree::Opaque { text: text::of(written), reads: Vec::new(), call: None, whole: false, of: None }
-            }
+            Tree::Int(_) => Tree::Opaque {
+                text: text::of(written),
+                reads: Vec::new(),
+                call: None,
+                whole: false,
+                open: false,
+                of: None,
+            },
             other => other,
         }
     }

@@ -171,14 +171,16 @@ impl<'m> Compiler<'m> {
 
     fn was_active(&mut self, step: StepId) -> Formula {
         let text = format!("{} at the begin of the cycle", self.model.steps[step].name);
-        let tree = Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false, of: None };
+        let tree =
+            Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false, open: false, of: None };
         Formula::Is(self.atom(&tree, Kind::Was(step.index())))
     }
 
     /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
     pub(super) fn time_of(&mut self, qualifier: Qualifier, place: Place) -> Formula {
         let text = format!("{} {}", format!("{qualifier:?}").to_uppercase(), self.model.place_name(place));
-        let time = self.unknown(&Tree::Opaque { text, reads: Vec::new(), call: None, whole: false, of: None });
+        let time =
+            self.unknown(&Tree::Opaque { text, reads: Vec::new(), call: None, whole: false, open: false, of: None });
         if let Formula::Is(atom) = time {
             self.atoms[atom].is_time = true;
         }
