@@ -40,7 +40,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let Some(chart) = parse::chart(chart, &mut sink) else {
         return diagnostic::tokens(&sink.finish(), root);
     };
-    let _place = place::Place::at(chart.keyword);
+    let _keyword = place::AtKeyword::at(chart.keyword);
     let model = model::resolve(&chart, &mut sink);
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;

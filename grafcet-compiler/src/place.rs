@@ -15,16 +15,16 @@ thread_local! {
 }
 
 /// As long as it lives, tokens stand at a keyword.
-pub(crate) struct Place(());
+pub(crate) struct AtKeyword(());
 
-impl Place {
+impl AtKeyword {
     pub(crate) fn at(keyword: Span) -> Self {
         KEYWORD.set(Some(keyword));
         Self(())
     }
 }
 
-impl Drop for Place {
+impl Drop for AtKeyword {
     fn drop(&mut self) {
         KEYWORD.set(None);
     }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::graph::{Graph, Kind, layered};
-use crate::scene::Scene;
 use crate::sheets::{Link, Node, Sheet, pieces};
+use crate::wording::Wording;
 
 /// What has more rows than this is folded.
 const TALL: i32 = 120;
@@ -13,9 +13,9 @@ const COLUMN: i32 = 60;
 
 /// The columns of a net whose steps are all connected, in the order of the flow; parallel branches that are cut stand in
 /// columns of their own.
-pub(crate) fn columns(scene: &Scene<'_>, net: Sheet) -> Vec<Sheet> {
-    let graph = layered(scene, &net);
-    let heights = heights(scene, &graph);
+pub(crate) fn columns(wording: &Wording<'_>, net: Sheet) -> Vec<Sheet> {
+    let graph = layered(wording, &net);
+    let heights = heights(wording, &graph);
     if heights.iter().sum::<i32>() <= TALL {
         return vec![net];
     }
@@ -25,9 +25,9 @@ pub(crate) fn columns(scene: &Scene<'_>, net: Sheet) -> Vec<Sheet> {
 }
 
 /// The rows of each layer, with those of the lines behind it: about.
-fn heights(scene: &Scene<'_>, graph: &Graph) -> Vec<i32> {
+fn heights(wording: &Wording<'_>, graph: &Graph) -> Vec<i32> {
     let none = BTreeMap::new();
-    let height = |id: &usize| scene.figure(&graph.items[*id], &none).extent().height;
+    let height = |id: &usize| wording.figure(&graph.items[*id], &none).extent().height;
     graph.layers.iter().map(|layer| layer.iter().map(height).max().unwrap_or(0) + 2).collect()
 }
 

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::Scene;
 use crate::search::{Search, ranks};
 use crate::sequence::{Sequence, sequence};
 use crate::sheets::{Link, Node, Sheet};
+use crate::wording::Wording;
 
 /// How many lines go up at the side of a net; other jumps back are written as references.
 const LOOPS: usize = 2;
@@ -72,15 +72,15 @@ pub(crate) struct Graph {
 }
 
 /// The layers of a net.
-pub(crate) fn layered(scene: &Scene<'_>, net: &Sheet) -> Graph {
+pub(crate) fn layered(wording: &Wording<'_>, net: &Sheet) -> Graph {
     let mut search = Search::new(net);
     let mut entered = vec![false; net.nodes.len()];
     search.targets.iter().flatten().for_each(|node| entered[*node] = true);
     let mut roots: Vec<usize> = (0..net.nodes.len()).collect();
     // What is active first, then what is entered first, then what no transition leads to.
-    roots.sort_by_key(|node| (scene.begins(net.nodes[*node]), entered[*node], *node));
-    let first = roots.first().map_or(0, |node| scene.begins(net.nodes[*node]));
-    search.top = net.nodes.iter().map(|node| scene.begins(*node) == first).collect();
+    roots.sort_by_key(|node| (wording.begins(net.nodes[*node]), entered[*node], *node));
+    let first = roots.first().map_or(0, |node| wording.begins(net.nodes[*node]));
+    search.top = net.nodes.iter().map(|node| wording.begins(*node) == first).collect();
     search.run(&roots);
     lengthen(&mut search, &roots);
     // Once more with the main branches first: who is named first in the source does not matter.
@@ -92,7 +92,7 @@ pub(crate) fn layered(scene: &Scene<'_>, net: &Sheet) -> Graph {
     search.run(&roots);
     let layers = ranks(&search);
     let sequence = sequence(&search, &layers.0);
-    Builder::of(&search, scene, layers).build(&sequence)
+    Builder::of(&search, wording, layers).build(&sequence)
 }
 
 /// In a circle that can be entered in several places, what leads back depends on the branch that is followed first: the one with which
@@ -128,14 +128,18 @@ type Returns = (usize, Vec<usize>);
 /// Items and hops from what the search has found.
 struct Builder<'s> {
     search: &'s Search<'s>,
-    scene: &'s Scene<'s>,
+    wording: &'s Wording<'s>,
     graph: Graph,
     node_item: Vec<usize>,
     link_item: Vec<usize>,
 }
 
 impl<'s> Builder<'s> {
-    fn of(search: &'s Search<'s>, scene: &'s Scene<'s>, (node_layer, link_layer): (Vec<usize>, Vec<usize>)) -> Self {
+    fn of(
+        search: &'s Search<'s>,
+        wording: &'s Wording<'s>,
+        (node_layer, link_layer): (Vec<usize>, Vec<usize>),
+    ) -> Self {
         let mut graph = Graph::default();
         let key = |key: Option<i64>| key.unwrap_or_default() * 4;
         let mut item = |kind, layer, key| {
@@ -149,7 +153,7 @@ impl<'s> Builder<'s> {
         let transition =
             |(i, link): (usize, &Link)| item(Kind::Transition(link.transition), link_layer[i], key(search.link_key[i]));
         let link_item = links.map(transition).collect();
-        Self { search, scene, graph, node_item, link_item }
+        Self { search, wording, graph, node_item, link_item }
     }
 
     fn build(mut self, sequence: &Sequence) -> Graph {
@@ -162,7 +166,7 @@ impl<'s> Builder<'s> {
                 let straight = number(&sequence.down, *source, link);
                 let hop = self.descend(self.node_item[*source], self.link_item[link], straight);
                 branches[*source] += 1;
-                if self.scene.ranks() && self.search.out[*source].len() > 1 {
+                if self.wording.ranks() && self.search.out[*source].len() > 1 {
                     self.graph.ranks.insert(hop, branches[*source]);
                 }
             }
@@ -198,7 +202,7 @@ impl<'s> Builder<'s> {
     }
 
     fn is_any(&self, link: usize) -> bool {
-        self.scene.any(self.search.net.links[link].transition).is_some()
+        self.wording.any(self.search.net.links[link].transition).is_some()
     }
 
     /// What an `any` leaves, above it.

@@ -2,8 +2,8 @@
 
 use grafcet_core::description::Description;
 
-use crate::scene::LINES;
 use crate::shape::{Drawing, Frame, Shape};
+use crate::wording::LINES;
 use crate::wrap::{width, wrap};
 
 /// Texts are broken at so many squares: with the frame around them they fit a terminal.

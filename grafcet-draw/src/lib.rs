@@ -14,21 +14,21 @@ mod net;
 mod order;
 mod place;
 mod route;
-mod scene;
 mod search;
 mod sequence;
 mod shape;
 mod sheets;
 mod svg;
 mod text;
+mod wording;
 mod wrap;
 
 use grafcet_core::ActiveSteps;
 use grafcet_core::description::Description;
 
 pub use mermaid::mermaid;
-use scene::{Density, Scene};
 pub use shape::{Drawing, Frame, Heading, Shape};
+use wording::{Density, Wording};
 
 /// A chart of more steps than this is not drawn step by step.
 const MOST_STEPS: usize = 150;
@@ -57,10 +57,10 @@ fn within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), widt
         return overview(&sheets, legend::legend(chart), width);
     }
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
-    let scene = Scene { chart, active, density: Density::ROOMY };
+    let wording = Wording { chart, active, density: Density::ROOMY };
     let drawn = sheets
         .iter()
-        .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&scene, sheet), width - 4, (3, 1))));
+        .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&wording, sheet), width - 4, (3, 1))));
     shape::pack(drawn.chain(legend::legend(chart)).collect(), width, (2, 1))
 }
 
@@ -103,7 +103,7 @@ fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
         return inside;
     }
     let mut sheet = Drawing::default();
-    let about = wrap::wrap(doc, inside.width.max(NARROW), scene::LINES);
+    let about = wrap::wrap(doc, inside.width.max(NARROW), wording::LINES);
     let about: Vec<&String> = about.iter().filter(|line| !line.is_empty()).collect();
     let texts = about.iter().map(|line| wrap::width(line)).max().unwrap_or(0).max(wrap::width(title));
     let width = inside.width.max(texts) + 4;

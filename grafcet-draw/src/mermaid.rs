@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use grafcet_core::description::{Description, Let, Step};
 
-use crate::scene::{any_text, assigned};
+use crate::wording::{any_text, assigned};
 
 /// The text of a Mermaid diagram: steps are boxes with their actions, initial ones with a double frame, and transitions are
 /// arrows with their conditions; where parallel branches begin or end, a transition is a node of its own. What an `any` leaves

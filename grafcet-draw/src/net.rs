@@ -6,27 +6,27 @@ use crate::graph::{Graph, Kind, layered};
 use crate::order::order;
 use crate::place::place;
 use crate::route::{Channel, channel};
-use crate::scene::{Density, Origin, References, Scene};
 use crate::shape::{Drawing, Heading, Shape};
 use crate::sheets::{Sheet, pieces};
+use crate::wording::{Density, Origin, References, Wording};
 use crate::wrap::width;
 
 /// Wider nets are drawn anew densely: what fits a page that is scaled to three fifths.
 const WIDE: i32 = 180;
 
 /// Draws the nets of a sheet, long ones in columns.
-pub(crate) fn draw(scene: &Scene<'_>, sheet: &Sheet) -> Vec<Drawing> {
-    let columns = pieces(sheet).into_iter().flat_map(|net| columns(scene, net));
+pub(crate) fn draw(wording: &Wording<'_>, sheet: &Sheet) -> Vec<Drawing> {
+    let columns = pieces(sheet).into_iter().flat_map(|net| columns(wording, net));
     let graphs = columns.map(|net| {
-        let mut graph = layered(scene, &net);
+        let mut graph = layered(wording, &net);
         order(&mut graph);
         graph
     });
     let graphs: Vec<Graph> = graphs.collect();
     let references = references(sheet, &graphs);
-    let dense = Scene { chart: scene.chart, active: scene.active.clone(), density: Density::DENSE };
+    let dense = Wording { chart: wording.chart, active: wording.active.clone(), density: Density::DENSE };
     let drawings = graphs.iter().map(|graph| {
-        let drawing = drawn(scene, graph, &references);
+        let drawing = drawn(wording, graph, &references);
         if drawing.width > WIDE { drawn(&dense, graph, &references) } else { drawing }
     });
     drawings.collect()
@@ -49,8 +49,8 @@ fn references(sheet: &Sheet, graphs: &[Graph]) -> References {
 }
 
 /// A net whose steps are all connected.
-fn drawn(scene: &Scene<'_>, graph: &Graph, references: &References) -> Drawing {
-    let figures: Vec<Figure> = graph.items.iter().map(|item| scene.figure(item, references)).collect();
+fn drawn(wording: &Wording<'_>, graph: &Graph, references: &References) -> Drawing {
+    let figures: Vec<Figure> = graph.items.iter().map(|item| wording.figure(item, references)).collect();
     let extents: Vec<Extent> = figures.iter().map(Figure::extent).collect();
     let x = place(graph, &extents);
     let mut hops = vec![Vec::new(); graph.layers.len() + 1];

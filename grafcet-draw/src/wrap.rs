@@ -1,6 +1,6 @@
 //! Texts in squares.
 
-use crate::scene::NAME;
+use crate::wording::NAME;
 
 /// How many squares a text takes. Characters of the wide scripts take two.
 pub(crate) fn width(text: &str) -> i32 {

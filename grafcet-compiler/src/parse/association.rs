@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Span};
 
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Error, Input, Result, chain, condition, foreign, target, time, words};
 use crate::ast::{Association, Qualifier, Target, TimeArg};
 use crate::diagnostic::{Mark, Sink};
@@ -60,7 +60,7 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Association> {
                 // What it belongs to is looked at all the same.
                 error.report(sink);
                 let mark = input.since(&start);
-                recover::skip(input, &start, Place::Step);
+                recover::skip(input, &start, Items::OfStep);
                 return Ok(Association { mark, qualifier, time, event, target, condition });
             }
         }
@@ -68,7 +68,7 @@ pub(super) fn parse(input: &mut Input, sink: &mut Sink) -> Result<Association> {
     let mark = input.since(&start);
     let block = matches!(target, Target::Block(_)) && condition.is_none();
     if !block || input.at(";") {
-        recover::semicolon(input, Place::Step, sink);
+        recover::semicolon(input, Items::OfStep, sink);
     }
     Ok(Association { mark, qualifier, time, event, target, condition })
 }

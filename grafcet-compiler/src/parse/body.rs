@@ -3,7 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::input::Turns;
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Input, Result, attrs, chain, decl, named, partial, property, setting, step, words};
 use crate::ast::{Body, DeclKind, Item};
 use crate::diagnostic::Sink;
@@ -18,7 +18,7 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
             error.report(sink);
             body.broken.extend(recover::names(start));
             body.lost_step |= recover::may_be_step(start);
-            recover::skip(&mut input, &start, Place::Body);
+            recover::skip(&mut input, &start, Items::OfChart);
             body.lost.extend(start.names_until(&input));
         }
         recover::moved(&mut input, &start, sink);
@@ -32,7 +32,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
     if chain::begins(input) {
         let attrs = outer.attrs;
         items.extend(chain::parse(input, &attrs, sink)?.into_iter().map(Item::Chain));
-        recover::semicolon(input, Place::Body, sink);
+        recover::semicolon(input, Items::OfChart, sink);
         return Ok(());
     }
     let Some(word) = input.word() else {

@@ -5,7 +5,7 @@ use syn::Expr;
 use syn::parse::Parse;
 
 use super::input::Turns;
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Error, Input, Result, leaving, types, variants};
 use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
 use crate::diagnostic::Sink;
@@ -29,7 +29,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
             input.error("a declaration has one type; begin another one for the next: `input a: u8; input b: bool;`")
         );
     }
-    recover::semicolon(input, Place::Body, sink);
+    recover::semicolon(input, Items::OfChart, sink);
     Ok(Decl { attrs, kind, names, ty, variants, init })
 }
 
@@ -80,7 +80,7 @@ pub(super) fn action(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result
         }
     }
     refuse_result(input)?;
-    recover::semicolon(input, Place::Body, sink);
+    recover::semicolon(input, Items::OfChart, sink);
     Ok(ActionDecl { attrs, name, params })
 }
 

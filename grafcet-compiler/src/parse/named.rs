@@ -3,7 +3,7 @@
 use syn::Type;
 use syn::parse::Parse;
 
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Input, Result, condition};
 use crate::ast::{Attrs, Let};
 use crate::diagnostic::Sink;
@@ -35,6 +35,6 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
         return Err(input.error(format!("expected `=` and a condition, as in `let {name} = a && b;`, found {found}")));
     }
     let value = condition::parse(input, "a condition, such as `auto || rising(next)`")?;
-    recover::semicolon(input, Place::Body, sink);
+    recover::semicolon(input, Items::OfChart, sink);
     Ok(Let { attrs, name, value })
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Input, Result, condition};
 use crate::ast::{Attrs, Property};
 use crate::diagnostic::Sink;
@@ -35,6 +35,6 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
             Property::Home { attrs, keyword, steps }
         }
     };
-    recover::semicolon(input, Place::Body, sink);
+    recover::semicolon(input, Items::OfChart, sink);
     Ok(property)
 }

@@ -1,4 +1,4 @@
-//! Behind a broken item: where the next one begins, and which names are missing now.
+//! After a broken item: where the next one begins, and which names are missing now.
 
 use proc_macro2::{Delimiter, Ident};
 
@@ -6,14 +6,14 @@ use super::input::Turns;
 use super::{Error, Input, association, chain, words};
 use crate::diagnostic::Sink;
 
-/// In which kind of body to find the next item.
+/// Which items stand in a body.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Place {
-    Body,
-    Step,
+pub(super) enum Items {
+    OfChart,
+    OfStep,
 }
 
-impl Place {
+impl Items {
     /// Whether an item begins at `input`, as far as can be told in the middle of another one.
     fn item_begins(self, input: &Input) -> bool {
         let line = input.on_new_line();
@@ -21,19 +21,19 @@ impl Place {
             return true;
         }
         match self {
-            Self::Body => words::item_begins(input) || line && chain::begins(input),
-            Self::Step => association::begins(input) || line && association::could_begin(input),
+            Self::OfChart => words::item_begins(input) || line && chain::begins(input),
+            Self::OfStep => association::begins(input) || line && association::could_begin(input),
         }
     }
 }
 
 /// Steps over the rest of a broken item: behind its `;` or its braces, or before what must be the next one.
-pub(super) fn skip(input: &mut Input, start: &Input, place: Place) {
+pub(super) fn skip(input: &mut Input, start: &Input, items: Items) {
     if input.is_at(start) {
         input.bump();
     }
     let mut turns = Turns::default();
-    while turns.more(input) && !place.item_begins(input) {
+    while turns.more(input) && !items.item_begins(input) {
         let brace = input.at_group(Delimiter::Brace);
         if input.eat(";") {
             return;
@@ -56,23 +56,23 @@ pub(super) fn moved(input: &mut Input, start: &Input, sink: &mut Sink) {
 
 /// The `;` at the end of an item. Where it is missing, or something stands before it, that is reported, and the item
 /// stays: what it says is understood.
-pub(super) fn semicolon(input: &mut Input, place: Place, sink: &mut Sink) {
+pub(super) fn semicolon(input: &mut Input, items: Items, sink: &mut Sink) {
     if input.eat(";") {
         return;
     }
-    let chain = || place == Place::Body && input.word().is_some() && chain::begins(input);
-    if input.is_empty() || input.on_new_line() || place.item_begins(input) || chain() {
+    let chain = || items == Items::OfChart && input.word().is_some() && chain::begins(input);
+    if input.is_empty() || input.on_new_line() || items.item_begins(input) || chain() {
         sink.notation(input.last(), "`;` is missing behind this");
         return;
     }
-    if place == Place::Step && input.at(",") {
+    if items == Items::OfStep && input.at(",") {
         sink.notation(input.span(), "each line of a step ends with `;`, not with `,`");
         input.bump();
         return;
     }
     unexpected(input).report(sink);
     let start = *input;
-    skip(input, &start, place);
+    skip(input, &start, items);
 }
 
 /// Something stands where `;` should.

@@ -4,7 +4,7 @@ use proc_macro2::Span;
 use syn::punctuated::Punctuated;
 use syn::{LitInt, Path, Token};
 
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Error, Input, Result, condition, time};
 use crate::ast::{Setting, Time};
 use crate::diagnostic::Sink;
@@ -22,7 +22,7 @@ pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Se
         "encoding" => encoding(input, keyword)?,
         _ => assume(input, keyword)?,
     };
-    recover::semicolon(input, Place::Body, sink);
+    recover::semicolon(input, Items::OfChart, sink);
     Ok(setting)
 }
 

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Ident, Span};
 
 use super::input::Turns;
-use super::recover::{self, Place};
+use super::recover::{self, Items};
 use super::{Error, Input, Result, association, attrs, body, force, partial, words};
 use crate::ast::{Attrs, Partial, Step, StepBody, StepKind};
 use crate::diagnostic::Sink;
@@ -137,7 +137,7 @@ fn step_body(mut input: Input, encloses: bool, sink: &mut Sink) -> (StepBody, Ve
         let start = input;
         if let Err(error) = line(&mut input, &mut body, encloses.then_some(&mut partials), sink) {
             error.report(sink);
-            recover::skip(&mut input, &start, Place::Step);
+            recover::skip(&mut input, &start, Items::OfStep);
         }
         recover::moved(&mut input, &start, sink);
     }

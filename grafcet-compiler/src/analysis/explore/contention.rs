@@ -30,6 +30,7 @@ impl Exploration {
 }
 
 /// Those of which no earlier one is a part.
+#[must_use]
 pub fn smallest<'e>(deadlocks: &[&'e Deadlock]) -> Vec<&'e Deadlock> {
     let mut known: Vec<&Deadlock> = Vec::new();
     for deadlock in deadlocks {

@@ -19,8 +19,8 @@ use crate::sorted::Set;
 pub struct Nesting<'m> {
     model: &'m Model,
     /// What stands in the outermost sequence.
-    places: Vec<Place>,
-    /// Per place those that arrows lead to it from.
+    nodes: Vec<Node>,
+    /// Per node those that arrows lead to it from.
     before: Vec<Vec<usize>>,
     /// Parallel branches have no inputs in common.
     independent: bool,
@@ -28,7 +28,7 @@ pub struct Nesting<'m> {
 
 /// A step, or a block that is taken for one.
 #[derive(Clone)]
-struct Place {
+struct Node {
     /// `None` for a block.
     step: Option<StepId>,
     active: bool,
@@ -73,7 +73,7 @@ impl<'m> Nesting<'m> {
     /// So many situations there are at most.
     #[must_use]
     pub fn situations(&self) -> u64 {
-        sum(self.places.iter().map(|place| place.situations))
+        sum(self.nodes.iter().map(|node| node.situations))
     }
 
     /// Nothing is to be found out by exploring the chart: it does whatever its structure allows. `never` are the
@@ -87,8 +87,8 @@ impl<'m> Nesting<'m> {
     #[must_use]
     pub fn returns_to(&self, home: &[StepId], never: &[&Tree]) -> bool {
         let [home] = home else { return false };
-        let Some(place) = self.places.iter().position(|place| place.step == Some(*home)) else { return false };
-        reached(&[place], &self.before).iter().all(|returns| *returns)
+        let Some(node) = self.nodes.iter().position(|node| node.step == Some(*home)) else { return false };
+        reached(&[node], &self.before).iter().all(|returns| *returns)
             && free::is_free(self.model, never)
             && free::comes_to_rest(self.model, *home, never)
     }
@@ -96,19 +96,19 @@ impl<'m> Nesting<'m> {
 
 struct Reduction<'m> {
     model: &'m Model,
-    places: Vec<Place>,
+    nodes: Vec<Node>,
     /// By transition.
     arcs: Vec<Arc>,
-    /// Per place, whether it has become part of a block.
+    /// Per node, whether it has become part of a block.
     inside: Vec<bool>,
     independent: bool,
 }
 
 /// The sequences at the beginning of a round.
 struct Sequences {
-    /// Per place.
+    /// Per node.
     of: Vec<usize>,
-    places: Vec<Vec<usize>>,
+    nodes: Vec<Vec<usize>>,
     /// The arcs within each, and those that enter or leave it beside others.
     within: Vec<Vec<usize>>,
     entering: Vec<Vec<usize>>,
@@ -118,7 +118,7 @@ struct Sequences {
 impl<'m> Reduction<'m> {
     fn new(model: &'m Model) -> Self {
         let initial = initial_situation(model);
-        let place = |step: StepId| Place {
+        let node = |step: StepId| Node {
             step: Some(step),
             active: initial.contains(&step),
             situations: 1,
@@ -129,7 +129,7 @@ impl<'m> Reduction<'m> {
         let arcs = arcs.map(|t| Arc { sources: numbers(&t.sources), targets: numbers(&t.targets), outside: true });
         Self {
             model,
-            places: model.steps.ids().map(place).list(),
+            nodes: model.steps.ids().map(node).list(),
             arcs: arcs.list(),
             inside: vec![false; model.steps.len()],
             independent: true,
@@ -137,16 +137,16 @@ impl<'m> Reduction<'m> {
     }
 
     fn sequences(&self) -> Sequences {
-        let mut union = Union::new(self.places.len());
+        let mut union = Union::new(self.nodes.len());
         let outside = || self.arcs.iter().enumerate().filter(|(_, arc)| arc.outside);
         for (_, arc) in outside().filter(|(_, arc)| arc.is_plain()) {
             union.join(arc.sources[0], arc.targets[0]);
         }
-        let of: Vec<usize> = (0..self.places.len()).map(|place| union.root(place)).list();
+        let of: Vec<usize> = (0..self.nodes.len()).map(|node| union.root(node)).list();
         let none = || vec![Vec::new(); of.len()];
-        let (mut places, mut within, mut entering, mut leaving) = (none(), none(), none(), none());
-        for place in (0..of.len()).filter(|place| !self.inside[*place]) {
-            places[of[place]].push(place);
+        let (mut nodes, mut within, mut entering, mut leaving) = (none(), none(), none(), none());
+        for node in (0..of.len()).filter(|node| !self.inside[*node]) {
+            nodes[of[node]].push(node);
         }
         for (number, arc) in outside() {
             if arc.is_plain() {
@@ -156,7 +156,7 @@ impl<'m> Reduction<'m> {
             arc.targets.iter().for_each(|target| entering[of[*target]].push(number));
             arc.sources.iter().for_each(|source| leaving[of[*source]].push(number));
         }
-        Sequences { of, places, within, entering, leaving }
+        Sequences { of, nodes, within, entering, leaving }
     }
 
     /// Takes the innermost blocks for steps; `false` if there are none.
@@ -180,9 +180,9 @@ impl<'m> Reduction<'m> {
 
     /// Whether sequences are the branches of a block.
     fn is_block(&self, sequences: &Sequences, branches: &[usize]) -> bool {
-        let of = |place: &usize| sequences.of.get(*place).copied();
+        let of = |node: &usize| sequences.of.get(*node).copied();
         let all: Set<Option<usize>> = branches.iter().map(|branch| Some(*branch)).collect();
-        let one_each = |places: &[usize]| places.len() == all.len() && places.iter().map(of).collect::<Set<_>>() == all;
+        let one_each = |nodes: &[usize]| nodes.len() == all.len() && nodes.iter().map(of).collect::<Set<_>>() == all;
         let mut entering = branches.iter().flat_map(|branch| &sequences.entering[*branch]);
         let mut leaving = branches.iter().flat_map(|branch| &sequences.leaving[*branch]);
         let Some(first) = leaving.next() else { return false };
@@ -197,26 +197,26 @@ impl<'m> Reduction<'m> {
     }
 
     fn starts(&self, sequences: &Sequences, branch: usize) -> bool {
-        sequences.places[branch].iter().any(|place| self.places[*place].active)
+        sequences.nodes[branch].iter().any(|node| self.nodes[*node].active)
     }
 
     /// Whether all of a sequence is reached from where it is entered, and its last step, which nothing else leaves, from
     /// all of it.
     fn is_branch(&self, sequences: &Sequences, branch: usize, last: &Set<usize>) -> bool {
-        let places = &sequences.places[branch];
+        let nodes = &sequences.nodes[branch];
         let arcs = || sequences.within[branch].iter().map(|arc| &self.arcs[*arc]);
-        let Some(last) = places.iter().find(|place| last.contains(*place)) else { return false };
-        let number = |place: usize| places.binary_search(&place).unwrap_or_default();
-        let (mut before, mut behind) = (vec![Vec::new(); places.len()], vec![Vec::new(); places.len()]);
+        let Some(last) = nodes.iter().find(|node| last.contains(*node)) else { return false };
+        let number = |node: usize| nodes.binary_search(&node).unwrap_or_default();
+        let (mut before, mut behind) = (vec![Vec::new(); nodes.len()], vec![Vec::new(); nodes.len()]);
         for arc in arcs() {
             let (from, to) = (number(arc.sources[0]), number(arc.targets[0]));
             behind[from].push(to);
             before[to].push(from);
         }
         let entered = sequences.entering[branch].iter().flat_map(|arc| &self.arcs[*arc].targets);
-        let active: Vec<usize> = places.iter().copied().filter(|place| self.places[*place].active).list();
+        let active: Vec<usize> = nodes.iter().copied().filter(|node| self.nodes[*node].active).list();
         let first: Vec<usize> =
-            entered.chain(&active).filter(|place| places.contains(place)).map(|place| number(*place)).list();
+            entered.chain(&active).filter(|node| nodes.contains(node)).map(|node| number(*node)).list();
         active.len() < 2
             && behind[number(*last)].is_empty()
             && reached(&first, &behind).iter().all(|is| *is)
@@ -226,15 +226,15 @@ impl<'m> Reduction<'m> {
     /// Takes branches for one step.
     fn enclose(&mut self, sequences: &Sequences, branches: &[usize]) {
         let mut block =
-            Place { step: None, active: self.starts(sequences, branches[0]), situations: 1, inputs: Set::new() };
+            Node { step: None, active: self.starts(sequences, branches[0]), situations: 1, inputs: Set::new() };
         for branch in branches {
-            let places = &sequences.places[*branch];
-            let situations = sum(places.iter().map(|place| self.places[*place].situations));
+            let nodes = &sequences.nodes[*branch];
+            let situations = sum(nodes.iter().map(|node| self.nodes[*node].situations));
             block.situations = block.situations.saturating_mul(situations);
             let mut inputs = Set::new();
-            for place in places {
-                self.inside[*place] = true;
-                inputs.extend(std::mem::take(&mut self.places[*place].inputs));
+            for node in nodes {
+                self.inside[*node] = true;
+                inputs.extend(std::mem::take(&mut self.nodes[*node].inputs));
             }
             for arc in &sequences.within[*branch] {
                 self.arcs[*arc].outside = false;
@@ -244,7 +244,7 @@ impl<'m> Reduction<'m> {
             self.independent &= block.inputs.is_disjoint(&inputs);
             block.inputs.extend(inputs);
         }
-        let number = self.places.len();
+        let number = self.nodes.len();
         for branch in branches {
             for arc in &sequences.entering[*branch] {
                 self.arcs[*arc].targets = vec![number];
@@ -253,36 +253,36 @@ impl<'m> Reduction<'m> {
                 self.arcs[*arc].sources = vec![number];
             }
         }
-        self.places.push(block);
+        self.nodes.push(block);
         self.inside.push(false);
     }
 
     /// What is left, if it is one sequence that goes on from each of its steps.
     fn outermost(self) -> Option<Nesting<'m>> {
-        let left: Vec<usize> = (0..self.places.len()).filter(|place| !self.inside[*place]).list();
-        let number = |place: usize| left.binary_search(&place).unwrap_or_default();
+        let left: Vec<usize> = (0..self.nodes.len()).filter(|node| !self.inside[*node]).list();
+        let number = |node: usize| left.binary_search(&node).unwrap_or_default();
         let (mut before, mut behind) = (vec![Vec::new(); left.len()], vec![Vec::new(); left.len()]);
         for arc in self.arcs.iter().filter(|arc| arc.outside) {
             let (from, to) = (number(arc.sources[0]), number(arc.targets[0]));
             behind[from].push(to);
             before[to].push(from);
         }
-        let places: Vec<Place> = left.iter().map(|place| self.places[*place].clone()).list();
-        let active: Vec<usize> = (0..places.len()).filter(|place| places[*place].active).list();
+        let nodes: Vec<Node> = left.iter().map(|node| self.nodes[*node].clone()).list();
+        let active: Vec<usize> = (0..nodes.len()).filter(|node| nodes[*node].active).list();
         let is_sequence = active.len() == 1
             && behind.iter().all(|next| !next.is_empty())
             && reached(&active, &behind).iter().all(|is| *is);
-        is_sequence.then_some(Nesting { model: self.model, places, before, independent: self.independent })
+        is_sequence.then_some(Nesting { model: self.model, nodes, before, independent: self.independent })
     }
 }
 
-/// What can be reached from some places.
+/// What can be reached from some nodes.
 fn reached(from: &[usize], next: &[Vec<usize>]) -> Vec<bool> {
     let mut reached = vec![false; next.len()];
     let mut work = from.to_vec();
-    while let Some(place) = work.pop() {
-        if !std::mem::replace(&mut reached[place], true) {
-            work.extend(&next[place]);
+    while let Some(node) = work.pop() {
+        if !std::mem::replace(&mut reached[node], true) {
+            work.extend(&next[node]);
         }
     }
     reached

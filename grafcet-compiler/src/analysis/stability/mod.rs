@@ -5,10 +5,10 @@
 //! transitions whose conditions exclude each other by what stays constant during a cycle never do, and some clear once a
 //! cycle at most. Where no circle is left without these, the search ends.
 
-mod follows;
 mod once;
+mod successors;
 
-use self::follows::Follows;
+use self::successors::Successors;
 use super::Concurrency;
 use crate::list::List;
 use crate::model::{Id, Model, Name, Qualifier, Read, StepId, TransitionId};
@@ -56,22 +56,22 @@ impl Stability {
         if events || is_refilled(model) {
             return Self { certain: false, at_once: false, ends: Ends::default() };
         }
-        let mut follows = Follows::new(model);
+        let mut successors = Successors::new(model);
         let all: Candidates = model.transitions.ids().collect();
-        let at_once = model.partials.len() == 1 && model.forces.is_empty() && circles(&mut follows, &all).is_empty();
+        let at_once = model.partials.len() == 1 && model.forces.is_empty() && circles(&mut successors, &all).is_empty();
         let certain = at_once || {
             let again = all.iter().copied().filter(|id| !once::clears_once(model, concurrency, *id)).collect();
-            ends(&mut follows, again, &all, &mut 0)
+            ends(&mut successors, again, &all, &mut 0)
         };
-        Self { certain, at_once, ends: search_ends(model, &mut follows) }
+        Self { certain, at_once, ends: search_ends(model, &mut successors) }
     }
 
     /// Whether the situation after an evolution follows from the one before it and from what stays constant during a cycle: a
     /// search that comes back to a situation then goes on for ever.
     #[must_use]
     pub fn is_memoryless(model: &Model) -> bool {
-        let follows = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
-        model.transitions.values().flat_map(|transition| &transition.condition.reads).all(follows)
+        let stays = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
+        model.transitions.values().flat_map(|transition| &transition.condition.reads).all(stays)
     }
 
     /// Every search ends.
@@ -94,7 +94,7 @@ impl Stability {
 }
 
 /// The steps that are active alone and that no transition can leave in the cycle in which another one has entered them.
-fn search_ends(model: &Model, follows: &mut Follows<'_>) -> Ends {
+fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
     let is_sequence = model.partials.len() == 1
         && model.steps.values().filter(|step| step.initial).count() == 1
         && model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1);
@@ -104,7 +104,7 @@ fn search_ends(model: &Model, follows: &mut Follows<'_>) -> Ends {
     let mut steps: Set<StepId> = model.transitions.values().flat_map(|t| &t.targets).copied().collect();
     let entered = steps.len();
     for (id, transition) in model.transitions.iter() {
-        let goes_on = transition.sources != transition.targets && !follows.is_followed_by_none(id);
+        let goes_on = transition.sources != transition.targets && !successors.is_followed_by_none(id);
         if goes_on {
             transition.targets.iter().for_each(|step| _ = steps.remove(step));
         }
@@ -133,29 +133,29 @@ pub fn is_constant_read(read: &Read) -> bool {
 
 /// Whether no set of transitions can clear again and again, all on one set of inputs, if it is one of `allowed` and has its
 /// circle in `focus`.
-fn ends(follows: &mut Follows<'_>, allowed: Candidates, focus: &Candidates, choices: &mut usize) -> bool {
-    let allowed = entered_again(follows, allowed);
+fn ends(successors: &mut Successors<'_>, allowed: Candidates, focus: &Candidates, choices: &mut usize) -> bool {
+    let allowed = entered_again(successors, allowed);
     let focus = focus.intersection(&allowed).copied().collect();
-    circles(follows, &focus).iter().all(|circle| {
+    circles(successors, &focus).iter().all(|circle| {
         // Of a transition and those that exclude it, only the one or the others clear.
-        let Some((one, others)) = follows.choice(circle) else { return false };
+        let Some((one, others)) = successors.choice(circle) else { return false };
         *choices += 1;
         if *choices > CHOICES {
             return false;
         }
         let mut without = |gone: &Candidates| {
             let rest = |all: &Candidates| all.difference(gone).copied().collect::<Candidates>();
-            ends(follows, rest(&allowed), &rest(circle), choices)
+            ends(successors, rest(&allowed), &rest(circle), choices)
         };
         without(&Candidates::from([one])) && without(&others)
     })
 }
 
 /// What is left of these transitions if each source step of each has to be entered by another one.
-fn entered_again(follows: &mut Follows<'_>, mut candidates: Candidates) -> Candidates {
+fn entered_again(successors: &mut Successors<'_>, mut candidates: Candidates) -> Candidates {
     loop {
         let before = candidates.len();
-        let next = candidates.iter().copied().filter(|id| follows.is_entered(*id, &candidates)).collect();
+        let next = candidates.iter().copied().filter(|id| successors.is_entered(*id, &candidates)).collect();
         candidates = next;
         if candidates.len() == before {
             return candidates;
@@ -165,12 +165,15 @@ fn entered_again(follows: &mut Follows<'_>, mut candidates: Candidates) -> Candi
 
 /// The sets of transitions that enable each other in circles: the strongly connected ones, by Tarjan's search with an explicit
 /// stack, since charts may be long.
-fn circles(follows: &mut Follows<'_>, among: &Candidates) -> Vec<Candidates> {
-    let mut search =
-        Tarjan { order: vec![None; follows.transitions()], low: vec![0; follows.transitions()], ..Tarjan::default() };
+fn circles(successors: &mut Successors<'_>, among: &Candidates) -> Vec<Candidates> {
+    let mut search = Tarjan {
+        order: vec![None; successors.transitions()],
+        low: vec![0; successors.transitions()],
+        ..Tarjan::default()
+    };
     for root in among {
         if search.order[root.index()].is_none() {
-            search.from(*root, follows, among);
+            search.from(*root, successors, among);
         }
     }
     search.found
@@ -187,14 +190,14 @@ struct Tarjan {
 }
 
 impl Tarjan {
-    fn from(&mut self, root: TransitionId, follows: &mut Follows<'_>, among: &Candidates) {
-        let mut path = vec![(root, self.meet(root, follows, among).into_iter())];
+    fn from(&mut self, root: TransitionId, successors: &mut Successors<'_>, among: &Candidates) {
+        let mut path = vec![(root, self.meet(root, successors, among).into_iter())];
         while let Some((at, next)) = path.last_mut() {
             let at = *at;
             match next.next() {
                 Some(child) => match self.order[child.index()] {
                     None => {
-                        let behind = self.meet(child, follows, among);
+                        let behind = self.meet(child, successors, among);
                         path.push((child, behind.into_iter()));
                     }
                     Some(order) if self.open.contains(&child) => {
@@ -207,28 +210,28 @@ impl Tarjan {
                     if let Some((from, _)) = path.last() {
                         self.low[from.index()] = self.low[from.index()].min(self.low[at.index()]);
                     }
-                    self.close(at, follows);
+                    self.close(at, successors);
                 }
             }
         }
     }
 
-    fn meet(&mut self, id: TransitionId, follows: &mut Follows<'_>, among: &Candidates) -> Vec<TransitionId> {
+    fn meet(&mut self, id: TransitionId, successors: &mut Successors<'_>, among: &Candidates) -> Vec<TransitionId> {
         self.order[id.index()] = Some(self.met);
         self.low[id.index()] = self.met;
         self.met += 1;
         self.open.push(id);
-        follows.after(id).into_iter().filter(|next| among.contains(next)).list()
+        successors.after(id).into_iter().filter(|next| among.contains(next)).list()
     }
 
     /// What was met behind the first one of a set and is still open belongs to it.
-    fn close(&mut self, first: TransitionId, follows: &mut Follows<'_>) {
+    fn close(&mut self, first: TransitionId, successors: &mut Successors<'_>) {
         if self.order[first.index()] != Some(self.low[first.index()]) {
             return;
         }
         let place = self.open.iter().rposition(|id| *id == first).unwrap_or_default();
         let set: Candidates = self.open.split_off(place).into_iter().collect();
-        if set.len() > 1 || follows.after(first).contains(&first) {
+        if set.len() > 1 || successors.after(first).contains(&first) {
             self.found.push(set);
         }
     }

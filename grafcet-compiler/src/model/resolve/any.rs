@@ -4,9 +4,9 @@ use quote::ToTokens;
 use syn::{BinOp, UnOp};
 
 use super::Resolver;
-use super::apart;
 use super::blink::Owner;
 use super::chains::End;
+use super::exclusion;
 use super::expr;
 use super::scope::Meaning;
 use crate::ast::{self, Arrow, Condition, Item, Node, StepKind};
@@ -251,7 +251,7 @@ impl Resolver<'_> {
             transition.targets.len() > 1 || transition.sources.is_empty()
         };
         let forced = |order: &ForceOrder| matches!(order, ForceOrder::Steps(steps) if steps.len() > 1);
-        let overlap = || self.model.is_grafcet() && apart::may_part(self, partial);
+        let overlap = || self.model.is_grafcet() && exclusion::may_part(self, partial);
         several(|step| step.initial)
             || several(|step| step.linked)
             || net.transitions.iter().any(forks)

@@ -4,13 +4,13 @@
 
 mod actions;
 mod any;
-mod apart;
 mod blink;
 mod chains;
 mod code;
 mod computed;
 mod declare;
 mod delay;
+mod exclusion;
 mod expr;
 mod foreign;
 mod habits;

@@ -11,7 +11,7 @@ use crate::sorted::{Map, Set};
 /// In larger circles no choice is looked for: it would take a comparison of all pairs.
 const LARGE: usize = 80;
 
-pub(super) struct Follows<'m> {
+pub(super) struct Successors<'m> {
     model: &'m Model,
     logic: Logic<'m>,
     /// By transition, the steps it activates, also by what a step forces or encloses.
@@ -27,7 +27,7 @@ pub(super) struct Follows<'m> {
     together: BTreeMap<(usize, usize), bool>,
 }
 
-impl<'m> Follows<'m> {
+impl<'m> Successors<'m> {
     pub(super) fn new(model: &'m Model) -> Self {
         let logic = Logic::new(model);
         let mut entering = vec![Vec::new(); model.steps.len()];

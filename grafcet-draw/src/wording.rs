@@ -18,7 +18,7 @@ const FROM: i32 = 20;
 pub(crate) const LINES: usize = 5;
 
 /// A chart, and which of its steps are active.
-pub(crate) struct Scene<'a> {
+pub(crate) struct Wording<'a> {
     pub(crate) chart: &'a Description<'a>,
     pub(crate) active: Vec<bool>,
     pub(crate) density: Density,
@@ -51,7 +51,7 @@ pub(crate) enum Origin {
     Source(usize),
 }
 
-impl Scene<'_> {
+impl Wording<'_> {
     /// What an item of a net looks like; `references` lead to its steps from elsewhere.
     pub(crate) fn figure(&self, item: &Item, references: &References) -> Figure {
         match item.kind {
