@@ -38,5 +38,5 @@ pub(crate) fn fixed() -> Result {
 /// Which these are; of each kind at least five.
 pub(crate) const FIXED: [&str; 8] = ["--charts", "220", "--cycles", "500", "--seed", "77", "--least", "5"];
 
-/// The same of naive programs: as many charts as a minute is enough for.
+/// The same of programs, naive and after passes: as many charts as a minute is enough for.
 const PROGRAMS: [&str; 7] = ["--program", "--charts", "1000", "--cycles", "200", "--seed", "78"];

@@ -43,7 +43,7 @@ Usage: cargo xtask <task>
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
             random charts, compiled through the macro, beside the interpreter
   conformance --program [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N]
-            their naive programs beside the interpreter, without rustc
+            their programs beside the interpreter, without rustc
   firmware  build or check the example charts for all bare-metal targets, run them in QEMU, compare with the host
   first-chart
             follow docs/first-chart.md in a clean folder, command by command

@@ -14,6 +14,7 @@
 
 mod build;
 mod lower;
+pub mod passes;
 mod print;
 pub mod run;
 

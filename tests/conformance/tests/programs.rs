@@ -3,14 +3,16 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Id, Model, OutputId, Place, Read};
 use grafcet_compiler::parse;
+use grafcet_compiler::program::passes::{Pass, optimise};
 use grafcet_compiler::program::run::{Error, Foreign, Machine};
-use grafcet_compiler::program::{Encoding, Program, Refused, Role, Value, naive};
-use grafcet_conformance::program::{Outcome, Programmed, compare, sleeps};
+use grafcet_compiler::program::{Encoding, Program, Refused, Role, Statement, Value, naive};
+use grafcet_conformance::program::{Outcome, Programmed, compare, program as optimised, sleeps};
 use grafcet_conformance::{chart, fragments, play, random, reader};
 use proc_macro2::TokenStream;
 
@@ -76,17 +78,44 @@ fn random_charts_do_what_the_interpreter_does() {
         let Ok(model) = chart::resolve(&made.chart) else { continue };
         let lines = reader::read(&format!("{}---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
         let encoding = ENCODINGS[usize::from(seed % 3 == 0)];
-        match compare(&model, &lines, encoding) {
+        match compare(&model, &lines, encoding, &[]) {
             Ok(Outcome::Same) => compared += 1,
             Ok(Outcome::NotUnderstood(_)) => {}
             Err(error) => _ = writeln!(failures, "{grafcet} {seed} {encoding:?}: {error}\n{}", made.chart),
         }
-        if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], encoding) {
+        if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], encoding, &[]) {
             _ = writeln!(failures, "{grafcet} {seed} {encoding:?} asleep: {error}\n{}", made.chart);
         }
     }
     assert!(failures.is_empty(), "\n{failures}");
     assert!(compared > 60, "only {compared} are compared");
+}
+
+/// The same after all passes, and after all but one: each is left out in turn.
+#[test]
+fn no_pass_changes_what_is_seen() {
+    let mut compared = 0;
+    let mut failures = String::new();
+    for (seed, grafcet) in (910_000..910_024).flat_map(|seed| [(seed, false), (seed, seed % 4 == 0)]) {
+        let made = random::chart(seed, grafcet, 40);
+        let Ok(model) = chart::resolve(&made.chart) else { continue };
+        let lines = reader::read(&format!("{}---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
+        for left_out in Pass::ALL.map(Some).into_iter().chain([None]) {
+            let mut passes = Pass::ALL.to_vec();
+            // What observers are told is compared, too.
+            passes.retain(|pass| Some(*pass) != left_out && (*pass != Pass::Marks || seed % 2 == 0));
+            match compare(&model, &lines, Encoding::Regions, &passes) {
+                Ok(Outcome::Same) => compared += 1,
+                Ok(Outcome::NotUnderstood(_)) => {}
+                Err(error) => _ = writeln!(failures, "{grafcet} {seed} without {left_out:?}: {error}\n{}", made.chart),
+            }
+            if let Err(error) = sleeps(&model, &lines[..lines.len().min(10)], Encoding::Regions, &passes) {
+                _ = writeln!(failures, "{grafcet} {seed} without {left_out:?} asleep: {error}\n{}", made.chart);
+            }
+        }
+    }
+    assert!(failures.is_empty(), "\n{failures}");
+    assert!(compared > 180, "only {compared} are compared");
 }
 
 /// A pulse that ends one cycle after it began: what it has written is written anew by another block then.
@@ -98,7 +127,7 @@ fn a_block_that_ends_is_looked_at_again() {
     );
     let lines = reader::read("---\n---\n@0 | |\ngo @1 | |\ngo @30 | |\n").expect("a timeline").lines;
     for encoding in ENCODINGS {
-        assert_eq!(sleeps(&model, &lines, encoding), Ok(()), "{encoding:?}");
+        assert_eq!(sleeps(&model, &lines, encoding, &[]), Ok(()), "{encoding:?}");
     }
 }
 
@@ -159,20 +188,56 @@ fn programs_are_as_recorded() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for name in ["branch_on_result", "cell", "controller", "line24v", "motor", "recipe", "tickless"] {
         let rust = fs::read_to_string(root.join(format!("examples/charts/{name}.rs"))).expect("an example");
-        let mut text = String::new();
-        for chart in charts::charts(&rust) {
-            let model = resolved(chart);
-            let encoding = if model.flags { Encoding::Flags } else { Encoding::Regions };
-            let program = naive(&model, &Facts::of(&model), encoding).expect("a program");
-            _ = write!(text, "{}{program}", if text.is_empty() { "" } else { "\n\n" });
+        for (folder, passes) in [("program", &[][..]), ("program/optimised", &Pass::ALL)] {
+            let mut text = String::new();
+            for chart in charts::charts(&rust) {
+                let model = resolved(chart);
+                let encoding = if model.flags { Encoding::Flags } else { Encoding::Regions };
+                let program = optimised(&model, encoding, passes).expect("a program");
+                _ = write!(text, "{}{program}", if text.is_empty() { "" } else { "\n\n" });
+            }
+            recorded(&root.join(format!("tests/golden/{folder}/{name}.txt")), &text);
         }
-        recorded(&root.join(format!("tests/golden/program/{name}.txt")), &text);
     }
     let flags = read(
         "sfc Pair { input b1, b2: bool; output q: bool; initial step S1; step S2 { q; } S1 -[b1]-> S2 -[b2]-> S1; }",
     );
     let program: Program<'_> = naive(&flags, &Facts::of(&flags), Encoding::Flags).expect("a program");
     recorded(&root.join("tests/golden/program/flags.txt"), &program.to_string());
+}
+
+/// A small chart for each pass: its program in front of it and behind it, as pseudo-code.
+#[test]
+fn each_pass_is_as_recorded() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden/passes");
+    let lamp = "sfc Lamp { input on, off: bool; output lamp, fan: bool; initial step Off { R fan; } step On { S fan; lamp if off; } \
+                Off -[on && !off]-> On -[off]-> Off; }";
+    let twice = "sfc Twice { input a: bool; output n: u8; output p: bool; initial step A { p; } step B { P1 n = 3; p; } \
+                 A -[a]-> B -[!a]-> A; }";
+    let called =
+        "sfc Called { input a: bool; action heat(); initial step A; step B { heat(); } A -[a]-> B -[!a]-> A; }";
+    for (pass, chart) in [
+        (Pass::Marks, lamp),
+        (Pass::Apart, lamp),
+        (Pass::Outputs, lamp),
+        (Pass::Split, lamp),
+        (Pass::Known, called),
+        (Pass::Join, twice),
+        (Pass::Forward, lamp),
+        (Pass::Dead, lamp),
+    ] {
+        let model = read(chart);
+        let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
+        // `Known` and `Join` are parts of `Split`, and are read without what the last passes take away.
+        let tidy = if [Pass::Known, Pass::Join].contains(&pass) { &[Pass::Dead][..] } else { &[] };
+        let before = optimised(&model, Encoding::Regions, &[&Pass::ALL[..at], tidy].concat()).expect("a program");
+        let after = optimised(&model, Encoding::Regions, &[&Pass::ALL[..=at], tidy].concat()).expect("a program");
+        assert_ne!(before.to_string(), after.to_string(), "{pass:?}");
+        recorded(
+            &root.join(format!("{pass:?}.txt").to_lowercase()),
+            &format!("{before}\n\n---- {pass:?} ----\n\n{after}"),
+        );
+    }
 }
 
 fn recorded(path: &Path, now: &str) {
@@ -182,4 +247,33 @@ fn recorded(path: &Path, now: &str) {
     let before = fs::read_to_string(path).unwrap_or_default();
     let different = before.lines().zip(now.lines()).find(|(before, now)| before != now);
     assert!(before == now, "{}: {different:?}\nIf that is meant, run `cargo xtask bless`", path.display());
+}
+
+/// A chart of a thousand steps: each state is looked at with what concerns it, and not with all there is.
+#[test]
+fn long_charts_take_no_longer_by_the_step() {
+    let seconds = |steps: usize| {
+        let mut text = "sfc Long { input a: bool; output p, q, r: bool; ".to_owned();
+        for step in 0..steps {
+            let initial = if step == 0 { "initial " } else { "" };
+            let action = ["N p", "S q", "R q", "L 5ms r"][step % 4];
+            let condition = if step % 2 == 0 { "a".to_owned() } else { format!("5ms/S{step}") };
+            _ = write!(
+                text,
+                "{initial}step S{step} {{ {action}; }} S{step} -[{condition}]-> S{}; ",
+                (step + 1) % steps
+            );
+        }
+        let model = read(&format!("{text}}}"));
+        let mut program = naive(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+        let start = Instant::now();
+        optimise(&mut program, &Pass::ALL);
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(matches!(&program.cycle[..], [Statement::Part("evolution", _), ..]), "it is no match");
+        eprintln!("{steps} steps: {seconds:.3} s");
+        seconds
+    };
+    let quickest = |steps: usize| (0..3).map(|_| seconds(steps)).fold(f64::MAX, f64::min);
+    let (short, long) = (quickest(100), quickest(1000));
+    assert!(long < 40.0 * short, "100 steps take {short:.3} s, 1,000 steps {long:.3} s");
 }

@@ -1,4 +1,4 @@
-//! `cargo xtask conformance --program`: the naive programs of random charts beside the interpreter, without rustc.
+//! `cargo xtask conformance --program`: the programs of random charts, naive and after passes, beside the interpreter, without rustc.
 
 use std::collections::BTreeMap;
 use std::num::NonZero;
@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use grafcet_compiler::model::Model;
 use grafcet_compiler::program::Encoding;
+use grafcet_compiler::program::passes::Pass;
 use grafcet_conformance::program::{Outcome, compare, sleeps};
 use grafcet_conformance::reader::Line;
 use grafcet_conformance::{chart, random, reader};
@@ -120,13 +121,22 @@ fn play(grafcet: bool, next: &Next, cycles: usize) -> Result<Part, String> {
     }
 }
 
-/// Each chart in one of the encodings, some of them asleep too. Whether the whole timeline was understood.
+/// Each chart in one of the encodings, after all passes or all but one, one in five as it is, some of them asleep too. Whether the
+/// whole timeline was understood.
 fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
-    let encoding = if (number / 16) % 2 == 0 { Encoding::Regions } else { Encoding::Flags };
-    let outcome = compare(model, lines, encoding).map_err(|error| format!("{encoding:?}: {error}"))?;
+    let encoding = if (number / 16) % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
+    let mut passes = Pass::ALL.to_vec();
+    if let Some(left_out) = Pass::ALL.get(usize::try_from(number / 3).unwrap_or(0) % 16) {
+        passes.retain(|pass| pass != left_out);
+    }
+    if number % 5 == 0 {
+        passes.clear();
+    }
+    let within = |error: String| format!("{encoding:?} {passes:?}: {error}");
+    let outcome = compare(model, lines, encoding, &passes).map_err(within)?;
     if (number / 32) % 8 == 0 {
         let lines = &lines[..lines.len().min(40)];
-        sleeps(model, lines, encoding).map_err(|error| format!("{encoding:?}, asleep: {error}"))?;
+        sleeps(model, lines, encoding, &passes).map_err(|error| within(format!("asleep: {error}")))?;
     }
     Ok(matches!(outcome, Outcome::Same))
 }

@@ -1,0 +1,382 @@
+//! What a cycle does in one state: its statements with all that is known there, forked where the next state depends on a condition.
+
+use super::super::build::not;
+use super::super::{Arm, Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
+use super::fold::{Known, initial};
+use super::sparse::{Index, States};
+use super::uses::{Effects, is_pure};
+use crate::model::Read;
+
+/// What is known of a place.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Fact {
+    Nothing,
+    /// What it began with.
+    Initial,
+    Is(Value),
+}
+
+/// What is done on all ways from one state.
+pub(super) struct Tree<'m> {
+    pub(super) body: Vec<Statement<'m>>,
+    pub(super) end: End<'m>,
+}
+
+pub(super) enum End<'m> {
+    /// Where the condition holds the first, else the second.
+    Fork(Expr<'m>, Box<[Tree<'m>; 2]>),
+    Leaf(Leaf<'m>),
+}
+
+/// The end of a way: what is done behind its last fork.
+pub(super) struct Leaf<'m> {
+    pub(super) body: Vec<Statement<'m>>,
+    /// The state behind it.
+    pub(super) state: Value,
+    /// What is known then of the fields.
+    pub(super) facts: Vec<Fact>,
+}
+
+/// The state is not known in the end, or there are too many ways.
+pub(super) struct Lost;
+
+pub(super) struct Engine<'e, 'm> {
+    pub(super) places: &'e [PlaceInfo<'m>],
+    pub(super) list: &'e [Statement<'m>],
+    pub(super) index: &'e Index,
+    pub(super) state: PlaceId,
+    pub(super) first: PlaceId,
+    pub(super) points: &'e States,
+    /// The fields, in the order in which leaves know them.
+    pub(super) fields: &'e [PlaceId],
+    env: Vec<Fact>,
+    /// What was known before, to take back.
+    trail: Vec<(PlaceId, Fact)>,
+    /// What conditions on the way have told.
+    learned: Vec<PlaceId>,
+    ways: usize,
+}
+
+/// How far the lists of the index are read.
+#[derive(Clone, Copy, Default)]
+struct Cursor {
+    always: usize,
+    before: usize,
+    after: usize,
+    /// The point of the next state, once it is known.
+    next: Option<usize>,
+}
+
+impl<'e, 'm> Engine<'e, 'm> {
+    pub(super) fn new(
+        places: &'e [PlaceInfo<'m>],
+        list: &'e [Statement<'m>],
+        index: &'e Index,
+        [state, first]: [PlaceId; 2],
+        points: &'e States,
+        fields: &'e [PlaceId],
+    ) -> Self {
+        let mut env = Vec::with_capacity(places.len());
+        for place in places {
+            env.push(match initial(place) {
+                _ if place.is_field => Fact::Nothing,
+                Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
+                _ => Fact::Initial,
+            });
+        }
+        Self { places, list, index, state, first, points, fields, env, trail: Vec::new(), learned: Vec::new(), ways: 0 }
+    }
+
+    /// The ways from a point, with what is known there.
+    pub(super) fn from(&mut self, point: usize, known: &[(PlaceId, Fact)], ways: usize) -> Result<Tree<'m>, Lost> {
+        self.ways = ways;
+        for (place, fact) in known {
+            self.note(*place, *fact);
+        }
+        let tree = self.go(point, Cursor::default());
+        self.back(0);
+        self.learned.clear();
+        tree
+    }
+
+    fn note(&mut self, place: PlaceId, fact: Fact) {
+        let before = &mut self.env[place.0];
+        if *before != fact {
+            self.trail.push((place, *before));
+            *before = fact;
+        }
+    }
+
+    /// Takes back what has been noted since.
+    fn back(&mut self, to: usize) {
+        while self.trail.len() > to {
+            if let Some((place, fact)) = self.trail.pop() {
+                self.env[place.0] = fact;
+            }
+        }
+    }
+
+    fn fold(&self, expr: &Expr<'m>) -> Expr<'m> {
+        let value = |place: PlaceId| match self.env[place.0] {
+            Fact::Is(value) => Some(value),
+            _ => None,
+        };
+        Known { places: self.places, value: &value }.fold(expr)
+    }
+
+    /// The next statement that matters.
+    fn next(&mut self, point: usize, cursor: &mut Cursor) -> Result<Option<usize>, Lost> {
+        let (index, end) = (self.index, usize::MAX);
+        loop {
+            let always = index.always.get(cursor.always).copied().unwrap_or(end);
+            let before = index.before[point].get(cursor.before).copied().unwrap_or(end);
+            let after = cursor.next.map_or(end, |next| index.after[next].get(cursor.after).copied().unwrap_or(end));
+            let at = always.min(before).min(after);
+            if cursor.next.is_none() && (at > index.last) {
+                // The next state is known from here on; what the way has told is not, so that ways to one state go on alike.
+                let Fact::Is(state) = self.env[self.state.0] else { return Err(Lost) };
+                cursor.next = Some(self.points.point(state).ok_or(Lost)?);
+                for place in std::mem::take(&mut self.learned) {
+                    self.note(place, Fact::Nothing);
+                }
+                continue;
+            }
+            if at == end {
+                return Ok(None);
+            }
+            cursor.always += usize::from(always == at);
+            cursor.before += usize::from(before == at);
+            cursor.after += usize::from(after == at);
+            return Ok(Some(at));
+        }
+    }
+
+    fn go(&mut self, point: usize, mut cursor: Cursor) -> Result<Tree<'m>, Lost> {
+        let mut forks = Vec::new();
+        let mut body = Vec::new();
+        let list = self.list;
+        while let Some(at) = self.next(point, &mut cursor)? {
+            let Some((place, condition)) = self.fork(&list[at]) else {
+                self.statement(&list[at], &mut body);
+                continue;
+            };
+            self.ways = self.ways.checked_sub(1).ok_or(Lost)?;
+            let (mark, learned) = (self.trail.len(), self.learned.len());
+            self.learn(&condition, true);
+            let mut then = Vec::new();
+            self.set(place, Expr::Value(Value::Bool(true)), &mut then);
+            let mut tree = self.go(point, cursor)?;
+            tree.body.splice(0..0, then);
+            self.back(mark);
+            self.learned.truncate(learned);
+            forks.push((std::mem::take(&mut body), condition, tree));
+            if let Some((_, condition, _)) = forks.last() {
+                self.learn(&condition.clone(), false);
+            }
+            self.set(place, Expr::Value(Value::Bool(false)), &mut body);
+        }
+        let mut tree = Tree { body: Vec::new(), end: End::Leaf(self.leaf(body)?) };
+        while let Some((body, condition, then)) = forks.pop() {
+            tree = Tree { body, end: End::Fork(condition, Box::new([then, tree])) };
+        }
+        Ok(tree)
+    }
+
+    fn leaf(&self, body: Vec<Statement<'m>>) -> Result<Leaf<'m>, Lost> {
+        let Fact::Is(state) = self.env[self.state.0] else { return Err(Lost) };
+        if self.env[self.first.0] != Fact::Is(Value::Bool(false)) {
+            return Err(Lost);
+        }
+        let facts = self.fields.iter().map(|place| self.env[place.0]).collect();
+        Ok(Leaf { body, state, facts })
+    }
+
+    /// A truth on which the next state depends, and that is not known.
+    fn fork(&mut self, statement: &Statement<'m>) -> Option<(PlaceId, Expr<'m>)> {
+        match statement {
+            Statement::If(condition, then, otherwise) => {
+                let ([one], []) = (&then[..], &otherwise[..]) else { return None };
+                matches!(self.fold(condition), Expr::Value(Value::Bool(true))).then(|| self.fork(one)).flatten()
+            }
+            Statement::Set(place, value) if self.index.forks[place.0] => match self.fold(value) {
+                Expr::Value(_) => None,
+                condition => Some((*place, condition)),
+            },
+            _ => None,
+        }
+    }
+
+    /// What a condition tells that holds, or does not.
+    fn learn(&mut self, condition: &Expr<'m>, holds: bool) {
+        match (condition, holds) {
+            (Expr::Place(place), _) => {
+                self.note(*place, Fact::Is(Value::Bool(holds)));
+                self.learned.push(*place);
+            }
+            (Expr::Not(inner), _) => self.learn(inner, !holds),
+            (Expr::All(parts), true) | (Expr::Any(parts), false) => {
+                for part in parts {
+                    self.learn(part, holds);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn block(&mut self, statements: &[Statement<'m>], out: &mut Vec<Statement<'m>>) {
+        for statement in statements {
+            self.statement(statement, out);
+        }
+    }
+
+    fn statement(&mut self, statement: &Statement<'m>, out: &mut Vec<Statement<'m>>) {
+        match statement {
+            Statement::Part(_, body) => self.block(body, out),
+            Statement::Set(place, value) => {
+                let value = self.fold(value);
+                self.set(*place, value, out);
+            }
+            Statement::If(condition, then, otherwise) => match self.fold(condition) {
+                Expr::Value(Value::Bool(true)) => self.block(then, out),
+                Expr::Value(Value::Bool(false)) => self.block(otherwise, out),
+                condition => self.unknown(condition, then, otherwise, out),
+            },
+            Statement::Match(place, arms, otherwise) => {
+                if let Fact::Is(value) = self.env[place.0] {
+                    let arm = arms.iter().find(|(values, _)| values.contains(&value));
+                    return self.block(arm.map_or(otherwise, |(_, body)| body), out);
+                }
+                self.unknown_arm(*place, arms, otherwise, out);
+            }
+            Statement::Run(run) => {
+                let run = self.run(run);
+                for write in &run.writes {
+                    self.note(write.to, Fact::Nothing);
+                    if let Some(noted) = write.noted {
+                        self.note(noted, Fact::Nothing);
+                    }
+                }
+                out.push(Statement::Run(Box::new(run)));
+            }
+            Statement::Call(action, phase, args) => {
+                let args = args.iter().map(|arg| self.fold(arg)).collect();
+                out.push(Statement::Call(*action, self.fold(phase), args));
+            }
+            Statement::Loop { .. } => {
+                for place in &*Effects::of(statement).writes {
+                    self.note(*place, Fact::Nothing);
+                }
+                out.push(statement.clone());
+            }
+            Statement::Break | Statement::Mark(_) | Statement::Fence => out.push(statement.clone()),
+        }
+    }
+
+    fn run(&self, run: &Run<'m>) -> Run<'m> {
+        let mut run = run.clone();
+        for (read, value) in &mut run.binds {
+            if !run.writes.iter().any(|write| Read::Name(write.name.into()) == *read) {
+                *value = self.fold(value);
+            }
+        }
+        run
+    }
+
+    fn set(&mut self, place: PlaceId, value: Expr<'m>, out: &mut Vec<Statement<'m>>) {
+        let is_user = matches!(self.places[place.0].ty, Type::User(_));
+        let fact = match &value {
+            Expr::Place(other) if *other == place => return,
+            Expr::Initial(other) if *other == place => Fact::Initial,
+            Expr::Value(value) if !is_user => Fact::Is(*value),
+            _ => Fact::Nothing,
+        };
+        if fact != Fact::Nothing && self.env[place.0] == fact {
+            return;
+        }
+        self.note(place, fact);
+        out.push(Statement::Set(place, value));
+    }
+
+    fn unknown(
+        &mut self,
+        condition: Expr<'m>,
+        then: &[Statement<'m>],
+        otherwise: &[Statement<'m>],
+        out: &mut Vec<Statement<'m>>,
+    ) {
+        let mark = self.trail.len();
+        let mut bodies = [Vec::new(), Vec::new()];
+        let mut ends = [Vec::new(), Vec::new()];
+        let ways = [(then, true), (otherwise, false)];
+        for (way, (body, holds)) in ways.into_iter().enumerate() {
+            let learned = self.learned.len();
+            self.learn(&condition, holds);
+            self.learned.truncate(learned);
+            self.block(body, &mut bodies[way]);
+            ends[way] = self.ends(mark);
+        }
+        self.meet(&ends);
+        let [then, otherwise] = bodies;
+        match (then.is_empty(), otherwise.is_empty()) {
+            (true, true) if is_pure(&condition) => {}
+            (true, false) => {
+                out.push(Statement::If(not(condition), otherwise, then));
+            }
+            _ => out.push(Statement::If(condition, then, otherwise)),
+        }
+    }
+
+    fn unknown_arm(
+        &mut self,
+        place: PlaceId,
+        arms: &[Arm<'m>],
+        otherwise: &[Statement<'m>],
+        out: &mut Vec<Statement<'m>>,
+    ) {
+        let mark = self.trail.len();
+        let (mut left, mut ends) = (Vec::new(), Vec::new());
+        for (values, body) in arms {
+            let mut arm = Vec::new();
+            if let ([value], false) = (&values[..], matches!(self.places[place.0].ty, Type::User(_))) {
+                self.note(place, Fact::Is(*value));
+            }
+            self.block(body, &mut arm);
+            ends.push(self.ends(mark));
+            if !(arm.is_empty() && otherwise.is_empty()) {
+                left.push((values.clone(), arm));
+            }
+        }
+        let mut rest = Vec::new();
+        self.block(otherwise, &mut rest);
+        ends.push(self.ends(mark));
+        self.meet(&ends);
+        if !(left.is_empty() && rest.is_empty()) {
+            out.push(Statement::Match(place, left, rest));
+        }
+    }
+
+    /// What has changed since, which is taken back.
+    fn ends(&mut self, mark: usize) -> Vec<(PlaceId, Fact)> {
+        let mut ends: Vec<(PlaceId, Fact)> = Vec::new();
+        for (place, _) in &self.trail[mark..] {
+            if !ends.iter().any(|(other, _)| other == place) {
+                ends.push((*place, self.env[place.0]));
+            }
+        }
+        self.back(mark);
+        ends
+    }
+
+    /// What all ways agree on.
+    fn meet(&mut self, ends: &[Vec<(PlaceId, Fact)>]) {
+        for (place, fact) in ends.iter().flatten() {
+            let before = self.env[place.0];
+            let agree = |end: &Vec<(PlaceId, Fact)>| {
+                let found = end.iter().find(|(other, _)| other == place).map_or(before, |(_, fact)| *fact);
+                found == *fact
+            };
+            let met = if ends.iter().all(agree) { *fact } else { Fact::Nothing };
+            self.note(*place, met);
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! A local that is set and then read is replaced by what it was set from.
+//!
+//! ```text
+//! on.On.0 = hot               lamp = hot
+//! q.lamp = on.On.0      ->
+//! lamp = q.lamp
+//! ```
+//!
+//! Needs: it is read once behind it, or costs nothing; nothing in between writes what it reads; it can be asked later as well. What is
+//! then not read any more falls to `dead`.
+
+use super::super::{Expr, PlaceId, Program, Statement};
+use super::dead::is_seen;
+use super::uses::{Effects, each_read, is_pure, replaced, rewrite};
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let closed = closed(program);
+    block(&closed, &mut program.cycle);
+}
+
+/// By place: a local, and all that reads it stands behind a statement that has set it in the same cycle.
+fn closed(program: &Program<'_>) -> Vec<bool> {
+    let mut closed: Vec<bool> = program.places.iter().map(|place| !place.is_field && !is_seen(place)).collect();
+    let mut set = vec![false; program.places.len()];
+    walk(&program.cycle, &mut set, &mut closed);
+    closed
+}
+
+fn walk(statements: &[Statement<'_>], set: &mut [bool], closed: &mut [bool]) {
+    let mut here = Vec::new();
+    for statement in statements {
+        match statement {
+            Statement::Part(_, body) => walk(body, set, closed),
+            Statement::Set(place, value) => {
+                each_read(value, &mut |read| closed[read.0] &= set[read.0]);
+                if !std::mem::replace(&mut set[place.0], true) {
+                    here.push(*place);
+                }
+            }
+            Statement::If(condition, then, otherwise) => {
+                each_read(condition, &mut |read| closed[read.0] &= set[read.0]);
+                walk(then, set, closed);
+                walk(otherwise, set, closed);
+            }
+            Statement::Match(place, arms, otherwise) => {
+                closed[place.0] &= set[place.0];
+                for (_, body) in arms {
+                    walk(body, set, closed);
+                }
+                walk(otherwise, set, closed);
+            }
+            other => {
+                let effects = Effects::of(other);
+                for place in effects.reads.iter().chain(effects.writes.iter()) {
+                    closed[place.0] &= set[place.0] && !effects.writes.contains(place);
+                }
+            }
+        }
+    }
+    for place in here {
+        set[place.0] = false;
+    }
+}
+
+fn block(closed: &[bool], statements: &mut [Statement<'_>]) {
+    for at in 0..statements.len() {
+        match &mut statements[at] {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => block(closed, body),
+            Statement::If(_, then, otherwise) => {
+                block(closed, then);
+                block(closed, otherwise);
+            }
+            Statement::Match(_, arms, otherwise) => {
+                for (_, body) in arms {
+                    block(closed, body);
+                }
+                block(closed, otherwise);
+            }
+            _ => {}
+        }
+        let (done, rest) = statements.split_at_mut(at + 1);
+        if let Some(Statement::Set(place, value)) = done.last() {
+            if closed[place.0] && is_pure(value) {
+                carry(*place, value, rest);
+            }
+        }
+    }
+}
+
+/// Puts the value where the place is read, if that is possible everywhere up to the next time it is set.
+fn carry<'m>(place: PlaceId, value: &Expr<'m>, rest: &mut [Statement<'m>]) {
+    let mut operands = vec![place];
+    each_read(value, &mut |read| operands.push(read));
+    if operands[1..].contains(&place) {
+        return;
+    }
+    let (mut count, mut last, mut clean) = (0, 0, true);
+    for (at, statement) in rest.iter().enumerate() {
+        let here = occurrences(place, statement);
+        let effects = Effects::of(statement);
+        let writes = operands.iter().any(|operand| effects.writes.contains(operand));
+        let Some(here) = here else { return };
+        if here > 0 {
+            // What it was set from is gone, or it is written where it is read.
+            if !clean || writes && !matches!(statement, Statement::Set(..)) {
+                return;
+            }
+            count += here;
+            last = at + 1;
+        }
+        if effects.writes.contains(&place) {
+            if !matches!(statement, Statement::Set(..)) {
+                return;
+            }
+            break;
+        }
+        clean &= !writes;
+    }
+    let is_cheap = matches!(value, Expr::Place(_) | Expr::Value(_) | Expr::Input(_) | Expr::Now);
+    if count == 1 || is_cheap {
+        let new = |expr: &Expr<'m>| {
+            replaced(expr, &|leaf| match (leaf, value) {
+                (Expr::Place(read), _) if *read == place => Some(value.clone()),
+                (Expr::Is(read, steps), Expr::Place(other)) if *read == place => Some(Expr::Is(*other, steps.clone())),
+                _ => None,
+            })
+        };
+        rewrite(&mut rest[..last], &mut |expr| new(expr));
+    }
+}
+
+/// How often a place is read where an expression can stand for it; `None` where one cannot.
+fn occurrences(place: PlaceId, statement: &Statement<'_>) -> Option<usize> {
+    match statement {
+        Statement::Part(_, body) => all_occurrences(place, body),
+        Statement::Set(_, value) => in_expr(place, value),
+        Statement::If(condition, then, otherwise) => {
+            Some(in_expr(place, condition)? + all_occurrences(place, then)? + all_occurrences(place, otherwise)?)
+        }
+        Statement::Match(on, arms, otherwise) => {
+            let mut sum = all_occurrences(place, otherwise)?;
+            for (_, body) in arms {
+                sum += all_occurrences(place, body)?;
+            }
+            (*on != place).then_some(sum)
+        }
+        Statement::Call(_, phase, args) => {
+            let mut sum = in_expr(place, phase)?;
+            for arg in args {
+                sum += in_expr(place, arg)?;
+            }
+            Some(sum)
+        }
+        other => {
+            let effects = Effects::of(other);
+            let loops = matches!(other, Statement::Loop { .. });
+            if effects.reads.contains(&place) && (loops || effects.writes.contains(&place)) {
+                return None;
+            }
+            let Statement::Run(run) = other else { return Some(0) };
+            let mut sum = 0;
+            for (_, value) in &run.binds {
+                sum += in_expr(place, value)?;
+            }
+            Some(sum)
+        }
+    }
+}
+
+fn all_occurrences(place: PlaceId, statements: &[Statement<'_>]) -> Option<usize> {
+    let mut sum = 0;
+    for statement in statements {
+        sum += occurrences(place, statement)?;
+    }
+    Some(sum)
+}
+
+fn in_expr(place: PlaceId, expr: &Expr<'_>) -> Option<usize> {
+    let (mut count, mut whole) = (0, true);
+    each_leaf(expr, &mut |leaf| match leaf {
+        Expr::Place(read) => count += usize::from(*read == place),
+        Expr::Is(read, _) | Expr::Next(read) => whole &= *read != place,
+        _ => {}
+    });
+    whole.then_some(count)
+}
+
+fn each_leaf(expr: &Expr<'_>, each: &mut dyn FnMut(&Expr<'_>)) {
+    match expr {
+        Expr::Not(inner) => each_leaf(inner, each),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().for_each(|part| each_leaf(part, each)),
+        Expr::Compare(_, a, b) | Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Since(a, b) | Expr::Period(a, b, _) => {
+            each_leaf(a, each);
+            each_leaf(b, each);
+        }
+        Expr::Choose(parts) => parts.iter().for_each(|part| each_leaf(part, each)),
+        Expr::User(user) => user.binds.iter().for_each(|(_, value)| each_leaf(value, each)),
+        leaf => each(leaf),
+    }
+}

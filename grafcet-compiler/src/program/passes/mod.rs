@@ -1,0 +1,97 @@
+//! From a naive program to one as an engineer would write it. Each pass sees a program and nothing of the chart; one that does not apply
+//! changes nothing.
+//!
+//! - `marks`: what observers are told, where nobody observes
+//! - `apart`: conditions of the user taken apart
+//! - `outputs`: outputs that each cycle gives a value are no fields
+//! - `split`: one match on the state before, one on the state behind; what fields hold in each state
+//! - `forward`: locals replaced by what they were set from
+//! - `dead`: what nobody looks at
+//!
+//! `split` stands on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` (a cycle in one state) and
+//! `share` (what lists have in common); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
+
+mod apart;
+mod dead;
+mod engine;
+mod flat;
+mod fold;
+mod forward;
+mod outputs;
+mod share;
+mod sparse;
+mod split;
+mod uses;
+
+use super::{Program, Statement};
+
+/// A pass that can be left out.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Pass {
+    Marks,
+    Apart,
+    Outputs,
+    Split,
+    /// What fields hold in each state, within `Split`.
+    Known,
+    /// What ways have in common, within `Split`.
+    Join,
+    Forward,
+    Dead,
+}
+
+impl Pass {
+    /// In their order.
+    pub const ALL: [Self; 8] =
+        [Self::Marks, Self::Apart, Self::Outputs, Self::Split, Self::Known, Self::Join, Self::Forward, Self::Dead];
+}
+
+/// The same cycle in fewer words, by the passes that are wanted.
+pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
+    let wants = |pass: Pass| wanted.contains(&pass);
+    if wants(Pass::Marks) {
+        without_marks(&mut program.cycle);
+    }
+    if wants(Pass::Apart) {
+        apart::pass(program);
+    }
+    if wants(Pass::Outputs) {
+        outputs::pass(program);
+    }
+    if wants(Pass::Split) {
+        split::pass(program, &split::Options { known: wants(Pass::Known), join: wants(Pass::Join) });
+    }
+    if wants(Pass::Forward) {
+        forward::pass(program);
+    }
+    if wants(Pass::Dead) {
+        dead::pass(program);
+    }
+}
+
+/// Nobody observes.
+fn without_marks(statements: &mut Vec<Statement<'_>>) {
+    statements.retain_mut(|statement| {
+        match statement {
+            Statement::Mark(_) => return false,
+            Statement::Part(_, body) => {
+                without_marks(body);
+                return !body.is_empty();
+            }
+            Statement::Loop { body, .. } => without_marks(body),
+            Statement::If(condition, then, otherwise) => {
+                without_marks(then);
+                without_marks(otherwise);
+                return !(then.is_empty() && otherwise.is_empty() && uses::is_pure(condition));
+            }
+            Statement::Match(_, arms, otherwise) => {
+                for (_, body) in arms {
+                    without_marks(body);
+                }
+                without_marks(otherwise);
+            }
+            _ => {}
+        }
+        true
+    });
+}

@@ -1,0 +1,74 @@
+//! What several lists of statements have in common at their ends, or would have if their statements stood in another order.
+//!
+//! ```text
+//! state = On      green = true             state = On   |
+//! lamp = true     lamp = true      ->      lamp = true  |      and      green = true
+//! green = true                                          |
+//! ```
+
+use super::super::Statement;
+use super::uses::{Effects, same_statement};
+
+/// Takes out of the lists what all of them can do at their ends.
+pub(super) fn ends<'m>(
+    lists: &mut [&mut Vec<Statement<'m>>],
+    may: &dyn Fn(&Statement<'m>) -> bool,
+) -> Vec<Statement<'m>> {
+    let Some((leader, _)) = lists.split_first() else { return Vec::new() };
+    let mut views = Vec::with_capacity(lists.len());
+    for list in lists.iter() {
+        views.push(View::of(list));
+    }
+    let mut taken = Vec::new();
+    for at in (0..leader.len()).rev() {
+        let statement = &lists[0][at];
+        if !may(statement) {
+            continue;
+        }
+        let mut places = Vec::with_capacity(lists.len());
+        for (list, view) in lists.iter().zip(&views) {
+            places.extend(view.find(list, statement));
+        }
+        if places.len() == lists.len() {
+            for (view, place) in views.iter_mut().zip(&places) {
+                view.taken[*place] = true;
+                view.end = *place;
+            }
+            taken.push(at);
+        }
+    }
+    let mut shared = Vec::with_capacity(taken.len());
+    for at in taken.iter().rev() {
+        shared.push(lists[0][*at].clone());
+    }
+    for (list, view) in lists.iter_mut().zip(&views) {
+        let mut taken = view.taken.iter();
+        list.retain(|_| !taken.next().copied().unwrap_or(false));
+    }
+    shared
+}
+
+/// A list on the way to its beginning.
+struct View {
+    effects: Vec<Effects>,
+    taken: Vec<bool>,
+    /// From here on everything is decided.
+    end: usize,
+}
+
+impl View {
+    fn of(list: &[Statement<'_>]) -> Self {
+        let mut effects = Vec::with_capacity(list.len());
+        for statement in list {
+            effects.push(Effects::of(statement));
+        }
+        Self { effects, taken: vec![false; list.len()], end: list.len() }
+    }
+
+    /// The last place of a statement, if what stays behind it can be done before it.
+    fn find(&self, list: &[Statement<'_>], statement: &Statement<'_>) -> Option<usize> {
+        let at = list[..self.end].iter().rposition(|other| same_statement(other, statement))?;
+        let stays = |behind: usize| self.taken[behind] || self.effects[at].may_swap(&self.effects[behind]);
+        (at + 1..list.len()).all(stays).then_some(at)
+    }
+}

@@ -1,0 +1,295 @@
+//! One match on the state, whose paths end in constant states, and one for what is done in the state behind it.
+//!
+//! ```text
+//! clears.Off→On = was.state is Off && on       match state
+//! if clears.Off→On: state = none                 start: state = Off
+//! if clears.Off→On: state = On           ->      Off:
+//! …                                                if on: state = On
+//! on.On.0 = state is On                        match state
+//! …                                              On: lamp = true
+//! ```
+//!
+//! The cycle is evaluated for each value that the state may have before it (`engine`), and the first cycle is one of them, which costs no
+//! field. A condition forks the way where the next state depends on it. What ways to one state have in common at their ends is done
+//! behind them, by that state (`share`); what depends on how the state was entered stays on the way.
+//!
+//! With `known`, what fields hold in each state is followed over the cycles, until nothing changes.
+//!
+//! Needs: the situation is the state of one region; no loop; on each way the next state is known, and it is no first cycle any more.
+
+use super::super::build::not;
+use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::dead::{Live, is_seen, needed};
+use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
+use super::flat::flat;
+use super::fold::initial;
+use super::share;
+use super::sparse::{Index, States};
+use super::uses::{Effects, mentions, same_block};
+use crate::model::StepId;
+use crate::sorted::Set;
+
+/// More ways from one state than this are too many.
+const WAYS: usize = 2_000;
+
+pub(super) struct Options {
+    /// What fields hold in each state is followed.
+    pub(super) known: bool,
+    /// What ways to one state have in common is done behind them.
+    pub(super) join: bool,
+}
+
+/// What the pass needs.
+struct Split {
+    state: PlaceId,
+    first: PlaceId,
+    /// By point: the state before; the first one stands for the first cycle, which begins in `begin`.
+    points: States,
+    begin: Option<StepId>,
+    fields: Vec<PlaceId>,
+}
+
+pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
+    let Some(split) = Split::of(program) else { return };
+    let mut places = std::mem::take(&mut program.places);
+    let before = places.len();
+    let list = flat(&program.cycle, Some(split.first), &mut places);
+    let index = Index::of(&places, &list, split.state, split.first, &split.points);
+    program.places = places;
+    let trees = index.ok_or(Lost).and_then(|index| split.trees(program, &list, &index, options));
+    match trees {
+        Ok(trees) => split.put_together(program, trees, options),
+        Err(Lost) => program.places.truncate(before),
+    }
+}
+
+impl Split {
+    fn of(program: &Program<'_>) -> Option<Self> {
+        let is_situation = |role| matches!(role, Role::State(_) | Role::Bit(_));
+        if program.places.iter().filter(|place| is_situation(place.role)).count() != 1 {
+            return None;
+        }
+        let (state, first) = (program.place(Role::State(0))?, program.place(Role::First)?);
+        let Initial::Value(Value::Step(begin)) = program.places[state.0].initial else { return None };
+        let points = States::of(begin, program.regions.first()?);
+        let asked = program.deadline.as_ref().is_some_and(|deadline| {
+            let mut found = mentions(&deadline.at_once, first);
+            for (condition, time) in &deadline.waits {
+                found |= mentions(condition, first) || mentions(time, first);
+            }
+            found
+        });
+        let mut fields = Vec::new();
+        for (index, place) in program.places.iter().enumerate() {
+            if place.is_field && ![state.0, first.0].contains(&index) {
+                fields.push(PlaceId(index));
+            }
+        }
+        (!asked).then_some(Self { state, first, points, begin, fields })
+    }
+
+    /// What is done from each point that can be reached.
+    fn trees<'m>(
+        &self,
+        program: &Program<'m>,
+        list: &[Statement<'m>],
+        index: &Index,
+        options: &Options,
+    ) -> Result<Vec<Option<Tree<'m>>>, Lost> {
+        let places = &program.places;
+        let mut engine = Engine::new(places, list, index, [self.state, self.first], &self.points, &self.fields);
+        let mut known: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
+        known[0] = Some(self.fields.iter().map(|place| at_start(program, *place, options)).collect());
+        let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
+        trees.resize_with(self.points.all.len(), || None);
+        let mut open = Set::new();
+        open.insert(0);
+        while let Some(point) = open.first().copied() {
+            open.remove(&point);
+            let facts = known[point].clone().unwrap_or_default();
+            let mut given = vec![(self.first, Fact::Is(Value::Bool(point == 0))), (self.state, self.state_at(point))];
+            given.extend(self.fields.iter().copied().zip(facts));
+            let tree = engine.from(point, &given, WAYS)?;
+            let mut leaves = Vec::new();
+            each_leaf(&tree, &mut |leaf| leaves.push((leaf.state, leaf.facts.clone())));
+            for (state, mut facts) in leaves {
+                let to = self.points.point(state).ok_or(Lost)?;
+                if !options.known {
+                    facts.fill(Fact::Nothing);
+                }
+                if meet(&mut known[to], facts) {
+                    open.insert(to);
+                }
+            }
+            trees[point] = Some(tree);
+        }
+        Ok(trees)
+    }
+
+    fn state_at(&self, point: usize) -> Fact {
+        Fact::Is(if point == 0 { Value::Step(self.begin) } else { self.points.all[point] })
+    }
+}
+
+/// What is known of a field in the first cycle.
+fn at_start(program: &Program<'_>, place: PlaceId, options: &Options) -> Fact {
+    let info = &program.places[place.0];
+    match initial(info) {
+        _ if !options.known || matches!(info.role, Role::Param(_)) => Fact::Nothing,
+        Some(value) if !matches!(info.ty, Type::User(_)) => Fact::Is(value),
+        _ => Fact::Initial,
+    }
+}
+
+impl Split {
+    fn put_together<'m>(&self, program: &mut Program<'m>, mut trees: Vec<Option<Tree<'m>>>, options: &Options) {
+        if let Some(Some(tree)) = trees.first_mut() {
+            let begin = Expr::Value(Value::Step(self.begin));
+            tree.body.insert(0, Statement::Set(self.state, begin));
+        }
+        program.places[self.state.0].initial = Initial::Value(self.points.all[0]);
+        program.cycle = vec![self.evolution(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())];
+        if !options.join {
+            return;
+        }
+        sweep(program, &mut trees);
+        let (mut acts, rest) = self.join(&mut trees);
+        let mut cycle = Vec::new();
+        cycle.push(Statement::Part("evolution", vec![self.evolution(trees)]));
+        acts.retain(|(_, body)| !body.is_empty());
+        if !acts.is_empty() {
+            let acts = Statement::Match(self.state, merged(acts), Vec::new());
+            cycle.push(Statement::Part("in the state behind it", vec![acts]));
+        }
+        if !rest.is_empty() {
+            cycle.push(Statement::Part("in each state", rest));
+        }
+        program.cycle = cycle;
+    }
+
+    fn evolution<'m>(&self, trees: Vec<Option<Tree<'m>>>) -> Statement<'m> {
+        let mut arms = Vec::new();
+        for (point, tree) in self.points.all.iter().zip(trees) {
+            if let Some(tree) = tree {
+                arms.push((vec![*point], tree.statements()));
+            }
+        }
+        Statement::Match(self.state, arms, Vec::new())
+    }
+
+    /// What is done behind the ways, by the state that they lead to, and what is done in each.
+    fn join<'m>(&self, trees: &mut [Option<Tree<'m>>]) -> (Vec<Arm<'m>>, Vec<Statement<'m>>) {
+        let mut leaves: Vec<Vec<&mut Vec<Statement<'m>>>> = Vec::new();
+        leaves.resize_with(self.points.all.len(), Vec::new);
+        for tree in trees.iter_mut().flatten() {
+            collect(tree, &self.points, &mut leaves);
+        }
+        let may = |statement: &Statement<'m>| {
+            let marks = matches!(statement, Statement::Mark(_));
+            !marks && !Effects::of(statement).writes.contains(&self.state)
+        };
+        let mut acts: Vec<Arm<'m>> = Vec::new();
+        for (point, mut ends) in self.points.all.iter().zip(leaves) {
+            if !ends.is_empty() {
+                acts.push((vec![*point], share::ends(&mut ends, &may)));
+            }
+        }
+        let mut bodies = Vec::with_capacity(acts.len());
+        for (_, body) in &mut acts {
+            bodies.push(body);
+        }
+        let rest = share::ends(&mut bodies, &may);
+        (acts, rest)
+    }
+}
+
+/// What is of no use at the ends of the ways would keep them from being alike.
+fn sweep(program: &Program<'_>, trees: &mut [Option<Tree<'_>>]) {
+    let mut base = needed(program);
+    for (needed, place) in base.iter_mut().zip(&program.places) {
+        *needed &= place.is_field || is_seen(place);
+    }
+    for tree in trees.iter_mut().flatten() {
+        tree.each_leaf_mut(&mut |leaf| Live { base: &base, flips: Set::new() }.sweep(&mut leaf.body));
+    }
+}
+
+fn collect<'t, 'm>(tree: &'t mut Tree<'m>, points: &States, leaves: &mut [Vec<&'t mut Vec<Statement<'m>>>]) {
+    match &mut tree.end {
+        End::Leaf(leaf) => {
+            if let Some(point) = points.point(leaf.state) {
+                leaves[point].push(&mut leaf.body);
+            }
+        }
+        End::Fork(_, ways) => ways.iter_mut().for_each(|way| collect(way, points, leaves)),
+    }
+}
+
+/// Arms that do the same are one.
+fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
+    let mut all: Vec<Arm<'_>> = Vec::new();
+    for (values, body) in arms {
+        match all.iter_mut().find(|(_, other)| same_block(other, &body)) {
+            Some((others, _)) => others.extend(values),
+            None => all.push((values, body)),
+        }
+    }
+    all
+}
+
+fn each_leaf<'m>(tree: &Tree<'m>, each: &mut dyn FnMut(&Leaf<'m>)) {
+    match &tree.end {
+        End::Leaf(leaf) => each(leaf),
+        End::Fork(_, ways) => ways.iter().for_each(|way| each_leaf(way, each)),
+    }
+}
+
+impl<'m> Tree<'m> {
+    fn each_leaf_mut(&mut self, each: &mut dyn FnMut(&mut Leaf<'m>)) {
+        match &mut self.end {
+            End::Leaf(leaf) => each(leaf),
+            End::Fork(_, ways) => ways.iter_mut().for_each(|way| way.each_leaf_mut(each)),
+        }
+    }
+
+    fn copy(&self) -> Self {
+        let end = match &self.end {
+            End::Leaf(leaf) => End::Leaf(Leaf { body: leaf.body.clone(), state: leaf.state, facts: Vec::new() }),
+            End::Fork(condition, ways) => End::Fork(condition.clone(), Box::new([ways[0].copy(), ways[1].copy()])),
+        };
+        Self { body: self.body.clone(), end }
+    }
+
+    fn statements(self) -> Vec<Statement<'m>> {
+        let mut body = self.body;
+        match self.end {
+            End::Leaf(leaf) => body.extend(leaf.body),
+            End::Fork(condition, ways) => {
+                let [then, otherwise] = *ways;
+                let (then, otherwise) = (then.statements(), otherwise.statements());
+                body.push(if then.is_empty() {
+                    Statement::If(not(condition), otherwise, then)
+                } else {
+                    Statement::If(condition, then, otherwise)
+                });
+            }
+        }
+        body
+    }
+}
+
+/// What is known on both of two ways. Whether that is less than before.
+fn meet(known: &mut Option<Vec<Fact>>, facts: Vec<Fact>) -> bool {
+    let Some(known) = known else {
+        *known = Some(facts);
+        return true;
+    };
+    let mut less = false;
+    for (one, other) in known.iter_mut().zip(facts) {
+        if *one != other && *one != Fact::Nothing {
+            *one = Fact::Nothing;
+            less = true;
+        }
+    }
+    less
+}

@@ -1,0 +1,313 @@
+//! What expressions and statements read and write, and whether two of them are the same: what all passes ask.
+
+use super::super::{Arm, Expr, PlaceId, Statement, User, Write};
+use crate::model::Read;
+use crate::sorted::Set;
+
+/// Every place that an expression reads.
+pub(super) fn each_read(expr: &Expr<'_>, each: &mut dyn FnMut(PlaceId)) {
+    match expr {
+        Expr::Value(_) | Expr::Initial(_) | Expr::Input(_) | Expr::Now => {}
+        Expr::Place(place) | Expr::Is(place, _) | Expr::Next(place) => each(*place),
+        Expr::Not(inner) => each_read(inner, each),
+        Expr::All(parts) | Expr::Any(parts) => {
+            for part in parts {
+                each_read(part, each);
+            }
+        }
+        Expr::Compare(_, a, b) | Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Since(a, b) | Expr::Period(a, b, _) => {
+            each_read(a, each);
+            each_read(b, each);
+        }
+        Expr::Choose(parts) => {
+            for part in &**parts {
+                each_read(part, each);
+            }
+        }
+        Expr::User(user) => {
+            for (_, value) in &user.binds {
+                each_read(value, each);
+            }
+        }
+    }
+}
+
+/// Whether an expression reads a place.
+pub(super) fn mentions(expr: &Expr<'_>, place: PlaceId) -> bool {
+    let mut found = false;
+    each_read(expr, &mut |read| found |= read == place);
+    found
+}
+
+/// Whether it can be asked once more, once less or at another time: no call in it answers differently each time.
+pub(super) fn is_pure(expr: &Expr<'_>) -> bool {
+    match expr {
+        Expr::Value(_)
+        | Expr::Initial(_)
+        | Expr::Input(_)
+        | Expr::Now
+        | Expr::Place(_)
+        | Expr::Is(..)
+        | Expr::Next(_) => true,
+        Expr::Not(inner) => is_pure(inner),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().all(is_pure),
+        Expr::Compare(_, a, b) | Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Since(a, b) | Expr::Period(a, b, _) => {
+            is_pure(a) && is_pure(b)
+        }
+        Expr::Choose(parts) => parts.iter().all(is_pure),
+        Expr::User(user) => !user.tree.may_differ() && user.binds.iter().all(|(_, value)| is_pure(value)),
+    }
+}
+
+/// Whether nothing of the user's is in it, which could panic.
+pub(super) fn is_plain(expr: &Expr<'_>) -> bool {
+    match expr {
+        Expr::User(_) => false,
+        Expr::Not(inner) => is_plain(inner),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().all(is_plain),
+        Expr::Compare(_, a, b) | Expr::Add(a, b) | Expr::Sub(a, b) | Expr::Since(a, b) | Expr::Period(a, b, _) => {
+            is_plain(a) && is_plain(b)
+        }
+        Expr::Choose(parts) => parts.iter().all(is_plain),
+        _ => true,
+    }
+}
+
+/// What a statement does to the rest.
+#[derive(Default)]
+pub(super) struct Effects {
+    pub(super) reads: Set<PlaceId>,
+    pub(super) writes: Set<PlaceId>,
+    /// It tells somebody outside something, or asks somebody who may answer differently each time.
+    pub(super) outside: bool,
+    /// It may end the block it stands in.
+    pub(super) leaves: bool,
+}
+
+impl Effects {
+    pub(super) fn of(statement: &Statement<'_>) -> Self {
+        let mut effects = Self::default();
+        effects.add(statement);
+        effects
+    }
+
+    pub(super) fn of_all(statements: &[Statement<'_>]) -> Self {
+        let mut effects = Self::default();
+        effects.add_all(statements);
+        effects
+    }
+
+    pub(super) fn add_all(&mut self, statements: &[Statement<'_>]) {
+        for statement in statements {
+            self.add(statement);
+        }
+    }
+
+    fn ask(&mut self, expr: &Expr<'_>) {
+        self.outside |= !is_pure(expr);
+        each_read(expr, &mut |place| _ = self.reads.insert(place));
+    }
+
+    pub(super) fn add(&mut self, statement: &Statement<'_>) {
+        match statement {
+            Statement::Part(_, body) => self.add_all(body),
+            Statement::Set(place, value) => {
+                self.ask(value);
+                self.writes.insert(*place);
+            }
+            Statement::If(condition, then, otherwise) => {
+                self.ask(condition);
+                self.add_all(then);
+                self.add_all(otherwise);
+            }
+            Statement::Match(place, arms, otherwise) => {
+                self.reads.insert(*place);
+                for (_, body) in arms {
+                    self.add_all(body);
+                }
+                self.add_all(otherwise);
+            }
+            Statement::Loop { body, .. } => {
+                // A loop takes in what leaves it.
+                let leaves = self.leaves;
+                self.add_all(body);
+                self.leaves = leaves;
+            }
+            Statement::Break => self.leaves = true,
+            Statement::Run(run) => {
+                for (_, value) in &run.binds {
+                    self.ask(value);
+                }
+                for write in &run.writes {
+                    // It may leave it as it is.
+                    self.reads.insert(write.to);
+                    self.writes.insert(write.to);
+                    if let Some(noted) = write.noted {
+                        self.reads.insert(noted);
+                        self.writes.insert(noted);
+                    }
+                }
+                self.outside |= run.code.statements.is_none();
+            }
+            Statement::Call(_, phase, args) => {
+                self.ask(phase);
+                for arg in args {
+                    self.ask(arg);
+                }
+                self.outside = true;
+            }
+            Statement::Mark(_) | Statement::Fence => self.outside = true,
+        }
+    }
+
+    /// Whether two statements that follow each other may change places.
+    pub(super) fn may_swap(&self, other: &Self) -> bool {
+        !(self.leaves || other.leaves || self.outside && other.outside)
+            && self.writes.is_disjoint(&other.writes)
+            && self.writes.is_disjoint(&other.reads)
+            && self.reads.is_disjoint(&other.writes)
+    }
+}
+
+/// Whether two expressions have the same value at the same moment, and can stand for each other in what is printed.
+pub(super) fn same(a: &Expr<'_>, b: &Expr<'_>) -> bool {
+    match (a, b) {
+        (Expr::Value(a), Expr::Value(b)) => a == b,
+        (Expr::Place(a), Expr::Place(b)) | (Expr::Initial(a), Expr::Initial(b)) | (Expr::Next(a), Expr::Next(b)) => {
+            a == b
+        }
+        (Expr::Input(a), Expr::Input(b)) => a == b,
+        (Expr::Now, Expr::Now) => true,
+        (Expr::Is(a, steps), Expr::Is(b, others)) => a == b && steps == others,
+        (Expr::Not(a), Expr::Not(b)) => same(a, b),
+        (Expr::All(a), Expr::All(b)) | (Expr::Any(a), Expr::Any(b)) => all_same(a, b),
+        (Expr::Compare(one, a, b), Expr::Compare(other, c, d)) => one == other && same(a, c) && same(b, d),
+        (Expr::Add(a, b), Expr::Add(c, d))
+        | (Expr::Sub(a, b), Expr::Sub(c, d))
+        | (Expr::Since(a, b), Expr::Since(c, d)) => same(a, c) && same(b, d),
+        (Expr::Period(a, b, one), Expr::Period(c, d, other)) => one == other && same(a, c) && same(b, d),
+        (Expr::Choose(a), Expr::Choose(b)) => all_same(&**a, &**b),
+        (Expr::User(a), Expr::User(b)) => same_user(a, b),
+        _ => false,
+    }
+}
+
+fn all_same(a: &[Expr<'_>], b: &[Expr<'_>]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b))
+}
+
+fn same_user(a: &User<'_>, b: &User<'_>) -> bool {
+    let bound = || a.binds.iter().zip(&b.binds).all(|((one, a), (other, b))| one == other && same(a, b));
+    (std::ptr::eq(a.tree, b.tree) || a.tree == b.tree) && a.binds.len() == b.binds.len() && bound()
+}
+
+/// Whether two statements do the same.
+pub(super) fn same_statement(a: &Statement<'_>, b: &Statement<'_>) -> bool {
+    match (a, b) {
+        (Statement::Part(_, a), Statement::Part(_, b)) => same_block(a, b),
+        (Statement::Set(a, value), Statement::Set(b, other)) => a == b && same(value, other),
+        (Statement::If(condition, then, otherwise), Statement::If(same_condition, same_then, same_otherwise)) => {
+            same(condition, same_condition) && same_block(then, same_then) && same_block(otherwise, same_otherwise)
+        }
+        (Statement::Match(a, arms, rest), Statement::Match(b, others, other)) => {
+            let arm = |((values, a), (others, b)): (&Arm<'_>, &Arm<'_>)| values == others && same_block(a, b);
+            a == b && arms.len() == others.len() && arms.iter().zip(others).all(arm) && same_block(rest, other)
+        }
+        (Statement::Loop { rounds: a, body }, Statement::Loop { rounds: b, body: other }) => {
+            a == b && same_block(body, other)
+        }
+        (Statement::Break, Statement::Break) | (Statement::Fence, Statement::Fence) => true,
+        (Statement::Run(a), Statement::Run(b)) => {
+            let write = |(a, b): (&Write, &Write)| (a.name, a.to, a.noted) == (b.name, b.to, b.noted);
+            let bound = || a.binds.iter().zip(&b.binds).all(|((one, a), (other, b))| one == other && same(a, b));
+            std::ptr::eq(a.code, b.code)
+                && a.binds.len() == b.binds.len()
+                && a.writes.len() == b.writes.len()
+                && a.writes.iter().zip(&b.writes).all(write)
+                && bound()
+        }
+        (Statement::Call(a, phase, args), Statement::Call(b, other, others)) => {
+            a == b && same(phase, other) && all_same(args, others)
+        }
+        (Statement::Mark(a), Statement::Mark(b)) => a == b,
+        _ => false,
+    }
+}
+
+pub(super) fn same_block(a: &[Statement<'_>], b: &[Statement<'_>]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same_statement(a, b))
+}
+
+/// Each expression of some statements, given anew.
+pub(super) fn rewrite<'m>(statements: &mut [Statement<'m>], new: &mut dyn FnMut(&Expr<'m>) -> Expr<'m>) {
+    for statement in statements {
+        match statement {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => rewrite(body, new),
+            Statement::Set(_, value) => *value = new(value),
+            Statement::If(condition, then, otherwise) => {
+                *condition = new(condition);
+                rewrite(then, new);
+                rewrite(otherwise, new);
+            }
+            Statement::Match(_, arms, otherwise) => {
+                for (_, body) in arms {
+                    rewrite(body, new);
+                }
+                rewrite(otherwise, new);
+            }
+            Statement::Run(run) => {
+                let run = &mut **run;
+                for (read, value) in &mut run.binds {
+                    // What it writes stands for itself.
+                    let written = run.writes.iter().any(|write| Read::Name(write.name.into()) == *read);
+                    if !written {
+                        *value = new(value);
+                    }
+                }
+            }
+            Statement::Call(_, phase, args) => {
+                *phase = new(phase);
+                for arg in args {
+                    *arg = new(arg);
+                }
+            }
+            Statement::Mark(_) | Statement::Break | Statement::Fence => {}
+        }
+    }
+}
+
+/// An expression with some of its leaves replaced.
+pub(super) fn replaced<'m>(expr: &Expr<'m>, leaf: &dyn Fn(&Expr<'m>) -> Option<Expr<'m>>) -> Expr<'m> {
+    if let Some(new) = leaf(expr) {
+        return new;
+    }
+    let one = |expr: &Expr<'m>| Box::new(replaced(expr, leaf));
+    let list = |parts: &[Expr<'m>]| {
+        let mut all = Vec::with_capacity(parts.len());
+        for part in parts {
+            all.push(replaced(part, leaf));
+        }
+        all
+    };
+    match expr {
+        Expr::Not(inner) => Expr::Not(one(inner)),
+        Expr::All(parts) => Expr::All(list(parts)),
+        Expr::Any(parts) => Expr::Any(list(parts)),
+        Expr::Compare(comparison, a, b) => Expr::Compare(*comparison, one(a), one(b)),
+        Expr::Choose(parts) => {
+            Expr::Choose(Box::new([replaced(&parts[0], leaf), replaced(&parts[1], leaf), replaced(&parts[2], leaf)]))
+        }
+        Expr::Add(a, b) => Expr::Add(one(a), one(b)),
+        Expr::Sub(a, b) => Expr::Sub(one(a), one(b)),
+        Expr::Since(a, b) => Expr::Since(one(a), one(b)),
+        Expr::Period(a, b, period) => Expr::Period(one(a), one(b), *period),
+        Expr::User(user) => {
+            let mut binds = Vec::with_capacity(user.binds.len());
+            for (read, value) in &user.binds {
+                binds.push((*read, replaced(value, leaf)));
+            }
+            Expr::User(Box::new(User { tokens: user.tokens, tree: user.tree, binds }))
+        }
+        other => other.clone(),
+    }
+}
