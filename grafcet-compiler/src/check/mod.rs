@@ -97,7 +97,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, sink: &mut Sink) -> Races {
     }
     if model.is_grafcet() {
         structure::two_masters(model, &seen, sink);
-        unstable::check(model, &concurrency, never, exploration.settles(), sink);
+        unstable::check(model, &concurrency, never, exploration, sink);
     }
     races
 }

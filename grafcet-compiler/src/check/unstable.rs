@@ -1,19 +1,34 @@
 //! `unstable`, `possible_instability`: circles that turn without end in one cycle (A30).
 
 use crate::analysis::circles::{Circle, Circles};
+use crate::analysis::explore::Exploration;
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
-/// `never` is what the plant excludes; `settles` tells that no search is without end then.
-pub(super) fn check(model: &Model, concurrency: &Concurrency, never: &[&Tree], settles: bool, sink: &mut Sink) {
-    if settles {
+/// `never` is what the plant excludes.
+pub(super) fn check(
+    model: &Model,
+    concurrency: &Concurrency,
+    never: &[&Tree],
+    exploration: &Exploration,
+    sink: &mut Sink,
+) {
+    if exploration.settles() {
         return;
     }
-    let logic = Logic::within(model, concurrency, never);
-    let certain = Circles::new(model, concurrency, &logic).certain();
+    let certain = match exploration.endless(model) {
+        Some(all) => {
+            let circle = |transitions| Circle { transitions, inputs: String::new() };
+            all.into_iter().map(circle).list()
+        }
+        None => {
+            let logic = Logic::within(model, concurrency, never);
+            Circles::new(model, concurrency, &logic).certain()
+        }
+    };
     for circle in &through_the_same(model, certain.clone(), &[]) {
         let message = format!(
             "the circle {} never comes to rest: once one of its transitions clears, it turns again and again in the same \

@@ -60,4 +60,89 @@ grafcet! {
     }
 }
 
+// Commanded by others, entered only in a search, through the steps of others, and where only an assumption decides a condition.
+grafcet! {
+    grafcet Forced {
+        input busy, low, back: bool;
+
+        partial Mode {
+            initial step Held { force Pump {*}; }
+            step Free;
+            Held -[busy]-> Free -[back]-> Held;
+        }
+        partial Pump {
+            initial step Off;
+            step On;
+            Off -[low]-> On -[low]-> Off;
+        }
+    }
+}
+
+grafcet! {
+    grafcet Enclosed {
+        input stop, aside: bool;
+
+        initial enclosing step Auto {
+            partial Work {
+                initial linked step Run;
+                step Done;
+                Run -[stop || aside]-> Done -[!stop]-> Run;
+            }
+        }
+        step Manual;
+        Auto -[stop]-> Manual -[!stop]-> Auto;
+    }
+}
+
+grafcet! {
+    grafcet Waits {
+        input open, shut: bool;
+
+        partial Gate {
+            initial step Shut;
+            step Open;
+            Shut -[open]-> Open -[shut]-> Shut;
+        }
+        partial Sign {
+            initial step Dark;
+            step Lit;
+            Dark -[Open.X]-> Lit -[open]-> Dark;
+        }
+    }
+}
+
+grafcet! {
+    grafcet Assumed {
+        #![allow(grafcet::never_true)]
+        input a, b, c: bool;
+        assume never !c || !b;
+
+        partial Work {
+            initial step One;
+            step Two;
+            step Three;
+            One -[a]-> Two -[a]-> Three -[Spare.X ^ c]-> One;
+        }
+        partial Other {
+            initial step Usual;
+            step Spare;
+            Usual -[b && !c]-> Spare -[a]-> Usual;
+        }
+    }
+}
+
+grafcet! {
+    grafcet Fork {
+        input a, hold: bool;
+
+        initial step Ready;
+        step Left;
+        step Right;
+        step Out;
+
+        Ready -[a]-> (Left, Right) -[a]-> Out -[true]-> Ready;
+        any -[!hold]-> Out;
+    }
+}
+
 fn main() {}

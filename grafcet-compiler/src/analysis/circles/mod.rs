@@ -189,31 +189,6 @@ impl<'m> Circles<'m> {
         (!rings.is_empty()).then_some(rings)
     }
 
-    /// Without what only clears along: transitions that lead nowhere in the circle, or come from nowhere in it.
-    fn without_followers(&self, mut circle: Vec<TransitionId>) -> Vec<TransitionId> {
-        let transition = |id: &TransitionId| &self.model.transitions[*id];
-        let lasts = |id: &TransitionId| transition(id).clearing.iter().any(run::is_restless);
-        let is_loop = |id: &TransitionId| transition(id).sources == transition(id).targets;
-        circle.retain(|id| !is_loop(id) || lasts(id));
-        loop {
-            let leads = |steps: &[StepId], others: fn(&Transition) -> &Vec<StepId>| {
-                circle.iter().any(|other| others(transition(other)).iter().any(|step| steps.contains(step)))
-            };
-            let turns = |id: &TransitionId| {
-                leads(&transition(id).targets, |other| &other.sources)
-                    && leads(&transition(id).sources, |other| &other.targets)
-            };
-            let kept: Vec<TransitionId> = circle.iter().copied().filter(turns).list();
-            if kept.len() == circle.len() {
-                // What stands first in the source stands first.
-                let first = circle.iter().enumerate().min_by_key(|(_, id)| **id).map_or(0, |(first, _)| first);
-                circle.rotate_left(first);
-                return circle;
-            }
-            circle = kept;
-        }
-    }
-
     /// Whether steps of the circle may be active that are not followed: two marks that change places change nothing.
     fn has_several_marks(&self, circle: &[TransitionId]) -> bool {
         let transitions = || circle.iter().map(|id| &self.model.transitions[*id]);
@@ -293,6 +268,31 @@ impl<'m> Circles<'m> {
                 let apart = plain(*next).is_some_and(|reads| reads.iter().all(|read| !own.contains(read)));
                 apart && !self.always[next.index()]
             })
+    }
+}
+
+/// Without what only clears along: transitions that lead nowhere in the circle, or come from nowhere in it.
+pub(super) fn without_followers(model: &Model, mut circle: Vec<TransitionId>) -> Vec<TransitionId> {
+    let transition = |id: &TransitionId| &model.transitions[*id];
+    let lasts = |id: &TransitionId| transition(id).clearing.iter().any(run::is_restless);
+    let is_loop = |id: &TransitionId| transition(id).sources == transition(id).targets;
+    circle.retain(|id| !is_loop(id) || lasts(id));
+    loop {
+        let leads = |steps: &[StepId], others: fn(&Transition) -> &Vec<StepId>| {
+            circle.iter().any(|other| others(transition(other)).iter().any(|step| steps.contains(step)))
+        };
+        let turns = |id: &TransitionId| {
+            leads(&transition(id).targets, |other| &other.sources)
+                && leads(&transition(id).sources, |other| &other.targets)
+        };
+        let kept: Vec<TransitionId> = circle.iter().copied().filter(turns).list();
+        if kept.len() == circle.len() {
+            // What stands first in the source stands first.
+            let first = circle.iter().enumerate().min_by_key(|(_, id)| **id).map_or(0, |(first, _)| first);
+            circle.rotate_left(first);
+            return circle;
+        }
+        circle = kept;
     }
 }
 

@@ -98,7 +98,7 @@ impl<'r, 'm> Run<'r, 'm> {
         while let Some(other) = parent.map(|parent| &self.nodes[parent]) {
             if other.active == node.active && other.before == node.before && fresh(other) == fresh(node) {
                 circle.reverse();
-                return Some(self.circles.without_followers(circle));
+                return Some(super::without_followers(self.circles.model, circle));
             }
             circle.extend(other.cleared.iter().rev());
             parent = other.parent;

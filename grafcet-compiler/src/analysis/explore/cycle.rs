@@ -11,6 +11,8 @@ use crate::list::List;
 pub(super) struct Done {
     /// The transitions cleared, evolution by evolution.
     pub(super) cleared: Vec<usize>,
+    /// How many of them cleared in the first evolution.
+    pub(super) at_first: usize,
     /// Transitions whose condition held while they were enabled.
     pub(super) able: Vec<usize>,
     /// Transitions enabled in some evolution; in the first they can be seen from the situation.
@@ -21,6 +23,10 @@ pub(super) struct Done {
     pub(super) doubled: Vec<(usize, usize)>,
     /// The search for stability was stopped by its bound.
     pub(super) unstable: bool,
+    /// Where it was followed until it turns: the transitions of one turn, which are none of `cleared`.
+    pub(super) turn: Option<Vec<usize>>,
+    /// It came to rest where the bound would have stopped it before.
+    pub(super) too_long: bool,
 }
 
 /// The transitions that are enabled in a situation, in source order.

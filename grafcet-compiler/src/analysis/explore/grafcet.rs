@@ -25,6 +25,7 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
     let mut fireable: Vec<usize> = Vec::new();
     let mut evolutions = 0;
     let mut anchor: Option<Anchor> = None;
+    let bound = if scene.to_the_turn { net.max_evolutions.saturating_mul(FAR) } else { net.max_evolutions };
     loop {
         let tried = if evolutions == 0 {
             cycle::tried(scene, enabled)
@@ -43,15 +44,19 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
         // An order of the initial situation takes hold with the first evolution.
         let settled = !state.first || evolutions > 0;
         let (after, cleared) = step(scene, &fireable, settled, done);
+        if evolutions == 0 {
+            done.at_first = cleared.len();
+        }
         let outcome = actions(scene, &after, &cleared);
         let changes = outcome.more
             || after != scene.now.active
             || outcome.writes.iter().any(|(slot, bit)| scene.now.slots[*slot] != *bit);
         if !changes {
             done.cleared.extend(cleared);
+            done.too_long = evolutions > net.max_evolutions;
             return When::Sample;
         }
-        if evolutions >= net.max_evolutions {
+        if evolutions >= bound {
             done.unstable = true;
             return When::Before;
         }
@@ -64,7 +69,13 @@ pub(super) fn cycle(scene: &mut Scene<'_>, state: &State, enabled: &[usize], don
         done.cleared.extend(cleared);
         commit(scene, after, outcome.writes);
         done.transient.push(scene.now.active.clone());
-        evolutions = skip(scene, evolutions, &mut anchor);
+        if !scene.to_the_turn {
+            evolutions = skip(scene, evolutions, &mut anchor);
+        } else if let Some(known) = turned(scene, evolutions, done.cleared.len(), &mut anchor) {
+            done.turn = Some(done.cleared.split_off(known.cleared));
+            done.unstable = true;
+            return When::Before;
+        }
     }
 }
 
@@ -115,12 +126,19 @@ fn commit(scene: &mut Scene<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {
     scene.edgeless = false;
 }
 
+/// So many times the bound a search is followed that may turn for ever.
+const FAR: usize = 16;
+
 /// An evolution with which a later one is compared.
 struct Anchor {
     evolution: usize,
+    /// How many transitions had cleared.
+    cleared: usize,
     asked: usize,
     now: Snapshot,
     previous: Option<Snapshot>,
+    /// Ascending.
+    fresh: Vec<usize>,
 }
 
 /// Where the search turns in a circle without asking anything new, it turns until the bound: whole turns are left out.
@@ -128,19 +146,39 @@ fn skip(scene: &mut Scene<'_>, evolution: usize, anchor: &mut Option<Anchor>) ->
     if evolution < 8 {
         return evolution;
     }
-    if let Some(known) = anchor {
-        let same = known.now == scene.now && known.previous == scene.previous && known.asked == scene.tape.asked();
-        if same {
+    match turned(scene, evolution, 0, anchor) {
+        Some(known) => {
             let period = evolution - known.evolution;
             let bound = scene.net.max_evolutions.max(evolution);
-            return bound - (bound - evolution) % period;
+            bound - (bound - evolution) % period
         }
+        None => evolution,
+    }
+}
+
+/// The evolution since which the search has turned once, without asking anything new.
+fn turned<'a>(
+    scene: &Scene<'_>,
+    evolution: usize,
+    cleared: usize,
+    anchor: &'a mut Option<Anchor>,
+) -> Option<&'a Anchor> {
+    let mut fresh = scene.fresh.clone();
+    fresh.sort_unstable();
+    let same = anchor.as_ref().is_some_and(|known| {
+        known.now == scene.now
+            && known.previous == scene.previous
+            && known.fresh == fresh
+            && known.asked == scene.tape.asked()
+    });
+    if same {
+        return anchor.as_ref();
     }
     if evolution.is_power_of_two() {
         let (now, previous) = (scene.now.clone(), scene.previous.clone());
-        *anchor = Some(Anchor { evolution, asked: scene.tape.asked(), now, previous });
+        *anchor = Some(Anchor { evolution, cleared, asked: scene.tape.asked(), now, previous, fresh });
     }
-    evolution
+    None
 }
 
 /// The stored actions of an evolution to `after`: all see the values from before it (A5).

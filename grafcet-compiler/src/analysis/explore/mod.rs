@@ -9,6 +9,7 @@
 //! - `sfc`, `grafcet`, `hierarchy`, `writes`: what a cycle does
 //! - `clocks`: times that have to be followed from cycle to cycle
 //! - `search`, `leaf`, `graph`: from situation to situation
+//! - `settles`, `endless`: whether searches for stability end
 //! - `future`, `verdicts`, `home`, `contention`: what follows
 
 mod actions;
@@ -18,6 +19,7 @@ mod compile;
 mod computed;
 mod contention;
 mod cycle;
+mod endless;
 mod formula;
 mod future;
 mod grafcet;
@@ -139,6 +141,8 @@ pub struct Exploration {
     /// Per watched expression whether it can hold.
     watched: Vec<Answer>,
     settles: bool,
+    /// Some search does not, and all combinations were tried.
+    turns: bool,
     limit: u64,
     work: u64,
 }
@@ -190,6 +194,7 @@ impl Exploration {
         }
         let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
+            turns: sooner.is_none() && whole.complete && whole.unstable,
             settles: sooner.is_none() && settles::settled(&net, &whole),
             sources: model.transitions.values().map(|transition| transition.sources.clone()).list(),
             unsafe_steps: Map::new(),
@@ -264,6 +269,13 @@ impl Exploration {
     #[must_use]
     pub fn settles(&self) -> bool {
         self.settles
+    }
+
+    /// The circles that turn for ever once they are entered (A30), each in the direction of evolution; `None` where that is not
+    /// known.
+    #[must_use]
+    pub fn endless(&self, model: &Model) -> Option<Vec<Vec<TransitionId>>> {
+        if self.turns { endless::circles(model, &self.net, self.limit) } else { None }
     }
 
     /// The units of work it took.

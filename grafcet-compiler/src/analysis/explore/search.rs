@@ -209,7 +209,7 @@ impl<'n, 's> Search<'n, 's> {
 
     /// Runs the cycle under all valuations; `lazy`: transitions that have nothing to do with each other one at a time. None
     /// if the budget ran out, or they do have to do with each other.
-    fn runs(&mut self, state: &State, enabled: &[usize], lazy: bool) -> Option<Vec<Leaf>> {
+    pub(super) fn runs(&mut self, state: &State, enabled: &[usize], lazy: bool) -> Option<Vec<Leaf>> {
         let mut leaves = Vec::new();
         self.scene.lazy = lazy;
         self.scene.tape.restart();

@@ -25,6 +25,6 @@ pub(super) fn settled(net: &Net, graph: &Graph) -> bool {
 }
 
 /// Whether the values of all atoms are known at each moment of a cycle.
-fn is_followed(net: &Net) -> bool {
+pub(super) fn is_followed(net: &Net) -> bool {
     net.atoms.iter().all(Atom::is_exact)
 }

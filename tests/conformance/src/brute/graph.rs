@@ -185,6 +185,12 @@ impl Graph {
 }
 
 impl State {
+    /// All that the chart remembers.
+    #[must_use]
+    pub fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
     fn new(machine: &Interpreter<'_>) -> Self {
         let (situation, memory) = (machine.situation().clone(), machine.memory().clone());
         Self { situation, memory, cycles: Vec::new() }

@@ -4,12 +4,14 @@
 //! - `verdicts`: what the states say about steps, transitions, joins and deadlocks
 //! - `compare`, `replay`: the checker's answers and ways beside these
 //! - `facts`: what the rest of the compiler takes for granted, beside what happens
+//! - `circles`: what turns for ever whenever it is entered
 //! - `rules`: what is reported beside what happens
 //! - `nested`: what is decided by reduction
 //! - `claims`: the properties that stand in the chart
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
 
+mod circles;
 mod claims;
 pub mod compare;
 mod draw;

@@ -57,7 +57,7 @@ pub fn chart(text: &str, cycles: usize) -> Result<Outcome, String> {
     let watched: Vec<Tree> = (0..4).map(|_| property(&model, &mut rng, 2)).collect();
     let initial: Vec<StepId> = model.steps.iter().filter(|(_, step)| step.initial).map(|(id, _)| id).collect();
     let mut comparison = compare(&model, &graph, &watched, &initial)?;
-    comparison.differences.extend(rules::check(&model, &graph, text, comparison.exact));
+    comparison.differences.extend(rules::check(&model, &graph, text, comparison.exact)?);
     claims::check(&model, &graph, text, &mut comparison)?;
     Ok(Outcome::Compared(comparison))
 }

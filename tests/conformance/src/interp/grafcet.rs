@@ -25,6 +25,15 @@ struct Continuous {
     last: Option<AssociationId>,
 }
 
+/// Where a search is stopped at the latest.
+#[derive(Clone, Copy)]
+pub(super) enum Until {
+    /// A30: after so many evolutions.
+    Bound(u32),
+    /// Where it has turned once, or after so many evolutions.
+    Turned(u32),
+}
+
 /// How a search ended.
 pub(super) struct Search {
     pub(super) calls: Vec<Call>,
@@ -33,6 +42,8 @@ pub(super) struct Search {
     pub(super) evolutions: u32,
     /// Every evolution that was looked at; the last one has not taken place.
     pub(super) seen: Vec<Evolution>,
+    /// How many evolutions there are in a turn, where it has turned: the last ones.
+    pub(super) turn: Option<usize>,
 }
 
 impl Grafcet {
@@ -43,10 +54,12 @@ impl Grafcet {
         state: &mut State,
         (inputs, params): (&[Value], &[Value]),
         elapsed: u32,
-        max_evolutions: u32,
+        until: Until,
     ) -> Result<Search, Error> {
         let delays = state.sample_delays(model, inputs, params, elapsed)?;
-        let mut search = Search { calls: Vec::new(), stable: false, evolutions: 0, seen: Vec::new() };
+        let mut search = Search { calls: Vec::new(), stable: false, evolutions: 0, seen: Vec::new(), turn: None };
+        let (Until::Bound(most) | Until::Turned(most)) = until;
+        let mut known = Vec::new();
         if state.first {
             let outcome = activate(&state.view(model, inputs, params, &delays))?;
             search.calls.extend(outcome.calls);
@@ -65,7 +78,7 @@ impl Grafcet {
             let (evolution, outcome) = evolve(&view)?;
             search.stable = is_stable(&evolution, &outcome, &view);
             search.seen.push(evolution.clone());
-            if search.stable || search.evolutions == max_evolutions {
+            if search.stable || search.evolutions == most {
                 let (calls, outputs) =
                     (self.continuous_calls(&view)?, continuous_outputs(&view, &state.initial_outputs)?);
                 search.calls.extend(calls);
@@ -82,6 +95,13 @@ impl Grafcet {
             state.times.enter(model, &evolution.after);
             state.situation = evolution.after;
             state.edges = now;
+            if let Until::Turned(_) = until {
+                search.turn = known.iter().position(|other| other == state).map(|first| known.len() - first);
+                if search.turn.is_some() {
+                    return Ok(search);
+                }
+                known.push(state.clone());
+            }
         }
     }
 

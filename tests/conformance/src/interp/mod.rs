@@ -28,7 +28,7 @@ mod view;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use self::grafcet::Grafcet;
+use self::grafcet::{Grafcet, Until};
 pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;
@@ -183,13 +183,30 @@ impl<'m> Interpreter<'m> {
                 (scan.calls, true, u32::from(evolved), scan.stirred, scan.evolution.into_iter().collect())
             }
             Machine::Grafcet(grafcet) => {
-                let search = grafcet.cycle(self.model, state, given, elapsed, self.max_evolutions)?;
+                let search = grafcet.cycle(self.model, state, given, elapsed, Until::Bound(self.max_evolutions))?;
                 (search.calls, search.stable, search.evolutions, false, search.seen)
             }
         };
         state.first = false;
         let (outputs, active) = (state.outputs.clone(), state.situation.clone());
         Ok(Cycle { outputs, active, calls, stable, evolutions, stirred, seen })
+    }
+
+    /// The evolutions of one turn of the search of a cycle that would go on for ever, if they show within so many; the interpreter
+    /// is then in the middle of it. Empty where the search ends.
+    ///
+    /// # Errors
+    /// As of [`Interpreter::cycle`].
+    pub fn turn(&mut self, inputs: &[Value], now: u32, most: u32) -> Result<Option<Vec<Evolution>>, Error> {
+        let Memory { state, machine } = &mut self.memory;
+        let Machine::Grafcet(grafcet) = machine else { return Ok(Some(Vec::new())) };
+        let elapsed = state.advance(now);
+        let given = (inputs, &self.params[..]);
+        let mut search = grafcet.cycle(self.model, state, given, elapsed, Until::Turned(most))?;
+        Ok(match search.turn {
+            Some(turn) => Some(search.seen.split_off(search.seen.len() - turn)),
+            None => search.stable.then(Vec::new),
+        })
     }
 
     /// Whether an expression over inputs, outputs and steps holds at the end of the last cycle, whose inputs are given.

@@ -70,6 +70,8 @@ pub(super) struct Scene<'n> {
     pub(super) fresh: Vec<usize>,
     /// What the running block has written.
     pub(super) own: Vec<(usize, Bit)>,
+    /// Searches for stability are not stopped by the bound, but where they are seen to turn for ever.
+    pub(super) to_the_turn: bool,
     /// Transitions that need not be tried in all combinations are not.
     pub(super) lazy: bool,
     /// How those that are enabled at the start are tried.
@@ -121,6 +123,7 @@ impl<'n> Scene<'n> {
             edgeless: false,
             fresh: Vec::new(),
             own: Vec::new(),
+            to_the_turn: false,
             lazy: false,
             groups: None,
             still: Vec::new(),
