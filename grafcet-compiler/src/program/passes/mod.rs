@@ -5,6 +5,7 @@
 //! - `apart`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
 //! - `split`: one match on the state before, one on the state behind; what fields hold in each state
+//! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at
 //!
@@ -17,6 +18,7 @@ mod engine;
 mod flat;
 mod fold;
 mod forward;
+mod hoist;
 mod outputs;
 mod share;
 mod sparse;
@@ -36,14 +38,24 @@ pub enum Pass {
     Known,
     /// What ways have in common, within `Split`.
     Join,
+    Hoist,
     Forward,
     Dead,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 8] =
-        [Self::Marks, Self::Apart, Self::Outputs, Self::Split, Self::Known, Self::Join, Self::Forward, Self::Dead];
+    pub const ALL: [Self; 9] = [
+        Self::Marks,
+        Self::Apart,
+        Self::Outputs,
+        Self::Split,
+        Self::Known,
+        Self::Join,
+        Self::Hoist,
+        Self::Forward,
+        Self::Dead,
+    ];
 }
 
 /// The same cycle in fewer words, by the passes that are wanted.
@@ -60,6 +72,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Split) {
         split::pass(program, &split::Options { known: wants(Pass::Known), join: wants(Pass::Join) });
+    }
+    if wants(Pass::Hoist) {
+        hoist::pass(program);
     }
     if wants(Pass::Forward) {
         forward::pass(program);

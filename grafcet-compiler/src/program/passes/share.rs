@@ -72,3 +72,23 @@ impl View {
         (at + 1..list.len()).all(stays).then_some(at)
     }
 }
+
+/// Where a statement stands that can be done before all others of the list.
+fn first_place(list: &[Statement<'_>], statement: &Statement<'_>) -> Option<usize> {
+    let at = list.iter().position(|other| same_statement(other, statement))?;
+    let effects = Effects::of(statement);
+    list[..at].iter().all(|other| effects.may_swap(&Effects::of(other))).then_some(at)
+}
+
+pub(super) fn is_first(list: &[Statement<'_>], statement: &Statement<'_>) -> bool {
+    first_place(list, statement).is_some()
+}
+
+/// Whether it was there, and could be done before all others.
+pub(super) fn take_first(list: &mut Vec<Statement<'_>>, statement: &Statement<'_>) -> bool {
+    let place = first_place(list, statement);
+    if let Some(at) = place {
+        list.remove(at);
+    }
+    place.is_some()
+}

@@ -155,15 +155,12 @@ impl Split {
         sweep(program, &mut trees);
         let (mut acts, rest) = self.join(&mut trees);
         let mut cycle = Vec::new();
-        cycle.push(Statement::Part("evolution", vec![self.evolution(trees)]));
+        cycle.push(self.evolution(trees));
         acts.retain(|(_, body)| !body.is_empty());
         if !acts.is_empty() {
-            let acts = Statement::Match(self.state, merged(acts), Vec::new());
-            cycle.push(Statement::Part("in the state behind it", vec![acts]));
+            cycle.push(Statement::Match(self.state, merged(acts), Vec::new()));
         }
-        if !rest.is_empty() {
-            cycle.push(Statement::Part("in each state", rest));
-        }
+        cycle.extend(rest);
         program.cycle = cycle;
     }
 

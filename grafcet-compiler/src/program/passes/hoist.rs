@@ -1,0 +1,95 @@
+//! What all arms of a match do first is done before it.
+//!
+//! ```text
+//! match state                       time = time + elapsed
+//!   start: state = A                match state
+//!   A:                        ->      start:
+//!     time = time + elapsed             time = 0s
+//!     …                                 state = A
+//! ```
+//!
+//! The arm of the first cycle need not do it: fields have their initial values then, and are given them back. Needs: in each other arm what
+//! stands in front may be done behind it; it does not write what is matched on.
+
+use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::fold::initial;
+use super::share::{is_first, take_first};
+use super::uses::{Effects, is_plain};
+use crate::sorted::Set;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let mut cycle = std::mem::take(&mut program.cycle);
+    block(program, &mut cycle);
+    program.cycle = cycle;
+}
+
+fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
+    let mut all = Vec::with_capacity(statements.len());
+    for mut statement in statements.drain(..) {
+        match &mut statement {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => block(program, body),
+            Statement::Match(place, arms, otherwise) if otherwise.is_empty() => {
+                if let (Role::State(region), true) = (program.places[place.0].role, starts(arms)) {
+                    // An arm for each step: there are no others for which nothing is done.
+                    if arms.len() > program.regions[region].len() {
+                        all.append(&mut out_of(&program.places, *place, arms));
+                    }
+                }
+            }
+            _ => {}
+        }
+        all.push(statement);
+    }
+    *statements = all;
+}
+
+/// Whether the first arm is that of the first cycle, and each other one of one state.
+fn starts(arms: &[Arm<'_>]) -> bool {
+    let is_start = |arm: Option<&Arm<'_>>| matches!(arm.map(|(values, _)| &values[..]), Some([Value::Start(_)]));
+    is_start(arms.first()) && arms.len() > 2 && arms.iter().all(|(values, _)| values.len() == 1)
+}
+
+fn out_of<'m>(places: &[PlaceInfo<'m>], state: PlaceId, arms: &mut [Arm<'m>]) -> Vec<Statement<'m>> {
+    let Some(((_, start), others)) = arms.split_first_mut() else { return Vec::new() };
+    let (mut shared, mut at) = (Vec::new(), 0);
+    // What the first cycle does as well, and what it is given back.
+    let (mut done, mut back) = (Set::new(), Set::new());
+    while let Some(statement) = others.first().and_then(|(_, leader)| leader.get(at)).cloned() {
+        let effects = Effects::of(&statement);
+        let in_all = others.iter().all(|(_, body)| is_first(body, &statement));
+        let along =
+            is_first(start, &statement) && effects.reads.is_disjoint(&back) && effects.writes.is_disjoint(&back);
+        let given = match &statement {
+            Statement::Set(place, value) if is_plain(value) => {
+                at_start(&places[place.0]).filter(|_| !done.contains(place))
+            }
+            _ => None,
+        };
+        if effects.writes.contains(&state) || effects.leaves || !in_all || !along && given.is_none() {
+            at += 1;
+            continue;
+        }
+        for (_, body) in others.iter_mut() {
+            take_first(body, &statement);
+        }
+        if along {
+            take_first(start, &statement);
+            done.extend(effects.writes.iter().copied());
+        } else {
+            back.extend(effects.writes.iter().copied());
+        }
+        shared.push(statement);
+    }
+    for place in &*back {
+        if let Some(value) = at_start(&places[place.0]) {
+            start.insert(0, Statement::Set(*place, Expr::Value(value)));
+        }
+    }
+    shared
+}
+
+/// What a place holds when the first cycle begins.
+fn at_start(place: &PlaceInfo<'_>) -> Option<Value> {
+    let given = matches!(place.role, Role::Param(_)) || matches!(place.ty, Type::User(_));
+    initial(place).filter(|_| !given)
+}
