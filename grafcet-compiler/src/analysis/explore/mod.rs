@@ -4,123 +4,42 @@
 //! a condition first asks for it, once for each possible answer, so that the cost follows the active steps and not the
 //! number of inputs. What one run has decided is a class of valuations that all act alike.
 //!
-//! - `formula`, `compile`, `net`: the chart, its conditions over numbered atoms
-//! - `scene`, `tape`, `knowledge`: one cycle's valuation, as far as it has been asked for
-//! - `sfc`, `grafcet`, `hierarchy`, `writes`: what a cycle does
-//! - `clocks`: times that have to be followed from cycle to cycle
-//! - `search`, `leaf`, `graph`: from situation to situation
-//! - `settles`, `endless`: whether searches for stability end
-//! - `future`, `verdicts`, `home`, `contention`: what follows
+//! - `net/`: the chart made ready to be run, conditions over numbered atoms, what is followed from cycle to cycle
+//! - `valuation/`: what one cycle takes its inputs for, as far as it has asked for them
+//! - `semantics/`: what a cycle does, in both dialects
+//! - `search/`: from situation to situation; which need not be tried, what is done where not all can be
+//! - `verdicts/`: what follows, and the ways that show it
 
-mod actions;
-pub mod alone;
-mod clocks;
-mod compile;
-mod computed;
-mod contention;
-mod cycle;
-mod endless;
-mod formula;
-mod future;
-mod grafcet;
-mod graph;
-mod hierarchy;
-mod home;
-mod knowledge;
-mod leaf;
-mod links;
+mod limits;
 mod net;
-mod path;
-mod rivals;
-mod scene;
 mod search;
-mod settles;
-mod sfc;
-mod slice;
-mod slots;
-mod table;
-mod tokens;
-mod unfollowed;
-mod units;
+mod semantics;
+mod valuation;
 mod verdicts;
-mod waiting;
-mod ways;
-mod whole;
 
-pub(crate) use self::home::Stay;
-pub use contention::smallest;
-pub use path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation};
-pub use rivals::{Rival, rivals_meeting};
-pub use settles::settles;
-pub use tokens::{Meeting, Parting};
+pub use limits::{Answer, Doubt, Limits};
+pub(crate) use search::alone;
+pub use search::settles::settles;
+pub(crate) use verdicts::home::Stay;
+pub use verdicts::{
+    contention::smallest,
+    meeting::{Meeting, Parting},
+    path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin, situation},
+    rivals::{Rival, rivals_meeting},
+};
 
-use self::future::Future;
-use self::graph::{Graph, Seen};
+use self::limits::{answers, length, limit, several};
 use self::net::Net;
-use self::search::Search;
+use self::search::graph::{Graph, Seen};
+use self::search::some_ways::{self, Ways};
+use self::search::whole::{Budget, Detail, explore_whole};
+use self::search::{Search, settles as stability};
 use self::verdicts::Report;
-use self::ways::Ways;
-use self::whole::{Budget, Detail, explore_whole};
+use self::verdicts::future::Future;
 use super::{Concurrency, Nesting};
 use crate::list::List;
-use crate::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
+use crate::model::{Id, Model, StepId, TransitionId, Tree};
 use crate::sorted::Map;
-
-/// How much is explored before the search gives up.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Limits {
-    /// Units of work: about one for each transition looked at and each atom decided.
-    pub work: u64,
-    /// Only some ways are gone, as in a chart that is too large to be explored as a whole.
-    pub only_ways: bool,
-}
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self { work: 300_000, only_ways: false }
-    }
-}
-
-impl Limits {
-    /// For `budget N;`: enough for this many situations.
-    #[must_use]
-    pub fn situations(count: u64) -> Self {
-        Self { work: count.saturating_mul(64), only_ways: false }
-    }
-
-    /// For how many situations to ask where these did not suffice.
-    #[must_use]
-    pub fn more(&self) -> u64 {
-        (self.work / 64).saturating_mul(10).max(100_000)
-    }
-}
-
-/// The answer to whether something can happen.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Answer {
-    /// In no reachable situation.
-    Never,
-    /// The shortest way there.
-    Possible(Path),
-    /// It could not be decided.
-    Unknown(Doubt),
-}
-
-/// Why something could not be decided.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Doubt {
-    /// The budget ran out after so many situations.
-    Budget(usize),
-    /// It ran out in a situation whose next cycle asks for many inputs, in all combinations.
-    Inputs {
-        /// The situation.
-        at: Vec<StepId>,
-        /// What it asks for.
-        inputs: Vec<Tree>,
-    },
-    /// It depends on these values, which are not followed from cycle to cycle, or on Rust that is not looked into.
-    Unfollowed(Vec<Tree>),
-}
 
 /// The reachable situations of a chart.
 pub struct Exploration {
@@ -192,10 +111,11 @@ impl Exploration {
                 pieces.push(graph);
             }
         }
-        let ways = (!whole.complete && !is_told).then(|| ways::go(&net, limits.work / 3 + length(&net), &mut seen));
+        let ways =
+            (!whole.complete && !is_told).then(|| some_ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
             turns: sooner.is_none() && whole.complete && whole.unstable,
-            settles: sooner.is_none() && settles::settled(&net, &whole),
+            settles: sooner.is_none() && stability::settled(&net, &whole),
             sources: model.transitions.values().map(|transition| transition.sources.clone()).list(),
             unsafe_steps: Map::new(),
             deadlocks: Vec::new(),
@@ -275,7 +195,7 @@ impl Exploration {
     /// known.
     #[must_use]
     pub fn endless(&self, model: &Model) -> Option<Vec<Vec<TransitionId>>> {
-        if self.turns { endless::circles(model, &self.net, self.limit) } else { None }
+        if self.turns { search::endless::circles(model, &self.net, self.limit) } else { None }
     }
 
     /// The units of work it took.
@@ -367,61 +287,4 @@ impl Exploration {
     pub fn watched(&self, index: usize) -> Answer {
         self.watched[index].clone()
     }
-}
-
-/// Per watched expression whether it can hold.
-fn answers(net: &Net, sooner: Option<&Graph>, whole: &Graph) -> Vec<Answer> {
-    let answer = |index| {
-        let mut graphs = sooner.into_iter().chain([whole]);
-        match graphs.find_map(|graph| Report { net, graph }.path_to_watched(index)) {
-            Some(path) if path.granted.is_empty() => Answer::Possible(path),
-            Some(path) => Answer::Unknown(Doubt::Unfollowed(path.granted)),
-            None if whole.complete && !whole.cut_off => Answer::Never,
-            None => Answer::Unknown(budget_doubt(net, whole)),
-        }
-    };
-    (0..net.watched.len()).map(answer).list()
-}
-
-/// Why the budget did not suffice.
-fn budget_doubt(net: &Net, graph: &Graph) -> Doubt {
-    let Some(end) = &graph.end else { return Doubt::Budget(graph.states.len()) };
-    if end.work / (end.state as u64 + 1) < MANY {
-        return Doubt::Budget(graph.states.len());
-    }
-    let mut inputs = Vec::new();
-    for atom in &end.asked {
-        net.atoms[*atom].what.each_read(&mut |read| {
-            let input = Tree::Read(read);
-            if matches!(read, Read::Name(Name::Input(_))) && !inputs.contains(&input) {
-                inputs.push(input);
-            }
-        });
-    }
-    if inputs.len() < FEW {
-        return Doubt::Budget(graph.states.len());
-    }
-    let at = graph.states[end.state].active.iter().map(|step| StepId::new(*step)).list();
-    Doubt::Inputs { at, inputs }
-}
-
-/// So few are not what it takes long with.
-const FEW: usize = 8;
-
-/// A situation that takes so many units of work has too many combinations of inputs.
-const MANY: u64 = 1000;
-
-/// A long chart has many situations without being complicated.
-fn length(net: &Net) -> u64 {
-    60 * (net.leaving.len() + net.arcs.len()) as u64
-}
-
-/// The units of work for a chart.
-fn limit(net: &Net, limits: &Limits) -> u64 {
-    limits.work.saturating_add(length(net))
-}
-
-/// Whether the chart has pieces that can be explored for themselves.
-fn several(net: &Net) -> bool {
-    net.grafcet && (!net.hierarchy.is_empty() || net.has_arcs.iter().filter(|has| **has).count() > 1)
 }

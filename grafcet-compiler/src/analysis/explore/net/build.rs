@@ -1,0 +1,307 @@
+//! From a model to a net.
+
+use super::compile::Compiler;
+use super::formula::{Formula, Kind};
+use super::links::Links;
+use super::slice::Slice;
+use super::slots::Slots;
+use super::{Arc, Net, Order, Part};
+use super::{actions, clocks, unfollowed, units};
+use crate::analysis::explore::verdicts::rivals::Rival;
+use crate::list::List;
+use crate::model::{ForceOrder, Id, Model, PartialId, Step, TransitionId, Tree};
+use crate::sorted::Map;
+
+/// What a chart is explored for.
+struct Subject<'a, 'm> {
+    watched: &'a [&'a Tree],
+    rivals: &'a [(Rival<'m>, Rival<'m>)],
+    slice: Option<&'a Slice>,
+}
+
+/// The condition of what is left out.
+const FALSE: Tree = Tree::Bool(false);
+
+impl Net {
+    pub(crate) fn of(model: &Model, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        Self::with(model, &Subject { watched, rivals: &[], slice: None }, assumed_never)
+    }
+
+    /// Only what decides about the watched expressions, or about where some steps are.
+    pub(crate) fn sliced(model: &Model, slice: &Slice, watched: &[&Tree], assumed_never: &[&Tree]) -> Self {
+        Self::with(model, &Subject { watched, rivals: &[], slice: Some(slice) }, assumed_never)
+    }
+
+    /// A chart of which pairs of stored actions are watched.
+    pub(crate) fn beside(model: &Model, rivals: &[(Rival<'_>, Rival<'_>)], assumed_never: &[&Tree]) -> Self {
+        Self::with(model, &Subject { watched: &[], rivals, slice: None }, assumed_never)
+    }
+
+    fn with(model: &Model, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
+        let Subject { watched, rivals, slice } = *subject;
+        let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
+        let asked = rivals.iter().flat_map(|(a, b)| a.conditions().chain(b.conditions()));
+        let asked: Vec<&Tree> = watched.iter().copied().chain(asked).list();
+        let slots = Slots::of(model, &asked, &kept);
+        let mut compiler = Compiler::new(model, &slots.numbers);
+        let conditions: Vec<Formula> = model
+            .transitions
+            .iter()
+            .map(|(id, t)| compiler.formula(if kept(id) { &t.condition.tree } else { &FALSE }))
+            .list();
+        compiler.in_action = true;
+        let mut actions = actions::compile(model, &slots, &mut compiler);
+        compiler.in_action = false;
+        let rivals = rivals.iter().map(|(a, b)| (a.compile(&mut compiler), b.compile(&mut compiler)));
+        actions.rivals = rivals.list();
+        let watched = watched.iter().map(|tree| compiler.formula(tree)).list();
+        let approximate = compiler.approximate;
+        let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
+        let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
+        let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).list();
+        let links = Links::of(model, &atoms, &differences, &numbers);
+        let presumed = unfollowed::presumed(&atoms, &links);
+        let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
+        let bound = unfollowed::bound(&atoms, &unfollowed);
+        let count = atoms.len();
+        let (unit_of, units) = units::of(model);
+        let mut net = Self {
+            grafcet: model.is_grafcet(),
+            arcs: Vec::new(),
+            leaving: vec![Vec::new(); model.steps.len()],
+            sourceless: Vec::new(),
+            atoms,
+            links,
+            calls,
+            edges,
+            shared,
+            actions,
+            initial_slots: slots.initial.clone(),
+            shown_slots: slots.shown.clone(),
+            initial: crate::analysis::hierarchy::initial_situation(model)
+                .iter()
+                .filter(|step| slice.is_none_or(|slice| slice.has_step(model, **step)))
+                .map(|step| step.index())
+                .list(),
+            parts: parts(model, slice),
+            commands: model.steps.values().map(|step| !step.forces.is_empty()).list(),
+            governs: model.steps.values().map(|step| !step.forces.is_empty() || !step.encloses.is_empty()).list(),
+            hierarchy: Vec::new(),
+            part_of: model.steps.values().map(|step| step.partial.index()).list(),
+            has_arcs: vec![false; units],
+            unit_of,
+            units,
+            is_final: model.steps.values().map(|step| step.is_final).list(),
+            macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).list()).list(),
+            edge_atoms: vec![Vec::new(); model.steps.len()],
+            common_edge_atoms: Vec::new(),
+            is_edge_atom: vec![false; count],
+            is_common: vec![false; count],
+            unfollowed,
+            presumed,
+            bound,
+            beside: Map::new(),
+            clocks: Vec::new(),
+            writes_more: unfollowed::writers(model, &slots),
+            confluent: (true, vec![true; units]),
+            watched,
+            assumed_never,
+            approximate,
+            max_evolutions: model.max_evolutions.map_or(2 * model.steps.len() + 2, |n| n as usize),
+            structure: None,
+        };
+        if net.parts.iter().any(|part| part.enclosed_by.is_some() || !part.orders.is_empty()) {
+            net.hierarchy = crate::analysis::hierarchy::top_down(model).iter().map(|id| id.index()).list();
+        }
+        net.draw(model, conditions);
+        net.note_edges();
+        net.note_common();
+        net.note_confluence();
+        net.clocks = clocks::of(&net);
+        let assumed: Vec<usize> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
+        net.beside = unfollowed::beside(&net.atoms, &net.unfollowed, &assumed);
+        net
+    }
+
+    fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
+        for (index, (transition, condition)) in model.transitions.values().zip(conditions).enumerate() {
+            let mut sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).list();
+            sources.sort_unstable();
+            for source in &sources {
+                self.leaving[*source].push(index);
+            }
+            if sources.is_empty() {
+                self.sourceless.push(index);
+            }
+            let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
+            self.collect(&condition, &mut atoms, &mut edge_atoms);
+            for step in transition.sources.iter().chain(&transition.targets) {
+                self.has_arcs[self.unit_of[step.index()]] = true;
+            }
+            let mut reads_steps: Vec<usize> = Vec::new();
+            for atom in &atoms {
+                match self.atoms[*atom].kind {
+                    Kind::Step(step) | Kind::Was(step) | Kind::Since(step) | Kind::Phase(step) => {
+                        reads_steps.push(step);
+                    }
+                    Kind::Macro(id) | Kind::MacroSince(id) => reads_steps.extend(&self.macros[id]),
+                    Kind::Free | Kind::Number(..) | Kind::Slot(_) => {}
+                }
+            }
+            // Its own sources are active when it is asked; an edge of them is another matter.
+            let is_step =
+                |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
+            reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
+            let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
+            let targets = transition.targets.iter().map(|step| step.index()).list();
+            let partial = transition.partial.index();
+            let is_any = transition.any.is_some();
+            self.arcs.push(Arc {
+                sources,
+                targets,
+                condition,
+                partial,
+                atoms,
+                reads_steps,
+                reads_slots,
+                edge_atoms,
+                is_any,
+            });
+        }
+    }
+
+    /// The atoms of a condition, those of its edges beside; and what they are tied to.
+    pub(crate) fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
+        match formula {
+            Formula::Const(_) => {}
+            Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
+                add(atoms, *atom);
+                self.links.with(*atom).iter().for_each(|other| add(atoms, *other));
+            }
+            Formula::Not(inner) => self.collect(inner, atoms, edge_atoms),
+            Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
+                self.collect(a, atoms, edge_atoms);
+                self.collect(b, atoms, edge_atoms);
+            }
+            Formula::Rising(edge) | Formula::Falling(edge) => {
+                if let Some(of) = &self.edges[*edge] {
+                    let (mut inside, mut nested) = (Vec::new(), Vec::new());
+                    self.collect(of, &mut inside, &mut nested);
+                    for atom in inside {
+                        add(atoms, atom);
+                        add(edge_atoms, atom);
+                    }
+                }
+            }
+            Formula::Shared(index) => self.collect(&self.shared[*index], atoms, edge_atoms),
+        }
+    }
+
+    fn note_common(&mut self) {
+        let mut common = Vec::new();
+        for formula in self.watched.iter().chain(&self.assumed_never) {
+            self.collect(formula, &mut common, &mut Vec::new());
+        }
+        for atom in common {
+            self.is_common[atom] = true;
+        }
+        for atom in self.arcs.iter().flat_map(|arc| &arc.edge_atoms) {
+            self.is_edge_atom[*atom] = true;
+        }
+        for atom in &self.common_edge_atoms {
+            self.is_edge_atom[*atom] = true;
+        }
+    }
+
+    /// See [`Net::is_confluent`].
+    fn note_confluence(&mut self) {
+        self.confluent.0 = self.hierarchy.is_empty();
+        for (index, arc) in self.arcs.iter().enumerate() {
+            let unit = self.unit_of_arc(index);
+            let own = |step: &usize| self.unit_of[*step] == unit;
+            let asymmetric = |step: &usize| self.leaving[*step].iter().any(|t| self.arcs[*t].sources != arc.sources);
+            if arc.sources.iter().any(asymmetric) || arc.reads_slots || arc.sources.is_empty() {
+                self.confluent.0 = false;
+                self.confluent.1[unit] = false;
+            }
+            if !arc.reads_steps.is_empty() {
+                self.confluent.0 = false;
+                self.confluent.1[unit] &= !arc.reads_steps.iter().any(own);
+            }
+        }
+    }
+
+    /// Which atoms' values must be remembered while a step is active, because an edge may be asked for in the next cycle.
+    fn note_edges(&mut self) {
+        for arc in &self.arcs {
+            for source in &arc.sources {
+                for atom in &arc.edge_atoms {
+                    add(&mut self.edge_atoms[*source], *atom);
+                }
+            }
+        }
+        let mut common: Vec<usize> = Vec::new();
+        for formula in self.actions.formulas() {
+            self.collect(formula, &mut Vec::new(), &mut common);
+        }
+        for transition in &self.sourceless {
+            for atom in &self.arcs[*transition].edge_atoms {
+                add(&mut common, *atom);
+            }
+        }
+        let assumed: Vec<Vec<usize>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).list();
+        self.common_edge_atoms = with_assumed(common, &assumed);
+        for atoms in &mut self.edge_atoms {
+            *atoms = with_assumed(std::mem::take(atoms), &assumed);
+            atoms.sort_unstable();
+        }
+    }
+}
+
+fn add(atoms: &mut Vec<usize>, atom: usize) {
+    if !atoms.contains(&atom) {
+        atoms.push(atom);
+    }
+}
+
+fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
+    let mut orders: Map<usize, Vec<(usize, Order)>> = Map::new();
+    let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<usize> {
+        let mut steps: Vec<usize> =
+            part.steps.iter().filter(|step| wanted(&model.steps[**step])).map(|step| step.index()).list();
+        steps.sort_unstable();
+        steps
+    };
+    let is_left_out = |id: PartialId| slice.is_some_and(|slice| !slice.has_partial(id));
+    for force in model.forces.values().filter(|force| !is_left_out(force.target)) {
+        let order = match &force.order {
+            ForceOrder::Steps(steps) => {
+                let mut steps: Vec<usize> = steps.iter().map(|step| step.index()).list();
+                steps.sort_unstable();
+                Order::To(steps)
+            }
+            ForceOrder::Init => Order::To(pick(&model.partials[force.target], |step| step.initial)),
+            ForceOrder::Hold => Order::Hold,
+        };
+        orders.or_default(force.target.index()).push((force.step.index(), order));
+    }
+    let part = |(id, partial): (PartialId, &crate::model::Partial)| Part {
+        enclosed_by: partial.enclosed_by.map(Id::index),
+        linked: if is_left_out(id) { Vec::new() } else { pick(partial, |step| step.linked) },
+        orders: orders.remove(&id.index()).unwrap_or_default(),
+    };
+    model.partials.iter().map(part).list()
+}
+
+/// With what assumptions connect these atoms with: what is known of one of them in the cycle before may exclude a value of
+/// another.
+fn with_assumed(mut atoms: Vec<usize>, assumed: &[Vec<usize>]) -> Vec<usize> {
+    let mut next = 0;
+    while let Some(atom) = atoms.get(next).copied() {
+        for other in assumed.iter().filter(|assumed| assumed.contains(&atom)).flatten() {
+            add(&mut atoms, *other);
+        }
+        next += 1;
+    }
+    atoms
+}

@@ -1,0 +1,191 @@
+//! A chart made ready to be run: everything by number, conditions compiled.
+
+pub(crate) mod actions;
+mod build;
+pub(crate) mod clocks;
+pub(crate) mod compile;
+pub(crate) mod formula;
+pub(crate) mod links;
+pub(crate) mod slice;
+pub(crate) mod slots;
+pub(crate) mod unfollowed;
+pub(crate) mod units;
+
+use self::actions::Actions;
+use self::clocks::Clock;
+use self::formula::{Atom, Formula, Kind};
+use self::links::Links;
+use self::slots::Bit;
+use crate::analysis::Concurrency;
+use crate::list::List;
+use crate::model::{Id, StepId};
+use crate::sorted::Map;
+
+/// A transition.
+pub(crate) struct Arc {
+    pub(crate) sources: Vec<usize>,
+    pub(crate) targets: Vec<usize>,
+    pub(crate) condition: Formula,
+    pub(crate) partial: usize,
+    /// The atoms of the condition.
+    pub(crate) atoms: Vec<usize>,
+    /// Steps that the condition reads, its sources excepted.
+    pub(crate) reads_steps: Vec<usize>,
+    /// The condition reads variables that are followed.
+    pub(crate) reads_slots: bool,
+    /// The atoms that the edges in its condition look at.
+    pub(crate) edge_atoms: Vec<usize>,
+    /// It is one of those for which an `any` stands.
+    pub(crate) is_any: bool,
+}
+
+/// A partial grafcet, as forcing and enclosing see it.
+pub(crate) struct Part {
+    pub(crate) enclosed_by: Option<usize>,
+    pub(crate) linked: Vec<usize>,
+    /// The orders it may get: from which step, and which.
+    pub(crate) orders: Vec<(usize, Order)>,
+}
+
+/// A forcing order.
+pub(crate) enum Order {
+    To(Vec<usize>),
+    Hold,
+}
+
+/// A chart.
+pub(crate) struct Net {
+    pub(crate) grafcet: bool,
+    pub(crate) arcs: Vec<Arc>,
+    /// Per step the transitions that leave it.
+    pub(crate) leaving: Vec<Vec<usize>>,
+    pub(crate) sourceless: Vec<usize>,
+    pub(crate) atoms: Vec<Atom>,
+    pub(crate) links: Links,
+    /// Atoms whose values may differ in each evaluation.
+    pub(crate) calls: Vec<usize>,
+    pub(crate) edges: Vec<Option<Formula>>,
+    pub(crate) shared: Vec<Formula>,
+    pub(crate) actions: Actions,
+    pub(crate) initial_slots: Vec<Bit>,
+    /// Slots that hold nothing for the next cycle.
+    pub(crate) shown_slots: Vec<usize>,
+    /// Steps active before the first cycle.
+    pub(crate) initial: Vec<usize>,
+    pub(crate) parts: Vec<Part>,
+    /// Steps that give orders to other partial grafcets.
+    commands: Vec<bool>,
+    /// Those, and the steps that enclose some.
+    pub(crate) governs: Vec<bool>,
+    /// From top to bottom; empty where no partial grafcet acts on another.
+    pub(crate) hierarchy: Vec<usize>,
+    pub(crate) part_of: Vec<usize>,
+    /// The connected piece of its partial grafcet to which each step belongs, and how many there are.
+    pub(crate) unit_of: Vec<usize>,
+    pub(crate) units: usize,
+    /// Whether the piece has transitions.
+    pub(crate) has_arcs: Vec<bool>,
+    pub(crate) is_final: Vec<bool>,
+    pub(crate) macros: Vec<Vec<usize>>,
+    /// Per step the atoms that edges in the conditions of its transitions look at.
+    pub(crate) edge_atoms: Vec<Vec<usize>>,
+    /// Those that edges in actions and in source transitions look at.
+    pub(crate) common_edge_atoms: Vec<usize>,
+    /// Atoms that edges look at.
+    pub(crate) is_edge_atom: Vec<bool>,
+    /// Atoms of assumptions and watched expressions.
+    pub(crate) is_common: Vec<bool>,
+    /// See [`unfollowed::atoms`].
+    pub(crate) unfollowed: Vec<bool>,
+    /// See [`unfollowed::presumed`].
+    pub(crate) presumed: Vec<bool>,
+    /// See [`unfollowed::bound`].
+    pub(crate) bound: Vec<bool>,
+    /// See [`unfollowed::beside`].
+    pub(crate) beside: Map<usize, Vec<usize>>,
+    /// Times that have to be followed, where that is asked for.
+    pub(crate) clocks: Vec<Clock>,
+    /// Steps and transitions with actions that write what is not followed.
+    pub(crate) writes_more: (Vec<bool>, Vec<bool>),
+    /// See [`Net::is_confluent`]: of the whole chart, and of each piece alone.
+    confluent: (bool, Vec<bool>),
+    pub(crate) watched: Vec<Formula>,
+    pub(crate) assumed_never: Vec<Formula>,
+    /// Something is taken as unknown.
+    pub(crate) approximate: bool,
+    pub(crate) max_evolutions: usize,
+    /// What the structure tells, where the chart is not explored as a whole.
+    pub(crate) structure: Option<Concurrency>,
+}
+
+impl Net {
+    /// `grafcet`: whether the situation in which a search for stability ends is the same in whatever order transitions
+    /// clear, as long as the inputs stay: no transition takes a source from another that waits for more than that, and no
+    /// condition reads a step or a variable that others change.
+    pub(crate) fn is_confluent(&self, unit: Option<usize>) -> bool {
+        unit.map_or(self.confluent.0, |unit| self.confluent.1[unit])
+    }
+
+    /// Whether the edge looks at one of these atoms.
+    pub(crate) fn edge_reads(&self, edge: usize, among: &[usize]) -> bool {
+        let read = |of| self.atoms_of(of).iter().any(|atom| among.binary_search(atom).is_ok());
+        self.edges[edge].as_ref().is_some_and(read)
+    }
+
+    /// All that is evaluated.
+    pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
+        let conditions = self.arcs.iter().map(|arc| &arc.condition);
+        let parts = self.shared.iter().chain(self.edges.iter().flatten()).chain(&self.watched);
+        conditions.chain(parts).chain(self.actions.formulas())
+    }
+
+    fn atoms_of(&self, formula: &Formula) -> Vec<usize> {
+        let mut atoms = Vec::new();
+        self.collect(formula, &mut atoms, &mut Vec::new());
+        atoms
+    }
+
+    /// The piece of a transition.
+    pub(crate) fn unit_of_arc(&self, transition: usize) -> usize {
+        let arc = &self.arcs[transition];
+        arc.sources.first().or(arc.targets.first()).map_or(0, |step| self.unit_of[*step])
+    }
+
+    /// The values a number can have.
+    pub(crate) fn range(&self, atom: usize) -> (i128, i128) {
+        match self.atoms[atom].kind {
+            Kind::Number(low, high) => (low, high),
+            _ => (0, i128::from(u32::MAX)),
+        }
+    }
+
+    /// The slots that actions of other pieces than this one write.
+    pub(crate) fn foreign_slots(&self, unit: usize) -> Vec<usize> {
+        let writers = self.actions.writers();
+        let foreign = |(step, arc): (Option<usize>, Option<usize>)| {
+            let unit_of = step.map(|step| self.unit_of[step]).or_else(|| arc.map(|arc| self.unit_of_arc(arc)));
+            unit_of != Some(unit)
+        };
+        let slots = writers.into_iter().filter(|(_, by)| foreign(*by)).map(|(slot, _)| slot);
+        let mut slots: Vec<usize> = slots.list();
+        slots.sort_unstable();
+        slots.dedup();
+        slots
+    }
+
+    /// Whether the structure lets two steps be active together.
+    pub(crate) fn may_meet(&self, a: usize, b: usize) -> bool {
+        self.structure.as_ref().is_none_or(|structure| structure.together(StepId::new(a), StepId::new(b)))
+    }
+
+    /// Whether a situation gives any orders.
+    pub(crate) fn orders_any(&self, active: &[usize]) -> bool {
+        active.iter().any(|step| self.commands[*step])
+    }
+
+    /// The order that a situation gives to a partial grafcet; A14 leaves at most one.
+    pub(crate) fn order(&self, part: usize, active: &[usize]) -> Option<&Order> {
+        let orders = self.parts[part].orders.iter().rev();
+        orders.filter(|(step, _)| active.binary_search(step).is_ok()).map(|(_, order)| order).next()
+    }
+}

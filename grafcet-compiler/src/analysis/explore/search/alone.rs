@@ -1,0 +1,81 @@
+//! One question alone: what it does not touch does not decide about it, and takes nothing of its budget.
+
+use super::graph::{Graph, Seen};
+use super::whole::{Budget, Detail, explore_whole};
+use crate::analysis::explore::Answer;
+use crate::analysis::explore::Limits;
+use crate::analysis::explore::limits::answers;
+use crate::analysis::explore::limits::limit;
+use crate::analysis::explore::limits::several;
+use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::slice::Slice;
+use crate::analysis::explore::verdicts::home::{self, Stay};
+use crate::model::{Model, StepId, Tree};
+
+/// Whether a situation can be reached from which there is no way to `home`, where only what decides about that is looked at;
+/// `None` where that is all of the chart, and nothing but the chart `was` looked at. The `others` count as home.
+#[must_use]
+pub(crate) fn away_from(
+    model: &Model,
+    limits: &Limits,
+    (home, others): (&[StepId], &[Stay]),
+    never: &[&Tree],
+    was_all: bool,
+) -> Option<Answer> {
+    let slice = Slice::of(model, home, &[]);
+    if slice.is_none() && was_all {
+        return None;
+    }
+    let question = Question { model, limits, never };
+    let net = question.net(slice.as_ref(), &[]);
+    let detail = if home::is_plain(&net) { Detail::Rough } else { Detail::Thorough };
+    let (graph, _) = question.explore(&net, detail);
+    (!cuts(&graph, slice.as_ref())).then(|| home::away(&net, &graph, home, others))
+}
+
+/// Whether an expression can hold at the end of a cycle, where only what decides about that is looked at; `None` where that
+/// is all of the chart, and nothing else `was` asked.
+#[must_use]
+pub(crate) fn watched(model: &Model, limits: &Limits, tree: &Tree, never: &[&Tree], was_alone: bool) -> Option<Answer> {
+    let slice = Slice::of(model, &[], &[tree]);
+    if slice.is_none() && was_alone {
+        return None;
+    }
+    let question = Question { model, limits, never };
+    let net = question.net(slice.as_ref(), &[tree]);
+    let (graph, sooner) = question.explore(&net, Detail::Rough);
+    if cuts(&graph, slice.as_ref()) {
+        return None;
+    }
+    let answer = answers(&net, sooner.as_ref(), &graph).pop();
+    if net.clocks.is_empty() || answer == Some(Answer::Never) {
+        return answer;
+    }
+    let (graph, sooner) = question.explore(&net, Detail::Timed);
+    answers(&net, sooner.as_ref(), &graph).pop()
+}
+
+/// Where a search for stability has no end it stops at a bound, and where that lies depends on all of the chart.
+fn cuts(graph: &Graph, slice: Option<&Slice>) -> bool {
+    slice.is_some() && graph.unstable
+}
+
+struct Question<'a> {
+    model: &'a Model,
+    limits: &'a Limits,
+    never: &'a [&'a Tree],
+}
+
+impl Question<'_> {
+    fn net(&self, slice: Option<&Slice>, watched: &[&Tree]) -> Net {
+        slice.map_or_else(
+            || Net::of(self.model, watched, self.never),
+            |slice| Net::sliced(self.model, slice, watched, self.never),
+        )
+    }
+
+    fn explore(&self, net: &Net, detail: Detail) -> (Graph, Option<Graph>) {
+        let mut budget = Budget { limit: limit(net, self.limits), work: 0 };
+        explore_whole(net, several(net) && detail == Detail::Rough, &mut budget, &mut Seen::nothing(net), detail)
+    }
+}

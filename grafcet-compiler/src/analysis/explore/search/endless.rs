@@ -1,0 +1,253 @@
+//! Circles that turn for ever once they are entered (A30), found in all searches of all situations that can be reached.
+//!
+//! A circle is entered where a transition clears in a stable situation and the search turns in it. It is a fault where
+//! none of its transitions ever begins a search that comes to rest, and neither does one that leads into it. What lies
+//! behind a search without end is not looked at.
+
+use std::rc::Rc;
+
+use super::Search;
+use super::graph::Seen;
+use super::leaf::Leaf;
+use super::settles::is_followed;
+use crate::analysis::explore::net::Net;
+use crate::analysis::explore::semantics;
+use crate::analysis::{Union, circles};
+use crate::list::List;
+use crate::model::{Id, Model, TransitionId};
+use crate::sorted::Set;
+
+/// The transitions of each circle, in the direction of evolution; `None` where so many units of work do not suffice, or something
+/// is not followed.
+pub(crate) fn circles(model: &Model, net: &Net, limit: u64) -> Option<Vec<Vec<TransitionId>>> {
+    if !is_followed(net) {
+        return None;
+    }
+    let mut seen = Seen::nothing(net);
+    let mut search = Search::new(net, None, false, limit, &mut seen);
+    if !net.clocks.is_empty() {
+        search = search.with_time();
+    }
+    search.valuation.to_the_turn = true;
+    search.roots();
+    let mut found = Found::new(model, net);
+    let mut number = 0;
+    while number < search.graph.states.len() {
+        let state = Rc::clone(&search.graph.states[number]);
+        let enabled = semantics::enabled(net, None, &state.active);
+        for leaf in search.runs(&state, &enabled, false)? {
+            let from = Start { state: number, first: state.first };
+            if leaf.done.unstable {
+                found.turns(from, leaf)?;
+            } else if leaf.done.too_long {
+                return None;
+            } else {
+                found.rests(from, &leaf);
+                let granted = !leaf.cycle.granted.is_empty();
+                let to = search.commit(number, leaf);
+                found.ways.push((number, to, granted));
+            }
+        }
+        number += 1;
+    }
+    found.certain(search.graph.states.len())
+}
+
+/// Where a search begins.
+#[derive(Clone, Copy)]
+struct Start {
+    state: usize,
+    /// Before the first cycle.
+    first: bool,
+}
+
+/// A circle in which some search turns.
+struct Ring {
+    transitions: Vec<TransitionId>,
+    steps: Set<usize>,
+}
+
+/// A search that turns for ever.
+struct Turn {
+    from: Start,
+    /// What cleared in its first evolution.
+    entries: Vec<usize>,
+    rings: Vec<usize>,
+    /// It relies on values that are not followed.
+    granted: bool,
+}
+
+struct Found<'m> {
+    model: &'m Model,
+    net: &'m Net,
+    rings: Vec<Ring>,
+    turns: Vec<Turn>,
+    /// By transition, whether it begins a search that comes to rest; the same of the first cycle.
+    confluent: Vec<bool>,
+    calm_at_first: Vec<bool>,
+    /// Whether the first cycle can come to rest, and whether it can leave the chart as it is: the initial situation is then a
+    /// stable one.
+    first_rests: bool,
+    first_stays: bool,
+    /// From where to where cycles lead that come to rest, and whether they rely on values that are not followed.
+    ways: Vec<(usize, usize, bool)>,
+}
+
+impl<'m> Found<'m> {
+    fn new(model: &'m Model, net: &'m Net) -> Self {
+        let (confluent, calm_at_first) = (vec![false; net.arcs.len()], vec![false; net.arcs.len()]);
+        Self {
+            model,
+            net,
+            rings: Vec::new(),
+            turns: Vec::new(),
+            confluent,
+            calm_at_first,
+            first_rests: false,
+            first_stays: false,
+            ways: Vec::new(),
+        }
+    }
+
+    fn rests(&mut self, from: Start, leaf: &Leaf) {
+        self.first_rests |= from.first;
+        self.first_stays |= from.first && leaf.done.cleared.is_empty() && leaf.done.transient.is_empty();
+        let confluent = if from.first { &mut self.calm_at_first } else { &mut self.confluent };
+        for transition in &leaf.done.cleared[..leaf.done.at_first] {
+            confluent[*transition] = true;
+        }
+    }
+
+    /// `None` if it was not followed until it turned.
+    fn turns(&mut self, from: Start, leaf: Leaf) -> Option<()> {
+        let rings = self.apart(leaf.done.turn?);
+        let rings = rings.into_iter().map(|ring| self.number(ring)).list();
+        let entries = leaf.done.cleared[..leaf.done.at_first].to_vec();
+        let granted = !leaf.cycle.granted.is_empty();
+        self.turns.push(Turn { from, entries, rings, granted });
+        Some(())
+    }
+
+    /// The circles of one turn: those that have no step in common, and do not ask for each other's, are apart.
+    fn apart(&self, turn: Vec<usize>) -> Vec<Vec<TransitionId>> {
+        let mut known = Set::new();
+        let turn: Vec<usize> = turn.into_iter().filter(|transition| known.insert(*transition)).list();
+        let mut union = Union::new(self.net.leaving.len());
+        for transition in &turn {
+            let arc = &self.net.arcs[*transition];
+            let mut steps = arc.sources.iter().chain(&arc.targets).chain(&arc.reads_steps);
+            if let Some(first) = steps.next() {
+                steps.for_each(|step| union.join(*first, *step));
+            }
+        }
+        let mut groups: Vec<(usize, Vec<TransitionId>)> = Vec::new();
+        for transition in turn {
+            let arc = &self.net.arcs[transition];
+            let root = arc.sources.first().or(arc.targets.first()).map(|step| union.root(*step));
+            let (Some(root), id) = (root, TransitionId::new(transition)) else { continue };
+            match groups.iter_mut().find(|(of, _)| *of == root) {
+                Some((_, group)) => group.push(id),
+                None => groups.push((root, vec![id])),
+            }
+        }
+        let rings = groups.into_iter().map(|(_, group)| circles::without_followers(self.model, group));
+        rings.filter(|ring| !ring.is_empty()).list()
+    }
+
+    fn number(&mut self, transitions: Vec<TransitionId>) -> usize {
+        let set = |ring: &[TransitionId]| ring.iter().copied().collect::<Set<_>>();
+        let own = set(&transitions);
+        let known = self.rings.iter().position(|ring| set(&ring.transitions) == own);
+        known.unwrap_or_else(|| {
+            let arcs = transitions.iter().map(|id| &self.net.arcs[id.index()]);
+            let steps = arcs.flat_map(|arc| arc.sources.iter().chain(&arc.targets).copied()).collect();
+            self.rings.push(Ring { transitions, steps });
+            self.rings.len() - 1
+        })
+    }
+
+    /// The circles that turn whenever they are entered; `None` where one may never be entered, as that relies on values that are
+    /// not followed.
+    fn certain(self, states: usize) -> Option<Vec<Vec<TransitionId>>> {
+        let real = self.real(states);
+        let (mut certain, mut doubtful): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+        for turn in &self.turns {
+            let found = if turn.granted || !real[turn.from.state] { &mut doubtful } else { &mut certain };
+            for ring in &turn.rings {
+                if !found.contains(ring) && self.is_entered(turn, *ring) && self.never_rests(*ring) {
+                    found.push(*ring);
+                }
+            }
+        }
+        if doubtful.iter().any(|ring| !certain.contains(ring)) {
+            return None;
+        }
+        // What turns beside a circle because that waits for it, and need not turn whenever that does, is none of it.
+        let set = |ring: &usize| self.rings[*ring].transitions.iter().copied().collect::<Set<_>>();
+        let sets: Vec<Set<TransitionId>> = certain.iter().map(set).list();
+        certain.retain(|ring| !sets.iter().any(|other| *other != set(ring) && other.is_subset(&set(ring))));
+        let mut certain: Vec<_> = certain.into_iter().map(|ring| self.rings[ring].transitions.clone()).list();
+        certain.sort_unstable();
+        Some(certain)
+    }
+
+    /// Which states can be reached without relying on what is not followed.
+    fn real(&self, states: usize) -> Vec<bool> {
+        let mut real = vec![false; states];
+        real.iter_mut().take(1).for_each(|first| *first = true);
+        loop {
+            let mut changed = false;
+            for (from, to, granted) in &self.ways {
+                if real[*from] && !real[*to] && !granted {
+                    real[*to] = true;
+                    changed = true;
+                }
+            }
+            if !changed {
+                return real;
+            }
+        }
+    }
+
+    /// Whether what begins this search always ends in the circle.
+    fn is_entered(&self, turn: &Turn, ring: usize) -> bool {
+        let first = turn.from.first;
+        let confluent = if first { &self.calm_at_first } else { &self.confluent };
+        first && !self.first_rests
+            || turn.entries.iter().any(|entry| {
+                !confluent[*entry] && self.leads_to(*entry, ring) && self.always_turns(*entry, ring, first)
+            })
+    }
+
+    /// Whether no transition of the circle begins a search that comes to rest, or turns elsewhere.
+    fn never_rests(&self, ring: usize) -> bool {
+        self.rings[ring].transitions.iter().all(|id| {
+            let id = id.index();
+            let is_confluent = self.confluent[id] || self.first_stays && self.calm_at_first[id];
+            !is_confluent && self.always_turns(id, ring, false)
+        })
+    }
+
+    /// Whether all searches without end that the transition begins turn in the circle, or in one through its steps.
+    fn always_turns(&self, entry: usize, ring: usize, first: bool) -> bool {
+        let own = &self.rings[ring].steps;
+        let touches = |other: &usize| *other == ring || !self.rings[*other].steps.is_disjoint(own);
+        let begun = |turn: &&Turn| turn.from.first == first && turn.entries.contains(&entry);
+        self.turns.iter().filter(begun).all(|turn| turn.rings.iter().any(touches))
+    }
+
+    /// Whether clearing the transition has to do with the circle: it is drawn with it, or the circle waits for steps,
+    /// variables or commands.
+    fn leads_to(&self, entry: usize, ring: usize) -> bool {
+        let unit = self.net.unit_of_arc(entry);
+        self.rings[ring].transitions.iter().any(|id| {
+            let arc = &self.net.arcs[id.index()];
+            let part = &self.net.parts[arc.partial];
+            self.net.unit_of_arc(id.index()) == unit
+                || arc.reads_slots
+                || !arc.reads_steps.is_empty()
+                || part.enclosed_by.is_some()
+                || !part.orders.is_empty()
+        })
+    }
+}

@@ -1,0 +1,68 @@
+//! The whole chart, as far as the budget suffices.
+
+use super::Search;
+use super::graph::{Graph, Seen};
+use crate::analysis::explore::net::Net;
+
+/// The units of work that are left.
+pub(crate) struct Budget {
+    pub(crate) limit: u64,
+    pub(crate) work: u64,
+}
+
+impl Budget {
+    pub(crate) fn left(&self) -> u64 {
+        self.limit.saturating_sub(self.work)
+    }
+
+    pub(crate) fn run(&mut self, search: Search<'_, '_>) -> Graph {
+        let (graph, work) = search.run();
+        self.work += work;
+        graph
+    }
+}
+
+/// How closely the chart is looked at.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Detail {
+    /// Times count as unknown.
+    Rough,
+    /// See [`Search::with_time`].
+    Timed,
+    /// See [`Search::thoroughly`].
+    Thorough,
+}
+
+/// The whole chart, as far as the budget suffices; and the graph of a first attempt that was given up.
+///
+/// First everything is tried in all combinations, which gives the shortest ways, then not what has nothing to do with
+/// each other.
+pub(crate) fn explore_whole(
+    net: &Net,
+    several: bool,
+    budget: &mut Budget,
+    seen: &mut Seen,
+    detail: Detail,
+) -> (Graph, Option<Graph>) {
+    let share = if several { budget.limit / 3 } else { budget.limit };
+    // What waits may rely on values that nobody can choose, or on a time that does not stand still.
+    let may_wait = match detail {
+        Detail::Rough => true,
+        Detail::Timed => net.clocks.is_empty(),
+        Detail::Thorough => net.clocks.is_empty() && !net.unfollowed.contains(&true) && !net.links.any_computed(),
+    };
+    let lazy = may_wait && (!net.grafcet || net.is_confluent(None));
+    let mut run = |lazy: bool, limit: u64| {
+        let search = Search::new(net, None, lazy, limit.saturating_sub(budget.work), seen);
+        budget.run(match detail {
+            Detail::Rough => search,
+            Detail::Timed => search.with_time(),
+            Detail::Thorough => search.thoroughly(),
+        })
+    };
+    let graph = run(false, if lazy { share / 3 } else { share });
+    if graph.complete || !lazy {
+        return (graph, None);
+    }
+    (run(true, share), Some(graph))
+}

@@ -1,0 +1,241 @@
+//! The cycle of `grafcet`: the search for stability.
+
+use super::hierarchy;
+use super::sfc::perform;
+use super::{Done, evolve, note_doubled};
+use crate::analysis::explore::net::actions::Action;
+use crate::analysis::explore::net::slots::Bit;
+use crate::analysis::explore::search::reduction;
+use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
+use crate::analysis::explore::verdicts::rivals;
+use crate::model::{Dialect, Trigger};
+
+/// What the stored actions of one evolution do together.
+struct Outcome {
+    writes: Vec<(usize, Bit)>,
+    /// A call is due, or a value changes that is not followed (A25).
+    more: bool,
+}
+
+pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize], done: &mut Done) -> When {
+    let net = valuation.net;
+    if state.first {
+        activate(valuation);
+    }
+    let mut fireable: Vec<usize> = Vec::new();
+    let mut evolutions = 0;
+    let mut anchor: Option<Anchor> = None;
+    let bound = if valuation.to_the_turn { net.max_evolutions.saturating_mul(FAR) } else { net.max_evolutions };
+    loop {
+        let tried = if evolutions == 0 {
+            super::tried(valuation, enabled)
+        } else {
+            let enabled = super::enabled(net, valuation.unit, &valuation.now.active);
+            done.enabled_later.extend(&enabled);
+            if valuation.lazy { reduction::later(valuation, &enabled) } else { enabled }
+        };
+        fireable.clear();
+        for transition in tried {
+            if valuation.decide(&net.arcs[transition].condition, When::Now) {
+                fireable.push(transition);
+            }
+        }
+        done.able.extend(&fireable);
+        // An order of the initial situation takes hold with the first evolution.
+        let settled = !state.first || evolutions > 0;
+        let (after, cleared) = step(valuation, &fireable, settled, done);
+        if evolutions == 0 {
+            done.at_first = cleared.len();
+        }
+        let outcome = actions(valuation, &after, &cleared);
+        let changes = outcome.more
+            || after != valuation.now.active
+            || outcome.writes.iter().any(|(slot, bit)| valuation.now.slots[*slot] != *bit);
+        if !changes {
+            done.cleared.extend(cleared);
+            done.too_long = evolutions > net.max_evolutions;
+            return When::Sample;
+        }
+        if evolutions >= bound {
+            done.unstable = true;
+            return When::Before;
+        }
+        evolutions += 1;
+        if writes_more(valuation, &after, &cleared) {
+            valuation.forget_volatile();
+        } else if !net.calls.is_empty() {
+            valuation.forget_calls();
+        }
+        done.cleared.extend(cleared);
+        commit(valuation, after, outcome.writes);
+        done.transient.push(valuation.now.active.clone());
+        if !valuation.to_the_turn {
+            evolutions = skip(valuation, evolutions, &mut anchor);
+        } else if let Some(known) = turned(valuation, evolutions, done.cleared.len(), &mut anchor) {
+            done.turn = Some(done.cleared.split_off(known.cleared));
+            done.unstable = true;
+            return When::Before;
+        }
+    }
+}
+
+/// A37: the activation of the initial situation is an evolution of its own, before which no step is active.
+fn activate(valuation: &mut Valuation<'_>) {
+    let after = std::mem::take(&mut valuation.now.active);
+    let outcome = actions(valuation, &after, &[]);
+    valuation.now.active = after;
+    for (slot, bit) in outcome.writes {
+        valuation.now.slots[slot] = bit;
+    }
+}
+
+/// The situation after the evolution, and the transitions cleared in it.
+fn step(valuation: &Valuation<'_>, fireable: &[usize], settled: bool, done: &mut Done) -> (Vec<usize>, Vec<usize>) {
+    let net = valuation.net;
+    if settled && fireable.is_empty() {
+        return (valuation.now.active.clone(), Vec::new());
+    }
+    if valuation.unit.is_none() && !net.hierarchy.is_empty() && !(settled && hierarchy::is_free(net, fireable)) {
+        return hierarchy::evolve(net, &valuation.now.active, fireable, done);
+    }
+    let (mut left, mut targets) = (Vec::new(), Vec::new());
+    for transition in fireable {
+        left.extend(&net.arcs[*transition].sources);
+        targets.extend(&net.arcs[*transition].targets);
+    }
+    note_doubled(net, &valuation.now.active, &left, fireable, done);
+    (evolve(&valuation.now.active, &left, &targets), fireable.to_vec())
+}
+
+/// Whether the evolution may change values that are not followed.
+fn writes_more(valuation: &Valuation<'_>, after: &[usize], cleared: &[usize]) -> bool {
+    let (steps, transitions) = &valuation.net.writes_more;
+    valuation.now.active.iter().chain(after).any(|step| steps[*step]) || cleared.iter().any(|id| transitions[*id])
+}
+
+fn commit(valuation: &mut Valuation<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {
+    let before = valuation.now.clone();
+    valuation.fresh.retain(|step| after.binary_search(step).is_ok());
+    let entered = after.iter().filter(|step| before.active.binary_search(step).is_err());
+    valuation.fresh.extend(entered);
+    valuation.now.active = after;
+    for (slot, bit) in writes {
+        valuation.now.slots[slot] = bit;
+    }
+    valuation.previous = Some(before);
+    valuation.edgeless = false;
+}
+
+/// So many times the bound a search is followed that may turn for ever.
+const FAR: usize = 16;
+
+/// An evolution with which a later one is compared.
+struct Anchor {
+    evolution: usize,
+    /// How many transitions had cleared.
+    cleared: usize,
+    asked: usize,
+    now: Snapshot,
+    previous: Option<Snapshot>,
+    /// Ascending.
+    fresh: Vec<usize>,
+}
+
+/// Where the search turns in a circle without asking anything new, it turns until the bound: whole turns are left out.
+fn skip(valuation: &mut Valuation<'_>, evolution: usize, anchor: &mut Option<Anchor>) -> usize {
+    if evolution < 8 {
+        return evolution;
+    }
+    match turned(valuation, evolution, 0, anchor) {
+        Some(known) => {
+            let period = evolution - known.evolution;
+            let bound = valuation.net.max_evolutions.max(evolution);
+            bound - (bound - evolution) % period
+        }
+        None => evolution,
+    }
+}
+
+/// The evolution since which the search has turned once, without asking anything new.
+fn turned<'a>(
+    valuation: &Valuation<'_>,
+    evolution: usize,
+    cleared: usize,
+    anchor: &'a mut Option<Anchor>,
+) -> Option<&'a Anchor> {
+    let mut fresh = valuation.fresh.clone();
+    fresh.sort_unstable();
+    let same = anchor.as_ref().is_some_and(|known| {
+        known.now == valuation.now
+            && known.previous == valuation.previous
+            && known.fresh == fresh
+            && known.asked == valuation.tape.asked()
+    });
+    if same {
+        return anchor.as_ref();
+    }
+    if evolution.is_power_of_two() {
+        let (now, previous) = (valuation.now.clone(), valuation.previous.clone());
+        *anchor = Some(Anchor { evolution, cleared, asked: valuation.tape.asked(), now, previous, fresh });
+    }
+    None
+}
+
+/// The stored actions of an evolution to `after`: all see the values from before it (A5).
+fn actions(valuation: &mut Valuation<'_>, after: &[usize], cleared: &[usize]) -> Outcome {
+    let mut outcome = Outcome { writes: Vec::new(), more: false };
+    let net = valuation.net;
+    if net.actions.is_empty() {
+        return outcome;
+    }
+    let before = valuation.now.active.clone();
+    rivals::note(valuation, &before, after, cleared);
+    let mut due: Vec<usize> = Vec::new();
+    let steps = before.iter().chain(after.iter().filter(|step| before.binary_search(step).is_err()));
+    for step in steps.filter_map(|step| net.actions.stored_of.get(step)) {
+        due.extend(step);
+    }
+    due.sort_unstable();
+    for number in due {
+        let action = &net.actions.stored[number];
+        if occurs(valuation, action, &before, after) {
+            run(valuation, action, &mut outcome);
+        }
+    }
+    for transition in cleared {
+        for action in net.actions.clearing.get(transition).into_iter().flatten() {
+            run(valuation, action, &mut outcome);
+        }
+    }
+    outcome
+}
+
+fn run(valuation: &mut Valuation<'_>, action: &Action, outcome: &mut Outcome) {
+    valuation.own.clear();
+    perform(valuation, &action.program);
+    let written = std::mem::take(&mut valuation.own);
+    // The last in the source wins.
+    outcome.writes.retain(|(slot, _)| written.iter().all(|(other, _)| other != slot));
+    for (slot, bit) in written {
+        outcome.writes.retain(|(other, _)| *other != slot);
+        outcome.writes.push((slot, bit));
+    }
+    outcome.more |= action.more;
+}
+
+/// Whether the event of a stored action occurs in this evolution, and its condition holds.
+fn occurs(valuation: &mut Valuation<'_>, action: &Action, before: &[usize], after: &[usize]) -> bool {
+    let was = before.binary_search(&action.step).is_ok();
+    let is = after.binary_search(&action.step).is_ok();
+    let occurs = match action.qualifier.trigger(Dialect::Grafcet) {
+        Trigger::Deactivation => was && !is,
+        Trigger::Event => was,
+        Trigger::Active | Trigger::Activation => !was && is,
+    };
+    if !occurs {
+        return false;
+    }
+    valuation.spoilt |= valuation.is_waited() && (action.event.is_some() || action.condition.is_some());
+    let event = action.event.as_ref().is_none_or(|event| valuation.decide(event, When::Now));
+    event && action.condition.as_ref().is_none_or(|condition| valuation.decide(condition, When::Now))
+}

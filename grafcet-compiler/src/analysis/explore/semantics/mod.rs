@@ -1,0 +1,120 @@
+//! What one cycle does, in both dialects, as far as it matters to the situations.
+
+pub(crate) mod grafcet;
+pub(crate) mod hierarchy;
+pub(crate) mod sfc;
+
+use crate::analysis::explore::net::Net;
+use crate::analysis::explore::search::reduction::arbitrate;
+use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
+use crate::list::List;
+
+/// What happened in one run of a cycle.
+#[derive(Default, Debug)]
+pub(crate) struct Done {
+    /// The transitions cleared, evolution by evolution.
+    pub(crate) cleared: Vec<usize>,
+    /// How many of them cleared in the first evolution.
+    pub(crate) at_first: usize,
+    /// Transitions whose condition held while they were enabled.
+    pub(crate) able: Vec<usize>,
+    /// Transitions enabled in some evolution; in the first they can be seen from the situation.
+    pub(crate) enabled_later: Vec<usize>,
+    /// Situations between the first and the last of the cycle.
+    pub(crate) transient: Vec<Vec<usize>>,
+    /// A step activated while it was active and not left, and the transition that did it.
+    pub(crate) doubled: Vec<(usize, usize)>,
+    /// The search for stability was stopped by its bound.
+    pub(crate) unstable: bool,
+    /// Where it was followed until it turns: the transitions of one turn, which are none of `cleared`.
+    pub(crate) turn: Option<Vec<usize>>,
+    /// It came to rest where the bound would have stopped it before.
+    pub(crate) too_long: bool,
+}
+
+/// The transitions that are enabled in a situation, in source order.
+pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<usize> {
+    let has = |step: &usize| active.binary_search(step).is_ok();
+    let mut enabled = Vec::new();
+    for step in active {
+        for transition in &net.leaving[*step] {
+            let sources = &net.arcs[*transition].sources;
+            if sources[0] == *step && sources.iter().all(has) {
+                enabled.push(*transition);
+            }
+        }
+    }
+    for transition in &net.sourceless {
+        let target = net.arcs[*transition].targets.first();
+        if unit.is_none() || unit == target.map(|step| net.unit_of[*step]) {
+            enabled.push(*transition);
+        }
+    }
+    if unit.is_none() && !net.hierarchy.is_empty() {
+        // A13, A17: frozen by an order, or inside an enclosing step that is not active.
+        let ordered = net.orders_any(active);
+        enabled.retain(|transition| {
+            let part = net.arcs[*transition].partial;
+            net.parts[part].enclosed_by.as_ref().is_none_or(has) && !(ordered && net.order(part, active).is_some())
+        });
+    }
+    enabled.sort_unstable();
+    enabled
+}
+
+/// Runs one cycle from `state`; also returns which snapshot the edges of the next one compare with.
+pub(crate) fn run(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
+    valuation.begin(state);
+    go_on(valuation, state, enabled)
+}
+
+/// The same, where something has been decided about its inputs before.
+pub(crate) fn go_on(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
+    let mut done = Done::default();
+    let when = if valuation.net.grafcet {
+        grafcet::cycle(valuation, state, enabled, &mut done)
+    } else {
+        sfc::cycle(valuation, state, enabled, &mut done)
+    };
+    (when, done)
+}
+
+/// The state that a cycle leaves behind.
+pub(crate) fn end(valuation: &Valuation<'_>, when: When) -> State {
+    let before = valuation.sample(when).into_boxed_slice();
+    let Snapshot { active, slots } = &valuation.now;
+    let mut slots = slots.clone();
+    for slot in &valuation.net.shown_slots {
+        slots[*slot] = valuation.net.initial_slots[*slot];
+    }
+    let (active, slots) = (active.clone().into_boxed_slice(), slots.into_boxed_slice());
+    State { first: false, active, slots, before, ages: Box::default() }
+}
+
+/// `(active − left) ∪ targets`, ascending.
+pub(crate) fn evolve(active: &[usize], left: &[usize], targets: &[usize]) -> Vec<usize> {
+    let mut after: Vec<usize> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().list();
+    after.sort_unstable();
+    after.dedup();
+    after
+}
+
+/// Notes the steps among the targets of the cleared transitions that are active and not left.
+pub(crate) fn note_doubled(net: &Net, active: &[usize], left: &[usize], cleared: &[usize], done: &mut Done) {
+    // A target of an `any` that is active stays so.
+    for transition in cleared.iter().filter(|transition| !net.arcs[**transition].is_any) {
+        for target in &net.arcs[*transition].targets {
+            if active.binary_search(target).is_ok() && !left.contains(target) {
+                done.doubled.push((*target, *transition));
+            }
+        }
+    }
+}
+
+/// The transitions whose conditions are to be looked at, of those enabled at the start of a cycle.
+pub(crate) fn tried(valuation: &mut Valuation<'_>, enabled: &[usize]) -> Vec<usize> {
+    match valuation.groups.clone() {
+        Some(groups) if valuation.lazy => arbitrate(valuation, &groups, true),
+        _ => enabled.to_vec(),
+    }
+}

@@ -1,0 +1,218 @@
+//! Deadlocks and AND-convergences that wait forever, found in the graph of states.
+
+pub(crate) mod contention;
+pub(crate) mod future;
+pub(crate) mod home;
+pub(crate) mod meeting;
+pub(crate) mod path;
+pub(crate) mod rivals;
+pub(crate) mod table;
+
+use self::future::Future;
+use self::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
+use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::search::graph::{Cycle, Doubled, Graph};
+use crate::analysis::explore::valuation::knowledge::Known;
+use crate::list::List;
+use crate::model::{Id, PartialId, StepId, TransitionId};
+use crate::sorted::Set;
+
+/// Turns numbers back into names.
+pub(crate) struct Report<'n> {
+    pub(crate) net: &'n Net,
+    pub(crate) graph: &'n Graph,
+}
+
+impl Report<'_> {
+    /// The shortest way to a state.
+    pub(crate) fn path_to(&self, state: usize) -> Path {
+        self.path_with(state, &[])
+    }
+
+    /// The same, with how late it is at its end, where that is followed.
+    pub(crate) fn path_to_age(&self, state: usize) -> Path {
+        let mut path = self.path_to(state);
+        let ages = &self.graph.states[state].ages;
+        if let Some(last) = path.cycles.last_mut().filter(|_| !ages.is_empty()) {
+            let known = |given: &Given| ages.iter().any(|(atom, _)| self.net.atoms[*atom].what == given.what);
+            last.given.retain(|given| !known(given));
+            last.given.extend(ages.iter().filter_map(|age| self.given(age)));
+        }
+        path
+    }
+
+    /// The same, where at its end this is known of the atoms.
+    fn path_with(&self, state: usize, known: &[(usize, Known)]) -> Path {
+        let mut path = Path::default();
+        let (mut at, mut known) = (state, known.to_vec());
+        while let Some(origin) = &self.graph.origins[at] {
+            self.note(&origin.cycle, &mut path);
+            let cycle = self.cycle(&origin.cycle, &known, &self.graph.states[at].active);
+            // The cycle that only enters the initial situation shows nothing.
+            path.skips_first =
+                self.graph.states[origin.from].first && cycle.cleared.is_empty() && cycle.given.is_empty();
+            if !path.skips_first {
+                path.cycles.push(cycle);
+            }
+            known.clone_from(&origin.cycle.past);
+            at = origin.from;
+        }
+        path.start = steps(&self.graph.states[at].active);
+        path.cycles.reverse();
+        path
+    }
+
+    /// The shortest way to a cycle at whose end a watched expression holds.
+    pub(crate) fn path_to_watched(&self, index: usize) -> Option<Path> {
+        let (from, cycle, end) = self.graph.watched[index].as_ref()?;
+        Some(self.path_beyond(*from, cycle, &end.active))
+    }
+
+    /// A way to a state, and one more cycle.
+    pub(crate) fn path_beyond(&self, from: usize, cycle: &Cycle, active: &[usize]) -> Path {
+        let mut path = self.path_with(from, &cycle.past);
+        path.cycles.push(self.cycle(cycle, &[], active));
+        self.note(cycle, &mut path);
+        path
+    }
+
+    /// Notes what a cycle of a way takes for granted.
+    fn note(&self, cycle: &Cycle, path: &mut Path) {
+        for (atom, _) in &cycle.granted {
+            let what = &self.net.atoms[*atom].what;
+            if !self.net.presumed[*atom] && !path.granted.contains(what) {
+                path.granted.push(what.clone());
+            }
+        }
+    }
+
+    /// A cycle; `later` is what the next one demands of it.
+    fn cycle(&self, cycle: &Cycle, later: &[(usize, Known)], active: &[usize]) -> PathCycle {
+        let inputs = |(atom, _): &&(usize, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
+        let later: Vec<_> = later.iter().filter(inputs).list();
+        let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
+        let given = sooner.chain(later.iter().copied()).filter_map(|known| self.given(known));
+        PathCycle {
+            given: given.list(),
+            cleared: cycle.cleared.iter().map(|transition| TransitionId::new(*transition)).list(),
+            active: steps(active),
+        }
+    }
+
+    fn given(&self, (atom, known): &(usize, Known)) -> Option<Given> {
+        let demand = match known {
+            Known::Unknown => return None,
+            Known::Bool(value) => Demand::Is(*value),
+            Known::Range(low, high) => {
+                let (first, last) = self.net.range(*atom);
+                Demand::Within((*low > first).then_some(*low), (*high < last).then_some(*high))
+            }
+        };
+        Some(Given { what: self.net.atoms[*atom].what.clone(), demand })
+    }
+
+    /// The steps that were activated while they were active.
+    pub(crate) fn activations(&self) -> Vec<(StepId, Activation)> {
+        let activation = |(step, doubled): &(usize, Doubled)| {
+            let path = self.path_beyond(doubled.from, &doubled.cycle, &doubled.end);
+            (StepId::new(*step), Activation { path, by: TransitionId::new(doubled.by) })
+        };
+        self.graph.doubled.iter().map(activation).list()
+    }
+
+    /// Situations from which a piece of the chart never goes on.
+    pub(crate) fn deadlocks(&self, future: &Future) -> Vec<Deadlock> {
+        self.deadlocks_of(future, 0..self.graph.states.len())
+    }
+
+    /// Those among some states.
+    pub(crate) fn deadlocks_of(&self, future: &Future, among: impl IntoIterator<Item = usize>) -> Vec<Deadlock> {
+        let mut deadlocks = Vec::new();
+        let mut known = Set::new();
+        let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
+        for (number, state) in states.filter(|(_, state)| !state.first) {
+            let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).list();
+            units.sort_unstable();
+            units.dedup();
+            for unit in units {
+                if future.moves(number, unit) || !self.net.has_arcs[unit] || self.is_meant(&state.active, unit) {
+                    continue;
+                }
+                let here = self.part_of(&state.active, unit);
+                if !known.insert(here.clone()) {
+                    continue;
+                }
+                let partial = PartialId::new(self.net.part_of[here[0]]);
+                deadlocks.push(Deadlock { partial, steps: steps(&here), path: self.path_to(number) });
+            }
+        }
+        deadlocks
+    }
+
+    /// AND-convergences of which a source is active forever and another never.
+    pub(crate) fn stuck_joins(&self, future: &Future) -> Vec<StuckJoin> {
+        self.stuck_joins_of(future, 0..self.graph.states.len())
+    }
+
+    /// Those among some states.
+    pub(crate) fn stuck_joins_of(&self, future: &Future, among: impl IntoIterator<Item = usize>) -> Vec<StuckJoin> {
+        let mut stuck = Vec::new();
+        let mut known = Set::new();
+        if future.joins.is_empty() {
+            return stuck;
+        }
+        let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
+        for (number, state) in states.filter(|(_, state)| !state.first) {
+            for step in state.active.iter().filter(|step| future.waiting.binary_search(step).is_ok()) {
+                let unit = self.net.unit_of[*step];
+                if future.leaves(number, *step) || self.is_meant(&state.active, unit) {
+                    continue;
+                }
+                for join in self.net.leaving[*step].iter().filter(|t| future.joins.binary_search(t).is_ok()) {
+                    if !future.enables(number, *join) && known.insert((*join, *step)) {
+                        stuck.push(StuckJoin {
+                            join: TransitionId::new(*join),
+                            waiting: StepId::new(*step),
+                            culprit: self.culprit(future, number, *join).map(TransitionId::new),
+                            path: self.path_to(number),
+                        });
+                    }
+                }
+            }
+        }
+        stuck
+    }
+
+    /// The transition on the way to a state with which the convergence became impossible.
+    fn culprit(&self, future: &Future, state: usize, join: usize) -> Option<usize> {
+        let mut at = state;
+        while let Some(origin) = &self.graph.origins[at] {
+            if future.enables(origin.from, join) {
+                let apart = |t: &&usize| {
+                    let arc = &self.net.arcs[**t];
+                    !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
+                };
+                let cleared = &origin.cycle.cleared;
+                return cleared.iter().find(apart).or(cleared.first()).copied();
+            }
+            at = origin.from;
+        }
+        None
+    }
+
+    fn part_of(&self, active: &[usize], unit: usize) -> Vec<usize> {
+        active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().list()
+    }
+
+    /// Whether the piece may stay where it is: a final step of it is active, or an order holds it.
+    fn is_meant(&self, active: &[usize], unit: usize) -> bool {
+        let here = self.part_of(active, unit);
+        let held = |step: &usize| self.net.order(self.net.part_of[*step], active).is_some();
+        here.iter().any(|step| self.net.is_final[*step]) || self.graph.unit.is_none() && here.first().is_some_and(held)
+    }
+}
+
+fn steps(active: &[usize]) -> Vec<StepId> {
+    active.iter().map(|step| StepId::new(*step)).list()
+}

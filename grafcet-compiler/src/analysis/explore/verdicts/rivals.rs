@@ -1,0 +1,112 @@
+//! Which pairs of stored actions run in the same evolution, found out by trying.
+
+use crate::analysis::explore::Limits;
+use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::compile::Compiler;
+use crate::analysis::explore::net::formula::{Atom, Formula};
+use crate::analysis::explore::search::Search;
+use crate::analysis::explore::search::graph::Seen;
+use crate::analysis::explore::valuation::{Valuation, When};
+use crate::analysis::is_constant_read;
+use crate::list::List;
+use crate::model::{Association, Dialect, Id, Model, Name, Qualifier, Read, TransitionId, Tree, Trigger};
+
+/// A stored action of a `grafcet` that is watched beside another.
+#[derive(Clone, Copy)]
+pub enum Rival<'m> {
+    /// Of a step.
+    Action(&'m Association),
+    /// On the clearing of a transition.
+    Clearing(TransitionId),
+}
+
+impl<'m> Rival<'m> {
+    /// What it asks, beside the change of the situation.
+    pub(crate) fn conditions(self) -> impl Iterator<Item = &'m Tree> {
+        let association = match self {
+            Self::Action(association) => Some(association),
+            Self::Clearing(_) => None,
+        };
+        association.into_iter().flat_map(|a| a.event.iter().chain(&a.condition)).map(|expr| &expr.tree)
+    }
+
+    pub(crate) fn compile(self, compiler: &mut Compiler<'_>) -> Watched {
+        let conditions = self.conditions().map(|tree| compiler.formula(tree)).list();
+        let at = match self {
+            Self::Action(association) => At::Step(association.step.index(), association.qualifier),
+            Self::Clearing(id) => At::Transition(id.index()),
+        };
+        Watched { at, conditions }
+    }
+}
+
+/// A [`Rival`] by numbers.
+pub(crate) struct Watched {
+    at: At,
+    pub(crate) conditions: Vec<Formula>,
+}
+
+enum At {
+    Step(usize, Qualifier),
+    Transition(usize),
+}
+
+impl Watched {
+    /// Whether it runs in an evolution, as far as the change of the situation tells.
+    fn is_due(&self, before: &[usize], after: &[usize], cleared: &[usize]) -> bool {
+        match &self.at {
+            At::Step(step, qualifier) => {
+                let (was, is) = (before.binary_search(step).is_ok(), after.binary_search(step).is_ok());
+                match qualifier.trigger(Dialect::Grafcet) {
+                    Trigger::Deactivation => was && !is,
+                    Trigger::Event => was,
+                    Trigger::Active | Trigger::Activation => !was && is,
+                }
+            }
+            At::Transition(transition) => cleared.contains(transition),
+        }
+    }
+}
+
+/// Notes which of the watched pairs run in this evolution.
+pub(crate) fn note(valuation: &mut Valuation<'_>, before: &[usize], after: &[usize], cleared: &[usize]) {
+    let net = valuation.net;
+    for (number, (a, b)) in net.actions.rivals.iter().enumerate() {
+        if valuation.have_met[number] || valuation.met.contains(&number) {
+            continue;
+        }
+        let due = a.is_due(before, after, cleared) && b.is_due(before, after, cleared);
+        if due && a.conditions.iter().chain(&b.conditions).all(|condition| valuation.decide(condition, When::Now)) {
+            valuation.met.push(number);
+        }
+    }
+}
+
+/// For each pair whether both can run in the same evolution, under all inputs for which none of `never` holds; `true` also
+/// where that could not be excluded.
+#[must_use]
+pub fn rivals_meeting(model: &Model, limits: &Limits, pairs: &[(Rival<'_>, Rival<'_>)], never: &[&Tree]) -> Vec<bool> {
+    let all = vec![true; pairs.len()];
+    if limits.only_ways || pairs.len() > PAIRS {
+        return all;
+    }
+    let net = Net::beside(model, pairs, never);
+    if !net.atoms.iter().all(is_told) {
+        return all;
+    }
+    let mut seen = Seen::nothing(&net);
+    let (complete, met) = Search::new(&net, None, false, limits.work, &mut seen).run_beside(pairs.len());
+    if complete { met } else { all }
+}
+
+/// More pairs are not looked at.
+const PAIRS: usize = 1000;
+
+/// Whether an atom has, at each moment, one of the values that are tried then: what nobody follows changes with actions alone.
+fn is_told(atom: &Atom) -> bool {
+    let mut told = true;
+    atom.what.each_read(&mut |read| {
+        told &= is_constant_read(&read) || matches!(read, Read::Name(Name::Var(_) | Name::Output(_)));
+    });
+    told || atom.is_exact()
+}
