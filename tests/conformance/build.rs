@@ -4,7 +4,7 @@
 
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::PathBuf;
 use std::{env, fs};
 
 #[path = "src/chart.rs"]
@@ -28,6 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     files.sort();
+    let out = PathBuf::from(env::var("OUT_DIR")?);
     let (mut modules, mut list) = (String::new(), String::new());
     for path in &files {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -36,14 +37,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let end = chart.rfind('}').ok_or_else(|| format!("{name}: no end of the chart"))?;
         let flags = format!("{}encoding flags;\n{}", &chart[..end], &chart[end..]);
         for (name, chart) in [(name.to_string(), chart), (format!("{name}_flags"), &flags)] {
-            let module = emit::module(chart).map_err(|error| format!("{name}: {error}"))?;
-            writeln!(modules, "mod {name} {{\n{module}}}")?;
+            let module = out.join(format!("{name}.rs"));
+            fs::write(&module, emit::module(chart).map_err(|error| format!("{name}: {error}"))?)?;
+            writeln!(modules, "#[path = r\"{}\"] mod {name};", module.display())?;
             let subject = format!("|| Box::new({name}::Compiled::default())");
             let file = format!("include_str!(r\"{}\")", path.display());
             writeln!(list, "    Entry {{ name: \"{name}\", text: {file}, subject: {subject} }},")?;
         }
     }
     let code = format!("{modules}\n/// The corpus.\nconst CORPUS: &[Entry] = &[\n{list}];\n");
-    fs::write(Path::new(&env::var("OUT_DIR")?).join("corpus.rs"), code)?;
+    fs::write(out.join("corpus.rs"), code)?;
     Ok(())
 }

@@ -1,9 +1,9 @@
 //! The interpreter as a [`Subject`].
 
-use crate::interp::{Call, Interpreter, Phase, Rest, Situation, Value};
+use crate::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_compiler::model::{Model, Ty};
 
-use crate::{Shown, Subject, Values};
+use crate::{Rest, Shown, Subject, Values};
 
 /// An interpreted chart.
 pub struct Interpreted<'m> {

@@ -4,17 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::{Cycle, Error, Interpreter, Machine, Memory, Value};
-
-/// What may be said of the next cycle.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Rest {
-    /// It has something to do without an input and without time: "at once" is the only right answer.
-    Goes,
-    /// It would do nothing; but the one that has run did something, so another look may be asked for.
-    Looks,
-    /// It would do nothing, as the one that has run.
-    Sleeps,
-}
+use crate::Rest;
 
 impl Interpreter<'_> {
     /// What is left behind the cycle that has just run with these inputs, `before` being the memory in front of it.
