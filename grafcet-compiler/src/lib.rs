@@ -27,6 +27,7 @@ use proc_macro2::TokenStream;
 
 use analysis::Facts;
 use diagnostic::Sink;
+use model::Model;
 use plan::Plan;
 
 /// Compiles the tokens of one macro call.
@@ -35,6 +36,31 @@ use plan::Plan;
 /// where the chart has mistakes, it holds their messages and the chart's types with empty bodies.
 #[must_use]
 pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
+    by(chart, root, &|model, plan| codegen::generate(model, plan, root))
+}
+
+/// The same by way of a program, which `lower` makes of the chart: a third opinion for tests and tools.
+#[cfg(feature = "program")]
+#[must_use]
+pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
+    by(chart, root, &|model, plan| {
+        let program = lower(model, &Facts::of(model));
+        match program {
+            Ok(program) => codegen::print(&program, plan, root),
+            Err(refused) => {
+                let refused = refused.to_string();
+                quote::quote!(::core::compile_error!(#refused);)
+            }
+        }
+    })
+}
+
+/// From the model to a program, such as the naive one.
+#[cfg(feature = "program")]
+pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m>, program::Refused>;
+
+/// What both have in common; `generate` writes the items of a chart in which nothing is wrong.
+fn by(chart: TokenStream, root: &TokenStream, generate: &dyn Fn(&Model, &Plan) -> TokenStream) -> TokenStream {
     let mut sink = Sink::new();
     let written = chart.clone();
     let Some(chart) = parse::chart(chart, &mut sink) else {
@@ -53,7 +79,7 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
         check::initial_values(&model, plan, &mut sink);
     }
     let items = match plan {
-        Some(plan) if !sink.has_more_than_claims() => codegen::generate(&model, &plan, root),
+        Some(plan) if !sink.has_more_than_claims() => generate(&model, &plan),
         // What could not be read may be where the time is used.
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };

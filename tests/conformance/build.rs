@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let flags = format!("{}encoding flags;\n{}", &chart[..end], &chart[end..]);
         for (name, chart) in [(name.to_string(), chart), (format!("{name}_flags"), &flags)] {
             let module = out.join(format!("{name}.rs"));
-            fs::write(&module, emit::module(chart).map_err(|error| format!("{name}: {error}"))?)?;
+            fs::write(&module, emit::module(chart, emit::MACRO).map_err(|error| format!("{name}: {error}"))?)?;
             writeln!(modules, "#[path = r\"{}\"] mod {name};", module.display())?;
             let subject = format!("|| Box::new({name}::Compiled::default())");
             let file = format!("include_str!(r\"{}\")", path.display());

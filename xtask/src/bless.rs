@@ -12,6 +12,9 @@ pub(crate) fn run() -> Result {
         cargo(&["test", "--package", "grafcet", "--test", "golden", "--test", "shapes", "--test", "pictures"])
             .env("BLESS", "1"),
     )?;
-    run_command(cargo(&["test", "--package", "grafcet-conformance", "--test", "programs"]).env("BLESS", "1"))?;
+    run_command(
+        cargo(&["test", "--package", "grafcet-conformance", "--test", "programs", "--test", "printed"])
+            .env("BLESS", "1"),
+    )?;
     run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))
 }

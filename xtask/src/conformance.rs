@@ -32,11 +32,15 @@ pub(crate) fn brute(arguments: &[&str]) -> Result {
 /// As [`run`].
 pub(crate) fn fixed() -> Result {
     run(&FIXED)?;
-    run(&PROGRAMS)
+    run(&PROGRAMS)?;
+    run(&PRINTED)
 }
 
 /// Which these are; of each kind at least five.
 pub(crate) const FIXED: [&str; 8] = ["--charts", "220", "--cycles", "500", "--seed", "77", "--least", "5"];
+
+/// The Rust printed from programs, naive and after passes: the corpus, and of each dialect so many random charts.
+const PRINTED: [&str; 7] = ["--printed", "--charts", "12", "--cycles", "200", "--seed", "79"];
 
 /// The same of programs, naive and after passes: as many charts as a minute is enough for.
 const PROGRAMS: [&str; 7] = ["--program", "--charts", "1000", "--cycles", "200", "--seed", "78"];

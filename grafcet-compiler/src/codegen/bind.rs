@@ -1,8 +1,9 @@
 //! A user's expression in generated code: what it reads is bound to the names it uses, then its tokens follow.
 
-use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, quote_spanned};
 
+use super::rust::{bare, behind, eager, is_term, plain_name, without_parens};
 use super::situation::At;
 use super::{Cx, names, writes};
 use crate::list::List;
@@ -59,18 +60,11 @@ impl Cx<'_> {
             return if is_term(&tokens) { read } else { quote!({ let value = #read; value }) };
         }
         let bindings = self.bindings(&expr.reads, &[], expr.tree.is_opaque(), moment);
-        if bindings.is_empty() && is_term(tokens) && !shows_struct(tokens) {
-            return tokens.to_token_stream();
-        }
-        if begins_with_block(tokens) {
-            // Rust would take the block for a statement.
-            return quote!({ #bindings let value = #tokens; value });
-        }
-        quote!({ #bindings #tokens })
+        behind(&bindings, tokens)
     }
 
     /// Whether an expression is made of boolean inputs, `!`, `&&` and `||` alone.
-    fn is_logic(&self, tree: &Tree) -> bool {
+    pub(super) fn is_logic(&self, tree: &Tree) -> bool {
         match tree {
             Tree::Read(Read::Name(Name::Input(id))) => matches!(self.model.inputs[*id].ty, Ty::Bool(_)),
             Tree::Unary(Unary::Not, operand) => self.is_logic(operand),
@@ -80,7 +74,7 @@ impl Cx<'_> {
     }
 
     /// Tokens with `inputs.on` where they say `on`.
-    fn with_inputs(&self, tokens: TokenStream) -> TokenStream {
+    pub(super) fn with_inputs(&self, tokens: TokenStream) -> TokenStream {
         let one = |token: TokenTree| match token {
             TokenTree::Ident(name) if self.model.inputs.values().any(|input| input.name == name) => {
                 // Located there, so that a type error stands there.
@@ -312,99 +306,4 @@ impl Cx<'_> {
         let (region, empty) = (self.names.region(region, self.plan), &self.names.empty);
         quote!(#region::#empty)
     }
-}
-
-/// A constant expression: literals, times and Rust constants.
-pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
-    let bindings: TokenStream = expr
-        .reads
-        .iter()
-        .filter_map(|read| match read {
-            Read::Ticks(ticks) => {
-                let name = placeholder::ident(*read, place::mixed())?;
-                Some(quote!(let #name = #p::Ticks::new(#ticks);))
-            }
-            _ => None,
-        })
-        .tokens();
-    let tokens = &expr.tokens;
-    if bindings.is_empty() { tokens.to_token_stream() } else { quote!({ #bindings #tokens }) }
-}
-
-/// `a & b` for `a && b`: the same for values that are read without an effect.
-fn eager(expr: &syn::Expr) -> syn::Expr {
-    let mut expr = expr.clone();
-    match &mut expr {
-        syn::Expr::Binary(binary) => {
-            *binary.left = eager(&binary.left);
-            *binary.right = eager(&binary.right);
-            match binary.op {
-                syn::BinOp::And(_) => binary.op = syn::BinOp::BitAnd(syn::token::And::default()),
-                syn::BinOp::Or(_) => binary.op = syn::BinOp::BitOr(syn::token::Or::default()),
-                _ => {}
-            }
-        }
-        syn::Expr::Unary(unary) => *unary.expr = eager(&unary.expr),
-        syn::Expr::Paren(paren) => *paren.expr = eager(&paren.expr),
-        _ => {}
-    }
-    expr
-}
-
-fn plain_name(expr: &syn::Expr) -> Option<&Ident> {
-    match expr {
-        syn::Expr::Path(path) => path.path.get_ident(),
-        _ => None,
-    }
-}
-
-/// A term without the parentheses it has for the sake of the operators around it, where there are none.
-pub(super) fn bare(term: TokenStream) -> TokenStream {
-    let mut trees = term.clone().into_iter();
-    match (trees.next(), trees.next()) {
-        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => group.stream(),
-        _ => term,
-    }
-}
-
-/// `if (a)` would be an `unused_parens` at the user's tokens.
-fn without_parens(expr: &syn::Expr) -> &syn::Expr {
-    match expr {
-        syn::Expr::Paren(paren) => without_parens(&paren.expr),
-        other => other,
-    }
-}
-
-/// Whether an expression means the same beside any operator that generated code puts there.
-fn is_term(expr: &syn::Expr) -> bool {
-    use syn::Expr::{Array, Block, Call, Field, Index, Lit, Macro, MethodCall, Path, Tuple, Unary};
-    let lists = matches!(expr, Array(_) | Block(_) | Call(_) | Macro(_) | MethodCall(_) | Tuple(_));
-    lists || matches!(expr, Field(_) | Index(_) | Lit(_) | Path(_) | Unary(_))
-}
-
-/// Whether braces of a struct stand open in an expression, which Rust takes for a block behind `if`: `!Foo {}`.
-fn shows_struct(expr: &syn::Expr) -> bool {
-    match expr {
-        syn::Expr::Struct(_) => true,
-        syn::Expr::Unary(unary) => shows_struct(&unary.expr),
-        syn::Expr::Call(call) => shows_struct(&call.func),
-        syn::Expr::Index(index) => shows_struct(&index.expr),
-        syn::Expr::Field(field) => shows_struct(&field.base),
-        syn::Expr::MethodCall(call) => shows_struct(&call.receiver),
-        _ => false,
-    }
-}
-
-/// Whether an expression goes on behind a block at its beginning: `{ … } && a`, `match x { … } > 3`.
-fn begins_with_block(expr: &syn::Expr) -> bool {
-    let first = match expr {
-        syn::Expr::Binary(binary) => &binary.left,
-        syn::Expr::Call(call) => &call.func,
-        syn::Expr::Cast(cast) => &cast.expr,
-        syn::Expr::Index(index) => &index.expr,
-        syn::Expr::Field(field) => &field.base,
-        syn::Expr::MethodCall(call) => &call.receiver,
-        _ => return false,
-    };
-    matches!(**first, syn::Expr::Block(_) | syn::Expr::If(_) | syn::Expr::Match(_)) || begins_with_block(first)
 }

@@ -3,22 +3,23 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::bind::Moment;
+use super::machine::Machine;
 use super::situation::{At, shown_in};
 use super::state::step_name;
-use super::{Cx, derives, names, requirements, types};
+use super::{Cx, deadline, derives, names, requirements, types};
 use crate::list::List;
-use crate::model::StepId;
+use crate::model::{Id, StepId};
 use crate::place::quote;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_exactly`, `is_stable`, `next_deadline`.
-pub(super) fn inherent(cx: &Cx<'_>) -> TokenStream {
+pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
-    let (cycle, init) = (cycle(cx), init(cx));
-    let (capacity, active_steps) = active_steps(cx);
-    let is_active = is_active(cx);
-    let (situation_type, situation) = (situation_type(cx), situation(cx));
-    let (stable, deadline) = (is_stable(cx), cx.deadline());
+    let (cycle, init) = (cycle(cx, machine), init(cx));
+    let (capacity, active_steps) = active_steps(cx, machine);
+    let is_active = is_active(cx, machine);
+    let (situation_type, situation) = (situation_type(cx), &machine.situation);
+    let (stable, deadline) = (is_stable(cx, machine), deadline::method(cx, machine));
     let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
     let (situation_struct, levels) = (situation_struct(cx), types::levels(model));
     quote! {
@@ -86,10 +87,10 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     })
 }
 
-fn cycle(cx: &Cx<'_>) -> TokenStream {
+fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (vis, inputs, outputs) = (&model.vis, &names.inputs, &names.outputs);
-    let body = cx.cycle_body();
+    let Machine { cycle: body, evolve, .. } = machine;
     let time = cx.plan.memory.time;
     let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
     let ticks = time.then(|| quote!(let now: #p::Ticks = #p::core::convert::Into::into(now);));
@@ -99,7 +100,6 @@ fn cycle(cx: &Cx<'_>) -> TokenStream {
     });
     // Where the outputs are returned in memory, inlining would take them apart and write them one by one.
     let outlined = (model.outputs.len() > 8).then(|| quote!(#[inline(never)]));
-    let evolve = cx.evolve_function();
     let copied = requirements::copied(model, p);
     quote! {
         #outlined
@@ -196,7 +196,7 @@ pub(super) fn uniform(cx: &Cx<'_>) -> TokenStream {
 }
 
 /// The capacity of `active_steps` and the body that fills it.
-fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
+fn active_steps(cx: &Cx<'_>, machine: &Machine<'_>) -> (Literal, TokenStream) {
     let capacity = Literal::usize_unsuffixed(cx.plan.most_active.max(1));
     let p = &cx.p;
     let steps = names::local("steps");
@@ -204,8 +204,8 @@ fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
         quote!(let _ = #steps.push(self.situation());)
     } else {
         // The order of declaration runs across the regions.
-        let push = |id| {
-            let (active, name) = (holds(cx, id), step_name(cx, id));
+        let push = |id: StepId| {
+            let (active, name) = (&machine.active[id.index()], step_name(cx, id));
             quote!(if #active { let _ = #steps.push(#name); })
         };
         cx.model.steps.ids().map(push).tokens()
@@ -213,19 +213,19 @@ fn active_steps(cx: &Cx<'_>) -> (Literal, TokenStream) {
     (capacity, quote!(let mut #steps = #p::heapless::Vec::new(); #pushes #steps))
 }
 
-fn is_active(cx: &Cx<'_>) -> TokenStream {
+fn is_active(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     if cx.plan.one_step {
         return quote!(self.situation() == step);
     }
     let arms = cx.model.steps.ids().map(|id| {
-        let (name, active) = (step_name(cx, id), holds(cx, id));
+        let (name, active) = (step_name(cx, id), &machine.active[id.index()]);
         quote!(#name => #active,)
     });
     quote!(match step { #(#arms)* })
 }
 
 /// Whether the chart's state holds a step.
-fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
+pub(super) fn holds(cx: &Cx<'_>, step: StepId) -> TokenStream {
     let region = cx.plan.regions.of_step(step);
     let active = cx.in_step(At::Now, step);
     let starts = if cx.plan.shape.is_flags() { cx.plan.has_start } else { cx.has_start_variant(region) };
@@ -242,7 +242,8 @@ fn situation_type(cx: &Cx<'_>) -> TokenStream {
     quote!(#name)
 }
 
-fn situation(cx: &Cx<'_>) -> TokenStream {
+/// The body of `situation`.
+pub(super) fn situation(cx: &Cx<'_>) -> TokenStream {
     if cx.plan.shape.is_flags() {
         return situation_of_flags(cx);
     }
@@ -280,10 +281,15 @@ fn situation_of_flags(cx: &Cx<'_>) -> TokenStream {
         let (name, shown) = (&cx.names.situation, cx.shown_flags());
         return quote!(#shown #name { steps });
     }
+    one_by_one(cx, cx.model.steps.ids().map(|step| holds(cx, step)))
+}
+
+/// The active step, of which there is always one, where each has to be asked.
+pub(super) fn one_by_one(cx: &Cx<'_>, active: impl Iterator<Item = TokenStream>) -> TokenStream {
     let mut steps: Vec<_> = cx.model.steps.ids().list();
     let last = steps.pop().map(|step| step_name(cx, step));
-    let others = steps.into_iter().map(|step| {
-        let (active, name) = (holds(cx, step), step_name(cx, step));
+    let others = steps.into_iter().zip(active).map(|(step, active)| {
+        let name = step_name(cx, step);
         quote!(if #active { return #name; })
     });
     quote!(#(#others)* #last)
@@ -354,12 +360,12 @@ fn situation_struct(cx: &Cx<'_>) -> Option<TokenStream> {
 }
 
 /// A30: whether the last search for stability came to an end.
-fn is_stable(cx: &Cx<'_>) -> Option<TokenStream> {
+fn is_stable(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let (vis, p) = (&cx.model.vis, &cx.p);
     if !cx.model.is_grafcet() {
         return None;
     }
-    let value = if cx.plan.may_be_unstable { cx.is_unmarked() } else { quote!(true) };
+    let value = &machine.stable;
     Some(quote! {
         /// Whether the last cycle reached a stable situation. If not, it stopped after the most evolutions it may make
         /// and keeps the situation it had reached (decision A30).

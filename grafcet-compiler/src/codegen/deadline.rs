@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use super::machine::{Deadline, Machine};
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
@@ -31,6 +32,29 @@ enum Clock {
     Macro(MacroId),
 }
 
+/// The method, where the chart uses time.
+pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
+    let (vis, p) = (&cx.model.vis, &cx.p);
+    let Deadline { at_once, waits, reading } = machine.deadline.as_ref()?;
+    Some(quote! {
+        /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
+        /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
+        /// "scan again at once"; `None` means "only an input can change anything".
+        #[must_use]
+        #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> {
+            if #at_once {
+                return #p::Option::Some(#reading);
+            }
+            let mut soonest = #p::Option::None;
+            #waits
+            match soonest {
+                #p::Option::Some(time) => #p::Option::Some(#reading.after(time)),
+                #p::Option::None => #p::Option::None,
+            }
+        }
+    })
+}
+
 impl Cx<'_> {
     /// Whether a cycle may leave something to the next one that needs neither an input nor time. In a `grafcet` the search goes
     /// on until nothing more happens: only edges, delays, actions, outputs that are read, and a search without end do.
@@ -46,12 +70,12 @@ impl Cx<'_> {
         self.remembers_settled().then(|| quote!(self.settled = true;))
     }
 
-    /// The method, where the chart uses time.
-    pub(super) fn deadline(&self) -> Option<TokenStream> {
+    /// Until when nothing changes, where the chart uses time.
+    pub(super) fn deadline(&self) -> Option<Deadline> {
         if !self.plan.memory.time {
             return None;
         }
-        let (vis, p) = (&self.model.vis, &self.p);
+        let p = &self.p;
         let thresholds = self.thresholds();
         let steps = thresholds.iter().map(|(clock, threshold)| self.until(*clock, *threshold));
         let delays = self.model.delays.iter().map(|(id, delay)| {
@@ -66,25 +90,7 @@ impl Cx<'_> {
             if active.is_empty() { quote!(true) } else { quote!(#(#active)&&*) }
         });
         let at_once = quote!(#left_over #(|| #unknown)*);
-        Some(quote! {
-            /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
-            /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
-            /// "scan again at once"; `None` means "only an input can change anything".
-            #[must_use]
-            #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> {
-                if #at_once {
-                    return #p::Option::Some(self.now);
-                }
-                let mut soonest = #p::Option::None;
-                #(#steps)*
-                #(#delays)*
-                #timers
-                match soonest {
-                    #p::Option::Some(time) => #p::Option::Some(self.now.after(time)),
-                    #p::Option::None => #p::Option::None,
-                }
-            }
-        })
+        Some(Deadline { at_once, waits: quote!(#(#steps)* #(#delays)* #timers), reading: quote!(self.now) })
     }
 
     /// `if active { soonest = sooner(soonest, until(since, 5s)); }`

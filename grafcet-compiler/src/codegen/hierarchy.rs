@@ -3,7 +3,8 @@
 use proc_macro2::{Ident, TokenStream};
 use syn::Lifetime;
 
-use super::bind::{Moment, bare};
+use super::bind::Moment;
+use super::rust::bare;
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;

@@ -15,12 +15,16 @@ mod evolution;
 mod grafcet;
 mod hierarchy;
 mod long;
+mod machine;
 mod names;
 mod nest;
 mod outputs;
 mod outside;
+#[cfg(feature = "program")]
+mod program;
 mod recipe;
 mod requirements;
+mod rust;
 mod segments;
 mod sfc;
 mod situation;
@@ -35,10 +39,13 @@ mod writes;
 
 use proc_macro2::TokenStream;
 
+use self::machine::Machine;
 use self::names::Names;
 use crate::model::Model;
 use crate::place::{self, quote};
 use crate::plan::Plan;
+#[cfg(feature = "program")]
+use crate::program::Program;
 pub(crate) use stub::stub;
 
 /// Everything the artefacts are written from.
@@ -52,17 +59,33 @@ struct Cx<'m> {
 
 /// The items of a chart.
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
-    let root = place::moved(root);
-    let (names, p) = (Names::of(model), quote!(#root::__private));
-    let cx = Cx { model, plan, names, p };
-    let types = types::all(&cx);
-    let recipe = recipe::all(&cx);
-    let state = state::all(&cx);
-    let chart = chart_impl::inherent(&cx);
-    let uniform = chart_impl::uniform(&cx);
-    let description = description::all(&cx);
-    let mentions = editor::mentions(model, &cx.names, &cx.p);
-    let variants = variants::all(&cx);
-    let vars = outside::vars(&cx);
-    quote!(#types #variants #recipe #state #chart #vars #uniform #description #mentions)
+    let cx = Cx::new(model, plan, root);
+    items(&cx, &Machine::planned(&cx))
+}
+
+/// The items of a chart whose cycle is a program.
+#[cfg(feature = "program")]
+pub(crate) fn print(program: &Program<'_>, plan: &Plan, root: &TokenStream) -> TokenStream {
+    let cx = Cx::new(program.model, plan, root);
+    items(&cx, &program::machine(&cx, program))
+}
+
+impl<'m> Cx<'m> {
+    fn new(model: &'m Model, plan: &'m Plan, root: &TokenStream) -> Self {
+        let root = place::moved(root);
+        Self { model, plan, names: Names::of(model), p: quote!(#root::__private) }
+    }
+}
+
+fn items(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
+    let types = types::all(cx);
+    let recipe = recipe::all(cx);
+    let (states, state) = (&machine.types, state::chart(cx, machine));
+    let chart = chart_impl::inherent(cx, machine);
+    let uniform = chart_impl::uniform(cx);
+    let description = description::all(cx);
+    let mentions = editor::mentions(cx.model, &cx.names, &cx.p);
+    let variants = variants::all(cx);
+    let vars = outside::vars(cx, machine);
+    quote!(#types #variants #recipe #states #state #chart #vars #uniform #description #mentions)
 }

@@ -2,7 +2,8 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 
-use super::{Cx, derives, names, requirements, types};
+use super::machine::Machine;
+use super::{Cx, derives, requirements, types};
 use crate::model::{Model, Ty};
 use crate::place::quote;
 
@@ -76,7 +77,7 @@ pub(super) fn vars_name(model: &Model) -> Ident {
 }
 
 /// `MotorVars` and `motor.vars()`, where the chart stores variables.
-pub(super) fn vars(cx: &Cx<'_>) -> Option<TokenStream> {
+pub(super) fn vars(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let Cx { model, p, .. } = cx;
     let vars = &cx.plan.memory.vars;
     let (vis, chart, name, levels) = (&model.vis, &model.name, vars_name(model), types::levels(model));
@@ -85,9 +86,9 @@ pub(super) fn vars(cx: &Cx<'_>) -> Option<TokenStream> {
         let docs = types::docs(&model.vars[*id].attrs, &format!("Variable `{field}`."));
         types::field(&docs, &field, &ty)
     });
-    let values = vars.iter().map(|id| {
-        let (field, held) = (public(&model.vars[*id].name), names::var_field(model, *id));
-        quote!(#field: self.#held,)
+    let values = vars.iter().zip(&machine.vars).map(|(id, value)| {
+        let field = public(&model.vars[*id].name);
+        quote!(#field: #value,)
     });
     let derives = derives::of(vars.iter().map(|id| &model.vars[*id].ty));
     let (written_out, derives) = (derives.written_out(&name, p), derives.attributes(model, p));

@@ -3,28 +3,32 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::control::set_by;
+use super::machine::{Field, Machine};
 use super::{Cx, derives, names, types};
 use crate::list::List;
-use crate::model::{Place, Qualifier, Ty};
+use crate::model::{Place, Qualifier};
 use crate::place::quote;
 use crate::plan::{RegionId, Target, What};
 
-pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
+/// The enums of the regions.
+pub(super) fn enums(cx: &Cx<'_>) -> TokenStream {
     let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
-    let regions: TokenStream = (0..enums).map(|region| region_enum(cx, region)).tokens();
-    let chart = chart_struct(cx);
-    quote!(#regions #chart)
+    let own = |region: RegionId| {
+        let empty = cx.plan.regions.all()[region].may_be_empty;
+        region_enum(cx, region, empty, cx.has_start_variant(region))
+    };
+    (0..enums).map(own).tokens()
 }
 
 /// The steps of a region; at most one of them is active.
-fn region_enum(cx: &Cx<'_>, id: RegionId) -> TokenStream {
+pub(super) fn region_enum(cx: &Cx<'_>, id: RegionId, empty: bool, start: bool) -> TokenStream {
     let p = &cx.p;
     let derives = derives::of_states().attributes(cx.model, p);
     let region = &cx.plan.regions.all()[id];
     let name = cx.names.region(id, cx.plan);
     let steps = region.steps.iter().map(|step| names::private_variant(cx.model, *step));
-    let empty = region.may_be_empty.then(|| cx.names.empty.clone());
-    let start = cx.has_start_variant(id).then(|| cx.names.start.clone());
+    let empty = empty.then(|| cx.names.empty.clone());
+    let start = start.then(|| cx.names.start.clone());
     let variants: Vec<Ident> = steps.chain(empty).chain(start).list();
     let marked = cx.is_marked(id).then(|| marked(cx, &variants));
     let texts = variants.iter().map(|variant| variant.to_string().trim_start_matches("r#").to_owned()).list();
@@ -104,13 +108,6 @@ fn from_number(state: &Ident, variants: &[Ident], literal: &impl Fn(usize) -> Li
     quote!(if number >= #highest { #state::#last } else { match number { #(#arms)* _ => #state::#rest } })
 }
 
-/// A field of the chart's struct.
-struct Field {
-    name: Ident,
-    ty: TokenStream,
-    initial: TokenStream,
-}
-
 impl Cx<'_> {
     /// The first region's state also says that the first cycle is still to come.
     pub(super) fn has_start_variant(&self, region: RegionId) -> bool {
@@ -158,7 +155,7 @@ impl Cx<'_> {
         }
     }
 
-    fn fields(&self) -> Vec<Field> {
+    pub(super) fn fields(&self) -> Vec<Field> {
         let mut fields = self.region_fields();
         fields.extend(self.place_fields());
         fields.extend(self.time_fields());
@@ -334,17 +331,16 @@ impl Cx<'_> {
     }
 }
 
-fn chart_struct(cx: &Cx<'_>) -> TokenStream {
+/// The struct, and how it is made.
+pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let Cx { model, p, .. } = cx;
     let (vis, name) = (&model.vis, &model.name);
     let docs = types::docs(&model.attrs, &format!("The chart `{name}`."));
-    let fields = cx.fields();
+    let fields = &machine.fields;
     let declared = fields.iter().map(|Field { name, ty, .. }| quote!(#name: #ty,));
     let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
-    let remembered = cx.plan.memory.stored.iter().chain(&cx.plan.memory.last).map(|id| &model.outputs[*id].ty);
-    let vars = cx.plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
-    let types: Vec<&Ty> = remembered.chain(vars).chain(model.params.values().map(|param| &param.ty)).list();
-    let derives = derives::of(types.into_iter());
+    let stored = machine.stored.iter().copied();
+    let derives = derives::of(stored.chain(model.params.values().map(|param| &param.ty)));
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));

@@ -223,7 +223,7 @@ pub(super) fn initial_output(model: &Model, output: OutputId, p: &TokenStream) -
 /// What stands behind `=`, or the default of the type; constant but for a user's own type without a value.
 pub(super) fn initial_value(init: Option<&Expr>, ty: &Ty, p: &TokenStream) -> TokenStream {
     if let Some(init) = init {
-        return super::bind::constant(init, p);
+        return super::rust::constant(init, p);
     }
     match ty {
         Ty::Bool(_) => quote!(false),

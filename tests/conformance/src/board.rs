@@ -25,7 +25,7 @@ pub fn module(text: &str) -> Result<String, String> {
     Ok(format!(
         "use crate::check::*;\n{}\n{}\npub(crate) fn play() -> Result<(), u32> {{\n\
          let mut chart = {name}::new();\nlet mut outputs = {name}Outputs::default();\n{params}\n{body}Ok(())\n}}\n",
-        fragments::call(&case.chart),
+        fragments::call(&case.chart, crate::emit::MACRO),
         actions(&model),
     ))
 }

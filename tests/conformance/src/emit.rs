@@ -7,13 +7,16 @@ use proc_macro2::Ident;
 
 use super::{chart, fragments};
 
-/// The items of a module for one chart: its type is `Compiled`.
+/// The macro that users call.
+pub const MACRO: &str = "grafcet::grafcet";
+
+/// The items of a module for one chart that a macro makes: its type is `Compiled`.
 ///
 /// # Errors
 /// What the compiler says about the chart.
-pub fn module(text: &str) -> Result<String, String> {
+pub fn module(text: &str, by: &str) -> Result<String, String> {
     let model = chart::resolve(text)?;
-    let macro_call = fragments::call(text);
+    let macro_call = fragments::call(text, by);
     let name = &model.name;
     let inputs: String = model.inputs.values().map(|i| take(&i.name, "inputs")).collect();
     let outputs: Vec<_> = model.outputs.values().map(|o| o.name.to_string()).collect();

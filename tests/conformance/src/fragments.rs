@@ -72,10 +72,10 @@ fn replaced(line: &str, name: &str, by: &str) -> String {
     done + rest
 }
 
-/// The macro call that makes the chart; where it has fragments, macros that call each other: one for each depth of nesting.
+/// The call of the macro `by` that makes the chart; where it has fragments, macros that call each other: one for each depth of nesting.
 #[must_use]
-pub fn call(text: &str) -> String {
-    let (mut body, mut arguments) = outermost(&format!("grafcet::grafcet! {{\n{text}\n}}"));
+pub fn call(text: &str, by: &str) -> String {
+    let (mut body, mut arguments) = outermost(&format!("{by}! {{\n{text}\n}}"));
     let mut macros = String::new();
     let mut level = 0;
     while !arguments.is_empty() {
@@ -120,11 +120,11 @@ mod tests {
 
     #[test]
     fn macros_that_call_each_other() {
-        let text = call(CHART).replace('\n', "");
+        let text = call(CHART, "grafcet::grafcet").replace('\n', "");
         let inner =
             "macro_rules! level0 { ($f0:expr, $f1:ty, ) => {grafcet::grafcet! {A -[!$f0]-> B; input a: $f1;}} }";
         let outer = "macro_rules! level1 { ($f0:expr, ) => {level0! { a || $f0, bool,  }} }level1! { b && c,  }";
         assert_eq!(text, format!("{inner}{outer}"));
-        assert_eq!(call("sfc C {}"), "grafcet::grafcet! {\nsfc C {}\n}");
+        assert_eq!(call("sfc C {}", "grafcet::grafcet"), "grafcet::grafcet! {\nsfc C {}\n}");
     }
 }

@@ -1,6 +1,7 @@
 //! `cargo xtask conformance`: random charts, compiled through the macro, beside the interpreter.
 #![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
+mod corpus;
 mod options;
 mod project;
 mod shrink;
@@ -9,9 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
-use grafcet_conformance::{chart, random};
+use grafcet_conformance::{chart, emit, random};
 use options::Options;
-use project::{Case, Outcome, Project};
+use project::{Case, Outcome, PRINTED, Project};
 
 /// Charts that are compiled together: many enough that cargo's own time does not count, few enough to see something soon.
 const BATCH: usize = 100;
@@ -28,8 +29,8 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
-    let project = Project::new(options.folder.as_deref())?;
-    let mut differences = 0;
+    let project = Project::new(options.folder.as_deref(), options.printed)?;
+    let mut differences = if options.printed { corpus(&project)? } else { 0 };
     for grafcet in &options.dialects {
         differences += dialect(*grafcet, options, &project)?;
     }
@@ -37,6 +38,25 @@ fn run(options: &Options) -> Result<(), String> {
         0 => Ok(()),
         _ => Err(format!("{differences} charts differ")),
     }
+}
+
+/// The charts of the corpus, naive with bits and after all passes with regions; `cargo test` has them as the macro makes them.
+fn corpus(project: &Project) -> Result<usize, String> {
+    let mut cases = Vec::new();
+    for (name, text) in corpus::files()? {
+        let (chart, timeline) = text.split_once("---\n").ok_or_else(|| format!("{name}: no line `---`"))?;
+        let end = chart.rfind('}').ok_or_else(|| format!("{name}: no end of the chart"))?;
+        let flags = format!("{}encoding flags;\n{}", &chart[..end], &chart[end..]);
+        let [naive, optimised] = PRINTED;
+        for (name, chart, by) in [(format!("{name}_flags"), flags, naive), (name, chart.to_owned(), optimised)] {
+            cases.push(Case { name, chart, timeline: timeline.to_owned(), by });
+        }
+    }
+    let outcomes = project.play(&cases)?;
+    let differing: Vec<_> = outcomes.iter().filter(|outcome| outcome.kind != "same").collect();
+    differing.iter().for_each(|outcome| println!("{}: {}\n{}", outcome.name, outcome.kind, outcome.text));
+    println!("corpus: {} charts, {} differ", cases.len(), differing.len());
+    Ok(differing.len())
 }
 
 fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize, String> {
@@ -57,7 +77,8 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
                 Ok(_) => {
                     made.features.iter().for_each(|kind| counts.kinds.entry(kind).or_default()[ACCEPTED] += 1);
                     let name = format!("{}{number}", &name[..1]);
-                    let case = Case { name, chart: made.chart, timeline: made.timeline };
+                    let by = if options.printed { PRINTED[batch.len() % 2] } else { emit::MACRO };
+                    let case = Case { name, chart: made.chart, timeline: made.timeline, by };
                     batch.push((case, made.features));
                 }
                 Err(message) => {

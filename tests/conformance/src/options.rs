@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 const USAGE: &str = "\
 conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with WORDS] [--number N] [--shrink N]
-            [--least N] [--folder PATH]
+            [--least N] [--folder PATH] [--printed]
 
   --charts   charts of each dialect (default 150)
   --cycles   cycles of each chart (default 500)
@@ -13,7 +13,8 @@ conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with
   --number   begins with the chart of this number, as the report gives it behind `s` or `g`
   --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
   --least    it is an error if fewer charts of a small kind are compared, or half as many of what large charts have (default 0)
-  --folder   where the crates are written and built (default: in the target folder)";
+  --folder   where the crates are written and built (default: in the target folder)
+  --printed  the Rust that is printed from the charts' programs; the corpus, too";
 
 /// What is asked for.
 pub(crate) struct Options {
@@ -27,6 +28,7 @@ pub(crate) struct Options {
     /// Whether `grafcet`.
     pub(crate) dialects: Vec<bool>,
     pub(crate) folder: Option<PathBuf>,
+    pub(crate) printed: bool,
 }
 
 impl Options {
@@ -45,8 +47,13 @@ impl Options {
             least: 0,
             dialects: vec![false, true],
             folder: None,
+            printed: false,
         };
         while let Some(word) = words.next() {
+            if word == "--printed" {
+                options.printed = true;
+                continue;
+            }
             let value = words.next().ok_or(USAGE)?;
             let number = || value.parse::<u64>().map_err(|error| format!("{word} {value}: {error}"));
             let count = || value.parse::<usize>().map_err(|error| format!("{word} {value}: {error}"));

@@ -9,8 +9,9 @@ use grafcet_compiler::program::run::{Call, Cycle, Machine, Nothing};
 use grafcet_compiler::program::{Encoding, Mark, Phase, PlaceId, Program, Role, Value, naive};
 
 use crate::interp::{self, Interpreter};
+use crate::oracle::Interpreted;
 use crate::reader::{Kind, Line};
-use crate::{Shown, Subject, Values, asleep};
+use crate::{Shown, Subject, Values, asleep, play};
 
 /// A program as a chart that runs.
 pub struct Programmed<'p, 'm> {
@@ -188,6 +189,20 @@ pub fn sleeps(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass]
     }
     let (mut first, mut second) = (Programmed::new(&program)?, Programmed::new(&program)?);
     asleep::compare(&mut first, &mut second, lines).map_err(|difference| difference.to_string())
+}
+
+/// Plays a timeline on the program and on the interpreter, which also says whether a cycle leaves something to the next one.
+///
+/// # Errors
+/// The first difference.
+pub fn rests(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass]) -> Result<(), String> {
+    let program = program(model, encoding, passes)?;
+    let Ok(mut oracle) = Interpreted::new(model) else { return Ok(()) };
+    match play::in_lockstep(&mut Programmed::new(&program)?, &mut oracle, lines) {
+        // Arithmetic that leaves its type.
+        Err(difference) if difference.expected.starts_with("no error") => Ok(()),
+        other => other.map_err(|difference| difference.to_string()),
+    }
 }
 
 fn of_oracle(model: &Model, cycle: &interp::Cycle, held: &[VarId], vars: &[interp::Value]) -> Seen {

@@ -15,6 +15,8 @@ pub(crate) struct Case {
     pub(crate) name: String,
     pub(crate) chart: String,
     pub(crate) timeline: String,
+    /// The macro that makes it.
+    pub(crate) by: &'static str,
 }
 
 /// What came out of a chart.
@@ -30,21 +32,27 @@ pub(crate) struct Outcome {
 /// A folder in which crates are written one after the other.
 pub(crate) struct Project {
     folder: PathBuf,
+    /// Its charts are printed from programs.
+    printed: bool,
 }
 
 /// Programs of one crate: cargo builds them beside each other.
 const PROGRAMS: usize = 2;
 
+/// The macros that print programs, naive and after all passes.
+pub(crate) const PRINTED: [&str; 2] = ["grafcet_conformance_printed::naive", "grafcet_conformance_printed::optimised"];
+
 const ALLOWED: &str = "#![allow(warnings)]\n";
 
 impl Project {
-    /// In the given folder or under the target folder.
-    pub(crate) fn new(folder: Option<&Path>) -> Result<Self, String> {
+    /// In the given folder or under the target folder; with the macro that users call, or with those that print programs.
+    pub(crate) fn new(folder: Option<&Path>, printed: bool) -> Result<Self, String> {
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-        let folder = folder.map_or_else(|| target.join("conformance"), Path::to_owned);
+        let own = if printed { "printed" } else { "conformance" };
+        let folder = folder.map_or_else(|| target.join(own), Path::to_owned);
         let folder = std::path::absolute(&folder).map_err(|error| error.to_string())?;
         fs::create_dir_all(folder.join("src/bin")).map_err(|error| format!("{}: {error}", folder.display()))?;
-        Ok(Self { folder })
+        Ok(Self { folder, printed })
     }
 
     /// Compiles the charts and plays their timelines.
@@ -74,13 +82,16 @@ impl Project {
 
     fn manifest(&self) -> Result<(), String> {
         let root = root();
+        let printed = root.join("tests/conformance/printed");
+        let printed = format!("grafcet-conformance-printed = {{ path = '{}' }}\n", printed.display());
         let text = format!(
             "[package]\nname = \"grafcet-conformance-batch\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-             grafcet = {{ path = '{}' }}\ngrafcet-conformance = {{ path = '{}' }}\n\n\
+             grafcet = {{ path = '{}' }}\ngrafcet-conformance = {{ path = '{}' }}\n{}\n\
              [profile.dev]\ndebug = false\nincremental = false\n\n\
              [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n",
             root.display(),
             root.join("tests/conformance").display(),
+            if self.printed { printed } else { String::new() },
         );
         self.write("Cargo.toml", &text)?;
         // The versions that the workspace is tested with.
@@ -95,7 +106,7 @@ impl Project {
             let (mut modules, mut entries) = (String::new(), String::new());
             for case in part {
                 let name = &case.name;
-                let module = emit::module(&case.chart).map_err(|error| format!("{name}: {error}"))?;
+                let module = emit::module(&case.chart, case.by).map_err(|error| format!("{name}: {error}"))?;
                 self.write(&format!("src/{name}.rs"), &module)?;
                 self.write(&format!("src/{name}.case"), &format!("{}---\n{}", case.chart, case.timeline))?;
                 _ = writeln!(modules, "#[path = \"../{name}.rs\"] mod {name};");

@@ -42,6 +42,7 @@ pub(crate) fn smallest(project: &Project, case: &Case, outcome: &Outcome) -> Res
             name: format!("candidate{index}"),
             chart: chart.clone(),
             timeline: case.timeline.clone(),
+            by: case.by,
         };
         let candidates: Vec<Case> = charts.iter().enumerate().map(candidate).collect();
         let outcomes = project.play(&candidates)?;

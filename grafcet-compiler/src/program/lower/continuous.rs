@@ -83,8 +83,8 @@ impl<'m> Lower<'_, 'm> {
         for id in associations {
             let Effect::Call(_, args) = &model.associations[*id].effect else { continue };
             let args = args.iter().map(|arg| self.user(arg, Moment::Before)).collect();
-            let call = Statement::Call(action, phase.clone(), args);
-            arms.push((vec![Value::Int(i128::try_from(id.index()).unwrap_or(i128::MAX))], vec![call]));
+            let call = self.call(action, phase.clone(), args);
+            arms.push((vec![Value::Int(i128::try_from(id.index()).unwrap_or(i128::MAX))], call));
         }
         let run = match (acted, arms.pop()) {
             (Some(acted), Some(last)) => {

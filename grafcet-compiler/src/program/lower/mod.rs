@@ -103,7 +103,8 @@ struct Lower<'r, 'm> {
     settled: Option<PlaceId>,
     /// `sfc`: a block or an assignment has begun or ended; in a chart that uses time.
     turned: Option<PlaceId>,
-    /// A block of the user that is not looked into has run; in a chart that uses time.
+    /// A block of the user that is not looked into has run, or an action was called: nobody sees what it has changed. In a chart that uses
+    /// time.
     opaque_ran: Option<PlaceId>,
     /// The timers of action controls: input, what they have held, and for how long they wait.
     timers: Vec<(PlaceId, PlaceId, Expr<'m>)>,

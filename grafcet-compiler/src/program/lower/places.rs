@@ -194,7 +194,11 @@ impl<'r, 'm> Lower<'r, 'm> {
         if !model.is_grafcet() && model.associations.values().any(own) {
             self.turned = Some(self.truth("turned".to_owned()));
         }
-        let opaque = |effect: &&Effect| matches!(effect, Effect::Block(code) if code.statements.is_none());
+        let opaque = |effect: &&Effect| match effect {
+            Effect::Block(code) => code.statements.is_none(),
+            Effect::Call(..) => true,
+            Effect::Assign(..) | Effect::Control(_) => false,
+        };
         if model.effects().iter().any(opaque) {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
         }

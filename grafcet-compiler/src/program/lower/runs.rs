@@ -4,7 +4,7 @@
 use super::Lower;
 use super::control::{Target, What, drives};
 use super::view::Moment;
-use crate::model::{AssociationId, Effect, Id, Place, Qualifier, Read};
+use crate::model::{ActionId, AssociationId, Effect, Id, Place, Qualifier, Read};
 use crate::program::build::{all, any, at_least, choose, differ, no, not, number, part, when};
 use crate::program::{Expr, Phase, PlaceId, Run, Statement, Value, Write};
 
@@ -157,7 +157,7 @@ impl<'m> Lower<'_, 'm> {
             Effect::Assign(place, value) => vec![Statement::Set(self.place(*place), self.user(value, moment))],
             Effect::Call(action, args) => {
                 let args = args.iter().map(|arg| self.user(arg, moment)).collect();
-                vec![Statement::Call(*action, phase, args)]
+                self.call(*action, phase, args)
             }
             Effect::Block(code) => {
                 let mut body = Vec::new();
@@ -209,9 +209,20 @@ impl<'m> Lower<'_, 'm> {
         }
         let mut body = vec![Statement::Run(Box::new(Run { code, binds, writes }))];
         if code.statements.is_none() {
-            body.extend(self.opaque_ran.map(|ran| Statement::Set(ran, Expr::Value(Value::Bool(true)))));
+            body.extend(self.note_opaque());
         }
         body
+    }
+
+    /// A call of a declared action.
+    pub(super) fn call(&self, action: ActionId, phase: Expr<'m>, args: Vec<Expr<'m>>) -> Vec<Statement<'m>> {
+        let mut body = vec![Statement::Call(action, phase, args)];
+        body.extend(self.note_opaque());
+        body
+    }
+
+    fn note_opaque(&self) -> Option<Statement<'m>> {
+        self.opaque_ran.map(|ran| Statement::Set(ran, Expr::Value(Value::Bool(true))))
     }
 
     /// What a block writes for a place, and whether it has.

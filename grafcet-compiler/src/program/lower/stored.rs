@@ -137,8 +137,8 @@ impl<'m> Lower<'_, 'm> {
                 let due = self.truth(format!("due{}.{}", self.places.len(), self.model.actions[*action].name));
                 body.push(Statement::Set(due, occurs));
                 let args = args.iter().map(|arg| self.user(arg, moment)).collect();
-                let call = Statement::Call(*action, Expr::Value(Value::Phase(Phase::First)), args);
-                stored.calls.push(Statement::If(Expr::Place(due), vec![call], Vec::new()));
+                let call = self.call(*action, Expr::Value(Value::Phase(Phase::First)), args);
+                stored.calls.push(Statement::If(Expr::Place(due), call, Vec::new()));
                 stored.due.push(due);
             }
             Effect::Block(code) => {

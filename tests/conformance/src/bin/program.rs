@@ -9,7 +9,7 @@ use std::time::Instant;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::program::Encoding;
 use grafcet_compiler::program::passes::Pass;
-use grafcet_conformance::program::{Outcome, compare, sleeps};
+use grafcet_conformance::program::{Outcome, compare, rests, sleeps};
 use grafcet_conformance::reader::Line;
 use grafcet_conformance::{chart, random, reader};
 
@@ -137,6 +137,10 @@ fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
     if (number / 32) % 8 == 0 {
         let lines = &lines[..lines.len().min(40)];
         sleeps(model, lines, encoding, &passes).map_err(|error| within(format!("asleep: {error}")))?;
+    }
+    if (number / 32) % 8 == 1 {
+        let lines = &lines[..lines.len().min(60)];
+        rests(model, lines, encoding, &passes).map_err(|error| within(format!("at rest: {error}")))?;
     }
     Ok(matches!(outcome, Outcome::Same))
 }

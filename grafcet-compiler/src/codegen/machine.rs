@@ -1,0 +1,72 @@
+//! What the artefacts of a chart ask of its state and its cycle, however these are made.
+
+use proc_macro2::{Ident, TokenStream};
+
+use super::{Cx, chart_impl, names, state};
+use crate::list::List;
+use crate::model::Ty;
+use crate::place::quote;
+
+/// The state of a chart and the code of its cycle.
+pub(super) struct Machine<'m> {
+    /// The private types of the fields.
+    pub(super) types: TokenStream,
+    /// What `new` writes, beside the recipe.
+    pub(super) fields: Vec<Field>,
+    /// The declared types among theirs: whether the chart is `Copy` depends on them.
+    pub(super) stored: Vec<&'m Ty>,
+    pub(super) cycle: TokenStream,
+    /// A function that the cycle calls.
+    pub(super) evolve: Option<TokenStream>,
+    /// By step: whether it is active.
+    pub(super) active: Vec<TokenStream>,
+    /// The body of `situation`.
+    pub(super) situation: TokenStream,
+    /// Whether the last search became stable.
+    pub(super) stable: TokenStream,
+    pub(super) deadline: Option<Deadline>,
+    /// The values of the stored variables.
+    pub(super) vars: Vec<TokenStream>,
+}
+
+/// A field of the chart's struct.
+pub(super) struct Field {
+    pub(super) name: Ident,
+    pub(super) ty: TokenStream,
+    pub(super) initial: TokenStream,
+}
+
+/// The parts of `next_deadline`.
+pub(super) struct Deadline {
+    /// Whether the next cycle is due at once.
+    pub(super) at_once: TokenStream,
+    /// Statements that find the soonest time.
+    pub(super) waits: TokenStream,
+    /// The reading of the clock in the last cycle.
+    pub(super) reading: TokenStream,
+}
+
+impl<'m> Machine<'m> {
+    /// As the plan says.
+    pub(super) fn planned(cx: &Cx<'m>) -> Self {
+        let (model, plan) = (cx.model, cx.plan);
+        let remembered = plan.memory.stored.iter().chain(&plan.memory.last).map(|id| &model.outputs[*id].ty);
+        let vars = plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
+        let values = plan.memory.vars.iter().map(|id| {
+            let held = names::var_field(model, *id);
+            quote!(self.#held)
+        });
+        Self {
+            types: state::enums(cx),
+            fields: cx.fields(),
+            stored: remembered.chain(vars).list(),
+            cycle: cx.cycle_body(),
+            evolve: cx.evolve_function(),
+            active: model.steps.ids().map(|step| chart_impl::holds(cx, step)).list(),
+            situation: chart_impl::situation(cx),
+            stable: if plan.may_be_unstable { cx.is_unmarked() } else { quote!(true) },
+            deadline: cx.deadline(),
+            vars: values.list(),
+        }
+    }
+}

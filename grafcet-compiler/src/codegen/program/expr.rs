@@ -1,0 +1,147 @@
+//! Expressions.
+
+use proc_macro2::TokenStream;
+
+use super::Printer;
+use crate::list::List;
+use crate::place::quote;
+use crate::program::{Comparison, Expr, PlaceId, Type};
+
+/// How closely an expression binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binds {
+    /// `if a { b } else { c }`: a statement, where one may stand.
+    Block,
+    Or,
+    And,
+    Compare,
+    Sum,
+    Unary,
+    Term,
+}
+
+impl<'m> Printer<'_, 'm> {
+    /// An expression where nothing stands beside it.
+    pub(super) fn value(&self, expr: &Expr<'m>) -> TokenStream {
+        self.expr(expr, Type::Bool).0
+    }
+
+    /// The same behind `if`, where no struct may stand open.
+    pub(super) fn condition(&self, expr: &Expr<'m>) -> TokenStream {
+        self.value(expr)
+    }
+
+    /// The value that a place gets.
+    pub(super) fn set_to(&self, place: PlaceId, value: &Expr<'m>) -> TokenStream {
+        self.expr(value, self.program.places[place.0].ty).0
+    }
+
+    /// An operand, in parentheses where it binds less closely than what stands around it.
+    fn operand(&self, expr: &Expr<'m>, around: Binds) -> TokenStream {
+        self.typed(expr, Type::Bool, around)
+    }
+
+    /// The same of one whose constants are of a type.
+    fn typed(&self, expr: &Expr<'m>, ty: Type<'m>, around: Binds) -> TokenStream {
+        let (tokens, binds) = self.expr(expr, ty);
+        if binds < around { quote!((#tokens)) } else { tokens }
+    }
+
+    fn list_of(&self, parts: &[Expr<'m>], around: Binds) -> Vec<TokenStream> {
+        parts.iter().map(|part| self.operand(part, around)).list()
+    }
+
+    /// `ty` is the type that constants of a state have; all others tell their own.
+    fn expr(&self, expr: &Expr<'m>, ty: Type<'m>) -> (TokenStream, Binds) {
+        let p = &self.cx.p;
+        match expr {
+            Expr::Value(value) => (self.constant(*value, ty), Binds::Term),
+            Expr::Place(place) => (self.get(*place), Binds::Term),
+            Expr::Initial(place) => (self.initial(*place), Binds::Block),
+            Expr::Input(id) => {
+                let name = &self.cx.model.inputs[*id].name;
+                (quote!(inputs.#name), Binds::Term)
+            }
+            Expr::Now => (quote!(now), Binds::Term),
+            Expr::Is(place, steps) => {
+                let state = self.get(*place);
+                let variants = steps.iter().map(|step| self.cx.variant(*step)).list();
+                match &variants[..] {
+                    [one] => (quote!(#state == #one), Binds::Compare),
+                    _ => (quote!(#p::core::matches!(#state, #(#variants)|*)), Binds::Term),
+                }
+            }
+            Expr::Not(inner) => match &**inner {
+                Expr::Is(place, steps) if steps.len() == 1 => {
+                    let (state, variant) = (self.get(*place), self.cx.variant(steps[0]));
+                    (quote!(#state != #variant), Binds::Compare)
+                }
+                inner => {
+                    let inner = self.operand(inner, Binds::Unary);
+                    (quote!(!#inner), Binds::Unary)
+                }
+            },
+            Expr::All(parts) => {
+                let parts = self.list_of(parts, Binds::And);
+                (quote!(#(#parts)&&*), Binds::And)
+            }
+            Expr::Any(parts) => {
+                let parts = self.list_of(parts, Binds::Or);
+                (quote!(#(#parts)||*), Binds::Or)
+            }
+            Expr::Compare(comparison, a, b) => (self.comparison(*comparison, a, b), Binds::Compare),
+            Expr::Choose(parts) => {
+                let [condition, then, otherwise] = &**parts;
+                // What begins with a block would be a statement there.
+                let [then, otherwise] = [then, otherwise].map(|part| self.typed(part, ty, Binds::Or));
+                let condition = self.condition(condition);
+                (quote!(if #condition { #then } else { #otherwise }), Binds::Block)
+            }
+            Expr::Add(a, b) => (self.sum(a, &quote!(+), b), Binds::Sum),
+            Expr::Sub(a, b) => (self.sum(a, &quote!(-), b), Binds::Sum),
+            Expr::Next(place) => {
+                let place = self.get(*place);
+                (quote!(#place.wrapping_add(1)), Binds::Term)
+            }
+            Expr::Since(a, b) => {
+                let (a, b) = (self.operand(a, Binds::Term), self.value(b));
+                (quote!(#a.since(#b)), Binds::Term)
+            }
+            Expr::Period(reached, passed, period) => {
+                let (reached, passed) = (self.value(reached), self.value(passed));
+                (quote!(#p::phase(#reached, #passed, #p::Ticks::new(#period))), Binds::Term)
+            }
+            Expr::User(user) => {
+                let binds = if self.is_input(user) { Binds::Term } else { Binds::Block };
+                (self.user(user), binds)
+            }
+        }
+    }
+
+    fn sum(&self, a: &Expr<'m>, sign: &TokenStream, b: &Expr<'m>) -> TokenStream {
+        let (a, b) = (self.operand(a, Binds::Sum), self.operand(b, Binds::Unary));
+        quote!(#a #sign #b)
+    }
+
+    fn comparison(&self, comparison: Comparison, a: &Expr<'m>, b: &Expr<'m>) -> TokenStream {
+        let sign = match comparison {
+            Comparison::Equal => quote!(==),
+            Comparison::Differs => quote!(!=),
+            Comparison::Below => quote!(<),
+            Comparison::AtLeast => quote!(>=),
+        };
+        let place = [a, b].into_iter().find_map(|side| match side {
+            Expr::Place(place) => Some(*place),
+            _ => None,
+        });
+        let ty = place.map_or(Type::Bool, |place| self.program.places[place.0].ty);
+        let side = |side: &Expr<'m>| self.typed(side, ty, Binds::Sum);
+        let (left, right) = (side(a), side(b));
+        match place {
+            Some(place) if matches!(comparison, Comparison::Equal | Comparison::Differs) => {
+                self.compared(place, &left, &sign, &right)
+            }
+            _ => quote!(#left #sign #right),
+        }
+    }
+}

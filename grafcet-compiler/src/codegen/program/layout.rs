@@ -1,0 +1,342 @@
+//! How the places of a program are stored: which are fields, of which type, under which name.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::ToTokens;
+
+use super::Printer;
+use super::visit::{self, Seen};
+use crate::codegen::machine::Field;
+use crate::codegen::{Cx, names, rust, types};
+use crate::list::List;
+use crate::model::{Id, StepId, Ty};
+use crate::place::quote;
+
+use crate::program::{Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use crate::sorted::Set;
+
+/// How each place is stored.
+pub(super) struct Layout {
+    slots: Vec<Slot>,
+    /// The enums of the regions; none, where steps are bits.
+    pub(super) regions: Vec<States>,
+    /// The highest number that a place of [`Type::Number`] holds.
+    highest: u32,
+}
+
+/// Which states an enum has beside the steps of its region.
+#[derive(Clone, Copy, Default)]
+pub(super) struct States {
+    pub(super) empty: bool,
+    /// The first cycle is still to come; seen from outside this step is active.
+    pub(super) start: Option<Option<StepId>>,
+}
+
+struct Slot {
+    name: Ident,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Nothing reads or writes it, from within or from outside.
+    Unused,
+    Local,
+    /// In the outputs that the cycle returns.
+    Result,
+    Field,
+    /// A field whose initial value is no constant: `None` stands for it.
+    Late,
+    /// In the recipe.
+    Param,
+    /// In the bytes of the situation.
+    Bit(usize),
+}
+
+impl Layout {
+    pub(super) fn of(cx: &Cx<'_>, program: &Program<'_>, cycle: &[Statement<'_>]) -> Self {
+        let mut used = Used::of(program, cycle);
+        let mut taken: [Set<String>; 2] = [Set::new(), Set::new()];
+        taken[0].extend(["params", "situation"].map(str::to_owned));
+        let mut slots = Vec::new();
+        for (index, place) in program.places.iter().enumerate() {
+            let kind = kind(place, used.places.contains(&PlaceId(index)));
+            let name = match place.role {
+                Role::Param(id) => cx.model.params[id].name.clone(),
+                Role::Output(id) if kind == Kind::Result => cx.model.outputs[id].name.clone(),
+                _ => names::local(&free(&place.name, &mut taken[usize::from(kind == Kind::Local)])),
+            };
+            if let (Initial::Value(value), false) = (place.initial, kind == Kind::Unused) {
+                used.state(place.ty, value);
+            }
+            slots.push(Slot { name, kind });
+        }
+        let regions = if cx.plan.shape.is_flags() { 0 } else { program.regions.len() };
+        used.regions.truncate(regions);
+        Self { slots, regions: used.regions, highest: used.highest }
+    }
+
+    fn slot(&self, place: PlaceId) -> &Slot {
+        &self.slots[place.0]
+    }
+
+    /// Whether a place is declared where the program mentions it.
+    pub(super) fn is_local(&self, place: PlaceId) -> bool {
+        self.slot(place).kind == Kind::Local
+    }
+
+    /// Whether it is one of the outputs that the cycle returns.
+    pub(super) fn is_result(&self, place: PlaceId) -> bool {
+        self.slot(place).kind == Kind::Result
+    }
+
+    /// Whether an output outlives the cycle.
+    pub(super) fn is_kept(&self, place: PlaceId) -> bool {
+        matches!(self.slot(place).kind, Kind::Field | Kind::Late)
+    }
+
+    pub(super) fn name(&self, place: PlaceId) -> &Ident {
+        &self.slot(place).name
+    }
+
+    /// The field with the bits of all steps.
+    pub(super) fn flags(&self) -> Ident {
+        names::local("situation")
+    }
+
+    fn number(&self, p: &TokenStream) -> TokenStream {
+        match self.highest {
+            0..=0xff => quote!(#p::u8),
+            0x100..=0xffff => quote!(#p::u16),
+            _ => quote!(#p::u32),
+        }
+    }
+}
+
+fn kind(place: &PlaceInfo<'_>, used: bool) -> Kind {
+    // What others than the cycle look at.
+    let shown = matches!(place.role, Role::State(_) | Role::Stable | Role::Var(_) | Role::Reading);
+    match place.role {
+        Role::Param(_) => Kind::Param,
+        Role::Bit(step) => Kind::Bit(step.index()),
+        _ if !used && !shown => Kind::Unused,
+        Role::Output(_) if !place.is_field => Kind::Result,
+        _ if !place.is_field => Kind::Local,
+        _ if is_constant(place) => Kind::Field,
+        _ => Kind::Late,
+    }
+}
+
+/// Whether `new` can write what a place begins with.
+fn is_constant(place: &PlaceInfo<'_>) -> bool {
+    match (place.initial, place.ty) {
+        (Initial::Default, Type::User(ty @ Ty::Other(_))) => ty.is_float(),
+        _ => true,
+    }
+}
+
+/// The name of a place as an identifier that no other place has.
+fn free(name: &str, taken: &mut Set<String>) -> String {
+    let mut own = String::new();
+    for c in name.to_lowercase().chars() {
+        own.push(if c.is_alphanumeric() { c } else { '_' });
+    }
+    let own = own.trim_end_matches('_');
+    // A number at the end is that of a placeholder, and some words are Rust's.
+    let reserved = own.ends_with(|c: char| c.is_ascii_digit()) || syn::parse_str::<Ident>(own).is_err();
+    let own = format!("{own}{}", if reserved { "_" } else { "" });
+    let (mut free, mut number) = (own.clone(), 2);
+    while !taken.insert(free.clone()) {
+        free = format!("{own}_{number}_");
+        number += 1;
+    }
+    free
+}
+
+/// What a program mentions.
+#[derive(Default)]
+struct Used {
+    places: Set<PlaceId>,
+    regions: Vec<States>,
+    highest: u32,
+}
+
+impl Used {
+    fn of(program: &Program<'_>, cycle: &[Statement<'_>]) -> Self {
+        let mut used = Self { regions: vec![States::default(); program.regions.len()], ..Self::default() };
+        let mut note = |seen: Seen| match seen {
+            Seen::Read(place) | Seen::Written(place) => _ = used.places.insert(place),
+            Seen::Value(Value::Int(number)) | Seen::Set(_, Value::Int(number)) | Seen::Arm(_, Value::Int(number)) => {
+                used.highest = used.highest.max(u32::try_from(number).unwrap_or(u32::MAX));
+            }
+            Seen::Set(place, value) | Seen::Arm(place, value) => used.state(program.places[place.0].ty, value),
+            Seen::Value(_) => {}
+        };
+        visit::block(cycle, &mut note);
+        if let Some(deadline) = &program.deadline {
+            visit::expr(&deadline.at_once, &mut note);
+            for (condition, time) in &deadline.waits {
+                visit::expr(condition, &mut note);
+                visit::expr(time, &mut note);
+            }
+        }
+        used
+    }
+
+    /// A place of a type has a value.
+    fn state(&mut self, ty: Type<'_>, value: Value) {
+        if let Type::State(region) = ty {
+            match value {
+                Value::Step(None) => self.regions[region].empty = true,
+                Value::Start(seen) => self.regions[region].start = Some(seen),
+                _ => {}
+            }
+        }
+    }
+}
+
+impl<'m> Printer<'_, 'm> {
+    fn info(&self, place: PlaceId) -> &PlaceInfo<'m> {
+        &self.program.places[place.0]
+    }
+
+    /// The value of a place, as an operand.
+    pub(super) fn get(&self, place: PlaceId) -> TokenStream {
+        let Slot { name, kind } = self.layout.slot(place);
+        match kind {
+            Kind::Unused => self.initial(place),
+            Kind::Local => name.to_token_stream(),
+            Kind::Result => quote!(outputs.#name),
+            Kind::Field => quote!(self.#name),
+            Kind::Late => {
+                let initial = self.initial(place);
+                quote!(self.#name.unwrap_or_else(|| #initial))
+            }
+            Kind::Param => quote!(self.params.#name),
+            Kind::Bit(index) => {
+                let (field, byte, mask) = self.bit(*index);
+                quote!((self.#field[#byte] & #mask != 0))
+            }
+        }
+    }
+
+    /// The statement that sets a place.
+    pub(super) fn put(&self, place: PlaceId, value: &TokenStream) -> TokenStream {
+        let Slot { name, kind } = self.layout.slot(place);
+        match kind {
+            Kind::Unused => quote!(let _ = #value;),
+            Kind::Local => quote!(#name = #value;),
+            Kind::Result => quote!(outputs.#name = #value;),
+            Kind::Field => quote!(self.#name = #value;),
+            Kind::Late => {
+                let p = &self.cx.p;
+                quote!(self.#name = #p::Option::Some(#value);)
+            }
+            Kind::Param => quote!(self.params.#name = #value;),
+            Kind::Bit(index) => {
+                let (field, byte, mask) = self.bit(*index);
+                match value.to_string().as_str() {
+                    "true" => quote!(self.#field[#byte] |= #mask;),
+                    "false" => quote!(self.#field[#byte] &= !#mask;),
+                    _ => quote!(if #value { self.#field[#byte] |= #mask; } else { self.#field[#byte] &= !#mask; }),
+                }
+            }
+        }
+    }
+
+    fn bit(&self, index: usize) -> (Ident, Literal, Literal) {
+        (self.layout.flags(), Literal::usize_suffixed(index / 8), Literal::u8_suffixed(1 << (index % 8)))
+    }
+
+    /// The type of a place.
+    pub(super) fn ty(&self, place: PlaceId) -> TokenStream {
+        let (p, model) = (&self.cx.p, self.cx.model);
+        let declared = match self.info(place).role {
+            Role::Output(id) => Some(&model.outputs[id].ty),
+            Role::Var(id) => Some(&model.vars[id].ty),
+            _ => None,
+        };
+        match (self.info(place).ty, declared) {
+            (Type::User(ty), _) | (_, Some(ty)) => types::rust_type(ty, p),
+            (Type::Bool, _) => quote!(#p::bool),
+            (Type::Ticks, _) => quote!(#p::Ticks),
+            (Type::State(region), _) => self.cx.names.region(region, self.cx.plan).to_token_stream(),
+            (Type::Number, _) => self.layout.number(p),
+            (Type::Phase, _) => quote!(#p::Phase),
+        }
+    }
+
+    /// What a place begins with.
+    pub(super) fn initial(&self, place: PlaceId) -> TokenStream {
+        let (p, info) = (&self.cx.p, self.info(place));
+        match (info.initial, info.ty) {
+            (Initial::Value(value), _) => self.constant(value, info.ty),
+            (Initial::Constant(expr), _) => rust::constant(expr, p),
+            (Initial::Default, Type::Ticks) => quote!(#p::Ticks::ZERO),
+            (Initial::Default, Type::Bool) => quote!(false),
+            (Initial::Default, Type::User(ty)) => types::initial_value(None, ty, p),
+            (Initial::Default, Type::Number) => quote!(0),
+            (Initial::Default, Type::Phase) => quote!(#p::Phase::First),
+            (Initial::Default, Type::State(region)) => self.cx.empty(region),
+        }
+    }
+
+    /// The fields of the chart's struct, beside the recipe.
+    pub(super) fn fields(&self) -> Vec<Field> {
+        let p = &self.cx.p;
+        let mut fields = Vec::new();
+        if self.cx.plan.shape.is_flags() {
+            let bytes = Literal::usize_suffixed(self.cx.flag_bytes());
+            let initial = self.cx.initial_flags();
+            fields.push(Field { name: self.layout.flags(), ty: quote!([#p::u8; #bytes]), initial });
+        }
+        for index in 0..self.program.places.len() {
+            let place = PlaceId(index);
+            let Slot { name, kind } = self.layout.slot(place);
+            let (name, ty) = (name.clone(), self.ty(place));
+            match kind {
+                Kind::Field => fields.push(Field { name, ty, initial: self.initial(place) }),
+                Kind::Late => {
+                    fields.push(Field { name, ty: quote!(#p::Option<#ty>), initial: quote!(#p::Option::None) });
+                }
+                Kind::Unused | Kind::Local | Kind::Result | Kind::Param | Kind::Bit(_) => {}
+            }
+        }
+        fields
+    }
+
+    /// The declared types in fields.
+    pub(super) fn stored(&self) -> Vec<&'m Ty> {
+        let places = self.program.places.iter().zip(&self.layout.slots);
+        let fields = places.filter(|(_, slot)| matches!(slot.kind, Kind::Field | Kind::Late));
+        let types = fields.filter_map(|(place, _)| match place.ty {
+            Type::User(ty) => Some(ty),
+            _ => None,
+        });
+        types.list()
+    }
+
+    /// The variant of a step.
+    pub(super) fn variant(&self, step: Option<StepId>, region: usize) -> TokenStream {
+        step.map_or_else(|| self.cx.empty(region), |step| self.cx.variant(step))
+    }
+
+    /// The variant for "the first cycle is still to come".
+    pub(super) fn start(&self, region: usize) -> TokenStream {
+        let (states, start) = (self.cx.names.region(region, self.cx.plan), &self.cx.names.start);
+        quote!(#states::#start)
+    }
+
+    /// Whether two values of a place's type are the same, or differ.
+    pub(super) fn compared(
+        &self,
+        place: PlaceId,
+        one: &TokenStream,
+        sign: &TokenStream,
+        other: &TokenStream,
+    ) -> TokenStream {
+        match self.info(place).ty {
+            Type::User(ty) => types::compare(ty, one, sign, other, &self.cx.p),
+            _ => quote!(#one #sign #other),
+        }
+    }
+}

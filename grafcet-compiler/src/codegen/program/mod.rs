@@ -1,0 +1,159 @@
+//! A program printed as Rust. It knows Rust and nothing of charts: what happens when, the program says.
+//!
+//! - `layout`: how each place is stored
+//! - `scope`: where each local is declared
+//! - `statement`, `expr`: what their names say
+//! - `user`: Rust of the user, behind bindings of what it reads
+//! - `visit`: a walk through statements and expressions
+
+mod expr;
+mod layout;
+mod scope;
+mod statement;
+mod user;
+mod visit;
+
+use proc_macro2::TokenStream;
+
+use self::layout::Layout;
+use self::scope::Scope;
+use super::machine::{Deadline, Machine};
+use super::{Cx, chart_impl, names, state, types};
+use crate::list::List;
+use crate::place::quote;
+use crate::program::{self, Program, Role, Statement};
+
+/// What is printed, and what is known about it meanwhile.
+struct Printer<'p, 'm> {
+    cx: &'p Cx<'m>,
+    program: &'p Program<'m>,
+    layout: Layout,
+}
+
+/// The state and the cycle of a chart as its program says.
+pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
+    let cycle = statement::unwatched(&program.cycle);
+    let layout = Layout::of(cx, program, &cycle);
+    let printer = Printer { cx, program, layout };
+    Machine {
+        types: printer.types(),
+        fields: printer.fields(),
+        stored: printer.stored(),
+        cycle: printer.cycle(&cycle),
+        evolve: None,
+        active: cx.model.steps.ids().map(|step| printer.is_active(step)).list(),
+        situation: printer.situation(),
+        stable: program.place(Role::Stable).map_or_else(|| quote!(true), |stable| printer.get(stable)),
+        deadline: program.deadline.as_ref().map(|deadline| printer.deadline(deadline)),
+        vars: printer.vars(),
+    }
+}
+
+impl<'m> Printer<'_, 'm> {
+    fn cycle(&self, cycle: &[Statement<'m>]) -> TokenStream {
+        let scope = Scope::of(self.program, &self.layout, cycle);
+        let body = self.block(cycle, &scope);
+        let (name, model) = (&self.cx.names.outputs, self.cx.model);
+        let (mut first, mut last) = (TokenStream::new(), TokenStream::new());
+        let mut mutable = None;
+        for (id, output) in model.outputs.iter() {
+            let (name, place) = (&output.name, self.program.place(Role::Output(id)));
+            let value = match place {
+                Some(place) => self.initial(place),
+                None => types::initial_output(model, id, &self.cx.p),
+            };
+            first.extend(quote!(#name: #value,));
+            let Some(place) = place else { continue };
+            if self.layout.is_kept(place) {
+                let value = self.get(place);
+                last.extend(quote!(outputs.#name = #value;));
+            }
+            if self.layout.is_kept(place) || self.layout.is_result(place) {
+                mutable = Some(quote!(mut));
+            }
+        }
+        quote!(let #mutable outputs = #name { #first }; #body #last outputs)
+    }
+
+    fn deadline(&self, deadline: &program::Deadline<'m>) -> Deadline {
+        let p = &self.cx.p;
+        let mut waits = TokenStream::new();
+        for (condition, time) in &deadline.waits {
+            let (condition, time) = (self.condition(condition), self.value(time));
+            waits.extend(quote!(if #condition { soonest = #p::sooner(soonest, #p::Option::Some(#time)); }));
+        }
+        let reading = self.program.place(Role::Reading);
+        let reading = reading.map_or_else(|| quote!(#p::Ticks::ZERO), |reading| self.get(reading));
+        Deadline { at_once: self.condition(&deadline.at_once), waits, reading }
+    }
+
+    /// The private enums of the regions.
+    fn types(&self) -> TokenStream {
+        let regions = self.layout.regions.iter().enumerate();
+        regions
+            .map(|(region, states)| state::region_enum(self.cx, region, states.empty, states.start.is_some()))
+            .tokens()
+    }
+
+    fn is_active(&self, step: crate::model::StepId) -> TokenStream {
+        let region = self.cx.plan.regions.of_step(step);
+        let place = self.program.place(Role::Bit(step)).or_else(|| self.program.place(Role::State(region)));
+        let Some(place) = place else { return quote!(false) };
+        if self.cx.plan.shape.is_flags() {
+            return self.get(place);
+        }
+        let (state, variant) = (self.get(place), self.cx.variant(step));
+        let starts = self.layout.regions[region].start == Some(Some(step));
+        let starting = starts.then(|| {
+            let start = self.start(region);
+            quote!(|| #state == #start)
+        });
+        quote!(#state == #variant #starting)
+    }
+
+    /// The body of `situation`.
+    fn situation(&self) -> TokenStream {
+        let cx = self.cx;
+        if cx.plan.shape.is_flags() {
+            return self.situation_of_flags();
+        }
+        let state = |region| self.program.place(Role::State(region)).map(|place| self.get(place));
+        if !cx.plan.one_step {
+            let name = &cx.names.situation;
+            let regions = (0..cx.plan.regions.all().len()).map(|region| {
+                let (field, state) = (names::region_field(region, cx.plan), state(region));
+                let Some(seen) = self.layout.regions[region].start else { return quote!(#field: #state,) };
+                let (start, seen) = (self.start(region), self.variant(seen, region));
+                quote!(#field: match #state { #start => #seen, entered => entered },)
+            });
+            return quote!(#name { #(#regions)* });
+        }
+        let arms = cx.plan.regions.all()[0].steps.iter().enumerate().map(|(index, id)| {
+            let (variant, name) = (cx.variant(*id), state::step_name(cx, *id));
+            let states = self.layout.regions[0];
+            let start = (states.start == Some(Some(*id))).then(|| self.start(0));
+            // There is always an active step.
+            let none = (states.empty && index == 0).then(|| cx.empty(0));
+            let others = start.into_iter().chain(none).map(|other| quote!(| #other));
+            quote!(#variant #(#others)* => #name,)
+        });
+        let (arms, state) = (arms.tokens(), state(0));
+        quote!(match #state { #arms })
+    }
+
+    fn situation_of_flags(&self) -> TokenStream {
+        let cx = self.cx;
+        if cx.plan.one_step {
+            return chart_impl::one_by_one(cx, cx.model.steps.ids().map(|step| self.is_active(step)));
+        }
+        let (name, field) = (&cx.names.situation, self.layout.flags());
+        quote!(#name { steps: self.#field })
+    }
+
+    /// The values of the stored variables.
+    fn vars(&self) -> Vec<TokenStream> {
+        let vars = self.cx.plan.memory.vars.iter();
+        let places = vars.filter_map(|id| self.program.place(Role::Var(*id)));
+        places.map(|place| self.get(place)).list()
+    }
+}

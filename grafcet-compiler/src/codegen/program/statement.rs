@@ -1,0 +1,196 @@
+//! Statements.
+
+use proc_macro2::{Literal, TokenStream};
+
+use super::Printer;
+use super::scope::Scope;
+use crate::list::List;
+use crate::place::quote;
+use crate::program::{Arm, Expr, Phase, PlaceId, Statement, Type, Value};
+
+/// The statements without what observers are told, and without what is there for them alone.
+pub(super) fn unwatched<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
+    let mut rest = Vec::new();
+    for statement in statements {
+        match statement {
+            Statement::Mark(_) => {}
+            Statement::Part(name, body) => rest.push(Statement::Part(name, unwatched(body))),
+            Statement::If(condition, then, otherwise) => {
+                let (then, otherwise) = (unwatched(then), unwatched(otherwise));
+                if !then.is_empty() || !otherwise.is_empty() || runs(condition) {
+                    rest.push(Statement::If(condition.clone(), then, otherwise));
+                }
+            }
+            Statement::Match(place, arms, otherwise) => {
+                let mut kept = Vec::new();
+                for (values, body) in arms {
+                    kept.push((values.clone(), unwatched(body)));
+                }
+                rest.push(Statement::Match(*place, kept, unwatched(otherwise)));
+            }
+            Statement::Loop { rounds, body } => {
+                rest.push(Statement::Loop { rounds: *rounds, body: unwatched(body) });
+            }
+            other => rest.push(other.clone()),
+        }
+    }
+    rest
+}
+
+/// Whether Rust of the user is in an expression: it may do something.
+fn runs(expr: &Expr<'_>) -> bool {
+    match expr {
+        Expr::User(_) => true,
+        Expr::Not(inner) => runs(inner),
+        Expr::All(parts) | Expr::Any(parts) => parts.iter().any(runs),
+        Expr::Compare(_, a, b) => runs(a) || runs(b),
+        Expr::Choose(parts) => parts.iter().any(runs),
+        _ => false,
+    }
+}
+
+/// The place in the text of the program, in the order of [`Scope`].
+struct Lines<'s> {
+    scope: &'s Scope,
+    next: usize,
+}
+
+impl<'m> Printer<'_, 'm> {
+    pub(super) fn block(&self, statements: &[Statement<'m>], scope: &Scope) -> TokenStream {
+        self.list(statements, &mut Lines { scope, next: 0 })
+    }
+
+    fn list(&self, statements: &[Statement<'m>], lines: &mut Lines<'_>) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        for statement in statements {
+            if let Statement::Part(_, body) = statement {
+                tokens.extend(self.list(body, lines));
+                continue;
+            }
+            let number = lines.next;
+            lines.next += 1;
+            for place in &lines.scope.before[number] {
+                let (ty, name, value) = (self.ty(*place), self.layout.name(*place), self.initial(*place));
+                let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
+                tokens.extend(quote!(let #mutable #name: #ty = #value;));
+            }
+            tokens.extend(self.statement(statement, number, lines));
+        }
+        tokens
+    }
+
+    fn statement(&self, statement: &Statement<'m>, number: usize, lines: &mut Lines<'_>) -> TokenStream {
+        match statement {
+            Statement::Set(place, value) => {
+                let value = self.set_to(*place, value);
+                if !lines.scope.declares[number] {
+                    return self.put(*place, &value);
+                }
+                let (ty, name) = (self.ty(*place), self.layout.name(*place));
+                let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
+                quote!(let #mutable #name: #ty = #value;)
+            }
+            Statement::If(condition, then, otherwise) => self.branches(condition, then, otherwise, lines),
+            Statement::Match(place, arms, otherwise) => self.arms(*place, arms, otherwise, lines),
+            Statement::Loop { body, .. } => {
+                let body = self.list(body, lines);
+                quote!(loop { #body })
+            }
+            Statement::Break => quote!(break;),
+            Statement::Run(run) => self.run(run),
+            Statement::Call(action, phase, args) => {
+                let (name, phase) = (&self.cx.model.actions[*action].name, self.value(phase));
+                let args = args.iter().map(|arg| self.value(arg)).list();
+                quote!(actions.#name(#phase, #(#args),*);)
+            }
+            Statement::Fence => {
+                let p = &self.cx.p;
+                let atomic = quote!(#p::core::sync::atomic);
+                quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)
+            }
+            Statement::Part(..) | Statement::Mark(_) => TokenStream::new(),
+        }
+    }
+
+    /// `if a { … } else if b { … } else { … }`
+    fn branches(
+        &self,
+        condition: &Expr<'m>,
+        then: &[Statement<'m>],
+        otherwise: &[Statement<'m>],
+        lines: &mut Lines<'_>,
+    ) -> TokenStream {
+        let condition = self.condition(condition);
+        let then = self.list(then, lines);
+        let otherwise = self.list(otherwise, lines);
+        match otherwise.is_empty() {
+            true => quote!(if #condition { #then }),
+            false => quote!(if #condition { #then } else { #otherwise }),
+        }
+    }
+
+    fn arms(
+        &self,
+        place: PlaceId,
+        arms: &[Arm<'m>],
+        otherwise: &[Statement<'m>],
+        lines: &mut Lines<'_>,
+    ) -> TokenStream {
+        let ty = self.program.places[place.0].ty;
+        let mut tokens = TokenStream::new();
+        for (values, body) in arms {
+            let (values, body) = (values.iter().map(|value| self.constant(*value, ty)).list(), self.list(body, lines));
+            tokens.extend(quote!(#(#values)|* => { #body }));
+        }
+        let otherwise = self.list(otherwise, lines);
+        if !self.is_complete(ty, arms) {
+            tokens.extend(quote!(_ => { #otherwise }));
+        }
+        let value = self.get(place);
+        quote!(match #value { #tokens })
+    }
+
+    /// Whether a match has an arm for each value.
+    fn is_complete(&self, ty: Type<'m>, arms: &[Arm<'m>]) -> bool {
+        let has = |value: Value| arms.iter().any(|(values, _)| values.contains(&value));
+        match ty {
+            Type::Bool => has(Value::Bool(true)) && has(Value::Bool(false)),
+            Type::State(region) => {
+                let states = self.layout.regions[region];
+                let none = !states.empty || has(Value::Step(None));
+                let all = self.program.regions[region].iter().all(|step| has(Value::Step(Some(*step))));
+                all && none && states.start.is_none_or(|start| has(Value::Start(start)))
+            }
+            Type::Phase => {
+                [Phase::First, Phase::Repeated, Phase::Final].into_iter().all(|phase| has(Value::Phase(phase)))
+            }
+            Type::Ticks | Type::Number | Type::User(_) => false,
+        }
+    }
+
+    /// A value as an expression and as a pattern.
+    pub(super) fn constant(&self, value: Value, ty: Type<'m>) -> TokenStream {
+        let p = &self.cx.p;
+        match value {
+            Value::Bool(value) => quote!(#value),
+            Value::Int(number) => {
+                let number = Literal::i128_unsuffixed(number);
+                quote!(#number)
+            }
+            Value::Ticks(0) => quote!(#p::Ticks::ZERO),
+            Value::Ticks(ticks) => quote!(#p::Ticks::new(#ticks)),
+            Value::Step(step) => match ty {
+                Type::State(region) => self.variant(step, region),
+                _ => step.map_or_else(|| quote!(false), |step| self.cx.variant(step)),
+            },
+            Value::Start(_) => match ty {
+                Type::State(region) => self.start(region),
+                _ => quote!(false),
+            },
+            Value::Phase(Phase::First) => quote!(#p::Phase::First),
+            Value::Phase(Phase::Repeated) => quote!(#p::Phase::Repeated),
+            Value::Phase(Phase::Final) => quote!(#p::Phase::Final),
+            Value::Other(_) => quote!(#p::core::default::Default::default()),
+        }
+    }
+}
