@@ -37,6 +37,13 @@ pub(super) fn lets(clearing: &BTreeMap<PartialId, AnyId>, id: TransitionId, mode
     }
 }
 
+/// Whether the `any` that clears in its net leaves one of the steps of this transition.
+pub(super) fn leaves(clearing: &BTreeMap<PartialId, AnyId>, id: TransitionId, model: &Model) -> bool {
+    let transition = &model.transitions[id];
+    let left = clearing.get(&transition.partial).map(|any| sources(*any, model)).unwrap_or_default();
+    transition.sources.iter().any(|step| left.contains(step))
+}
+
 /// What is written in the brackets.
 pub(super) fn condition(id: TransitionId, model: &Model) -> &Tree {
     model.transitions[id].own_condition()

@@ -150,6 +150,10 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
         evolution.enabled.insert(id);
         // Priority is not what makes a condition hold: an `any` that clears goes before, as an earlier branch does.
         let lets = any::lets(&anys, id, view.model);
+        if !lets && !any::leaves(&anys, id, view.model) {
+            // No priority: the `any` does not leave its steps, and stops it all the same.
+            continue;
+        }
         let free = lets && transition.sources.iter().all(|step| !left.contains(step));
         match view.holds(any::condition(id, view.model)) {
             Ok(true) => evolution.fireable.insert(id),
