@@ -144,7 +144,7 @@ pub(super) const FAULTS: [Fault; 25] = [
     },
     Fault {
         name: "forcing one evolution late",
-        charts: Some("a11"),
+        charts: Some("a12"),
         file: "grafcet-compiler/src/codegen/hierarchy.rs",
         right: "let ordered = is_active(force.step);",
         wrong: "let ordered = bare(self.is_active(force.step, Moment::Condition));",
@@ -186,7 +186,7 @@ pub(super) const FAULTS: [Fault; 25] = [
     },
     Fault {
         name: "S dominates R in a flip-flop",
-        charts: Some("q_r_dominates"),
+        charts: Some("q_r_left"),
         file: "grafcet-compiler/src/codegen/control/mod.rs",
         right: "(self.#memory || #input) && !#reset;",
         wrong: "self.#memory && !#reset || #input;",
