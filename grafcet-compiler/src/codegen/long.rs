@@ -48,7 +48,7 @@ impl Cx<'_> {
     fn behind(&self, next: &Ident, stay: &TokenStream) -> TokenStream {
         let (before, steps) = (names::before(0, self.plan), &self.plan.regions.all()[0].steps);
         let target = |step: StepId| self.plan.evolution.only_exit(self.model, step)?.targets.first().copied();
-        if self.model.small {
+        if self.model.optimize_size {
             let computed = self.in_order_but(steps, target);
             return quote!(let #next = #computed;);
         }
@@ -107,7 +107,7 @@ impl Cx<'_> {
             let then = if self.model.is_grafcet() { stay.clone() } else { TokenStream::new() };
             waits.push(Shared { states: vec![self.start()], then });
         }
-        if self.model.small || alone {
+        if self.model.optimize_size || alone {
             return self.by_table(&before, &waits);
         }
         let arms = waits.iter().map(|Shared { states, then }| quote!(#(#states)|* => { #then }));
@@ -116,7 +116,7 @@ impl Cx<'_> {
 
     /// Under `optimize size` what the steps do, that of several steps once; `None` where few do the same.
     pub(super) fn shared_actions(&self, state: &TokenStream, arms: &[(StepId, TokenStream)]) -> Option<TokenStream> {
-        if !self.model.small || !self.plan.shape.is_long() {
+        if !self.model.optimize_size || !self.plan.shape.is_long() {
             return None;
         }
         // In the other direction than the conditions: LLVM would see where two tables are alike, and copy the actions.

@@ -17,7 +17,7 @@ impl Cx<'_> {
     /// Whether the region's enum is as wide as a register, which saves widening the state in every evolution. The field holds
     /// a byte all the same, and so does a table.
     pub(super) fn is_wide(&self) -> bool {
-        self.plan.shape.walks() && (self.model.small || !self.plan.shape.is_long())
+        self.plan.shape.walks() && (self.model.optimize_size || !self.plan.shape.is_long())
     }
 
     /// The search. The chart's own situation is without the mark as soon as the walk begins.
@@ -33,7 +33,7 @@ impl Cx<'_> {
         let (unsettle, delayed) = (self.unsettle(), self.unsettle_delays());
         let opaque = self.opaque_inputs();
         // Where a table leads from step to step, that costs some bytes and is faster.
-        let for_all = self.model.steps.len() < FEW || self.plan.shape.is_long() && !self.model.small;
+        let for_all = self.model.steps.len() < FEW || self.plan.shape.is_long() && !self.model.optimize_size;
         let (once, each) = if for_all { (opaque, None) } else { (None, opaque) };
         let fence = self.plan.shape.breaks_out.then(|| self.fence());
         quote! {

@@ -44,7 +44,7 @@ pub struct Model {
     /// `max_evolutions 20;`
     pub max_evolutions: Option<u32>,
     /// `optimize size;`: of two ways to generate code, the smaller one is meant.
-    pub small: bool,
+    pub optimize_size: bool,
     /// `encoding flags;`: a bit for each step, whatever can be active together.
     pub flags: bool,
     pub inputs: Arena<InputId, Input>,

@@ -167,9 +167,15 @@ impl<'m> Circles<'m> {
             if !self.logic.never(&condition) {
                 // What happens beside is no part of the circle.
                 let active: Set<StepId> = self.model.transitions[id].sources.iter().copied().collect();
-                let (fresh, before) = (active.clone(), active.clone());
-                let held =
-                    Node { active, fresh, before, goals: vec![(condition, true)], parent: None, cleared: Vec::new() };
+                let (just_entered, before) = (active.clone(), active.clone());
+                let held = Node {
+                    active,
+                    just_entered,
+                    before,
+                    goals: vec![(condition, true)],
+                    parent: None,
+                    cleared: Vec::new(),
+                };
                 found.extend(self.endless(Some(held)).into_iter().flatten());
             }
         }
@@ -210,12 +216,12 @@ impl<'m> Circles<'m> {
             return None;
         }
         let mut active: Set<StepId> = transition.targets.iter().copied().collect();
-        let fresh = active.iter().copied().filter(|step| !transition.sources.contains(step)).collect();
+        let just_entered = active.iter().copied().filter(|step| !transition.sources.contains(step)).collect();
         let mut before: Set<StepId> = transition.sources.iter().copied().collect();
         let beside = self.active_beside(id, &goals);
         active.extend(&beside);
         before.extend(&beside);
-        Some(Node { active, fresh, before, goals, parent: None, cleared: vec![id] })
+        Some(Node { active, just_entered, before, goals, parent: None, cleared: vec![id] })
     }
 
     /// The first situation of the whole chart; there is no edge in it (A26).
@@ -227,8 +233,8 @@ impl<'m> Circles<'m> {
         };
         let active: Set<StepId> =
             hierarchy::initial_situation(self.model).into_iter().filter(|step| !commanded(step)).collect();
-        let (fresh, before) = (active.clone(), active.clone());
-        Node { active, fresh, before, goals: Vec::new(), parent: None, cleared: Vec::new() }
+        let (just_entered, before) = (active.clone(), active.clone());
+        Node { active, just_entered, before, goals: Vec::new(), parent: None, cleared: Vec::new() }
     }
 
     /// What holds where a transition clears: its condition, with its steps active.

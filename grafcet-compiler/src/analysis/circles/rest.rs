@@ -91,7 +91,7 @@ impl Circles<'_> {
         let alone = Set::from([step]);
         let first = Node {
             active: alone.clone(),
-            fresh: alone.clone(),
+            just_entered: alone.clone(),
             before: alone,
             goals: Vec::new(),
             parent: None,

@@ -24,7 +24,7 @@ pub(super) struct Node {
     /// Steps that are active.
     pub(super) active: Set<StepId>,
     /// Those of them that were entered in this cycle.
-    pub(super) fresh: Set<StepId>,
+    pub(super) just_entered: Set<StepId>,
     /// Steps that were active in the evolution before.
     pub(super) before: Set<StepId>,
     /// What has been decided on the way.
@@ -92,11 +92,11 @@ impl<'r, 'm> Run<'r, 'm> {
     /// The transitions since the same situation on the way here.
     fn circle(&self, at: usize) -> Option<Vec<TransitionId>> {
         let node = &self.nodes[at];
-        let fresh = |node: &Node| node.fresh.intersection(&node.active).copied().collect::<Set<_>>();
+        let just_entered = |node: &Node| node.just_entered.intersection(&node.active).copied().collect::<Set<_>>();
         let mut circle: Vec<TransitionId> = node.cleared.iter().rev().copied().list();
         let mut parent = node.parent;
         while let Some(other) = parent.map(|parent| &self.nodes[parent]) {
-            if other.active == node.active && other.before == node.before && fresh(other) == fresh(node) {
+            if other.active == node.active && other.before == node.before && just_entered(other) == just_entered(node) {
                 circle.reverse();
                 return Some(super::without_followers(self.circles.model, circle));
             }
@@ -170,9 +170,9 @@ impl<'r, 'm> Run<'r, 'm> {
             return None;
         }
         // A4g: a step that is left and entered at once stays active.
-        let mut fresh: Set<StepId> = node.fresh.intersection(&active).copied().collect();
-        fresh.extend(targets.difference(&node.active));
-        Some(Node { active, fresh, before: node.active.clone(), goals, parent: Some(at), cleared })
+        let mut just_entered: Set<StepId> = node.just_entered.intersection(&active).copied().collect();
+        just_entered.extend(targets.difference(&node.active));
+        Some(Node { active, just_entered, before: node.active.clone(), goals, parent: Some(at), cleared })
     }
 }
 

@@ -100,7 +100,7 @@ impl<'v, 'm> View<'v, 'm> {
 
     /// `T` of a step: zero where it was entered in this cycle or is not active; elsewhere it stands still.
     fn since(&self, step: StepId) -> Option<Tree> {
-        let goes_on = self.active(step)? && !self.node.fresh.contains(&step);
+        let goes_on = self.active(step)? && !self.node.just_entered.contains(&step);
         Some(Tree::Read(if goes_on { Read::Since(step) } else { Read::Ticks(0) }))
     }
 
@@ -108,7 +108,7 @@ impl<'v, 'm> View<'v, 'm> {
     fn blink(&self, blink: Blink) -> Option<Tree> {
         match blink.of {
             Blinker::Step(step) => Some(match self.active(step)? {
-                true if self.node.fresh.contains(&step) => Tree::Bool(true),
+                true if self.node.just_entered.contains(&step) => Tree::Bool(true),
                 true => Tree::Read(Read::Blink(blink)),
                 false => Tree::Bool(false),
             }),

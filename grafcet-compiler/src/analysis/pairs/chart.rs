@@ -1,6 +1,6 @@
 //! The chart as the search for pairs sees it.
 
-use super::ways::{Demand, holds};
+use super::demands::{Demand, holds};
 use super::{Relation, drags};
 use crate::list::List;
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
@@ -12,7 +12,7 @@ pub(super) struct Arc {
     pub(super) targets: Vec<usize>,
     pub(super) partial: usize,
     /// In each way: the sources and the steps around them are among those that must be active.
-    pub(super) ways: Vec<Demand>,
+    pub(super) demands: Vec<Demand>,
     /// The condition asks for steps.
     pub(super) asks: bool,
     /// Transitions that can clear with it where neither could before the other.
@@ -78,18 +78,18 @@ impl Chart {
         for (index, (id, transition)) in model.transitions.iter().enumerate() {
             let sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).list();
             let anyhow = granted.contains(&id);
-            let mut ways =
+            let mut demands =
                 if anyhow { vec![Demand::default()] } else { holds(model, &transition.condition.tree, true) };
-            let asks = ways != [Demand::default()];
+            let asks = demands != [Demand::default()];
             let outer = model.partials[transition.partial].enclosed_by;
             let outside: Vec<usize> = outer
                 .map(|step| std::iter::once(step.index()).chain(self.around[step.index()].iter().copied()).list())
                 .unwrap_or_default();
-            for way in &mut ways {
-                way.active.extend(sources.iter().chain(&outside));
+            for demand in &mut demands {
+                demand.active.extend(sources.iter().chain(&outside));
             }
-            ways.retain(|way| way.active.is_disjoint(&way.inactive));
-            let needed: Set<usize> = ways.iter().flat_map(|way| &way.active).copied().collect();
+            demands.retain(|demand| demand.active.is_disjoint(&demand.inactive));
+            let needed: Set<usize> = demands.iter().flat_map(|demand| &demand.active).copied().collect();
             for step in needed {
                 self.needing[step].push(index);
             }
@@ -100,7 +100,7 @@ impl Chart {
                 sources,
                 targets: transition.targets.iter().map(|step| step.index()).list(),
                 partial: transition.partial.index(),
-                ways,
+                demands,
                 asks,
                 partners: Vec::new(),
                 dragged: Vec::new(),
@@ -154,12 +154,12 @@ impl Chart {
         entered
     }
 
-    /// Whether the step stays active when a transition clears in this way.
-    pub(super) fn stays(&self, step: usize, arc: &Arc, way: &Demand, entered: &[usize]) -> bool {
+    /// Whether the step stays active when a transition clears on this demand.
+    pub(super) fn stays(&self, step: usize, arc: &Arc, demand: &Demand, entered: &[usize]) -> bool {
         let left = |other: &usize| arc.sources.contains(other) && !arc.targets.contains(other);
         !arc.sources.contains(&step)
             && !arc.dragged.contains(&step)
-            && !way.inactive.contains(&step)
+            && !demand.inactive.contains(&step)
             && !self.commands[step].contains(&arc.partial)
             && !self.around[step].iter().any(left)
             && !entered.iter().any(|other| self.forces_away(*other, step))

@@ -13,13 +13,13 @@
 //!   taken together with that transition.
 
 mod chart;
+mod demands;
 mod drags;
-mod ways;
 
 use std::rc::Rc;
 
 use self::chart::{Arc, Chart};
-use self::ways::Demand;
+use self::demands::Demand;
 use super::Relation;
 use super::hierarchy::initial_situation;
 use crate::list::List;
@@ -76,40 +76,40 @@ impl<'m> Search<'m> {
     fn fire(&mut self, index: usize) {
         let chart = Rc::clone(&self.chart);
         let arc = &chart.arcs[index];
-        for way in &arc.ways {
-            if !self.is_possible(&chart, arc, way) {
+        for demand in &arc.demands {
+            if !self.is_possible(&chart, arc, demand) {
                 continue;
             }
             self.clears[index] = true;
             let entered = chart.entered(&arc.targets);
             self.enter_together(&entered);
-            let needed: Vec<usize> = way.active.iter().copied().list();
+            let needed: Vec<usize> = demand.active.iter().copied().list();
             for target in &entered {
                 let bystanders =
                     self.relation.common_beyond(&needed, *target).into_iter().chain(needed.iter().copied());
                 for bystander in bystanders.list() {
-                    if self.reachable[bystander] && chart.stays(bystander, arc, way, &entered) {
+                    if self.reachable[bystander] && chart.stays(bystander, arc, demand, &entered) {
                         self.relate(*target, bystander);
                     }
                 }
             }
             for partner in &arc.partners {
-                self.fire_together(&chart, way, *partner, &entered);
+                self.fire_together(&chart, demand, *partner, &entered);
             }
         }
     }
 
     /// The same where another transition clears in the same evolution.
-    fn fire_together(&mut self, chart: &Chart, way: &Demand, partner: usize, entered: &[usize]) {
+    fn fire_together(&mut self, chart: &Chart, demand: &Demand, partner: usize, entered: &[usize]) {
         let other = &chart.arcs[partner];
         let meets = |search: &Self, theirs: &Demand| {
             let apart = |a: &usize| theirs.active.iter().any(|b| a != b && !search.relation.contains(*a, *b));
             search.is_possible(chart, other, theirs)
-                && way.inactive.is_disjoint(&theirs.active)
-                && theirs.inactive.is_disjoint(&way.active)
-                && !way.active.iter().any(apart)
+                && demand.inactive.is_disjoint(&theirs.active)
+                && theirs.inactive.is_disjoint(&demand.active)
+                && !demand.active.iter().any(apart)
         };
-        if other.ways.iter().any(|theirs| meets(self, theirs)) {
+        if other.demands.iter().any(|theirs| meets(self, theirs)) {
             for a in entered {
                 for b in chart.entered(&other.targets) {
                     self.reach(b);
@@ -119,12 +119,12 @@ impl<'m> Search<'m> {
         }
     }
 
-    /// Whether some situation may contain all that this way needs, and no order holds the partial grafcet.
-    fn is_possible(&self, chart: &Chart, arc: &Arc, way: &Demand) -> bool {
+    /// Whether some situation may contain all that this demand needs, and no order holds the partial grafcet.
+    fn is_possible(&self, chart: &Chart, arc: &Arc, demand: &Demand) -> bool {
         let meets = |(a, b): (usize, usize)| self.relation.contains(a, b);
         let mut pairs =
-            way.active.iter().enumerate().flat_map(|(place, a)| way.active[place + 1..].iter().map(|b| (*a, *b)));
-        way.active.iter().all(|step| self.reachable[*step] && !chart.commands[*step].contains(&arc.partial))
+            demand.active.iter().enumerate().flat_map(|(place, a)| demand.active[place + 1..].iter().map(|b| (*a, *b)));
+        demand.active.iter().all(|step| self.reachable[*step] && !chart.commands[*step].contains(&arc.partial))
             && pairs.all(meets)
     }
 

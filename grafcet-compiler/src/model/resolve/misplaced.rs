@@ -51,7 +51,7 @@ impl Resolver<'_> {
                     .sink
                     .notation(count.span(), "more than 18_446_744_073_709_551_615 situations cannot be counted"),
             },
-            Setting::OptimizeSize { .. } => self.model.small = true,
+            Setting::OptimizeSize { .. } => self.model.optimize_size = true,
             Setting::EncodingFlags { .. } => self.model.flags = true,
             // Names are known only later.
             Setting::AssumeNever { .. } => {}

@@ -127,7 +127,7 @@ fn empty(chart: &ast::Chart) -> Model {
         clock_nanos: time::MILLISECOND,
         incomplete: false,
         max_evolutions: None,
-        small: false,
+        optimize_size: false,
         flags: false,
         inputs: Arena::default(),
         outputs: Arena::default(),

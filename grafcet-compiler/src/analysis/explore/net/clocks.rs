@@ -111,7 +111,7 @@ impl Valuation<'_> {
         let is_in = |active: &[usize], step: &usize| active.binary_search(step).is_ok();
         let after = &self.now.active;
         match self.net.atoms[atom].kind {
-            Kind::Since(step) => is_in(before, &step) && is_in(after, &step) && !self.fresh.contains(&step),
+            Kind::Since(step) => is_in(before, &step) && is_in(after, &step) && !self.just_entered.contains(&step),
             Kind::MacroSince(id) => {
                 let any = |active: &[usize]| self.net.macros[id].iter().any(|step| is_in(active, step));
                 any(before) && any(after)

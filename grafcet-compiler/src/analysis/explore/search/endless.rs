@@ -83,8 +83,8 @@ struct Found<'m> {
     rings: Vec<Ring>,
     turns: Vec<Turn>,
     /// By transition, whether it begins a search that comes to rest; the same of the first cycle.
-    confluent: Vec<bool>,
-    calm_at_first: Vec<bool>,
+    comes_to_rest: Vec<bool>,
+    rests_at_first: Vec<bool>,
     /// Whether the first cycle can come to rest, and whether it can leave the chart as it is: the initial situation is then a
     /// stable one.
     first_rests: bool,
@@ -95,14 +95,14 @@ struct Found<'m> {
 
 impl<'m> Found<'m> {
     fn new(model: &'m Model, net: &'m Net) -> Self {
-        let (confluent, calm_at_first) = (vec![false; net.arcs.len()], vec![false; net.arcs.len()]);
+        let (comes_to_rest, rests_at_first) = (vec![false; net.arcs.len()], vec![false; net.arcs.len()]);
         Self {
             model,
             net,
             rings: Vec::new(),
             turns: Vec::new(),
-            confluent,
-            calm_at_first,
+            comes_to_rest,
+            rests_at_first,
             first_rests: false,
             first_stays: false,
             ways: Vec::new(),
@@ -112,15 +112,15 @@ impl<'m> Found<'m> {
     fn rests(&mut self, from: Start, leaf: &Leaf) {
         self.first_rests |= from.first;
         self.first_stays |= from.first && leaf.done.cleared.is_empty() && leaf.done.transient.is_empty();
-        let confluent = if from.first { &mut self.calm_at_first } else { &mut self.confluent };
+        let known = if from.first { &mut self.rests_at_first } else { &mut self.comes_to_rest };
         for transition in &leaf.done.cleared[..leaf.done.at_first] {
-            confluent[*transition] = true;
+            known[*transition] = true;
         }
     }
 
     /// `None` if it was not followed until it turned.
     fn turns(&mut self, from: Start, leaf: Leaf) -> Option<()> {
-        let rings = self.apart(leaf.done.turn?);
+        let rings = self.separate(leaf.done.turn?);
         let rings = rings.into_iter().map(|ring| self.number(ring)).list();
         let entries = leaf.done.cleared[..leaf.done.at_first].to_vec();
         let granted = !leaf.cycle.granted.is_empty();
@@ -128,8 +128,8 @@ impl<'m> Found<'m> {
         Some(())
     }
 
-    /// The circles of one turn: those that have no step in common, and do not ask for each other's, are apart.
-    fn apart(&self, turn: Vec<usize>) -> Vec<Vec<TransitionId>> {
+    /// The circles of one turn: those that have no step in common, and do not ask for each other's, are different ones.
+    fn separate(&self, turn: Vec<usize>) -> Vec<Vec<TransitionId>> {
         let mut known = Set::new();
         let turn: Vec<usize> = turn.into_iter().filter(|transition| known.insert(*transition)).list();
         let mut union = Union::new(self.net.leaving.len());
@@ -212,10 +212,10 @@ impl<'m> Found<'m> {
     /// Whether what begins this search always ends in the circle.
     fn is_entered(&self, turn: &Turn, ring: usize) -> bool {
         let first = turn.from.first;
-        let confluent = if first { &self.calm_at_first } else { &self.confluent };
+        let comes_to_rest = if first { &self.rests_at_first } else { &self.comes_to_rest };
         first && !self.first_rests
             || turn.entries.iter().any(|entry| {
-                !confluent[*entry] && self.leads_to(*entry, ring) && self.always_turns(*entry, ring, first)
+                !comes_to_rest[*entry] && self.leads_to(*entry, ring) && self.always_turns(*entry, ring, first)
             })
     }
 
@@ -223,8 +223,8 @@ impl<'m> Found<'m> {
     fn never_rests(&self, ring: usize) -> bool {
         self.rings[ring].transitions.iter().all(|id| {
             let id = id.index();
-            let is_confluent = self.confluent[id] || self.first_stays && self.calm_at_first[id];
-            !is_confluent && self.always_turns(id, ring, false)
+            let rests = self.comes_to_rest[id] || self.first_stays && self.rests_at_first[id];
+            !rests && self.always_turns(id, ring, false)
         })
     }
 

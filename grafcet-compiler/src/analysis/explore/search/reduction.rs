@@ -208,18 +208,18 @@ fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[usi
 fn can_wait(valuation: &mut Valuation<'_>, group: &[usize]) -> Wait {
     let net = valuation.net;
     let mut atoms: Vec<usize> = Vec::new();
-    let mut fresh: Vec<usize> = Vec::new();
+    let mut just_entered: Vec<usize> = Vec::new();
     let mut steps_matter = false;
     for transition in group {
         let arc = &net.arcs[*transition];
         atoms.extend(&arc.atoms);
-        fresh.extend(arc.sources.iter().filter(|step| valuation.fresh.contains(step)));
+        just_entered.extend(arc.sources.iter().filter(|step| valuation.just_entered.contains(step)));
         steps_matter |= !arc.reads_steps.is_empty();
     }
     atoms.sort_unstable();
     atoms.dedup();
     let (given, recorded) = valuation.knowledge_of(&atoms);
-    let key = (group.to_vec(), given, recorded, fresh, valuation.edgeless, valuation.previous.is_some());
+    let key = (group.to_vec(), given, recorded, just_entered, valuation.edgeless, valuation.previous.is_some());
     if !steps_matter {
         if let Some(known) = valuation.waits.get(&key) {
             return known.clone();

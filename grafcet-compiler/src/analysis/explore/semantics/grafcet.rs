@@ -115,9 +115,9 @@ fn writes_more(valuation: &Valuation<'_>, after: &[usize], cleared: &[usize]) ->
 
 fn commit(valuation: &mut Valuation<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {
     let before = valuation.now.clone();
-    valuation.fresh.retain(|step| after.binary_search(step).is_ok());
+    valuation.just_entered.retain(|step| after.binary_search(step).is_ok());
     let entered = after.iter().filter(|step| before.active.binary_search(step).is_err());
-    valuation.fresh.extend(entered);
+    valuation.just_entered.extend(entered);
     valuation.now.active = after;
     for (slot, bit) in writes {
         valuation.now.slots[slot] = bit;
@@ -138,7 +138,7 @@ struct Anchor {
     now: Snapshot,
     previous: Option<Snapshot>,
     /// Ascending.
-    fresh: Vec<usize>,
+    just_entered: Vec<usize>,
 }
 
 /// Where the search turns in a circle without asking anything new, it turns until the bound: whole turns are left out.
@@ -163,12 +163,12 @@ fn turned<'a>(
     cleared: usize,
     anchor: &'a mut Option<Anchor>,
 ) -> Option<&'a Anchor> {
-    let mut fresh = valuation.fresh.clone();
-    fresh.sort_unstable();
+    let mut just_entered = valuation.just_entered.clone();
+    just_entered.sort_unstable();
     let same = anchor.as_ref().is_some_and(|known| {
         known.now == valuation.now
             && known.previous == valuation.previous
-            && known.fresh == fresh
+            && known.just_entered == just_entered
             && known.asked == valuation.tape.asked()
     });
     if same {
@@ -176,7 +176,7 @@ fn turned<'a>(
     }
     if evolution.is_power_of_two() {
         let (now, previous) = (valuation.now.clone(), valuation.previous.clone());
-        *anchor = Some(Anchor { evolution, cleared, asked: valuation.tape.asked(), now, previous, fresh });
+        *anchor = Some(Anchor { evolution, cleared, asked: valuation.tape.asked(), now, previous, just_entered });
     }
     None
 }

@@ -56,7 +56,7 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[usi
     let after = evolve(&state.active, &left, &targets);
     valuation.start = Some(valuation.now.clone());
     valuation.now.active = after;
-    valuation.fresh.extend(&entered);
+    valuation.just_entered.extend(&entered);
     if net.actions.is_empty() {
         // Nothing reads the situation before the evolution any more but edges, which look at the sample.
         return When::Sample;

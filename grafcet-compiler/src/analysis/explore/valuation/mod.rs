@@ -69,7 +69,7 @@ pub(crate) struct Valuation<'n> {
     /// The snapshot has no predecessor: no edges (A26).
     pub(crate) edgeless: bool,
     /// Steps entered in this cycle: their time is zero.
-    pub(crate) fresh: Vec<usize>,
+    pub(crate) just_entered: Vec<usize>,
     /// What the running block has written.
     pub(crate) own: Vec<(usize, Bit)>,
     /// Searches for stability are not stopped by the bound, but where they are seen to turn for ever.
@@ -123,7 +123,7 @@ impl<'n> Valuation<'n> {
             start: None,
             previous: None,
             edgeless: false,
-            fresh: Vec::new(),
+            just_entered: Vec::new(),
             own: Vec::new(),
             to_the_turn: false,
             lazy: false,
@@ -169,9 +169,9 @@ impl<'n> Valuation<'n> {
         self.start = None;
         self.previous = None;
         self.edgeless = state.first;
-        self.fresh.clear();
+        self.just_entered.clear();
         if state.first {
-            self.fresh.extend(&state.active[..]);
+            self.just_entered.extend(&state.active[..]);
         }
         self.own.clear();
     }
@@ -208,7 +208,7 @@ impl<'n> Valuation<'n> {
         self.start.clone_from(&other.start);
         self.previous.clone_from(&other.previous);
         self.edgeless = other.edgeless;
-        self.fresh.clone_from(&other.fresh);
+        self.just_entered.clone_from(&other.just_entered);
     }
 
     /// What is known of these atoms in this cycle, and in the snapshot that edges compare with.

@@ -62,7 +62,7 @@ impl Valuation<'_> {
     /// is left and entered has the time it had reached.
     fn begins(&self, step: usize, when: When) -> bool {
         let later = when == When::Sample && self.start.is_some() && !self.edgeless;
-        !later && self.fresh.contains(&step)
+        !later && self.just_entered.contains(&step)
     }
 
     /// `sfc`: whether the actions run of a cycle in which one of the steps was left: it has the time it had reached (A34).
