@@ -20,7 +20,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     for (needed, place) in base.iter_mut().zip(&program.places) {
         *needed &= place.is_field || is_seen(place);
     }
-    let mut live = Live { base: &base, flips: Set::new() };
+    let mut live = Live { base: &base, flips: Set::new(), left: Set::new() };
     live.sweep(&mut program.cycle);
     let flips = live.flips;
     for (index, place) in program.places.iter_mut().enumerate() {
@@ -90,7 +90,7 @@ impl Uses {
         let before = asked.len();
         for statement in statements {
             match statement {
-                Statement::Part(_, body) => self.block(body, asked),
+                Statement::Part(_, body) | Statement::Loop { body, .. } => self.block(body, asked),
                 Statement::Set(place, value) => {
                     let reads = &mut self.by_target[place.0];
                     reads.extend(asked.iter());
@@ -130,6 +130,8 @@ pub(super) struct Live<'l> {
     /// By place: whether it is read behind the end, in the next cycle or from outside.
     pub(super) base: &'l [bool],
     pub(super) flips: Set<PlaceId>,
+    /// The same where a loop is left.
+    pub(super) left: Set<PlaceId>,
 }
 
 impl Live<'_> {
@@ -150,7 +152,7 @@ impl Live<'_> {
     }
 
     /// Live on one of two ways.
-    fn or(&mut self, other: &Set<PlaceId>) {
+    pub(super) fn or(&mut self, other: &Set<PlaceId>) {
         let mut both = Set::new();
         for place in self.flips.iter().chain(other.iter()) {
             if !self.base[place.0] || self.flips.contains(place) && other.contains(place) {
@@ -170,6 +172,27 @@ impl Live<'_> {
         }
         kept.reverse();
         *statements = kept;
+    }
+
+    /// A round of a loop reads what the one before has written; behind the loop is where it is left.
+    pub(super) fn rounds(&mut self, body: &mut Vec<Statement<'_>>) {
+        let behind = self.flips.clone();
+        let outside = std::mem::replace(&mut self.left, behind);
+        loop {
+            // Of fields it is enough that they may be live.
+            self.flips.retain(|place| !self.base[place.0]);
+            let at_end = self.flips.clone();
+            self.sweep(&mut body.clone());
+            self.flips.retain(|place| !self.base[place.0]);
+            self.flips.extend(at_end.iter().copied());
+            if self.flips == at_end {
+                break;
+            }
+        }
+        let at_end = self.flips.clone();
+        self.sweep(body);
+        self.flips = at_end;
+        self.left = outside;
     }
 
     fn keep(&mut self, statement: &mut Statement<'_>) -> bool {
@@ -228,8 +251,15 @@ impl Live<'_> {
                 }
                 true
             }
+            Statement::Break => {
+                self.flips.clone_from(&self.left);
+                true
+            }
+            Statement::Loop { body, .. } => {
+                self.rounds(body);
+                true
+            }
             other => {
-                // A round of a loop reads what the one before has written.
                 for place in &*Effects::of(other).reads {
                     self.put(*place, true);
                 }

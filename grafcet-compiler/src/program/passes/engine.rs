@@ -1,10 +1,9 @@
 //! What a cycle does in one state: its statements with all that is known there, forked where the next state depends on a condition.
 
-use super::super::build::not;
-use super::super::{Arm, Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
+use super::super::{Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
 use super::fold::{Known, initial};
 use super::sparse::{Index, States};
-use super::uses::{Effects, is_pure};
+use super::uses::Effects;
 use crate::model::Read;
 
 /// What is known of a place.
@@ -14,6 +13,8 @@ pub(super) enum Fact {
     /// What it began with.
     Initial,
     Is(Value),
+    /// The same as another place, which has not been written since.
+    Copy(PlaceId),
 }
 
 /// What is done on all ways from one state.
@@ -35,6 +36,8 @@ pub(super) struct Leaf<'m> {
     pub(super) state: Value,
     /// What is known then of the fields.
     pub(super) facts: Vec<Fact>,
+    /// It leaves the loop.
+    pub(super) breaks: bool,
 }
 
 /// The state is not known in the end, or there are too many ways.
@@ -45,15 +48,16 @@ pub(super) struct Engine<'e, 'm> {
     pub(super) list: &'e [Statement<'m>],
     pub(super) index: &'e Index,
     pub(super) state: PlaceId,
-    pub(super) first: PlaceId,
     pub(super) points: &'e States,
     /// The fields, in the order in which leaves know them.
     pub(super) fields: &'e [PlaceId],
-    env: Vec<Fact>,
+    pub(super) env: Vec<Fact>,
     /// What was known before, to take back.
-    trail: Vec<(PlaceId, Fact)>,
+    pub(super) trail: Vec<(PlaceId, Fact)>,
     /// What conditions on the way have told.
-    learned: Vec<PlaceId>,
+    pub(super) learned: Vec<PlaceId>,
+    /// What has been a copy of what so far.
+    copies: Vec<(PlaceId, PlaceId)>,
     ways: usize,
 }
 
@@ -72,19 +76,33 @@ impl<'e, 'm> Engine<'e, 'm> {
         places: &'e [PlaceInfo<'m>],
         list: &'e [Statement<'m>],
         index: &'e Index,
-        [state, first]: [PlaceId; 2],
+        state: PlaceId,
         points: &'e States,
         fields: &'e [PlaceId],
+        // What begins as it is declared: locals that nothing has written.
+        assumed: &[bool],
     ) -> Self {
         let mut env = Vec::with_capacity(places.len());
-        for place in places {
+        for (place, assumed) in places.iter().zip(assumed) {
             env.push(match initial(place) {
-                _ if place.is_field => Fact::Nothing,
+                _ if !assumed => Fact::Nothing,
                 Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
                 _ => Fact::Initial,
             });
         }
-        Self { places, list, index, state, first, points, fields, env, trail: Vec::new(), learned: Vec::new(), ways: 0 }
+        Self {
+            places,
+            list,
+            index,
+            state,
+            points,
+            fields,
+            env,
+            trail: Vec::new(),
+            learned: Vec::new(),
+            copies: Vec::new(),
+            ways: 0,
+        }
     }
 
     /// The ways from a point, with what is known there.
@@ -96,10 +114,23 @@ impl<'e, 'm> Engine<'e, 'm> {
         let tree = self.go(point, Cursor::default());
         self.back(0);
         self.learned.clear();
+        self.copies.clear();
         tree
     }
 
-    fn note(&mut self, place: PlaceId, fact: Fact) {
+    pub(super) fn note(&mut self, place: PlaceId, fact: Fact) {
+        for at in 0..self.copies.len() {
+            let (copy, of) = self.copies[at];
+            if of == place && self.env[copy.0] == Fact::Copy(of) {
+                self.trail.push((copy, Fact::Copy(of)));
+                self.env[copy.0] = Fact::Nothing;
+            }
+        }
+        if let Fact::Copy(of) = fact {
+            if !self.copies.contains(&(place, of)) {
+                self.copies.push((place, of));
+            }
+        }
         let before = &mut self.env[place.0];
         if *before != fact {
             self.trail.push((place, *before));
@@ -108,7 +139,7 @@ impl<'e, 'm> Engine<'e, 'm> {
     }
 
     /// Takes back what has been noted since.
-    fn back(&mut self, to: usize) {
+    pub(super) fn back(&mut self, to: usize) {
         while self.trail.len() > to {
             if let Some((place, fact)) = self.trail.pop() {
                 self.env[place.0] = fact;
@@ -121,7 +152,11 @@ impl<'e, 'm> Engine<'e, 'm> {
             Fact::Is(value) => Some(value),
             _ => None,
         };
-        Known { places: self.places, value: &value }.fold(expr)
+        let copy = |place: PlaceId| match self.env[place.0] {
+            Fact::Copy(other) => Some(other),
+            _ => None,
+        };
+        Known { places: self.places, value: &value, copy: &copy }.fold(expr)
     }
 
     /// The next statement that matters.
@@ -156,8 +191,26 @@ impl<'e, 'm> Engine<'e, 'm> {
         let mut body = Vec::new();
         let list = self.list;
         while let Some(at) = self.next(point, &mut cursor)? {
+            if let Some(condition) = self.may_leave(&list[at]) {
+                // The loop is left there, or it goes on.
+                let (mark, learned) = (self.trail.len(), self.learned.len());
+                self.learn(&condition, true);
+                let mut then = Vec::new();
+                if let Statement::If(_, leaving, _) = &list[at] {
+                    self.block(leaving, &mut then);
+                }
+                let tree = Tree { body: Vec::new(), end: End::Leaf(self.leaf(then)?) };
+                self.back(mark);
+                self.learned.truncate(learned);
+                self.learn(&condition, false);
+                forks.push((std::mem::take(&mut body), condition, tree));
+                continue;
+            }
             let Some((place, condition)) = self.fork(&list[at]) else {
                 self.statement(&list[at], &mut body);
+                if matches!(body.last(), Some(Statement::Break)) {
+                    break;
+                }
                 continue;
             };
             self.ways = self.ways.checked_sub(1).ok_or(Lost)?;
@@ -182,13 +235,35 @@ impl<'e, 'm> Engine<'e, 'm> {
         Ok(tree)
     }
 
-    fn leaf(&self, body: Vec<Statement<'m>>) -> Result<Leaf<'m>, Lost> {
+    /// What is asked before the loop is left, where that is not known.
+    fn may_leave(&self, statement: &Statement<'m>) -> Option<Expr<'m>> {
+        let Statement::If(condition, leaving, otherwise) = statement else { return None };
+        if !matches!(leaving.last(), Some(Statement::Break)) || !otherwise.is_empty() {
+            return None;
+        }
+        match self.fold(condition) {
+            Expr::Value(_) => None,
+            condition => Some(condition),
+        }
+    }
+
+    fn leaf(&self, mut body: Vec<Statement<'m>>) -> Result<Leaf<'m>, Lost> {
         let Fact::Is(state) = self.env[self.state.0] else { return Err(Lost) };
-        if self.env[self.first.0] != Fact::Is(Value::Bool(false)) {
+        let breaks = matches!(body.last(), Some(Statement::Break));
+        if breaks {
+            body.pop();
+        }
+        if Effects::of_all(&body).leaves {
             return Err(Lost);
         }
-        let facts = self.fields.iter().map(|place| self.env[place.0]).collect();
-        Ok(Leaf { body, state, facts })
+        let mut facts = Vec::with_capacity(self.fields.len());
+        for place in self.fields {
+            facts.push(match self.env[place.0] {
+                Fact::Copy(_) => Fact::Nothing,
+                fact => fact,
+            });
+        }
+        Ok(Leaf { body, state, facts, breaks })
     }
 
     /// A truth on which the next state depends, and that is not known.
@@ -207,7 +282,7 @@ impl<'e, 'm> Engine<'e, 'm> {
     }
 
     /// What a condition tells that holds, or does not.
-    fn learn(&mut self, condition: &Expr<'m>, holds: bool) {
+    pub(super) fn learn(&mut self, condition: &Expr<'m>, holds: bool) {
         match (condition, holds) {
             (Expr::Place(place), _) => {
                 self.note(*place, Fact::Is(Value::Bool(holds)));
@@ -223,7 +298,7 @@ impl<'e, 'm> Engine<'e, 'm> {
         }
     }
 
-    fn block(&mut self, statements: &[Statement<'m>], out: &mut Vec<Statement<'m>>) {
+    pub(super) fn block(&mut self, statements: &[Statement<'m>], out: &mut Vec<Statement<'m>>) {
         for statement in statements {
             self.statement(statement, out);
         }
@@ -288,95 +363,14 @@ impl<'e, 'm> Engine<'e, 'm> {
             Expr::Place(other) if *other == place => return,
             Expr::Initial(other) if *other == place => Fact::Initial,
             Expr::Value(value) if !is_user => Fact::Is(*value),
+            Expr::Place(other) => Fact::Copy(*other),
             _ => Fact::Nothing,
         };
-        if fact != Fact::Nothing && self.env[place.0] == fact {
+        // A copy is made anew: other ways to the same state have to make it.
+        if matches!(fact, Fact::Is(_) | Fact::Initial) && self.env[place.0] == fact {
             return;
         }
         self.note(place, fact);
         out.push(Statement::Set(place, value));
-    }
-
-    fn unknown(
-        &mut self,
-        condition: Expr<'m>,
-        then: &[Statement<'m>],
-        otherwise: &[Statement<'m>],
-        out: &mut Vec<Statement<'m>>,
-    ) {
-        let mark = self.trail.len();
-        let mut bodies = [Vec::new(), Vec::new()];
-        let mut ends = [Vec::new(), Vec::new()];
-        let ways = [(then, true), (otherwise, false)];
-        for (way, (body, holds)) in ways.into_iter().enumerate() {
-            let learned = self.learned.len();
-            self.learn(&condition, holds);
-            self.learned.truncate(learned);
-            self.block(body, &mut bodies[way]);
-            ends[way] = self.ends(mark);
-        }
-        self.meet(&ends);
-        let [then, otherwise] = bodies;
-        match (then.is_empty(), otherwise.is_empty()) {
-            (true, true) if is_pure(&condition) => {}
-            (true, false) => {
-                out.push(Statement::If(not(condition), otherwise, then));
-            }
-            _ => out.push(Statement::If(condition, then, otherwise)),
-        }
-    }
-
-    fn unknown_arm(
-        &mut self,
-        place: PlaceId,
-        arms: &[Arm<'m>],
-        otherwise: &[Statement<'m>],
-        out: &mut Vec<Statement<'m>>,
-    ) {
-        let mark = self.trail.len();
-        let (mut left, mut ends) = (Vec::new(), Vec::new());
-        for (values, body) in arms {
-            let mut arm = Vec::new();
-            if let ([value], false) = (&values[..], matches!(self.places[place.0].ty, Type::User(_))) {
-                self.note(place, Fact::Is(*value));
-            }
-            self.block(body, &mut arm);
-            ends.push(self.ends(mark));
-            if !(arm.is_empty() && otherwise.is_empty()) {
-                left.push((values.clone(), arm));
-            }
-        }
-        let mut rest = Vec::new();
-        self.block(otherwise, &mut rest);
-        ends.push(self.ends(mark));
-        self.meet(&ends);
-        if !(left.is_empty() && rest.is_empty()) {
-            out.push(Statement::Match(place, left, rest));
-        }
-    }
-
-    /// What has changed since, which is taken back.
-    fn ends(&mut self, mark: usize) -> Vec<(PlaceId, Fact)> {
-        let mut ends: Vec<(PlaceId, Fact)> = Vec::new();
-        for (place, _) in &self.trail[mark..] {
-            if !ends.iter().any(|(other, _)| other == place) {
-                ends.push((*place, self.env[place.0]));
-            }
-        }
-        self.back(mark);
-        ends
-    }
-
-    /// What all ways agree on.
-    fn meet(&mut self, ends: &[Vec<(PlaceId, Fact)>]) {
-        for (place, fact) in ends.iter().flatten() {
-            let before = self.env[place.0];
-            let agree = |end: &Vec<(PlaceId, Fact)>| {
-                let found = end.iter().find(|(other, _)| other == place).map_or(before, |(_, fact)| *fact);
-                found == *fact
-            };
-            let met = if ends.iter().all(agree) { *fact } else { Fact::Nothing };
-            self.note(*place, met);
-        }
     }
 }

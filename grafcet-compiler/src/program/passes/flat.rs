@@ -10,7 +10,7 @@
 //!                                       if any.0: evolved
 //! ```
 
-use super::super::build::not;
+use super::super::build::{no, not};
 use super::super::{Expr, Initial, PlaceId, PlaceInfo, Role, Statement, Type, Value};
 use super::uses::{Effects, is_plain};
 
@@ -21,15 +21,18 @@ const LONG: usize = 6;
 pub(super) fn flat<'m>(
     statements: &[Statement<'m>],
     first: Option<PlaceId>,
+    in_loop: bool,
     places: &mut Vec<PlaceInfo<'m>>,
 ) -> Vec<Statement<'m>> {
-    let mut flat = Flat { first, places, list: Vec::new() };
+    let mut flat = Flat { first, in_loop, places, list: Vec::new() };
     flat.add(statements, None);
     flat.list
 }
 
 struct Flat<'f, 'm> {
     first: Option<PlaceId>,
+    /// It is done several times in a cycle.
+    in_loop: bool,
     places: &'f mut Vec<PlaceInfo<'m>>,
     list: Vec<Statement<'m>>,
 }
@@ -85,6 +88,9 @@ impl<'m> Flat<'_, 'm> {
                 let place = PlaceId(self.places.len());
                 let (name, off) = (format!("any.{}", place.0), Initial::Value(Value::Bool(false)));
                 self.places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
+                if self.in_loop {
+                    self.push(Statement::Set(place, no()), guard);
+                }
                 let (mut rest, mut any) = (vec![Expr::Place(place)], false);
                 for part in parts {
                     // What the user wrote stays where it is asked.

@@ -9,6 +9,8 @@ use crate::model::Tree;
 pub(super) struct Known<'k, 'm> {
     pub(super) places: &'k [PlaceInfo<'m>],
     pub(super) value: &'k dyn Fn(PlaceId) -> Option<Value>,
+    /// Another place that holds the same.
+    pub(super) copy: &'k dyn Fn(PlaceId) -> Option<PlaceId>,
 }
 
 /// The value that a place begins with. Of what the user declares otherwise only Rust knows it.
@@ -35,7 +37,11 @@ impl Known<'_, '_> {
         let two = |a: &Expr<'m>, b: &Expr<'m>| (self.fold(a), self.fold(b));
         match expr {
             Expr::Value(_) | Expr::Input(_) | Expr::Now => expr.clone(),
-            Expr::Place(place) => self.get(*place).map_or_else(|| expr.clone(), Expr::Value),
+            Expr::Place(place) => match (self.get(*place), (self.copy)(*place)) {
+                (Some(value), _) => Expr::Value(value),
+                (None, Some(other)) => Expr::Place(other),
+                (None, None) => expr.clone(),
+            },
             Expr::Initial(place) => match (initial(&self.places[place.0]), self.places[place.0].ty) {
                 (Some(value), Type::Bool | Type::Ticks) => Expr::Value(value),
                 _ => expr.clone(),

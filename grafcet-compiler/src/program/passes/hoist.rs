@@ -19,20 +19,25 @@ use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
-    block(program, &mut cycle);
+    block(program, &mut cycle, false);
     program.cycle = cycle;
 }
 
-fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
+fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop: bool) {
     let mut all = Vec::with_capacity(statements.len());
     for mut statement in statements.drain(..) {
         match &mut statement {
-            Statement::Part(_, body) | Statement::Loop { body, .. } => block(program, body),
+            Statement::Part(_, body) => block(program, body, in_loop),
+            Statement::Loop { body, .. } => block(program, body, true),
             Statement::Match(place, arms, otherwise) if otherwise.is_empty() => {
-                if let (Role::State(region), true) = (program.places[place.0].role, starts(arms)) {
+                if let (Role::State(region), true) = (program.places[place.0].role, are_single(arms)) {
                     // An arm for each step: there are no others for which nothing is done.
-                    if arms.len() > program.regions[region].len() {
-                        all.append(&mut out_of(&program.places, *place, arms));
+                    let steps = program.regions[region].len();
+                    let count = usize::from(starts(arms));
+                    let (start, others) = arms.split_at_mut(count);
+                    if others.len() > 1 && others.len() >= steps && (in_loop || !start.is_empty()) {
+                        let start = start.first_mut().map(|(_, body)| body);
+                        all.append(&mut out_of(&program.places, *place, start, others));
                     }
                 }
             }
@@ -43,22 +48,31 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
     *statements = all;
 }
 
-/// Whether the first arm is that of the first cycle, and each other one of one state.
+/// Whether the first arm is that of the first cycle.
 fn starts(arms: &[Arm<'_>]) -> bool {
-    let is_start = |arm: Option<&Arm<'_>>| matches!(arm.map(|(values, _)| &values[..]), Some([Value::Start(_)]));
-    is_start(arms.first()) && arms.len() > 2 && arms.iter().all(|(values, _)| values.len() == 1)
+    matches!(arms.first().map(|(values, _)| &values[..]), Some([Value::Start(_)]))
 }
 
-fn out_of<'m>(places: &[PlaceInfo<'m>], state: PlaceId, arms: &mut [Arm<'m>]) -> Vec<Statement<'m>> {
-    let Some(((_, start), others)) = arms.split_first_mut() else { return Vec::new() };
+/// Whether each arm is of one state.
+fn are_single(arms: &[Arm<'_>]) -> bool {
+    arms.len() > 1 && arms.iter().all(|(values, _)| values.len() == 1)
+}
+
+fn out_of<'m>(
+    places: &[PlaceInfo<'m>],
+    state: PlaceId,
+    mut start: Option<&mut Vec<Statement<'m>>>,
+    others: &mut [Arm<'m>],
+) -> Vec<Statement<'m>> {
     let (mut shared, mut at) = (Vec::new(), 0);
     // What the first cycle does as well, and what it is given back.
     let (mut done, mut back) = (Set::new(), Set::new());
     while let Some(statement) = others.first().and_then(|(_, leader)| leader.get(at)).cloned() {
         let effects = Effects::of(&statement);
         let in_all = others.iter().all(|(_, body)| is_first(body, &statement));
-        let along =
-            is_first(start, &statement) && effects.reads.is_disjoint(&back) && effects.writes.is_disjoint(&back);
+        let along = start.as_ref().is_none_or(|start| is_first(start, &statement))
+            && effects.reads.is_disjoint(&back)
+            && effects.writes.is_disjoint(&back);
         let given = match &statement {
             Statement::Set(place, value) if is_plain(value) => {
                 at_start(&places[place.0]).filter(|_| !done.contains(place))
@@ -73,7 +87,9 @@ fn out_of<'m>(places: &[PlaceInfo<'m>], state: PlaceId, arms: &mut [Arm<'m>]) ->
             take_first(body, &statement);
         }
         if along {
-            take_first(start, &statement);
+            if let Some(start) = &mut start {
+                take_first(start, &statement);
+            }
             done.extend(effects.writes.iter().copied());
         } else {
             back.extend(effects.writes.iter().copied());
@@ -81,7 +97,7 @@ fn out_of<'m>(places: &[PlaceInfo<'m>], state: PlaceId, arms: &mut [Arm<'m>]) ->
         shared.push(statement);
     }
     for place in &*back {
-        if let Some(value) = at_start(&places[place.0]) {
+        if let (Some(value), Some(start)) = (at_start(&places[place.0]), &mut start) {
             start.insert(0, Statement::Set(*place, Expr::Value(value)));
         }
     }

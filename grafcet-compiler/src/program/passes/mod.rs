@@ -5,14 +5,16 @@
 //! - `apart`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
 //! - `split`: one match on the state before, one on the state behind; what fields hold in each state
+//! - `search`: the same in the loop of a `grafcet`, and behind it
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at
 //!
-//! `split` stands on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` (a cycle in one state) and
+//! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
 
 mod apart;
+mod branches;
 mod dead;
 mod engine;
 mod flat;
@@ -20,6 +22,7 @@ mod fold;
 mod forward;
 mod hoist;
 mod outputs;
+mod search;
 mod share;
 mod sparse;
 mod split;
@@ -38,6 +41,7 @@ pub enum Pass {
     Known,
     /// What ways have in common, within `Split`.
     Join,
+    Search,
     Hoist,
     Forward,
     Dead,
@@ -45,13 +49,14 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
         Self::Split,
         Self::Known,
         Self::Join,
+        Self::Search,
         Self::Hoist,
         Self::Forward,
         Self::Dead,
@@ -72,6 +77,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Split) {
         split::pass(program, &split::Options { known: wants(Pass::Known), join: wants(Pass::Join) });
+    }
+    if wants(Pass::Search) {
+        search::pass(program);
     }
     if wants(Pass::Hoist) {
         hoist::pass(program);

@@ -126,12 +126,13 @@ impl Index {
         places: &[PlaceInfo<'_>],
         list: &[Statement<'_>],
         state: PlaceId,
-        first: PlaceId,
+        first: Option<PlaceId>,
+        assumed: &[bool],
         points: &States,
     ) -> Option<Self> {
         let end = list.iter().rposition(|statement| writes(statement, state))?;
         let start = list.iter().position(|statement| writes(statement, state))?;
-        let mut sparse = Sparse::new(places, state, first, points);
+        let mut sparse = Sparse::new(places, state, first, assumed, points);
         let mut index = Self {
             always: Vec::new(),
             before: vec![Vec::new(); points.all.len()],
@@ -159,7 +160,21 @@ impl Index {
     }
 }
 
+impl Index {
+    /// All statements in all states; none of them writes the state.
+    pub(super) fn whole(places: usize, list: usize, points: &States) -> Self {
+        let none = vec![Vec::new(); points.all.len()];
+        Self { always: (0..list).collect(), before: none.clone(), after: none, last: 0, forks: vec![false; places] }
+    }
+}
+
+/// Whether it writes the place and goes on.
 fn writes(statement: &Statement<'_>, place: PlaceId) -> bool {
+    if let Statement::If(_, leaving, otherwise) = statement {
+        if matches!(leaving.last(), Some(Statement::Break)) {
+            return Effects::of_all(otherwise).writes.contains(&place);
+        }
+    }
     Effects::of(statement).writes.contains(&place)
 }
 
@@ -207,7 +222,7 @@ fn plainly_read(expr: &Expr<'_>, found: &mut [bool]) {
 struct Sparse<'s, 'm> {
     places: &'s [PlaceInfo<'m>],
     state: PlaceId,
-    first: PlaceId,
+    first: Option<PlaceId>,
     points: &'s States,
     /// The state of the first cycle.
     begin: Option<Value>,
@@ -224,9 +239,18 @@ struct Sparse<'s, 'm> {
 }
 
 impl<'s, 'm> Sparse<'s, 'm> {
-    fn new(places: &'s [PlaceInfo<'m>], state: PlaceId, first: PlaceId, points: &'s States) -> Self {
-        let may =
-            |place: &PlaceInfo<'_>| (!place.is_field && initial(place) == Some(Value::Bool(false))).then(Support::none);
+    fn new(
+        places: &'s [PlaceInfo<'m>],
+        state: PlaceId,
+        first: Option<PlaceId>,
+        assumed: &[bool],
+        points: &'s States,
+    ) -> Self {
+        let mut may = Vec::with_capacity(places.len());
+        for (place, assumed) in places.iter().zip(assumed) {
+            let is_false = *assumed && initial(place) == Some(Value::Bool(false));
+            may.push(is_false.then(Support::none));
+        }
         Self {
             places,
             state,
@@ -234,7 +258,7 @@ impl<'s, 'm> Sparse<'s, 'm> {
             points,
             begin: initial(&places[state.0]),
             copies: vec![false; places.len()],
-            may: places.iter().map(may).collect(),
+            may,
             is_before: true,
             is_after: false,
             depth: 0,
@@ -245,7 +269,7 @@ impl<'s, 'm> Sparse<'s, 'm> {
     fn holds(&self, expr: &Expr<'m>) -> Support {
         match expr {
             Expr::Value(Value::Bool(false)) => Support::none(),
-            Expr::Place(place) if *place == self.first => {
+            Expr::Place(place) if Some(*place) == self.first => {
                 let mut points = Set::new();
                 points.insert(0);
                 Support { before: Points::These(points), after: Points::All }

@@ -53,10 +53,11 @@ pub(super) fn pass(program: &mut Program<'_>, options: &Options) {
     let Some(split) = Split::of(program) else { return };
     let mut places = std::mem::take(&mut program.places);
     let before = places.len();
-    let list = flat(&program.cycle, Some(split.first), &mut places);
-    let index = Index::of(&places, &list, split.state, split.first, &split.points);
+    let list = flat(&program.cycle, Some(split.first), false, &mut places);
+    let assumed: Vec<bool> = places.iter().map(|place| !place.is_field).collect();
+    let index = Index::of(&places, &list, split.state, Some(split.first), &assumed, &split.points);
     program.places = places;
-    let trees = index.ok_or(Lost).and_then(|index| split.trees(program, &list, &index, options));
+    let trees = index.ok_or(Lost).and_then(|index| split.trees(program, &list, &index, &assumed, options));
     match trees {
         Ok(trees) => split.put_together(program, trees, options),
         Err(Lost) => program.places.truncate(before),
@@ -94,10 +95,12 @@ impl Split {
         program: &Program<'m>,
         list: &[Statement<'m>],
         index: &Index,
+        assumed: &[bool],
         options: &Options,
     ) -> Result<Vec<Option<Tree<'m>>>, Lost> {
         let places = &program.places;
-        let mut engine = Engine::new(places, list, index, [self.state, self.first], &self.points, &self.fields);
+        let with_first = [&self.fields[..], &[self.first]].concat();
+        let mut engine = Engine::new(places, list, index, self.state, &self.points, &with_first, assumed);
         let mut known: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         known[0] = Some(self.fields.iter().map(|place| at_start(program, *place, options)).collect());
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
@@ -113,6 +116,10 @@ impl Split {
             let mut leaves = Vec::new();
             each_leaf(&tree, &mut |leaf| leaves.push((leaf.state, leaf.facts.clone())));
             for (state, mut facts) in leaves {
+                // The next cycle must not be a first one.
+                if facts.pop() != Some(Fact::Is(Value::Bool(false))) {
+                    return Err(Lost);
+                }
                 let to = self.points.point(state).ok_or(Lost)?;
                 if !options.known {
                     facts.fill(Fact::Nothing);
@@ -207,7 +214,7 @@ fn sweep(program: &Program<'_>, trees: &mut [Option<Tree<'_>>]) {
         *needed &= place.is_field || is_seen(place);
     }
     for tree in trees.iter_mut().flatten() {
-        tree.each_leaf_mut(&mut |leaf| Live { base: &base, flips: Set::new() }.sweep(&mut leaf.body));
+        tree.each_leaf_mut(&mut |leaf| Live { base: &base, flips: Set::new(), left: Set::new() }.sweep(&mut leaf.body));
     }
 }
 
@@ -223,7 +230,7 @@ fn collect<'t, 'm>(tree: &'t mut Tree<'m>, points: &States, leaves: &mut [Vec<&'
 }
 
 /// Arms that do the same are one.
-fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
+pub(super) fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
     let mut all: Vec<Arm<'_>> = Vec::new();
     for (values, body) in arms {
         match all.iter_mut().find(|(_, other)| same_block(other, &body)) {
@@ -234,7 +241,7 @@ fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
     all
 }
 
-fn each_leaf<'m>(tree: &Tree<'m>, each: &mut dyn FnMut(&Leaf<'m>)) {
+pub(super) fn each_leaf<'m>(tree: &Tree<'m>, each: &mut dyn FnMut(&Leaf<'m>)) {
     match &tree.end {
         End::Leaf(leaf) => each(leaf),
         End::Fork(_, ways) => ways.iter().for_each(|way| each_leaf(way, each)),
@@ -242,25 +249,30 @@ fn each_leaf<'m>(tree: &Tree<'m>, each: &mut dyn FnMut(&Leaf<'m>)) {
 }
 
 impl<'m> Tree<'m> {
-    fn each_leaf_mut(&mut self, each: &mut dyn FnMut(&mut Leaf<'m>)) {
+    pub(super) fn each_leaf_mut(&mut self, each: &mut dyn FnMut(&mut Leaf<'m>)) {
         match &mut self.end {
             End::Leaf(leaf) => each(leaf),
             End::Fork(_, ways) => ways.iter_mut().for_each(|way| way.each_leaf_mut(each)),
         }
     }
 
-    fn copy(&self) -> Self {
+    pub(super) fn copy(&self) -> Self {
         let end = match &self.end {
-            End::Leaf(leaf) => End::Leaf(Leaf { body: leaf.body.clone(), state: leaf.state, facts: Vec::new() }),
+            End::Leaf(leaf) => End::Leaf(Leaf { body: leaf.body.clone(), facts: Vec::new(), ..*leaf }),
             End::Fork(condition, ways) => End::Fork(condition.clone(), Box::new([ways[0].copy(), ways[1].copy()])),
         };
         Self { body: self.body.clone(), end }
     }
 
-    fn statements(self) -> Vec<Statement<'m>> {
+    pub(super) fn statements(self) -> Vec<Statement<'m>> {
         let mut body = self.body;
         match self.end {
-            End::Leaf(leaf) => body.extend(leaf.body),
+            End::Leaf(leaf) => {
+                body.extend(leaf.body);
+                if leaf.breaks {
+                    body.push(Statement::Break);
+                }
+            }
             End::Fork(condition, ways) => {
                 let [then, otherwise] = *ways;
                 let (then, otherwise) = (then.statements(), otherwise.statements());
@@ -276,7 +288,7 @@ impl<'m> Tree<'m> {
 }
 
 /// What is known on both of two ways. Whether that is less than before.
-fn meet(known: &mut Option<Vec<Fact>>, facts: Vec<Fact>) -> bool {
+pub(super) fn meet(known: &mut Option<Vec<Fact>>, facts: Vec<Fact>) -> bool {
     let Some(known) = known else {
         *known = Some(facts);
         return true;

@@ -1,0 +1,268 @@
+//! The search of a `grafcet` for stability: in the loop one match on the state, behind it one for what is done in the state that was
+//! found.
+//!
+//! ```text
+//! loop                                          loop
+//!   was.state = state                             match state
+//!   clears.A→B = was.state is A && on               A:
+//!   …                                                 if on:
+//!   if !(was.state != state):             ->            if evolutions == 6: …
+//!     stable = true                                     state = B
+//!     break                                           else:
+//!   …                                                   stable = true
+//! lamp = was.state is B                                 break
+//!                                               match state
+//!                                                 B: lamp = true
+//! ```
+//!
+//! Needs: the situation is the state of one region; one loop, nothing in front of it writes the state; on each way through it the state is
+//! known.
+
+use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Value};
+use super::dead::{Live, is_seen, needed};
+use super::engine::{End, Engine, Fact, Lost, Tree};
+use super::flat::flat;
+use super::share;
+use super::sparse::{Index, States};
+use super::split::{each_leaf, meet, merged};
+use super::uses::Effects;
+use crate::sorted::Set;
+
+/// More ways from one state than this are too many.
+const WAYS: usize = 2_000;
+
+/// A cycle with a loop in it.
+struct Search<'m> {
+    state: PlaceId,
+    begin: Value,
+    points: States,
+    before: Vec<Statement<'m>>,
+    rounds: u32,
+    body: Vec<Statement<'m>>,
+    behind: Vec<Statement<'m>>,
+}
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let count = program.places.len();
+    let mut places = std::mem::take(&mut program.places);
+    let search = Search::of(program, &mut places);
+    program.places = places;
+    let Some(search) = search else { return program.places.truncate(count) };
+    match search.cycle(program) {
+        Ok(cycle) => program.cycle = cycle,
+        Err(Lost) => program.places.truncate(count),
+    }
+}
+
+impl<'m> Search<'m> {
+    fn of(program: &Program<'m>, places: &mut Vec<super::super::PlaceInfo<'m>>) -> Option<Self> {
+        let is_situation = |role| matches!(role, Role::State(_) | Role::Bit(_));
+        if places.iter().filter(|place| is_situation(place.role)).count() != 1 {
+            return None;
+        }
+        let state = PlaceId(places.iter().position(|place| place.role == Role::State(0))?);
+        let Initial::Value(begin @ Value::Step(step)) = places[state.0].initial else { return None };
+        let mut list = opened(&program.cycle);
+        let at = list.iter().position(|statement| matches!(statement, Statement::Loop { .. }))?;
+        let behind = list.split_off(at + 1);
+        let Some(Statement::Loop { rounds, body }) = list.pop() else { return None };
+        let writes = |list: &[Statement<'m>]| Effects::of_all(list).writes.contains(&state);
+        let loops = |list: &[Statement<'m>]| list.iter().any(|one| matches!(one, Statement::Loop { .. }));
+        if writes(&list) || writes(&behind) || loops(&behind) || loops(&body) {
+            return None;
+        }
+        let body = flat(&body, None, true, places);
+        let points = States::of(step, program.regions.first()?);
+        Some(Self { state, begin, points, before: list, rounds, body, behind })
+    }
+
+    fn cycle(&self, program: &Program<'m>) -> Result<Vec<Statement<'m>>, Lost> {
+        let flips = live(program, &self.body, &self.behind);
+        let mut assumed = Vec::with_capacity(program.places.len());
+        let mut carried = Vec::new();
+        for (index, place) in program.places.iter().enumerate() {
+            let is_live = flips.contains(&PlaceId(index));
+            assumed.push(!place.is_field && !is_seen(place) && !is_live);
+            if !assumed[index] && index != self.state.0 {
+                carried.push(PlaceId(index));
+            }
+        }
+        let (mut trees, ends) = self.turns(program, &assumed, &carried)?;
+        let mut acts = self.acts(program, &carried, &ends)?;
+        for (tree, point) in trees.iter_mut().zip(&self.points.all) {
+            if let Some(tree) = tree {
+                settle(tree, self.state, *point);
+            }
+        }
+        let may = |_: &Statement<'m>| true;
+        let mut bodies = Vec::with_capacity(acts.len());
+        for (_, body) in &mut acts {
+            bodies.push(body);
+        }
+        let rest = share::ends(&mut bodies, &may);
+        acts.retain(|(_, body)| !body.is_empty());
+        let mut behind = Vec::new();
+        if !acts.is_empty() {
+            behind.push(Statement::Match(self.state, merged(acts), Vec::new()));
+        }
+        behind.extend(rest);
+        // What is of no use at the ends of the ways would keep them from being alike.
+        let flips =
+            live(program, &[self.turn(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())], &behind);
+        let base = base(program);
+        for tree in trees.iter_mut().flatten() {
+            tree.each_leaf_mut(&mut |leaf| {
+                Live { base: &base, flips: flips.clone(), left: flips.clone() }.sweep(&mut leaf.body);
+            });
+        }
+        let mut going = Vec::new();
+        for tree in trees.iter_mut().flatten() {
+            collect(tree, &mut going);
+        }
+        let may = |statement: &Statement<'m>| {
+            !matches!(statement, Statement::Mark(_)) && !Effects::of(statement).writes.contains(&self.state)
+        };
+        let shared = share::ends(&mut going, &may);
+        let mut body = vec![self.turn(trees)];
+        body.extend(shared);
+        let mut cycle = self.before.clone();
+        cycle.push(Statement::Loop { rounds: self.rounds, body });
+        cycle.extend(behind);
+        Ok(cycle)
+    }
+
+    /// What a round does in each state, and what is known where the loop is left.
+    #[allow(clippy::type_complexity, reason = "both by state")]
+    fn turns(
+        &self,
+        program: &Program<'m>,
+        assumed: &[bool],
+        carried: &[PlaceId],
+    ) -> Result<(Vec<Option<Tree<'m>>>, Vec<Option<Vec<Fact>>>), Lost> {
+        let places = &program.places;
+        let index = Index::of(places, &self.body, self.state, None, assumed, &self.points).ok_or(Lost)?;
+        let mut engine = Engine::new(places, &self.body, &index, self.state, &self.points, carried, assumed);
+        let mut ends: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
+        let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
+        trees.resize_with(self.points.all.len(), || None);
+        let mut open = Set::new();
+        open.extend(self.points.point(self.begin));
+        while let Some(point) = open.first().copied() {
+            open.remove(&point);
+            let tree = engine.from(point, &[(self.state, Fact::Is(self.points.all[point]))], WAYS)?;
+            let mut lost = false;
+            each_leaf(&tree, &mut |leaf| match self.points.point(leaf.state) {
+                None => lost = true,
+                Some(to) if leaf.breaks => _ = meet(&mut ends[to], leaf.facts.clone()),
+                Some(to) => {
+                    if trees[to].is_none() && to != point {
+                        open.insert(to);
+                    }
+                }
+            });
+            if lost {
+                return Err(Lost);
+            }
+            trees[point] = Some(tree);
+        }
+        // A cycle may begin wherever another one has ended.
+        let begun = ends.iter().zip(&trees).all(|(end, tree)| end.is_none() || tree.is_some());
+        if begun { Ok((trees, ends)) } else { Err(Lost) }
+    }
+
+    /// What is done behind the loop, by the state in which it was left.
+    fn acts(
+        &self,
+        program: &Program<'m>,
+        carried: &[PlaceId],
+        ends: &[Option<Vec<Fact>>],
+    ) -> Result<Vec<Arm<'m>>, Lost> {
+        let places = &program.places;
+        let index = Index::whole(places.len(), self.behind.len(), &self.points);
+        // Nothing is known of what the loop has written but what it is left with.
+        let nothing = vec![false; places.len()];
+        let mut engine = Engine::new(places, &self.behind, &index, self.state, &self.points, &[], &nothing);
+        let mut touched = Effects::of_all(&self.before);
+        touched.add_all(&self.body);
+        let mut acts = Vec::new();
+        for (point, facts) in ends.iter().enumerate() {
+            let Some(facts) = facts else { continue };
+            let mut known = vec![(self.state, Fact::Is(self.points.all[point]))];
+            for (index, place) in places.iter().enumerate() {
+                let value = super::fold::initial(place).filter(|_| !matches!(place.ty, super::super::Type::User(_)));
+                if !place.is_field && !touched.writes.contains(&PlaceId(index)) {
+                    known.push((PlaceId(index), value.map_or(Fact::Initial, Fact::Is)));
+                }
+            }
+            known.extend(carried.iter().copied().zip(facts.iter().copied()).filter(|(_, fact)| *fact != Fact::Nothing));
+            let tree = engine.from(point, &known, WAYS)?;
+            let End::Leaf(leaf) = tree.end else { return Err(Lost) };
+            acts.push((vec![self.points.all[point]], leaf.body));
+        }
+        Ok(acts)
+    }
+
+    fn turn(&self, trees: Vec<Option<Tree<'m>>>) -> Statement<'m> {
+        let mut arms = Vec::new();
+        for (point, tree) in self.points.all.iter().zip(trees) {
+            if let Some(tree) = tree {
+                arms.push((vec![*point], tree.statements()));
+            }
+        }
+        Statement::Match(self.state, arms, Vec::new())
+    }
+}
+
+/// Paragraphs opened.
+fn opened<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
+    let mut list = Vec::new();
+    for statement in statements {
+        match statement {
+            Statement::Part(_, body) => list.extend(opened(body)),
+            other => list.push(other.clone()),
+        }
+    }
+    list
+}
+
+/// What is live where a round begins or the loop is left, as it differs from what is so at the end of the cycle.
+fn live<'m>(program: &Program<'m>, body: &[Statement<'m>], behind: &[Statement<'m>]) -> Set<PlaceId> {
+    let base = base(program);
+    let mut live = Live { base: &base, flips: Set::new(), left: Set::new() };
+    live.sweep(&mut behind.to_vec());
+    live.rounds(&mut body.to_vec());
+    live.flips
+}
+
+/// By place: whether it is read behind the end of the cycle.
+fn base(program: &Program<'_>) -> Vec<bool> {
+    let mut base = needed(program);
+    for (needed, place) in base.iter_mut().zip(&program.places) {
+        *needed &= place.is_field || is_seen(place);
+    }
+    base
+}
+
+/// The state is written once on each way, at its end, and only where it changes: what stands in between knows it.
+fn settle(tree: &mut Tree<'_>, state: PlaceId, from: Value) {
+    let other = |statement: &Statement<'_>| !matches!(statement, Statement::Set(place, _) if *place == state);
+    tree.body.retain(other);
+    match &mut tree.end {
+        End::Leaf(leaf) => {
+            leaf.body.retain(other);
+            if leaf.state != from {
+                leaf.body.insert(0, Statement::Set(state, Expr::Value(leaf.state)));
+            }
+        }
+        End::Fork(_, ways) => ways.iter_mut().for_each(|way| settle(way, state, from)),
+    }
+}
+
+/// The ends of the ways that stay in the loop.
+fn collect<'t, 'm>(tree: &'t mut Tree<'m>, going: &mut Vec<&'t mut Vec<Statement<'m>>>) {
+    match &mut tree.end {
+        End::Leaf(leaf) if leaf.breaks => {}
+        End::Leaf(leaf) => going.push(&mut leaf.body),
+        End::Fork(_, ways) => ways.iter_mut().for_each(|way| collect(way, going)),
+    }
+}
