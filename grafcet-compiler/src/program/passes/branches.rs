@@ -25,7 +25,7 @@ impl<'m> Engine<'_, 'm> {
             self.block(body, &mut bodies[way]);
             ends[way] = self.ends(mark);
         }
-        self.meet(&ends);
+        self.meet(&ends, out);
         let [then, otherwise] = bodies;
         match (then.is_empty(), otherwise.is_empty()) {
             (true, true) if is_pure(&condition) => {}
@@ -59,7 +59,7 @@ impl<'m> Engine<'_, 'm> {
         let mut rest = Vec::new();
         self.block(otherwise, &mut rest);
         ends.push(self.ends(mark));
-        self.meet(&ends);
+        self.meet(&ends, out);
         if !(left.is_empty() && rest.is_empty()) {
             out.push(Statement::Match(place, left, rest));
         }
@@ -78,7 +78,10 @@ impl<'m> Engine<'_, 'm> {
     }
 
     /// What all ways agree on.
-    fn meet(&mut self, ends: &[Vec<(PlaceId, Fact)>]) {
+    fn meet(&mut self, ends: &[Vec<(PlaceId, Fact)>], out: &mut Vec<Statement<'m>>) {
+        for (place, _) in ends.iter().flatten() {
+            self.hold(*place, out);
+        }
         for (place, fact) in ends.iter().flatten() {
             let before = self.env[place.0];
             let agree = |end: &Vec<(PlaceId, Fact)>| {

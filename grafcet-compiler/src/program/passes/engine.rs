@@ -13,6 +13,8 @@ pub(super) enum Fact {
     /// What it began with.
     Initial,
     Is(Value),
+    /// Each round writes it before it is read, so it may be taken for what it is declared with. What it holds is not known.
+    Assumed(Value),
     /// The same as another place, which has not been written since.
     Copy(PlaceId),
 }
@@ -79,14 +81,22 @@ impl<'e, 'm> Engine<'e, 'm> {
         state: PlaceId,
         points: &'e States,
         fields: &'e [PlaceId],
-        // What begins as it is declared: locals that nothing has written.
+        // What begins as it is declared, or in a loop may be taken for it: locals that nothing has written.
         assumed: &[bool],
+        in_loop: bool,
     ) -> Self {
         let mut env = Vec::with_capacity(places.len());
         for (place, assumed) in places.iter().zip(assumed) {
             env.push(match initial(place) {
                 _ if !assumed => Fact::Nothing,
-                Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
+                Some(value) if !matches!(place.ty, Type::User(_)) => {
+                    if in_loop {
+                        Fact::Assumed(value)
+                    } else {
+                        Fact::Is(value)
+                    }
+                }
+                _ if in_loop => Fact::Nothing,
                 _ => Fact::Initial,
             });
         }
@@ -149,7 +159,7 @@ impl<'e, 'm> Engine<'e, 'm> {
 
     fn fold(&self, expr: &Expr<'m>) -> Expr<'m> {
         let value = |place: PlaceId| match self.env[place.0] {
-            Fact::Is(value) => Some(value),
+            Fact::Is(value) | Fact::Assumed(value) => Some(value),
             _ => None,
         };
         let copy = |place: PlaceId| match self.env[place.0] {
@@ -317,7 +327,7 @@ impl<'e, 'm> Engine<'e, 'm> {
                 condition => self.unknown(condition, then, otherwise, out),
             },
             Statement::Match(place, arms, otherwise) => {
-                if let Fact::Is(value) = self.env[place.0] {
+                if let Fact::Is(value) | Fact::Assumed(value) = self.env[place.0] {
                     let arm = arms.iter().find(|(values, _)| values.contains(&value));
                     return self.block(arm.map_or(otherwise, |(_, body)| body), out);
                 }
@@ -326,6 +336,10 @@ impl<'e, 'm> Engine<'e, 'm> {
             Statement::Run(run) => {
                 let run = self.run(run);
                 for write in &run.writes {
+                    self.hold(write.to, out);
+                    if let Some(noted) = write.noted {
+                        self.hold(noted, out);
+                    }
                     self.note(write.to, Fact::Nothing);
                     if let Some(noted) = write.noted {
                         self.note(noted, Fact::Nothing);
@@ -344,6 +358,14 @@ impl<'e, 'm> Engine<'e, 'm> {
                 out.push(statement.clone());
             }
             Statement::Break | Statement::Mark(_) | Statement::Fence => out.push(statement.clone()),
+        }
+    }
+
+    /// What may be written, or not, has to hold what it was taken for.
+    pub(super) fn hold(&mut self, place: PlaceId, out: &mut Vec<Statement<'m>>) {
+        if let Fact::Assumed(value) = self.env[place.0] {
+            out.push(Statement::Set(place, Expr::Value(value)));
+            self.note(place, Fact::Is(value));
         }
     }
 
