@@ -21,63 +21,75 @@ impl Line24V {
             q2: false,
             q3: false,
         };
-        let mut was_state: __Line24VState = __Line24VState::NONE;
         let mut evolutions: u8 = 0;
         loop {
-            was_state = self.state;
-            let clears_s1_s2_: bool = was_state
-                == __Line24VState::S1 && inputs.b1;
-            let clears_s2_s3_: bool = was_state
-                == __Line24VState::S2 && inputs.b2;
-            let clears_s3_s4_: bool = was_state
-                == __Line24VState::S3 && inputs.b3;
-            let clears_s4_s1_: bool = was_state
-                == __Line24VState::S4 && inputs.b4;
-            if clears_s1_s2_ {
-                self.state = __Line24VState::NONE;
+            match self.state {
+                __Line24VState::S1 => {
+                    if inputs.b1 {
+                        if evolutions == 10 {
+                            self.stable = false;
+                            break;
+                        } else {
+                            self.state = __Line24VState::S2;
+                            self.q2_ = true;
+                        }
+                    } else {
+                        self.stable = true;
+                        break;
+                    }
+                }
+                __Line24VState::S2 => {
+                    if inputs.b2 {
+                        if evolutions == 10 {
+                            self.stable = false;
+                            break;
+                        } else {
+                            self.state = __Line24VState::S3;
+                        }
+                    } else {
+                        self.stable = true;
+                        break;
+                    }
+                }
+                __Line24VState::S3 => {
+                    if inputs.b3 {
+                        if evolutions == 10 {
+                            self.stable = false;
+                            break;
+                        } else {
+                            self.state = __Line24VState::S4;
+                            self.q2_ = false;
+                        }
+                    } else {
+                        self.stable = true;
+                        break;
+                    }
+                }
+                __Line24VState::S4 => {
+                    if inputs.b4 {
+                        if evolutions == 10 {
+                            self.stable = false;
+                            break;
+                        } else {
+                            self.state = __Line24VState::S1;
+                        }
+                    } else {
+                        self.stable = true;
+                        break;
+                    }
+                }
             }
-            if clears_s2_s3_ {
-                self.state = __Line24VState::NONE;
-            }
-            if clears_s3_s4_ {
-                self.state = __Line24VState::NONE;
-            }
-            if clears_s4_s1_ {
-                self.state = __Line24VState::NONE;
-            }
-            if clears_s4_s1_ {
-                self.state = __Line24VState::S1;
-            }
-            if clears_s1_s2_ {
-                self.state = __Line24VState::S2;
-            }
-            if clears_s2_s3_ {
-                self.state = __Line24VState::S3;
-            }
-            if clears_s3_s4_ {
-                self.state = __Line24VState::S4;
-            }
-            let mut next_q2_: bool = self.q2_;
-            if was_state != __Line24VState::S2 && self.state == __Line24VState::S2 {
-                next_q2_ = true;
-            }
-            if was_state != __Line24VState::S4 && self.state == __Line24VState::S4 {
-                next_q2_ = false;
-            }
-            if !(was_state != self.state || self.q2_ != next_q2_) {
-                self.stable = true;
-                break;
-            }
-            if evolutions == 10 {
-                self.stable = false;
-                self.state = was_state;
-                break;
-            }
-            self.q2_ = next_q2_;
             evolutions = evolutions.wrapping_add(1);
         }
-        outputs.q1 = was_state == __Line24VState::S1;
-        outputs.q3 = was_state == __Line24VState::S3 && inputs.b5;
+        match self.state {
+            __Line24VState::S1 => {
+                outputs.q1 = true;
+            }
+            __Line24VState::S3 => {
+                outputs.q3 = inputs.b5;
+            }
+            _ => {}
+        }
         outputs.q2 = self.q2_;
         outputs
     }
