@@ -96,3 +96,43 @@ fn a_delay_and_a_search_ask_too() {
     assert_eq!(samples.next_deadline(), Some(Ticks::new(3)));
     assert_eq!(searches.next_deadline(), Some(Ticks::new(3)));
 }
+
+grafcet! {
+    /// An edge lets a transition clear and forbids none.
+    grafcet Helped {
+        input a: bool;
+        initial step Rest;
+        step Wait;
+        step Late;
+        Rest -[rising(a)]-> Wait -[rising(a) && 5ms/Wait]-> Late -[3ms/Late]-> Rest;
+    }
+}
+
+grafcet! {
+    /// An edge forbids a transition.
+    grafcet Hindered {
+        input a: bool;
+        initial step Rest;
+        step Wait;
+        Rest -[!rising(a) && a]-> Wait -[5ms/Wait]-> Rest;
+    }
+}
+
+#[test]
+fn an_edge_that_only_lets_clear_leaves_nothing_to_the_next_cycle() {
+    let mut helped = Helped::new();
+    helped.cycle(&HelpedInputs { a: false }, 0);
+    helped.cycle(&HelpedInputs { a: true }, 1);
+    assert!(helped.is_active(HelpedStep::Wait));
+    // The search has gone on without the edge (A2): the same inputs change nothing.
+    assert_eq!(helped.next_deadline(), Some(Ticks::new(6)));
+    helped.cycle(&HelpedInputs { a: true }, 1);
+    assert_eq!((helped.is_active(HelpedStep::Wait), helped.next_deadline()), (true, Some(Ticks::new(6))));
+
+    let mut hindered = Hindered::new();
+    hindered.cycle(&HinderedInputs { a: false }, 0);
+    hindered.cycle(&HinderedInputs { a: true }, 1);
+    assert_eq!((hindered.is_active(HinderedStep::Rest), hindered.next_deadline()), (true, Some(Ticks::new(1))));
+    hindered.cycle(&HinderedInputs { a: true }, 1);
+    assert!(hindered.is_active(HinderedStep::Wait));
+}

@@ -440,11 +440,7 @@ impl Batch {
             }
             __BatchRegion0::Stir => {
                 if {
-                    let since_3 = if before_0 == __BatchRegion0::Stir {
-                        self.since_0
-                    } else {
-                        ::grafcet::__private::Ticks::ZERO
-                    };
+                    let since_3 = self.since_0;
                     let ticks_2000 = ::grafcet::__private::Ticks::new(2000u32);
                     let delay_0 = self.delay_0.output();
                     since_3 >= ticks_2000 && delay_0
@@ -471,12 +467,7 @@ impl Batch {
                     && self.region_1 == __BatchRegion1::Heat
                     && {
                         let full = inputs.full;
-                        let elapsed_param_0_2 = (before_1 == __BatchRegion1::Heat)
-                            && (if before_1 == __BatchRegion1::Heat {
-                                self.since_1
-                            } else {
-                                ::grafcet::__private::Ticks::ZERO
-                            }) >= self.params.soak;
+                        let elapsed_param_0_2 = self.since_1 >= self.params.soak;
                         full && elapsed_param_0_2
                     }
                 {

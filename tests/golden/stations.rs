@@ -297,15 +297,13 @@ impl Stations {
                     }
                 }
                 if before[0usize] & 32u8 != 0 {
-                    if {
-                        let elapsed_2000_5 = (before[0usize] & 32u8 != 0)
-                            && (if before[0usize] & 32u8 != 0 {
-                                self.since_5
-                            } else {
-                                ::grafcet::__private::Ticks::ZERO
-                            }) >= ::grafcet::__private::Ticks::new(2000u32);
-                        elapsed_2000_5
-                    } {
+                    if (before[0usize] & 32u8 != 0)
+                        && (if before[0usize] & 32u8 != 0 {
+                            self.since_5
+                        } else {
+                            ::grafcet::__private::Ticks::ZERO
+                        }) >= ::grafcet::__private::Ticks::new(2000u32)
+                    {
                         after[0usize] &= !32u8;
                         after[0usize] |= 1u8;
                         moved = true;

@@ -8,7 +8,8 @@ use super::situation::At;
 use super::{Cx, names, writes};
 use crate::list::List;
 use crate::model::{
-    Binary, Blink, Blinker, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary, placeholder,
+    Binary, Blink, Blinker, Code, Expr, Id, MacroId, Name, Place, Read, StepId, TimeRef, TransitionId, Tree, Ty, Unary,
+    placeholder,
 };
 use crate::place::{self, quote};
 use crate::plan::{Phase, RegionId};
@@ -18,8 +19,10 @@ use crate::plan::{Phase, RegionId};
 pub(super) enum Moment {
     /// What the cycle starts from, the initial situation in the first one (A1): edges and delays.
     Sample,
-    /// A transition condition: everything from before the evolution.
+    /// Everything from before the evolution.
     Condition,
+    /// The condition of this transition, where its source steps are known to be active: the same.
+    Enabled(TransitionId),
     /// An action of an `sfc`: the situation after the evolution, outputs of the cycle before, variables as they are.
     Action,
     /// The same before the first of them: edges (point 8).
@@ -38,7 +41,7 @@ impl Moment {
     /// Which situation is meant.
     fn at(self) -> At {
         match self {
-            Self::Sample | Self::Condition | Self::Stored => At::Before,
+            Self::Sample | Self::Condition | Self::Enabled(_) | Self::Stored => At::Before,
             Self::Action | Self::Late | Self::Leaving | Self::Start | Self::Stable => At::After,
         }
     }
@@ -53,7 +56,11 @@ impl Cx<'_> {
             // Located there, so that a type error stands there.
             return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
         }
-        if moment == Moment::Condition && !expr.reads.is_empty() && self.is_logic(&expr.tree) {
+        let is_condition = matches!(moment, Moment::Condition | Moment::Enabled(_));
+        if let (Tree::Elapsed(time, step), Moment::Enabled(_)) = (&expr.tree, moment) {
+            return bare(self.elapsed(*time, *step, moment));
+        }
+        if is_condition && !expr.reads.is_empty() && self.is_logic(&expr.tree) {
             // In a search, an input that a lazy operator does not come to is better not read; elsewhere a jump costs more.
             let tokens = if self.model.is_grafcet() { tokens.clone() } else { eager(tokens) };
             let read = self.with_inputs(tokens.to_token_stream());
@@ -227,7 +234,11 @@ impl Cx<'_> {
 
     /// `t/Step`: active for at least `t`.
     pub(super) fn elapsed(&self, time: TimeRef, step: StepId, moment: Moment) -> TokenStream {
-        let (active, since, time) = (self.is_active(step, moment), self.since(step, moment), self.time(time));
+        let (since, time) = (self.since(step, moment), self.time(time));
+        if self.is_known(step, moment) {
+            return quote!((#since >= #time));
+        }
+        let active = self.is_active(step, moment);
         quote!((#active && #since >= #time))
     }
 
@@ -252,6 +263,9 @@ impl Cx<'_> {
         if moment == Moment::Start {
             return quote!(false);
         }
+        if self.is_known(step, moment) {
+            return quote!(true);
+        }
         let active = self.in_step(moment.at(), step);
         let starts = self.plan.initial.contains(&step);
         if moment == Moment::Sample && starts && self.plan.has_start && !self.model.is_grafcet() {
@@ -259,6 +273,12 @@ impl Cx<'_> {
             return quote!((#active || #starting));
         }
         quote!((#active))
+    }
+
+    /// Whether the code stands where the step is active anyway.
+    fn is_known(&self, step: StepId, moment: Moment) -> bool {
+        self.plan.shape.takes_for_granted
+            && matches!(moment, Moment::Enabled(id) if self.model.transitions[id].sources.contains(&step))
     }
 
     /// Whether any step of a macro-step's expansion is active (A20).
@@ -274,6 +294,9 @@ impl Cx<'_> {
     /// The time of a step (A34): zero when it is not active, what it had reached where it has just been left.
     fn since(&self, step: StepId, moment: Moment) -> TokenStream {
         let region = self.plan.regions.of_step(step);
+        if self.is_known(step, moment) {
+            return self.counted(region);
+        }
         self.reached(step, moment, &self.counted(region), &names::step_time_before(region, self.plan))
     }
 
@@ -283,7 +306,7 @@ impl Cx<'_> {
         let (before, after) = (self.in_step(At::Before, step), self.in_step(At::After, step));
         match moment {
             Moment::Start => quote!(#p::Ticks::ZERO),
-            Moment::Sample | Moment::Condition | Moment::Stored => {
+            Moment::Sample | Moment::Condition | Moment::Enabled(_) | Moment::Stored => {
                 quote!((if #before { #since } else { #p::Ticks::ZERO }))
             }
             Moment::Stable => quote!((if #after { #since } else { #p::Ticks::ZERO })),

@@ -8,11 +8,13 @@ use quote::ToTokens;
 use super::Cx;
 use super::bind::Moment;
 use crate::list::List;
-use crate::model::{Binary, Expr, Read, Tree, placeholder};
+use crate::model::{Binary, Expr, Read, TransitionId, Tree, placeholder};
 use crate::place::{self, quote};
 
 /// One branch: under which condition it is taken, `None` for "always", and what it does.
 pub(super) struct Branch<'e> {
+    /// The transition, whose source steps are active here.
+    pub(super) id: TransitionId,
     pub(super) condition: Option<Cow<'e, Expr>>,
     pub(super) then: TokenStream,
 }
@@ -21,17 +23,15 @@ impl Cx<'_> {
     /// `{ if … { … } else if … { … } else { … } }`; the first branch whose condition holds is taken, else `stay`.
     pub(super) fn branches(&self, branches: Vec<Branch<'_>>, stay: &TokenStream) -> TokenStream {
         if let Some((common, branches)) = self.shared(&branches) {
-            let common = self.value(&common, Moment::Condition);
+            let common = self.branch_value(&common);
             let inner = self.branches(branches, stay);
             return quote!({ if #common #inner else { #stay } });
         }
         let mut chain = TokenStream::new();
-        for Branch { condition, then } in branches {
-            match condition {
-                Some(condition) => {
-                    let condition = self.value(&condition, Moment::Condition);
-                    chain.extend(quote!(if #condition { #then } else));
-                }
+        for branch in branches {
+            let then = &branch.then;
+            match self.branch_value(&branch) {
+                Some(condition) => chain.extend(quote!(if #condition { #then } else)),
                 // Always taken: nothing behind it can be.
                 None if chain.is_empty() => return quote!({ #then }),
                 None => return quote!({ #chain { #then } }),
@@ -39,12 +39,16 @@ impl Cx<'_> {
         }
         if chain.is_empty() { quote!({ #stay }) } else { quote!({ #chain { #stay } }) }
     }
+
+    fn branch_value(&self, branch: &Branch<'_>) -> Option<TokenStream> {
+        branch.condition.as_ref().map(|condition| self.value(condition, Moment::Enabled(branch.id)))
+    }
 }
 
 impl Cx<'_> {
     /// The conjunct that all conditions begin with, and the branches without it. One that calls functions of the user may
     /// do something when it is evaluated, and is left alone.
-    fn shared<'e>(&self, branches: &[Branch<'e>]) -> Option<(Expr, Vec<Branch<'e>>)> {
+    fn shared<'e>(&self, branches: &[Branch<'e>]) -> Option<(Branch<'e>, Vec<Branch<'e>>)> {
         let first = first_term(&branches.first()?.condition.as_ref()?.tree);
         let begins = |branch: &Branch<'_>| {
             branch.condition.as_ref().is_some_and(|condition| first_term(&condition.tree) == first)
@@ -54,15 +58,17 @@ impl Cx<'_> {
         }
         let mut common: Option<Expr> = None;
         let mut rests = Vec::with_capacity(branches.len());
-        for Branch { condition, then } in branches {
+        for Branch { id, condition, then } in branches {
             let (first, rest) = self.split(condition.as_ref()?)?;
             if first.tree.is_opaque() || common.as_ref().is_some_and(|common| common.tree != first.tree) {
                 return None;
             }
             common = Some(first);
-            rests.push(Branch { condition: rest.map(Cow::Owned), then: then.clone() });
+            rests.push(Branch { id: *id, condition: rest.map(Cow::Owned), then: then.clone() });
         }
-        common.map(|common| (common, rests))
+        let id = branches.first()?.id;
+        let common = Branch { id, condition: common.map(Cow::Owned), then: TokenStream::new() };
+        Some((common, rests))
     }
 
     /// `a && (b && c)` and `(a && b) && c` begin with `a`; the rest is `None` where there is none.

@@ -1,6 +1,6 @@
 //! `next_deadline`: until when nothing happens, unless an input changes.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 use super::machine::{Deadline, Machine};
 use super::situation::At;
@@ -10,6 +10,7 @@ use crate::model::{
     Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Place, Qualifier, Read, StepId, TimeRef, Tree,
 };
 use crate::place::quote;
+use crate::plan::LeftOver;
 use crate::sorted::Set;
 
 /// At which times of a step something changes.
@@ -56,18 +57,63 @@ pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> 
 }
 
 impl Cx<'_> {
-    /// Whether a cycle may leave something to the next one that needs neither an input nor time. In a `grafcet` the search goes
-    /// on until nothing more happens: only edges, delays, actions, outputs that are read, and a search without end do.
-    pub(super) fn remembers_settled(&self) -> bool {
-        let (model, memory) = (self.model, &self.plan.memory);
-        let read = || self.plan.drives.iter().any(|drive| drive.read);
-        let left_over = || !memory.edges.is_empty() || !model.delays.is_empty() || !model.actions.is_empty() || read();
-        memory.time && (!model.is_grafcet() || self.plan.may_be_unstable || !memory.last.is_empty() || left_over())
-    }
-
     /// As long as nothing contradicts, the cycle leaves nothing to the next one.
     pub(super) fn assume_settled(&self) -> Option<TokenStream> {
-        self.remembers_settled().then(|| quote!(self.settled = true;))
+        match self.plan.left_over {
+            LeftOver::Nothing => None,
+            LeftOver::StateBefore => {
+                let (field, before) = (names::state_before(), names::before(0, self.plan));
+                Some(quote!(self.#field = #before;))
+            }
+            LeftOver::Flag => Some(quote!(self.settled = true;)),
+        }
+    }
+
+    /// The cycle leaves something to the next one. Where the state before tells, no cycle but the first begins with that of the start.
+    pub(super) fn unsettle(&self) -> Option<TokenStream> {
+        match self.plan.left_over {
+            LeftOver::Nothing => None,
+            LeftOver::StateBefore => {
+                let (field, start) = (names::state_before(), self.start());
+                Some(quote!(self.#field = #start;))
+            }
+            LeftOver::Flag => Some(quote!(self.settled = false;)),
+        }
+    }
+
+    /// The same, if something changes.
+    pub(super) fn unsettle_if(&self, change: &TokenStream) -> Option<TokenStream> {
+        self.unsettle().map(|unsettle| quote!(if #change { #unsettle }))
+    }
+
+    /// The same where a step is entered or left, which the state before tells by itself.
+    pub(super) fn unsettle_by_moving(&self) -> Option<TokenStream> {
+        (self.plan.left_over == LeftOver::Flag).then(|| self.unsettle()).flatten()
+    }
+
+    /// What is remembered of that, its type and what it begins with.
+    pub(super) fn left_over_field(&self) -> Option<(Ident, TokenStream, TokenStream)> {
+        let p = &self.p;
+        match self.plan.left_over {
+            LeftOver::Nothing => None,
+            LeftOver::StateBefore => {
+                let state = self.names.region(0, self.plan);
+                Some((names::state_before(), quote!(#state), self.initial(0)))
+            }
+            LeftOver::Flag => Some((names::local("settled"), quote!(#p::bool), quote!(false))),
+        }
+    }
+
+    /// Whether the last cycle has left something to the next one, or there was none.
+    fn is_left_over(&self) -> TokenStream {
+        match self.plan.left_over {
+            LeftOver::Nothing => self.first(),
+            LeftOver::StateBefore => {
+                let (field, state) = (names::state_before(), self.plain_state(0));
+                quote!(self.#field != #state)
+            }
+            LeftOver::Flag => quote!(!self.settled),
+        }
     }
 
     /// Until when nothing changes, where the chart uses time.
@@ -83,7 +129,7 @@ impl Cx<'_> {
             quote!(soonest = #p::sooner(soonest, self.#field.remaining(#on, #off));)
         });
         let timers = self.timers();
-        let left_over = if self.remembers_settled() { quote!(!self.settled) } else { self.first() };
+        let left_over = self.is_left_over();
         let unknown = self.restless().into_iter().map(|steps| {
             let active = steps.iter().map(|step| self.in_step(At::Now, *step));
             let active: Vec<_> = active.list();

@@ -16,7 +16,7 @@ use crate::plan::{Form, RegionId};
 use crate::sorted::Map;
 
 /// From so many steps on, one arm for all that end alike is less code than an arm for each.
-const ALIKE: usize = 4;
+const ALIKE: usize = 6;
 
 impl Cx<'_> {
     /// Statements that change the `after` of every region by the transitions that clear.
@@ -142,11 +142,9 @@ impl Cx<'_> {
     /// The steps of the region; those that end alike, as all branches of a selection may do, together.
     fn alike(&self) -> Vec<Vec<StepId>> {
         let steps = &self.plan.regions.all()[0].steps;
-        let end = |step: &StepId| match self.plan.evolution.owned[step.index()][..] {
-            [id] => Some(&self.model.transitions[id])
-                .filter(|t| t.clearing.is_empty() && t.sources != t.targets)
-                .map(|t| (&t.targets, &t.condition.tree)),
-            _ => None,
+        let end = |step: &StepId| {
+            let exit = self.plan.evolution.only_exit(self.model, *step)?;
+            Some((&self.model.transitions[exit].targets, self.plan.evolution.waits_for(self.model, *step)?))
         };
         let (mut arms, mut alike): (Vec<Vec<StepId>>, Map<_, Vec<StepId>>) = (Vec::new(), Map::new());
         for step in steps {
@@ -182,7 +180,7 @@ impl Cx<'_> {
     }
 
     fn a_branch(&self, id: TransitionId, then: TokenStream) -> Branch<'_> {
-        Branch { condition: self.condition(id).map(Cow::Borrowed), then }
+        Branch { id, condition: self.condition(id).map(Cow::Borrowed), then }
     }
 
     /// The condition of a transition behind the other branches of its steps, `None` for `true` and for `else`.
@@ -211,7 +209,7 @@ impl Cx<'_> {
             let again = names::again(0, self.plan);
             quote!(#again = true;)
         });
-        let moved = (!stays || seen).then(|| self.note_moved());
+        let moved = if stays { seen.then(|| self.note_reentry()).flatten() } else { self.note_moved() };
         let begin = transition.targets.iter().map(|step| self.begin_time(*step, transition));
         let target = transition.targets.iter().map(|step| self.variant(*step));
         quote!(#actions #again #(#begin)* #moved #(#target)*)
@@ -293,7 +291,7 @@ impl Cx<'_> {
     /// The condition of a transition whose first source step is active, behind the other branches, with the other sources;
     /// `None` is "always".
     fn enabled(&self, id: TransitionId) -> Option<TokenStream> {
-        let condition = self.condition(id).map(|condition| self.value(condition, Moment::Condition));
+        let condition = self.condition(id).map(|condition| self.value(condition, Moment::Enabled(id)));
         let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().chain(condition).list();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
@@ -323,7 +321,7 @@ impl Cx<'_> {
             let left: Vec<_> = transition.sources.iter().map(|step| names::left_local(*step)).list();
             // Nothing has left the sources of an `else`: none of the other branches could clear.
             let condition =
-                transition.plain_else().is_none().then(|| self.value(&transition.condition, Moment::Condition));
+                transition.plain_else().is_none().then(|| self.value(&transition.condition, Moment::Enabled(*id)));
             let terms = active.chain(left.iter().map(|left| quote!(!#left))).chain(condition);
             let clear = self.clear(*id);
             quote!(if #(#terms)&&* { #(#left = true;)* #clear })

@@ -84,8 +84,7 @@ impl Cx<'_> {
         let fence = (self.plan.shape.breaks_out && !self.plan.shape.evolves_once()).then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
-        let gone =
-            (self.plan.memory.time && !gone.is_empty()).then(|| quote!(if #(#gone)||* { self.settled = false; }));
+        let gone = (!gone.is_empty()).then(|| self.unsettle_if(&quote!(#(#gone)||*)));
         let unsettle = self.unsettle_delays();
         let code = quote! {
             #combinational #keep_edges #edges #fresh

@@ -9,7 +9,7 @@ use syn::Lifetime;
 use super::bind::Moment;
 use super::{Cx, names};
 use crate::list::List;
-use crate::model::{StepId, Tree};
+use crate::model::StepId;
 use crate::place::{self, quote};
 use crate::sorted::Map;
 
@@ -47,7 +47,10 @@ impl Cx<'_> {
     /// `let next = …;`, the step behind the active one, where that has but one transition.
     fn behind(&self, next: &Ident, stay: &TokenStream) -> TokenStream {
         let (before, steps) = (names::before(0, self.plan), &self.plan.regions.all()[0].steps);
-        let target = |step: StepId| self.plan.evolution.only_exit(self.model, step)?.targets.first().copied();
+        let target = |step: StepId| {
+            let exit = self.plan.evolution.only_exit(self.model, step)?;
+            self.model.transitions[exit].targets.first().copied()
+        };
         if self.model.optimize_size {
             let computed = self.in_order_but(steps, target);
             return quote!(let #next = #computed;);
@@ -96,18 +99,16 @@ impl Cx<'_> {
         quote!(let #next = #state; #commit break #label #next)
     }
 
-    /// A `match` that tests the condition of the active step. Where one step alone waits for a condition, LLVM would copy
-    /// its actions behind the test: which condition it is then comes out of a table.
+    /// A `match` that tests the condition of the active step, or of what a table says it waits for.
     fn wait(&self, stay: &TokenStream) -> TokenStream {
         let before = names::before(0, self.plan).to_token_stream();
         let mut waits = self.waits(stay);
-        let alone = waits.iter().any(|wait| wait.states.len() == 1 && !wait.then.is_empty());
         if self.has_start_variant(0) {
             // No search begins in front of the initial situation.
             let then = if self.model.is_grafcet() { stay.clone() } else { TokenStream::new() };
             waits.push(Shared { states: vec![self.start()], then });
         }
-        if self.model.optimize_size || alone {
+        if self.plan.shape.looks_up_waits {
             return self.by_table(&before, &waits);
         }
         let arms = waits.iter().map(|Shared { states, then }| quote!(#(#states)|* => { #then }));
@@ -165,11 +166,11 @@ impl Cx<'_> {
     /// What the steps wait for.
     fn waits(&self, stay: &TokenStream) -> Vec<Shared> {
         share(self.plan.regions.all()[0].steps.iter().map(|step| {
-            let test = match self.plan.evolution.only_exit(self.model, *step).map(|exit| &exit.condition) {
+            let test = match self.plan.evolution.only_exit(self.model, *step).map(|exit| (exit, self.condition(exit))) {
                 None => self.leave_long(*step),
-                Some(condition) if condition.tree == Tree::Bool(true) => TokenStream::new(),
-                Some(condition) => {
-                    let condition = self.value(condition, Moment::Condition);
+                Some((_, None)) => TokenStream::new(),
+                Some((exit, Some(condition))) => {
+                    let condition = self.value(condition, Moment::Enabled(exit));
                     quote!(if #condition {} else { #stay })
                 }
             };

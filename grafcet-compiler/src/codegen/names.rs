@@ -88,6 +88,11 @@ pub(super) fn before(region: RegionId, plan: &Plan) -> Ident {
     state("before", region, plan)
 }
 
+/// The field that remembers the state the last cycle began with.
+pub(super) fn state_before() -> Ident {
+    local("situation_before")
+}
+
 /// The state of a region after the evolution; that of all, where they are bits.
 pub(super) fn after(region: RegionId, plan: &Plan) -> Ident {
     state("after", region, plan)

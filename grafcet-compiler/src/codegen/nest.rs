@@ -9,7 +9,7 @@ use super::{Cx, names};
 use crate::list::List;
 use crate::model::{PartialId, TransitionId};
 use crate::place::quote;
-use crate::plan::{Nest, RegionId};
+use crate::plan::{LeftOver, Nest, RegionId};
 use crate::sorted::Set;
 
 impl Cx<'_> {
@@ -39,8 +39,15 @@ impl Cx<'_> {
     }
 
     pub(super) fn note_moved(&self) -> Option<TokenStream> {
-        let search = self.model.is_grafcet();
-        self.plan.shape.notes_moves.then(|| if search { quote!(moved = true;) } else { quote!(self.settled = false;) })
+        if self.model.is_grafcet() {
+            return self.plan.shape.notes_moves.then(|| quote!(moved = true;));
+        }
+        self.plan.shape.notes_moves.then(|| self.unsettle_by_moving()).flatten()
+    }
+
+    /// A step is left and entered at once: the state before does not tell.
+    pub(super) fn note_reentry(&self) -> Option<TokenStream> {
+        if self.plan.left_over == LeftOver::StateBefore { self.unsettle() } else { self.note_moved() }
     }
 
     /// `state` is that of the region after the evolution.
@@ -130,7 +137,7 @@ impl Cx<'_> {
     fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
-        let condition = self.condition(id).map(|condition| self.value(condition, Moment::Condition));
+        let condition = self.condition(id).map(|condition| self.value(condition, Moment::Enabled(id)));
         let terms: Vec<_> = sources.chain(condition).list();
         quote!(#(#terms)&&*)
     }

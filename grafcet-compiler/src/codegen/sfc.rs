@@ -9,7 +9,7 @@ use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::place::quote;
-use crate::plan::{Target, source_order};
+use crate::plan::{LeftOver, Target, source_order};
 
 /// Up to how many steps an output is an expression.
 const SHORT: usize = 8;
@@ -216,22 +216,22 @@ impl Cx<'_> {
             self.unsettling_run(&association.effect, &nothing, moment)
         } else {
             // A step is entered or left in such a cycle.
-            let (unsettle, run) = (self.unsettle(), self.effect_run(&association.effect, &nothing, moment));
+            let (unsettle, run) = (self.unsettle_by_moving(), self.effect_run(&association.effect, &nothing, moment));
             quote!(#unsettle #run)
         };
         self.under_condition(association, run)
     }
 
-    /// Times begin where a step has been entered, and `settled` says whether the next cycle would do the same as this one, were
-    /// it not for the time.
+    /// Times begin where a step has been entered, and whether that has happened, or there was an edge, is noted for the next
+    /// cycle: it would do the same as this one otherwise, were it not for the time.
     fn settle(&self) -> TokenStream {
         if !self.plan.memory.time {
             return TokenStream::new();
         }
         let restart = self.restart_times();
         let edges = self.edge_names();
-        if self.plan.shape.notes_moves {
-            let edges = (!edges.is_empty()).then(|| quote!(if #(#edges)||* { self.settled = false; }));
+        if self.plan.shape.notes_moves || self.plan.left_over == LeftOver::StateBefore {
+            let edges = (!edges.is_empty()).then(|| self.unsettle_if(&quote!(#(#edges)||*)));
             return quote!(#restart #edges);
         }
         let regions = 0..self.plan.regions.all().len();
@@ -242,18 +242,9 @@ impl Cx<'_> {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
             quote!(#before != #after)
         });
+        let unsettle = self.unsettle();
         // One question: where two are asked about the same, LLVM keeps the way the evolution has come as a number.
-        quote!(if #(#changed)||* #(|| #again)* #(|| #edges)* { #restart self.settled = false; })
-    }
-
-    /// An action runs, and would run again in the next cycle or has changed what others read.
-    pub(super) fn unsettle(&self) -> Option<TokenStream> {
-        self.remembers_settled().then(|| quote!(self.settled = false;))
-    }
-
-    /// The same, if something changes.
-    pub(super) fn unsettle_if(&self, change: &TokenStream) -> Option<TokenStream> {
-        self.unsettle().map(|unsettle| quote!(if #change { #unsettle }))
+        quote!(if #(#changed)||* #(|| #again)* #(|| #edges)* { #restart #unsettle })
     }
 
     /// The outputs of the cycle before, where an action reads them.

@@ -233,7 +233,7 @@ impl Cx<'_> {
         let p = &self.p;
         let ticks = |name| Field { name, ty: quote!(#p::Ticks), initial: quote!(#p::Ticks::ZERO) };
         let mut fields = vec![ticks(names::local("now"))];
-        fields.extend(self.remembers_settled().then(|| self.flag("settled", false)));
+        fields.extend(self.left_over_field().map(|(name, ty, initial)| Field { name, ty, initial }));
         fields.extend(self.timed_regions().map(|region| {
             let (name, time) = (names::step_time(region, self.plan), self.time_type(region));
             Field { name, initial: quote!(#time::ZERO), ty: time }

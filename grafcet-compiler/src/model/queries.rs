@@ -4,8 +4,8 @@ use std::slice;
 
 use super::ids::EdgeId;
 use super::{
-    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, Transition, TransitionId, Tree, Ty,
-    Unary, Variants,
+    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, TransitionId,
+    Tree, Ty, Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
 use crate::list::List;
@@ -215,6 +215,34 @@ impl Tree {
             Tree::Unary(_, inner) => inner.may_differ(),
             Tree::Binary(_, a, b) => a.may_differ() || b.may_differ(),
             _ => false,
+        }
+    }
+
+    /// The tree with one step in place of another, but for what blinks.
+    #[must_use]
+    pub fn renamed(&self, from: StepId, to: StepId) -> Self {
+        let one = |step: StepId| if step == from { to } else { step };
+        let read = |read: &Read| match *read {
+            Read::Active(step) => Read::Active(one(step)),
+            Read::Since(step) => Read::Since(one(step)),
+            Read::Elapsed(time, step) => Read::Elapsed(time, one(step)),
+            other => other,
+        };
+        match self {
+            Tree::Read(name) => Tree::Read(read(name)),
+            Tree::Elapsed(time, step) => Tree::Elapsed(*time, one(*step)),
+            Tree::Unary(operator, inner) => Tree::Unary(*operator, Box::new(inner.renamed(from, to))),
+            Tree::Binary(operator, a, b) => {
+                Tree::Binary(*operator, Box::new(a.renamed(from, to)), Box::new(b.renamed(from, to)))
+            }
+            Tree::Opaque { reads, .. } => {
+                let mut renamed = self.clone();
+                if let Tree::Opaque { reads: all, .. } = &mut renamed {
+                    *all = reads.iter().map(read).list();
+                }
+                renamed
+            }
+            Tree::Bool(_) | Tree::Int(_) | Tree::MacroElapsed(..) => self.clone(),
         }
     }
 

@@ -7,6 +7,7 @@ mod below;
 mod control;
 mod drive;
 mod evolution;
+mod left_over;
 mod memory;
 mod nest;
 mod regions;
@@ -18,6 +19,7 @@ pub(crate) use below::{Below, directly, is_top};
 pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
 pub use evolution::Evolution;
+pub use left_over::LeftOver;
 pub use memory::{Counted, Memory, Phase};
 pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
@@ -50,6 +52,8 @@ pub struct Plan {
     pub control: Control,
     pub stored: Stored,
     pub memory: Memory,
+    /// How `next_deadline` knows that the last cycle left something to the next one.
+    pub left_over: LeftOver,
     /// The active steps of the initial situation.
     pub initial: Set<StepId>,
     /// The first cycle differs from the others, so the state says whether it is still to come.
@@ -106,7 +110,18 @@ impl Plan {
                 comes_back,
             },
         );
+        let left_over = LeftOver::of(
+            model,
+            &left_over::Known {
+                memory: &memory,
+                shape: &shape,
+                evolution: &evolution,
+                drives: &drives,
+                may_be_unstable,
+            },
+        );
         Self {
+            left_over,
             has_start: has_start(model, &initial, &memory),
             memory,
             nests,

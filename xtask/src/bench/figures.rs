@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 
 use super::builds::{Times, WATCHED};
-use super::table::FIGURES;
+use super::table::{FIGURES, Figure};
 use super::{AUTHORS, Boards, Cost, LONG, Row, Size};
 use crate::command::Result;
 use crate::project::root;
@@ -57,7 +57,10 @@ impl Recorded {
                 Some(recorded) if recorded.hash != cost.hash => {
                     problems.push(format!("{} has other outputs than recorded", row.name));
                 }
-                Some(recorded) => problems.extend(excess(&row.name, cost, &recorded, same)),
+                Some(recorded) => {
+                    show_change(&row.name, cost, &recorded);
+                    problems.extend(excess(&row.name, cost, &recorded, same));
+                }
             }
         }
         let prefix = format!("{target} ");
@@ -103,6 +106,19 @@ impl Recorded {
     pub(super) fn find(&self, target: &str, name: &str, author: &str) -> Result<Option<Cost>> {
         let prefix = format!("{target} {name} {author} ");
         self.text.lines().find_map(|line| line.strip_prefix(&prefix)).map(parse).transpose()
+    }
+}
+
+/// Shows what has changed: what is less than recorded is no problem, but worth recording.
+fn show_change(name: &str, cost: &Cost, recorded: &Cost) {
+    let shown = |figure: &Figure| {
+        let (now, before) = ((figure.of)(cost), (figure.of)(recorded));
+        let moved = now.zip(before).is_some_and(|(now, before)| now.abs_diff(before) > figure.resolution);
+        moved.then(|| format!("{} {} → {}", figure.name, figure.show(before), figure.show(now)))
+    };
+    let changes: Vec<String> = FIGURES.iter().copied().filter_map(shown).collect();
+    if !changes.is_empty() {
+        println!("bench:   {name}: {}", changes.join("; "));
     }
 }
 
