@@ -1,5 +1,6 @@
 //! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
 
+mod acting;
 mod apart;
 mod bind;
 mod branches;

@@ -78,6 +78,7 @@ impl Cx<'_> {
             (self.start(), quote!({ #enter #moved }))
         });
         match (&nests[..], start) {
+            ([nest], Some((_, enter))) if self.plan.acts_in_arms => self.act_in_nest(nest, &Set::new(), Some(enter)),
             ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
             (nests, Some((_, enter))) => {
                 let (starting, evolve) = (self.is_starting(At::Now), nests.iter().map(|nest| self.nest(nest, None)));
@@ -134,7 +135,7 @@ impl Cx<'_> {
     }
 
     /// The condition of a transition whose regions have not been changed yet, behind the other branches of its steps.
-    fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
+    pub(super) fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
         let condition = self.condition(id).map(|condition| self.value(condition, Moment::Enabled(id)));

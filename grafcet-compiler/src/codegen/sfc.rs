@@ -9,7 +9,7 @@ use super::{Cx, names};
 use crate::list::List;
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::place::quote;
-use crate::plan::{LeftOver, Target, source_order};
+use crate::plan::{LeftOver, RegionId, Target, source_order};
 
 /// Up to how many steps an output is an expression.
 const SHORT: usize = 8;
@@ -60,7 +60,14 @@ impl Cx<'_> {
             let all = self.in_order(items.chain(entered).chain(rest));
             return quote!(#last #resets #all #apply_resets);
         }
-        let local = self.in_any_order(source_order(self.model).map(|id| self.gather_local(id)));
+        // Where the arms of the branches act, what is left are steps that stand in no branch.
+        let acted = self.plan.nests.iter().flatten().filter(|_| self.plan.acts_in_arms);
+        let acted: Vec<RegionId> = acted.flat_map(|nest| &nest.regions).copied().list();
+        let left = |id: &AssociationId| {
+            let step = self.model.associations[*id].step;
+            !acted.contains(&self.plan.regions.of_step(step))
+        };
+        let local = self.in_any_order(source_order(self.model).filter(left).map(|id| self.gather_local(id)));
         let (flags, q, left) = (self.gather_flags(), self.compute_q(), self.note_leaving());
         let leaving = self.in_order(self.part(Part::Deactivation));
         let entering = self.in_order(self.part(Part::Activation));
@@ -114,7 +121,7 @@ impl Cx<'_> {
     }
 
     /// What a boolean output or an assigned output gets from its step's arm.
-    fn gather_local(&self, id: AssociationId) -> Item {
+    pub(super) fn gather_local(&self, id: AssociationId) -> Item {
         let association = &self.model.associations[id];
         let step = association.step;
         let nothing = Item::After(step, TokenStream::new());

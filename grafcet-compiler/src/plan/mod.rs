@@ -3,6 +3,7 @@
 
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
+mod acting;
 mod below;
 mod control;
 mod drive;
@@ -45,6 +46,8 @@ pub struct Plan {
     pub shape: Shape,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
+    /// The arms of these branches act, too.
+    pub acts_in_arms: bool,
     /// How partial grafcets that evolve in place know what those above them have decided.
     pub descent: Descent,
     /// How each output gets its value, by output.
@@ -120,8 +123,10 @@ impl Plan {
                 may_be_unstable,
             },
         );
+        let acts_in_arms = acting::acts_in_arms(model, &shape, nests.as_deref().unwrap_or_default(), &drives, &control);
         Self {
             left_over,
+            acts_in_arms,
             has_start: has_start(model, &initial, &memory),
             memory,
             nests,

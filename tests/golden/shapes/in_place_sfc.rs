@@ -13,7 +13,9 @@ impl Presses {
                 if inputs.start {
                     self.region_0 = __PressesRegion0::Left;
                     self.region_1 = __PressesRegion1::Right;
-                }
+                    outputs.left = true;
+                    outputs.right = true;
+                } else {}
             }
             __PressesRegion0::INIT => {
                 self.region_0 = __PressesRegion0::Wait;
@@ -25,49 +27,38 @@ impl Presses {
                     self.region_1 = __PressesRegion1::NONE;
                     self.region_0 = __PressesRegion0::Wait;
                 } else {
-                    self.region_0 = match self.region_0 {
+                    match self.region_0 {
                         __PressesRegion0::Left => {
                             if inputs.left_done {
-                                __PressesRegion0::LeftReady
+                                self.region_0 = __PressesRegion0::LeftReady;
                             } else {
-                                __PressesRegion0::Left
+                                outputs.left = true;
                             }
                         }
-                        waiting => waiting,
-                    };
-                    self.region_1 = match self.region_1 {
+                        _ => {}
+                    }
+                    core::sync::atomic::compiler_fence(
+                        core::sync::atomic::Ordering::SeqCst,
+                    );
+                    match self.region_1 {
                         __PressesRegion1::Right => {
                             if inputs.right_done {
-                                __PressesRegion1::RightReady
+                                self.region_1 = __PressesRegion1::RightReady;
                             } else {
-                                __PressesRegion1::Right
+                                outputs.right = true;
                             }
                         }
-                        waiting => waiting,
-                    };
+                        _ => {}
+                    }
+                    core::sync::atomic::compiler_fence(
+                        core::sync::atomic::Ordering::SeqCst,
+                    );
                 }
             }
         }
         core::sync::atomic::compiler_fence(
             core::sync::atomic::Ordering::SeqCst,
         );
-        match self.region_0 {
-            __PressesRegion0::Wait => {}
-            _ => {
-                match self.region_0 {
-                    __PressesRegion0::Left => {
-                        outputs.left = true;
-                    }
-                    _ => {}
-                }
-                match self.region_1 {
-                    __PressesRegion1::Right => {
-                        outputs.right = true;
-                    }
-                    _ => {}
-                }
-            }
-        }
         outputs
     }
 }
