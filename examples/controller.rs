@@ -20,7 +20,7 @@ use controller::{
 };
 use shared::{Example, Timeline};
 
-/// The example behind the command line.
+/// The example after the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "controller",
     about: "An oven, twice: an SFC that calls a PID controller, and one that sends\nmessages to an autonomous one.",

@@ -16,7 +16,7 @@ use anstyle::{AnsiColor, Style};
 use shared::{Example, Timeline};
 use tickless::{Controllers, Crossing, CrossingInputs, CrossingOutputs};
 
-/// The example behind the command line.
+/// The example after the command line.
 pub(crate) const EXAMPLE: Example = Example {
     name: "tickless",
     about: "A pedestrian crossing: an SFC with time, whose controller sleeps until\nsomething can change.",

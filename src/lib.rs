@@ -39,7 +39,7 @@
 //! # In a program
 //!
 //! A controller calls `cycle` in its loop or timer interrupt: read the inputs, run the chart, write the outputs. `new` is
-//! a `const fn`, so a chart may be a `static` behind whatever lock the target offers. `init` is the classic *Init*: back
+//! a `const fn`, so a chart may be a `static` after whatever lock the target offers. `init` is the classic *Init*: back
 //! to the initial situation, stored outputs reset.
 //!
 //! Code for any chart is generic over the trait [`Chart`]:

@@ -50,7 +50,7 @@ fn the_next_deadline_is_the_next_change() {
     let idle = WaitingInputs::default();
     let mut now = u32::MAX - 1_000;
     chart.cycle(&idle, now);
-    // The cycle behind the first one may evolve.
+    // The cycle after the first one may evolve.
     assert_eq!(chart.next_deadline(), Some(Ticks::new(now)));
     let mut changes = Vec::new();
     for _ in 0..8 {

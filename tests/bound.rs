@@ -39,7 +39,7 @@ chart! {
     }
 }
 
-/// In one cycle `A1` is left, behind which `b` would let `B1` go in the same search; the next cycle comes without it, but with
+/// In one cycle `A1` is left, after which `b` would let `B1` go in the same search; the next cycle comes without it, but with
 /// what lets `B1` go by itself.
 macro_rules! leaves_nothing {
     ($chart:ident, $inputs:ident, $step:ident) => {{

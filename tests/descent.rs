@@ -4,7 +4,7 @@
 use grafcet::grafcet;
 
 grafcet! {
-    /// One above the other: a transition above jumps behind all that is below.
+    /// One above the other: a transition above jumps after all that is below.
     grafcet Tower {
         input stop, go, on, inner: bool;
         output clamp, busy: bool;
@@ -114,7 +114,7 @@ fn a13_a_held_partial_grafcet_clears_nothing_in_the_evolution_in_which_the_order
     assert!(plant.is_active(PlantStep::One) && outputs.steps == 1, "held");
     assert!(plant.is_active(PlantStep::There) && outputs.others == 1, "nobody holds this one");
     let outputs = plant.cycle(&PlantInputs { a: true, b: true, ..IDLE });
-    assert!(plant.is_active(PlantStep::Two) && outputs.steps == 2, "in the evolution behind the end of the order");
+    assert!(plant.is_active(PlantStep::Two) && outputs.steps == 2, "in the evolution after the end of the order");
 }
 
 #[test]

@@ -328,7 +328,7 @@ fn a_mistake_in_a_script_is_shown_at_its_line_behind_the_cycles_before() {
 fn a_bad_command_line_is_an_error_that_shows_the_right_one() {
     for (arguments, error) in [
         (&["--scirpt", "x"][..], "unexpected argument `--scirpt`"),
-        (&["--script"], "`--script` needs a file behind it"),
+        (&["--script"], "`--script` needs a file after it"),
         (&["--script", "x", "y"], "unexpected argument `y`"),
         (&["--help", "y"], "unexpected argument `y`"),
         (&["--chart", "y"], "unexpected argument `y`"),

@@ -184,7 +184,7 @@ fn each_fault_is_found_by_its_rule_and_named() {
     assert!(missed.is_empty(), "\n{}", missed.join("\n"));
 }
 
-/// What only waits for steps behind the fault is not reported beside it.
+/// What only waits for steps after the fault is not reported beside it.
 #[test]
 fn one_cause_is_one_message() {
     let rust = CELL.replace("InOffer -[Robot::PickUp.X]-> InTaken", "InOffer -[Infeed::InStop.X]-> InTaken");

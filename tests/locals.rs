@@ -72,7 +72,7 @@ fn names_of_rust_live_as_long_as_their_scopes() {
     let outputs = chart.cycle(&ScopesInputs { x: 2, mode: Mode::Level(29), ..inputs });
     assert!(chart.is_active(ScopesStep::C) && outputs.q == 9);
     let outputs = chart.cycle(&ScopesInputs { x: 99, mode: Mode::Level(5), ..inputs });
-    assert!(chart.is_active(ScopesStep::B) && outputs.q == 7, "the `x` behind `else` is the input");
+    assert!(chart.is_active(ScopesStep::B) && outputs.q == 7, "the `x` after `else` is the input");
 }
 
 grafcet! {
@@ -84,7 +84,7 @@ grafcet! {
         var before: u16 = 0;
 
         initial step A { P1 { q = q + x; } }
-        // The output up to the `let`, something else behind it and inside, the output again behind the block.
+        // The output up to the `let`, something else after it and inside, the output again after the block.
         step B {
             P1 {
                 q += 10;

@@ -60,7 +60,7 @@ fn what_is_shown_of_the_programs_stands_in_them() {
     }
 }
 
-/// The cells of a row of the table behind a heading of `docs/cost.md`.
+/// The cells of a row of the table after a heading of `docs/cost.md`.
 fn measured<'p>(cost: &'p str, heading: &str, row: &str) -> Vec<&'p str> {
     let table = cost.split(&format!("\n## {heading}\n")).nth(1).expect("a heading");
     let row = table.lines().find_map(|line| line.strip_prefix(&format!("| {row} | "))).expect("a row");

@@ -1,4 +1,4 @@
-//! Sequences that are long enough for tables: which condition a step ends on, and what is behind it.
+//! Sequences that are long enough for tables: which condition a step ends on, and what is after it.
 
 use grafcet::grafcet;
 
@@ -49,7 +49,7 @@ fn every_step_of_an_sfc_waits_for_its_own_input() {
         assert!(chart.is_active(named(step)), "S{step}");
         assert_eq!((outputs.odd, outputs.last), (matches!(step, 1 | 3 | 23), step == 23));
         chart.cycle(&ScannedInputs { a, b, c });
-        assert!(chart.is_active(named((step + 1) % 24)), "behind S{step}");
+        assert!(chart.is_active(named((step + 1) % 24)), "after S{step}");
     }
 }
 
@@ -99,7 +99,7 @@ winding! {
     grafcet SmallUnwound { optimize size; }
 }
 
-/// The steps that inputs lead to one behind the other, from S0.
+/// The steps that inputs lead to one after the other, from S0.
 const WAY: [((bool, bool, bool), usize); 30] = [
     ((true, false, false), 1),
     ((false, false, false), 2),

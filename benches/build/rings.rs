@@ -159,7 +159,7 @@ pub(crate) fn statig(steps: usize) -> String {
 }
 
 /// As step chains are written where there is nothing but bits: one for each step; a step is set by the one before it with
-/// its condition and reset by the one behind it. All of them are looked at in every cycle.
+/// its condition and reset by the one after it. All of them are looked at in every cycle.
 pub(crate) fn flags(steps: usize) -> String {
     let bit = |i: usize| format!("[{}] & 1 << {}", i / 32, i % 32);
     let ring = list(steps, |i| {

@@ -8,7 +8,7 @@ macro_rules! dialects {
                 #[repr(C)]
                 pub struct Chart { step: $step, $($stored: bool,)? }
                 impl Chart {
-                    /// `INIT`, behind the steps.
+                    /// `INIT`, after the steps.
                     pub fn new() -> Self { Self { step: $first, $($stored: false,)? } }
                 }
                 unsafe extern "C" {
@@ -101,7 +101,7 @@ pub mod crossing {
         wait: bool,
     }
     impl State {
-        /// `INIT`, behind the steps.
+        /// `INIT`, after the steps.
         const INITIAL: Self = Self { since: 0, step: 6, wait: false };
     }
     pub mod sfc {
@@ -144,7 +144,7 @@ pub mod mixed {
             stored: [bool; 3],
         }
         impl Chart {
-            /// `INIT`, behind the steps.
+            /// `INIT`, after the steps.
             pub fn new() -> Self {
                 Self { since: [0; 2], steps: [9, 0, 0], stored: [false; 3] }
             }

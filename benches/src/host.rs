@@ -32,6 +32,6 @@ impl Visitor for Counter {
 #[inline(never)]
 fn bench_counted(work: &mut dyn FnMut()) {
     work();
-    // With nothing behind it the call would become a jump out of this function.
+    // With nothing after it the call would become a jump out of this function.
     black_box(());
 }

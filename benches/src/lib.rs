@@ -175,7 +175,7 @@ pub mod long {
     }
 }
 
-/// Shows all charts to a visitor, those that take long behind the others.
+/// Shows all charts to a visitor, those that take long after the others.
 pub fn visit_all(visitor: &mut impl Visitor) {
     visit(visitor);
     #[cfg(feature = "long")]

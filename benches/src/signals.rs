@@ -1,7 +1,7 @@
 //! The signals of the charts: their names, and where a chart is written by hand, their types, laid out as in C.
 
 /// Hands all charts with their inputs and outputs to a macro. Inputs that are one bit of a word come first; another one
-/// says how the bits above become its value. Outputs that are not boolean stand behind the others, with their type.
+/// says how the bits above become its value. Outputs that are not boolean stand after the others, with their type.
 macro_rules! with_signals {
     ($to:ident) => {
         $to! {

@@ -1,4 +1,4 @@
-//! A step that computes a result, and a branch on that result directly behind it: the figure "berechne Z" of the source
+//! A step that computes a result, and a branch on that result directly after it: the figure "berechne Z" of the source
 //! document on sequential function charts.
 //!
 //! With actions on transitions only, the chart would need a step of its own between the measurement and the branch, to

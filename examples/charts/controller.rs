@@ -159,7 +159,7 @@ impl Autonomous<'_> {
     }
 }
 
-/// Plays a script on an oven of either kind, one behind the other; one plain line per cycle goes to `out`.
+/// Plays a script on an oven of either kind, one after the other; one plain line per cycle goes to `out`.
 ///
 /// # Errors
 /// As [`script::play`].

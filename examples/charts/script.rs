@@ -6,7 +6,7 @@
 //! cycle.
 //!
 //! The answer is one plain line per cycle, `0 Off | - | red`: the number of the cycle, the active steps joined by `+`,
-//! the inputs and the outputs that are neither false nor zero. Behind these, where there is
+//! the inputs and the outputs that are neither false nor zero. After these, where there is
 //! any, what else there is to tell, such as calls of code actions: `3 Heat | @1500 full | pump | first heat(80)`.
 
 use core::error::Error;

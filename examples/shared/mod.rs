@@ -85,7 +85,7 @@ impl Example {
             (Some("--help" | "-h"), []) => Ok(out.write_all(self.usage().as_bytes())?),
             (Some("--chart"), []) => Ok(self.draw(out)?),
             (Some("--script"), [file]) => self.play(file.as_ref(), out),
-            (Some("--script"), []) => Err(self.wrong("`--script` needs a file behind it")),
+            (Some("--script"), []) => Err(self.wrong("`--script` needs a file after it")),
             (Some("--help" | "-h" | "--chart" | "--script"), [.., surplus]) => Err(self.unexpected(surplus)),
             _ => Err(self.unexpected(&first)),
         }

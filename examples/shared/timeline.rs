@@ -31,7 +31,7 @@ impl Look {
         if names <= Self::NAMES { Self::Names } else { Self::Marks }
     }
 
-    /// How wide the column of a signal is: behind a number's name is the number.
+    /// How wide the column of a signal is: after a number's name is the number.
     fn column(self, name: &str, value: Value) -> usize {
         const NUMBER: usize = "9999".len();
         match (self, value) {
@@ -48,7 +48,7 @@ impl Look {
         T::NAMES.iter().zip(types.values()).map(|(name, value)| (*name, self.column(name, value))).collect()
     }
 
-    /// A group of columns is as wide as these with a blank behind each and one more; of names, at least as its title.
+    /// A group of columns is as wide as these with a blank after each and one more; of names, at least as its title.
     fn group<T: Signals>(self) -> usize {
         let columns: usize = self.columns::<T>().iter().map(|(_, width)| width + 1).sum();
         let title = if self == Self::Names { "outputs".len() } else { 0 };
@@ -132,7 +132,7 @@ impl<'o, C: Chart<Inputs: Signals, Outputs: Signals>> Timeline<'o, C> {
         line += &plant.to_string();
         if !remark.is_empty() {
             let shown = strip_str(&line).to_string().chars().count() + 2 + remark.chars().count();
-            // Where it does not fit behind, it stands below the steps.
+            // Where it does not fit after, it stands below the steps.
             line += if shown <= COLUMNS.into() { "  " } else { "\n     └ " };
             let remark = format!("{REMARK}{remark}{REMARK:#}");
             line += &remark;

@@ -106,9 +106,9 @@ pub struct Decl {
     /// `on, off`
     pub names: Vec<Ident>,
     pub ty: Ty,
-    /// Behind the type: `in {Off, Auto}`.
+    /// After the type: `in {Off, Auto}`.
     pub variants: Option<Variants>,
-    /// What stands behind `=`.
+    /// What stands after `=`.
     pub init: Option<Expr>,
 }
 
@@ -250,7 +250,7 @@ pub enum TimeArg {
     Name(Ident),
 }
 
-/// What can stand behind a qualifier.
+/// What can stand after a qualifier.
 pub enum Target {
     /// `relay`
     Name(Ident),
@@ -331,7 +331,7 @@ pub struct Transition {
     /// `go`
     pub name: Option<Ident>,
     pub condition: Condition,
-    /// Behind `=>`.
+    /// After `=>`.
     pub clearing: Vec<Clearing>,
 }
 

@@ -16,7 +16,7 @@ pub(crate) trait List: Iterator + Sized {
         all
     }
 
-    /// All tokens, one behind the other.
+    /// All tokens, one after the other.
     fn tokens(self) -> TokenStream
     where
         Self: Iterator<Item = TokenStream>,

@@ -21,7 +21,7 @@ pub enum Qualifier {
     P1,
     /// Pulse on its falling edge: once on deactivation.
     P0,
-    /// Stored and delayed: the time runs on behind the step.
+    /// Stored and delayed: the time runs on after the step.
     Sd,
     /// Delayed and stored: stored if the step lasts for its time.
     Ds,
@@ -108,7 +108,7 @@ impl Qualifier {
         matches!(self, Self::S | Self::Sd | Self::Ds | Self::Sl)
     }
 
-    /// Whether its flip-flop is set as soon as the step is active, not behind a delay: S, SD, SL.
+    /// Whether its flip-flop is set as soon as the step is active, not after a delay: S, SD, SL.
     #[must_use]
     pub const fn stores_at_once(self) -> bool {
         self.has_flip_flop() && !matches!(self, Self::Ds)

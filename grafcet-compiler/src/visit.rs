@@ -128,7 +128,7 @@ impl VisitMut for Walk<'_> {
     /// An item sees nothing of what is around it.
     fn visit_item_mut(&mut self, _: &mut Item) {}
 
-    /// What is behind `=` and `else` does not see the names of the pattern.
+    /// What is after `=` and `else` does not see the names of the pattern.
     fn visit_local_mut(&mut self, local: &mut Local) {
         if let Some(init) = &mut local.init {
             self.visit_expr_mut(&mut init.expr);

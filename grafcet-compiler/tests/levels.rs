@@ -42,7 +42,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
     files
 }
 
-/// The warnings at the beginning may differ; all items behind them are the same.
+/// The warnings at the beginning may differ; all items after them are the same.
 fn same(one: &str, other: &str) -> bool {
     let (long, short) = if one.len() > other.len() { (one, other) } else { (other, one) };
     long.ends_with(short)
@@ -109,7 +109,7 @@ fn races_keep_their_order_however_they_are_allowed() {
     for other in [raced("#![warn(grafcet::write_race)]", ""), raced("", "#[allow(grafcet::write_race)]")] {
         assert!(same(&plain, &expanded(&other, "")));
     }
-    // Both are written behind the evolution, in the order of the source: the one that resets last.
+    // Both are written after the evolution, in the order of the source: the one that resets last.
     let last = |text: &str| plain.rfind(text).unwrap_or_else(|| panic!("{text}: {plain}"));
     assert!(last("q = true") < last("q = false"), "{plain}");
 }

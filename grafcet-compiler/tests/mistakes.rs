@@ -69,7 +69,7 @@ fn said(text: &str, tokens: TokenStream, marks: &mut Marks) {
             TokenTree::Ident(name) if name == "compile_error" => {
                 let message = match &trees[at + 2] {
                     TokenTree::Group(group) => literal(group.stream()).expect("a message"),
-                    other => panic!("{other} behind `compile_error!`"),
+                    other => panic!("{other} after `compile_error!`"),
                 };
                 let (from, to) = (trees[at].span().start(), trees[at + 2].span().end());
                 marks.push((rule(&message), between(text, from, to)));

@@ -136,7 +136,7 @@ fn what_does_not_follow_in_a_grafcet() {
     assert_eq!((told("sfc", passing), told("grafcet", passing)), ((true, true), (false, false)));
 }
 
-/// Inputs can lead on at once for several steps: behind the convergence every round comes past `O` with `b` and `c`.
+/// Inputs can lead on at once for several steps: after the convergence every round comes past `O` with `b` and `c`.
 #[test]
 fn passing_through_a_home_step() {
     let chart = "initial step H; step O; step A; step B; step C; step E; step F; step G; H -[b]-> O -[c]-> (A, B); \

@@ -9,7 +9,7 @@ fn said(chart: &str) -> Vec<&'static str> {
     rules
 }
 
-/// Two outputs behind two conditions.
+/// Two outputs after two conditions.
 fn two(head: &str, first: &str, second: &str) -> String {
     format!(
         "sfc C {{ {head} input level, other: i16; input flags: [u8; 4]; input mode: Mode; output q, r: bool; \

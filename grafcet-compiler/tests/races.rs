@@ -83,7 +83,7 @@ fn forced() {
 
 #[test]
 fn requests_that_are_consumed() {
-    // The transition clears in the evolution behind the edge, in which there is none any more (A2).
+    // The transition clears in the evolution after the edge, in which there is none any more (A2).
     fine("initial step A { on rising(p) f = true; } step B { P1 f = false; } A -[f]-> B -[b]-> A;");
     fine("initial step A { on rising(p) f = true; } step B { P1 f = false; } A -[f && true]-> B -[rising(b)]-> A;");
     // The request waits for an input, so that another one comes when it is consumed.

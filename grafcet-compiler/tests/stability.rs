@@ -78,7 +78,7 @@ fn partial_grafcets_end_one_after_the_other() {
     assert!(!ends(&modes("c")));
 }
 
-/// A sequence has no second evolution behind a step that nothing can leave in the cycle in which it is entered.
+/// A sequence has no second evolution after a step that nothing can leave in the cycle in which it is entered.
 #[test]
 fn a_search_ends_with_a_step_that_nothing_leaves_at_once() {
     let ends = |text: &str| {

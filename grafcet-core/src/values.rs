@@ -4,7 +4,7 @@
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not `Copy`: a chart copies the values of its inputs, outputs, variables and params",
     label = "not `Copy`",
-    note = "write `#[derive(Clone, Copy)]` where `{Self}` is declared; what cannot be copied stays outside the chart, behind an `action`"
+    note = "write `#[derive(Clone, Copy)]` where `{Self}` is declared; what cannot be copied stays outside the chart, after an `action`"
 )]
 pub trait Value: Copy {}
 
@@ -40,7 +40,7 @@ pub const fn copied<T: Value>() {}
 /// The default of a type.
 #[must_use]
 #[inline(always)]
-#[expect(clippy::inline_always, reason = "it is the call behind it, also where nothing is optimized")]
+#[expect(clippy::inline_always, reason = "it is the call after it, also where nothing is optimized")]
 pub fn default_value<T: DefaultValue>() -> T {
     T::default()
 }

@@ -50,7 +50,7 @@ pub(crate) struct Box {
 }
 
 impl Box {
-    /// The qualifier's cell with the line behind it.
+    /// The qualifier's cell with the line after it.
     fn cell(&self) -> i32 {
         if self.qualifier.is_empty() { 0 } else { width(&self.qualifier) + 1 + 2 * self.pad }
     }

@@ -24,7 +24,7 @@ pub(crate) fn columns(wording: &Wording<'_>, net: Sheet) -> Vec<Sheet> {
     split(net, &layers, &cuts).iter().flat_map(pieces).collect()
 }
 
-/// The rows of each layer, with those of the lines behind it: about.
+/// The rows of each layer, with those of the lines after it: about.
 fn heights(wording: &Wording<'_>, graph: &Graph) -> Vec<i32> {
     let none = BTreeMap::new();
     let height = |id: &usize| wording.figure(&graph.items[*id], &none).extent().height;

@@ -9,7 +9,7 @@ pub(crate) struct Search<'n> {
     pub(crate) net: &'n Sheet,
     pub(crate) sources: Vec<Vec<usize>>,
     pub(crate) targets: Vec<Vec<usize>>,
-    /// The transitions behind each node, the main branch first.
+    /// The transitions after each node, the main branch first.
     pub(crate) out: Vec<Vec<usize>>,
     /// Where the net begins: nothing leads down to these from what is not reached from them.
     pub(crate) top: Vec<bool>,
@@ -19,7 +19,7 @@ pub(crate) struct Search<'n> {
     pub(crate) node_key: Vec<Option<i64>>,
     pub(crate) link_key: Vec<Option<i64>>,
     keys: i64,
-    /// The transitions behind which the search has gone on, and those that waited for other nodes.
+    /// The transitions after which the search has gone on, and those that waited for other nodes.
     expanded: Vec<bool>,
     waiting: Vec<usize>,
     /// Arcs that lead down, by transition.
@@ -92,7 +92,7 @@ impl<'n> Search<'n> {
             if self.link_key[link].is_none() {
                 self.link_key[link] = Some(self.key());
             }
-            // Behind an AND-convergence it goes on once all that it waits for is found.
+            // After an AND-convergence it goes on once all that it waits for is found.
             if self.sources[link].iter().all(|source| self.node_key[*source].is_some()) {
                 self.expand(link);
             } else {
@@ -101,7 +101,7 @@ impl<'n> Search<'n> {
         }
     }
 
-    /// Goes on behind a transition; what leads to where it comes from leads back.
+    /// Goes on after a transition; what leads to where it comes from leads back.
     fn expand(&mut self, link: usize) {
         if std::mem::replace(&mut self.expanded[link], true) {
             return;

@@ -1,6 +1,6 @@
 //! The main sequence of a net: what goes on straight, whichever branch is written first.
 //!
-//! Of the branches behind a step, the one with the longest way leads on. A step to which one goes from many places on a way, as
+//! Of the branches after a step, the one with the longest way leads on. A step to which one goes from many places on a way, as
 //! where a fault is dealt with, is no part of that way, however much follows it.
 
 use crate::search::Search;
@@ -10,7 +10,7 @@ const MANY: usize = 3;
 
 /// What leads on straight.
 pub(crate) struct Sequence {
-    /// Behind each node, the transition of the main branch.
+    /// After each node, the transition of the main branch.
     pub(crate) main: Vec<Option<usize>>,
     /// From a node to a transition, and from a transition to a node, with the number of the sequence they belong to: the main one
     /// of the net is the first.
@@ -57,7 +57,7 @@ pub(crate) fn sequence(search: &Search<'_>, layers: &[usize]) -> Sequence {
     sequence
 }
 
-/// How many steps are on the longest way behind each transition.
+/// How many steps are on the longest way after each transition.
 struct Ways<'s> {
     search: &'s Search<'s>,
     /// Without what follows steps that are reached from everywhere.
@@ -91,7 +91,7 @@ impl<'s> Ways<'s> {
         ways
     }
 
-    /// The main branch behind a node: the longest; then one that begins anew; the first of those that are equal.
+    /// The main branch after a node: the longest; then one that begins anew; the first of those that are equal.
     fn main(&self, node: usize) -> Option<usize> {
         let merit = |link: &usize| {
             let anew = self.search.targets[*link].iter().any(|next| self.search.top[*next]);

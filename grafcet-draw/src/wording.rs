@@ -134,7 +134,7 @@ impl Wording<'_> {
         if self.is_initial(node) { 0 } else { 2 - u8::from(entered) }
     }
 
-    /// Whether the branches behind a step have an order: in an SFC it is the order of the source (IEC 61131-3).
+    /// Whether the branches after a step have an order: in an SFC it is the order of the source (IEC 61131-3).
     pub(crate) fn ranks(&self) -> bool {
         self.chart.dialect == Dialect::Sfc
     }

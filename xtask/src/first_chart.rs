@@ -1,6 +1,6 @@
 //! The page of the first chart, followed from command to command in a clean folder.
 //!
-//! What the reader does stands in the page's blocks: `sh` is typed line by line, `text` behind it has to be among what that
+//! What the reader does stands in the page's blocks: `sh` is typed line by line, `text` after it has to be among what that
 //! printed, `diff` is done to a file, any other block is a new file. The name of the file is the last one in backquotes in
 //! the paragraph in front of it.
 
@@ -20,7 +20,7 @@ const CLONE: &str = "../grafcet";
 /// What a command has in it that builds for the controller.
 const TARGET: &str = "--target ";
 
-/// What a command has behind it that has to fail.
+/// What a command has after it that has to fail.
 const FAILS: &str = "# fails";
 
 /// What cargo says when it builds what takes longest.
@@ -87,7 +87,7 @@ fn blocks(page: &str) -> Result<Vec<Block<'_>>> {
 struct Reader {
     /// Where they stand.
     folder: PathBuf,
-    /// What the last block of commands has printed, where nothing has been read behind it.
+    /// What the last block of commands has printed, where nothing has been read after it.
     printed: Option<String>,
     commands: usize,
     /// How often the compiler of charts was built, with the toolchain in use.
@@ -207,7 +207,7 @@ impl Reader {
     }
 }
 
-/// Whether the lines stand in what was printed, one behind the other.
+/// Whether the lines stand in what was printed, one after the other.
 fn shows(printed: &str, lines: &str) -> Result {
     let printed: Vec<&str> = printed.lines().map(str::trim_end).collect();
     let lines: Vec<&str> = lines.lines().map(str::trim_end).collect();

@@ -17,7 +17,7 @@ pub(crate) fn children() -> Result<f64> {
 
 /// The fields `cutime` and `cstime`, in hundredths.
 fn seconds(stat: &str) -> Option<f64> {
-    // The program's name may hold anything; behind its parenthesis the third field follows.
+    // The program's name may hold anything; after its parenthesis the third field follows.
     let (_, fields) = stat.rsplit_once(')')?;
     let mut fields = fields.split_whitespace().skip(13);
     let [user, system] = [fields.next()?, fields.next()?].map(str::parse::<u32>);

@@ -129,7 +129,7 @@ pub(crate) fn hand() -> String {
                 pub(crate) fn new() -> Self {{ Self {{ situation: Situation::new(Main::Start), stable: true }} }}
                 pub(crate) fn is_stable(&self) -> bool {{ self.stable }}
                 pub(crate) fn cycle(&mut self, inputs: &ChartInputs) -> ChartOutputs {{
-                    // Behind the bound the situation stays, whatever would follow.
+                    // After the bound the situation stays, whatever would follow.
                     self.stable = (0..68).any(|_| !next(&mut self.situation, inputs))
                         || !next(&mut self.situation.clone(), inputs);
                     act(&self.situation)

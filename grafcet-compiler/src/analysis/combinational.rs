@@ -4,7 +4,7 @@ use crate::list::List;
 use crate::model::{Association, Binary, Effect, Model, Name, Place, Qualifier, Read, Tree, Unary, VarId};
 use crate::sorted::Set;
 
-/// The combinational variables, each behind those it reads; those on a circle, which is refused, come last.
+/// The combinational variables, each after those it reads; those on a circle, which is refused, come last.
 #[must_use]
 pub fn in_order(model: &Model) -> Vec<VarId> {
     if !model.is_grafcet() {

@@ -12,7 +12,7 @@ pub(super) struct Differences {
 }
 
 impl Differences {
-    /// Zero, and `others` numbers behind it.
+    /// Zero, and `others` numbers after it.
     pub(super) fn new(others: usize) -> Self {
         Self { count: others + 1, bounds: Vec::new() }
     }

@@ -272,7 +272,7 @@ impl<'m> Race<'m> {
     }
 
     fn conditions_of_both(&self, a: (&Write<'_>, Cause), b: (&Write<'_>, Cause)) -> Vec<Condition> {
-        // In an `sfc` those of actions are read behind the evolution, those of transitions before it.
+        // In an `sfc` those of actions are read after the evolution, those of transitions before it.
         if !self.model.is_grafcet() && (!a.0.conditions.is_empty() || !b.0.conditions.is_empty()) {
             let of = |write: &Write<'_>| write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).list();
             return of(a.0).into_iter().chain(of(b.0)).list();

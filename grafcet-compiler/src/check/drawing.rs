@@ -27,7 +27,7 @@ fn initial_steps(model: &Model, sink: &mut Sink) {
                 let others = rivals::listed(&others);
                 let message = format!(
                     "`{name}` is an initial step beside {others}, an `sfc` has exactly one; \
-                     start parallel branches with `-[true]-> (…)` behind it",
+                     start parallel branches with `-[true]-> (…)` after it",
                 );
                 (Mark::from(name), message)
             };

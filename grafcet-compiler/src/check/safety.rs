@@ -1,6 +1,6 @@
 //! `unsafe_step`: a step that is activated while it is active.
 //!
-//! Where two ways have parted that should not have, every step behind can be activated twice. One message is given for each
+//! Where two ways have parted that should not have, every step after can be activated twice. One message is given for each
 //! parting: the one with the shortest way. What source transitions start may meet itself: there a step is entered whenever the
 //! event occurs.
 
@@ -51,10 +51,10 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
         }
         (_, Some(step)) => {
             let step = &model.steps[step].name;
-            format!("several transitions behind `{step}` can clear at once; let their conditions exclude each other")
+            format!("several transitions after `{step}` can clear at once; let their conditions exclude each other")
         }
         (_, None) => {
-            "let parallel branches meet in one convergence, `(…, …) -[x]-> …`, before a step behind them is entered"
+            "let parallel branches meet in one convergence, `(…, …) -[x]-> …`, before a step after them is entered"
                 .to_owned()
         }
     };

@@ -113,7 +113,7 @@ fn starts_true(model: &Model, place: Place) -> bool {
     init.is_some_and(|init| init.tree == Tree::Bool(true))
 }
 
-/// A bare boolean behind a qualifier that runs something once.
+/// A bare boolean after a qualifier that runs something once.
 fn once(model: &Model, qualifier: Qualifier, place: Place) -> Option<String> {
     if !qualifier.runs_once() {
         return None;
@@ -131,7 +131,7 @@ fn once(model: &Model, qualifier: Qualifier, place: Place) -> Option<String> {
     Some(format!("`{word}` runs once and does not say what `{name}` becomes; write {others}`{assignment}`"))
 }
 
-/// `speed = e` behind a qualifier.
+/// `speed = e` after a qualifier.
 fn assign(model: &Model, qualifier: Qualifier, place: Place, value: &str) -> Option<String> {
     let (name, word) = (model.place_name(place), qualifier.word());
     match (qualifier, place) {
@@ -149,7 +149,7 @@ fn assign(model: &Model, qualifier: Qualifier, place: Place, value: &str) -> Opt
     }
 }
 
-/// A call or a block behind a qualifier.
+/// A call or a block after a qualifier.
 fn body(model: &Model, qualifier: Qualifier, what: &str) -> Option<String> {
     let word = qualifier.word();
     match qualifier {

@@ -1,6 +1,6 @@
 //! `stuck_join`, `deadlock`: situations in which something waits forever.
 //!
-//! A situation is reported once: what waits for a convergence that cannot come, or behind a transition that never clears, is
+//! A situation is reported once: what waits for a convergence that cannot come, or after a transition that never clears, is
 //! no deadlock beside that. Where all wait for each other, since one took what another needs, it is a deadlock.
 
 use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, situation, smallest};

@@ -32,7 +32,7 @@ impl Cx<'_> {
             let then = &branch.then;
             match self.branch_value(&branch) {
                 Some(condition) => chain.extend(quote!(if #condition { #then } else)),
-                // Always taken: nothing behind it can be.
+                // Always taken: nothing after it can be.
                 None if chain.is_empty() => return quote!({ #then }),
                 None => return quote!({ #chain { #then } }),
             }

@@ -38,7 +38,7 @@ impl Cx<'_> {
         quote!(let #before = #state;)
     }
 
-    /// A region behind the first one whose initial step is entered in the first cycle of an `sfc`.
+    /// A region after the first one whose initial step is entered in the first cycle of an `sfc`.
     fn enters_first(&self, region: RegionId) -> bool {
         !self.model.is_grafcet() && region > 0 && self.plan.regions.all()[region].initial.is_some()
     }

@@ -18,7 +18,7 @@ use crate::sorted::Set;
 enum Threshold {
     /// At the time itself.
     At(TimeRef),
-    /// One tick behind it.
+    /// One tick after it.
     Behind(TimeRef),
     /// At the ends of both parts of a period.
     Blinks(Blink),

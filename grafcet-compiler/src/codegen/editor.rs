@@ -1,5 +1,5 @@
 //! What editors find at names that the code does not repeat where they stand: steps in chains, outputs and code actions
-//! behind qualifiers, macro-steps, partial grafcets, variables that actions write, named conditions.
+//! after qualifiers, macro-steps, partial grafcets, variables that actions write, named conditions.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;

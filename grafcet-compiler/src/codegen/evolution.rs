@@ -169,7 +169,7 @@ impl Cx<'_> {
         self.next_step_or(step, &self.stay(step))
     }
 
-    /// The step behind, or `stay`.
+    /// The step after, or `stay`.
     fn next_step_or(&self, step: StepId, stay: &TokenStream) -> TokenStream {
         let leaving = &self.plan.evolution.owned[step.index()];
         if leaving.is_empty() {
@@ -183,7 +183,7 @@ impl Cx<'_> {
         Branch { id, condition: self.condition(id).map(Cow::Borrowed), then }
     }
 
-    /// The condition of a transition behind the other branches of its steps, `None` for `true` and for `else`.
+    /// The condition of a transition after the other branches of its steps, `None` for `true` and for `else`.
     pub(super) fn condition(&self, id: TransitionId) -> Option<&Expr> {
         let transition = &self.model.transitions[id];
         let always = transition.condition.tree == Tree::Bool(true) || transition.plain_else().is_some();
@@ -276,7 +276,7 @@ impl Cx<'_> {
         for (i, id) in leaving.iter().enumerate() {
             let clear = self.clear(*id);
             let Some(condition) = self.enabled(*id) else {
-                // Always fireable: nothing behind it in the chain can clear.
+                // Always fireable: nothing after it in the chain can clear.
                 chain.extend(if i == 0 { clear } else { quote!({ #clear }) });
                 return chain;
             };
@@ -288,7 +288,7 @@ impl Cx<'_> {
         chain
     }
 
-    /// The condition of a transition whose first source step is active, behind the other branches, with the other sources;
+    /// The condition of a transition whose first source step is active, after the other branches, with the other sources;
     /// `None` is "always".
     fn enabled(&self, id: TransitionId) -> Option<TokenStream> {
         let condition = self.condition(id).map(|condition| self.value(condition, Moment::Enabled(id)));
@@ -296,7 +296,7 @@ impl Cx<'_> {
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
-    /// Whether the sources of a transition behind its first one are active.
+    /// Whether the sources of a transition after its first one are active.
     fn other_sources(&self, transition: &Transition) -> Vec<TokenStream> {
         transition.sources.iter().skip(1).map(|step| self.is_active(*step, Moment::Condition)).list()
     }

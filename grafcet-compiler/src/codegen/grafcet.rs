@@ -23,7 +23,7 @@ impl Cx<'_> {
         let stable = self.stable_situation(&quote!(#continuous #calls #result));
         let outputs = self.declare_outputs();
         let forget = self.forget_instability();
-        // The outputs come first: behind the search, the compiler would clear them again in every arm.
+        // The outputs come first: after the search, the compiler would clear them again in every arm.
         quote!(#outputs #forget #time #start #search #stable #second #continuous #calls #result)
     }
 
@@ -231,7 +231,7 @@ impl Cx<'_> {
         quote!(#(#states)* #combinational)
     }
 
-    /// Variables that follow from the situation (A22), each behind those it reads.
+    /// Variables that follow from the situation (A22), each after those it reads.
     pub(super) fn all_combinational(&self, moment: Moment) -> TokenStream {
         self.plan.memory.combinational.iter().map(|var| self.combinational(*var, moment)).tokens()
     }
@@ -292,7 +292,7 @@ impl Cx<'_> {
         })
     }
 
-    /// `N heat(80)`: called once per cycle, behind all others, and told its phase (A33).
+    /// `N heat(80)`: called once per cycle, after all others, and told its phase (A33).
     fn continuous_calls(&self) -> TokenStream {
         let mut actions: Vec<ActionId> = Vec::new();
         for association in source_order(self.model).map(|id| &self.model.associations[id]) {

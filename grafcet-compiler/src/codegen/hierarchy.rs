@@ -114,7 +114,7 @@ impl Cx<'_> {
         }
     }
 
-    /// What a transition does to the partial grafcets below its own, where they evolve behind it.
+    /// What a transition does to the partial grafcets below its own, where they evolve after it.
     pub(super) fn below(&self, transition: &Transition) -> Below {
         if self.plan.shape.descends { Below::of(self.model, &self.plan.regions, transition) } else { Below::default() }
     }

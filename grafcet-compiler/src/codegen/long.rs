@@ -1,6 +1,6 @@
 //! Long charts of which one step is active: steps that end on the same condition share its test, and a table says which
-//! step is behind each. A cycle costs the same whatever the step, and a step as little as two bytes beside its actions. Under `optimize size`
-//! it is one byte for the condition and one for the actions: the step behind is computed.
+//! step is after each. A cycle costs the same whatever the step, and a step as little as two bytes beside its actions. Under `optimize size`
+//! it is one byte for the condition and one for the actions: the step after is computed.
 
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -44,7 +44,7 @@ impl Cx<'_> {
         }
     }
 
-    /// `let next = …;`, the step behind the active one, where that has but one transition.
+    /// `let next = …;`, the step after the active one, where that has but one transition.
     fn behind(&self, next: &Ident, stay: &TokenStream) -> TokenStream {
         let (before, steps) = (names::before(0, self.plan), &self.plan.regions.all()[0].steps);
         let target = |step: StepId| {
@@ -65,7 +65,7 @@ impl Cx<'_> {
         }
     }
 
-    /// The step behind the active one. LLVM computes it as `state + 1` where all of a `match` do that, so the few jumps that
+    /// The step after the active one. LLVM computes it as `state + 1` where all of a `match` do that, so the few jumps that
     /// a sequence has are told apart in front of it.
     fn in_order_but(&self, steps: &[StepId], target: impl Fn(StepId) -> Option<StepId>) -> TokenStream {
         let before = names::before(0, self.plan);

@@ -1,4 +1,4 @@
-//! The generated code: one file per artefact. Behind the gates nothing can fail: model and plan in, tokens out.
+//! The generated code: one file per artefact. After the gates nothing can fail: model and plan in, tokens out.
 
 mod acting;
 mod apart;

@@ -205,7 +205,7 @@ pub(super) fn edge_local(id: EdgeId, rising: bool) -> Ident {
     local(&format!("{}_now_{}", if rising { "rising" } else { "falling" }, id.index()))
 }
 
-/// The field and the local of an edge that is sampled behind the evolution.
+/// The field and the local of an edge that is sampled after the evolution.
 pub(super) fn late_edge(id: EdgeId, side: Option<bool>) -> Ident {
     let side = side.map_or("", |rising| if rising { "rising_now_" } else { "falling_now_" });
     local(&format!("{side}late_{}", id.index()))
@@ -329,7 +329,7 @@ fn prefixed(prefix: &str, name: &Ident) -> Ident {
     local(&format!("{prefix}{}", name.to_string().trim_start_matches("r#")))
 }
 
-/// `name`, with underscores behind it until no step is called so.
+/// `name`, with underscores after it until no step is called so.
 fn fresh(steps: &Set<String>, name: &str) -> Ident {
     let mut name = name.to_owned();
     while steps.contains(&name) {

@@ -88,7 +88,7 @@ impl Cx<'_> {
         }
     }
 
-    /// `match` on the head for the steps that are active alone, with what happens beside them behind it.
+    /// `match` on the head for the steps that are active alone, with what happens beside them after it.
     fn nest(&self, nest: &Nest, start: Option<&TokenStream>) -> TokenStream {
         let inner: TokenStream = nest.inner.iter().map(|inner| self.nest(inner, None)).tokens();
         let inner = nest.common.iter().rev().fold(inner, |otherwise, id| {
@@ -134,7 +134,7 @@ impl Cx<'_> {
         Some(self.set_state(nest.head, &quote!(match #head { #(#arms)* #rest })))
     }
 
-    /// The condition of a transition whose regions have not been changed yet, behind the other branches of its steps.
+    /// The condition of a transition whose regions have not been changed yet, after the other branches of its steps.
     pub(super) fn enabled_in_place(&self, id: TransitionId) -> TokenStream {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));

@@ -47,10 +47,10 @@ impl Cx<'_> {
         }
     }
 
-    /// Behind `if`, and what L and D of one step mean: `q if !(t/Step)` and `q if t/Step` (A32).
+    /// After `if`, and what L and D of one step mean: `q if !(t/Step)` and `q if t/Step` (A32).
     pub(super) fn continuous_condition(&self, association: &Association, moment: Moment) -> Option<TokenStream> {
         let limit = association.time.map(|time| match (moment, association.qualifier) {
-            // In the arm of its step, behind the evolution.
+            // In the arm of its step, after the evolution.
             (Moment::Action, qualifier) => {
                 let since = self.counted(self.plan.regions.of_step(association.step));
                 let time = self.time(time);
@@ -67,7 +67,7 @@ impl Cx<'_> {
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
-    /// The flags of resets that come behind everything that sets.
+    /// The flags of resets that come after everything that sets.
     pub(super) fn declare_resets(&self) -> TokenStream {
         self.reset_outputs().map(|id| names::output_reset(self.model, id)).map(|r| quote!(let mut #r = false;)).tokens()
     }

@@ -15,7 +15,7 @@ pub(super) fn texts<'n>(
     p: &TokenStream,
 ) -> TokenStream {
     let (vis, levels) = (&model.vis, types::levels(model));
-    // Behind `Self::`, rustc looks through all variants for each.
+    // After `Self::`, rustc looks through all variants for each.
     let arms = variants.map(|variant| {
         let text = variant.to_string();
         let text = text.trim_start_matches("r#");
@@ -31,7 +31,7 @@ pub(super) fn texts<'n>(
             }
         }
 
-        // A method of that name in a trait of the user comes first behind a reference, and a variant behind `Self::`.
+        // A method of that name in a trait of the user comes first after a reference, and a variant after `Self::`.
         #[automatically_derived]
         impl #p::core::fmt::Debug for #name {
             fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {

@@ -24,7 +24,7 @@ pub(super) fn constant(expr: &Expr, p: &TokenStream) -> TokenStream {
     if bindings.is_empty() { tokens.to_token_stream() } else { quote!({ #bindings #tokens }) }
 }
 
-/// An expression behind the bindings of what it reads.
+/// An expression after the bindings of what it reads.
 pub(super) fn behind(bindings: &TokenStream, tokens: &syn::Expr) -> TokenStream {
     if bindings.is_empty() && is_term(tokens) && !shows_struct(tokens) {
         return tokens.to_token_stream();
@@ -87,7 +87,7 @@ pub(super) fn is_term(expr: &syn::Expr) -> bool {
     lists || matches!(expr, Field(_) | Index(_) | Lit(_) | Path(_) | Unary(_))
 }
 
-/// Whether braces of a struct stand open in an expression, which Rust takes for a block behind `if`: `!Foo {}`.
+/// Whether braces of a struct stand open in an expression, which Rust takes for a block after `if`: `!Foo {}`.
 pub(super) fn shows_struct(expr: &syn::Expr) -> bool {
     match expr {
         syn::Expr::Struct(_) => true,
@@ -100,7 +100,7 @@ pub(super) fn shows_struct(expr: &syn::Expr) -> bool {
     }
 }
 
-/// Whether an expression goes on behind a block at its beginning: `{ … } && a`, `match x { … } > 3`.
+/// Whether an expression goes on after a block at its beginning: `{ … } && a`, `match x { … } > 3`.
 pub(super) fn begins_with_block(expr: &syn::Expr) -> bool {
     let first = match expr {
         syn::Expr::Binary(binary) => &binary.left,

@@ -129,7 +129,7 @@ impl Cx<'_> {
         }
     }
 
-    /// Whether an item of this region belongs into the segment. With a bit for each step that is one of a step behind all
+    /// Whether an item of this region belongs into the segment. With a bit for each step that is one of a step after all
     /// of the segment, or any where only one step is active.
     fn joins(&self, segment: &Segment, region: RegionId) -> bool {
         if !self.plan.shape.is_flags() {

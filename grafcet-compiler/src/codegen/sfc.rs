@@ -31,7 +31,7 @@ impl Cx<'_> {
         let actions = quote!(#late #actions);
         let second = self.declare_second(&actions);
         let result = self.result();
-        // The outputs come first: behind the evolution, the compiler would clear them again in every arm.
+        // The outputs come first: after the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
         let rest = quote!(#settle #second #actions #result);
         let afters = self.plan.shape.is_in_place().then(|| {

@@ -243,7 +243,7 @@ impl Cx<'_> {
         self.one_behind_the_other(bytes)
     }
 
-    /// Where one step is active at most, nothing is left to be done behind it.
+    /// Where one step is active at most, nothing is left to be done after it.
     fn one_behind_the_other(&self, all: impl Iterator<Item = TokenStream>) -> TokenStream {
         let all: Vec<_> = all.list();
         if self.plan.most_active == 1 { quote!(#(#all)else*) } else { quote!(#(#all)*) }

@@ -211,7 +211,7 @@ impl Cx<'_> {
                 initial: types::initial_value(var.init.as_ref(), &var.ty, &self.p),
             }
         }));
-        // Behind a value that was true no edge rises: there is none in the first cycle (A26).
+        // After a value that was true no edge rises: there is none in the first cycle (A26).
         let edges = self.plan.memory.edges.iter();
         fields.extend(
             edges.map(|(id, rising, falling)| self.flag(&names::edge_field(*id).to_string(), *rising && !falling)),

@@ -154,7 +154,7 @@ impl Cx<'_> {
         actions.map(|(_, action)| self.conditional(action, Moment::Stored)).tokens()
     }
 
-    /// Whether a stored action acts where a transition clears, and not behind the evolution.
+    /// Whether a stored action acts where a transition clears, and not after the evolution.
     fn acts_at_once(&self, id: AssociationId) -> bool {
         self.plan.shape.at_once.contains(&id)
     }

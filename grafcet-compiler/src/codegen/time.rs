@@ -174,7 +174,7 @@ impl Cx<'_> {
         quote!(#locals #(#samples)*)
     }
 
-    /// The delays and edges of an `sfc`, each behind those it looks at.
+    /// The delays and edges of an `sfc`, each after those it looks at.
     pub(super) fn sample_all(&self, none: &TokenStream) -> TokenStream {
         let samples = self.samples().into_iter().map(|sample| match sample {
             Sample::Delay(id) => self.sample_delay(id),
@@ -239,7 +239,7 @@ impl Cx<'_> {
         self.plan.memory.edges.iter().any(|(id, ..)| !self.is_still(*id))
     }
 
-    /// All edges, delays and combinational variables in an order in which each comes behind those it reads.
+    /// All edges, delays and combinational variables in an order in which each comes after those it reads.
     fn samples(&self) -> Vec<Sample> {
         let mut order = Vec::new();
         let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).list();

@@ -220,7 +220,7 @@ pub(super) fn initial_output(model: &Model, output: OutputId, p: &TokenStream) -
     initial_value(output.init.as_ref(), &output.ty, p)
 }
 
-/// What stands behind `=`, or the default of the type; constant but for a user's own type without a value.
+/// What stands after `=`, or the default of the type; constant but for a user's own type without a value.
 pub(super) fn initial_value(init: Option<&Expr>, ty: &Ty, p: &TokenStream) -> TokenStream {
     if let Some(init) = init {
         return super::rust::constant(init, p);

@@ -15,7 +15,7 @@ pub(super) fn always(block: &Block, name: &Ident) -> bool {
     { own }.any(|stmt| matches!(stmt, Stmt::Expr(expr, _) if assigned(expr).contains(&name)))
 }
 
-/// Whether a pattern binds the name, behind which it is another one.
+/// Whether a pattern binds the name, after which it is another one.
 fn mentions(pattern: &syn::Pat, name: &Ident) -> bool {
     fn inside(tokens: TokenStream, name: &Ident) -> bool {
         tokens.into_iter().any(|tree| match tree {
@@ -27,7 +27,7 @@ fn mentions(pattern: &syn::Pat, name: &Ident) -> bool {
     inside(pattern.to_token_stream(), name)
 }
 
-/// The block with `note = true` behind each assignment to the name, which has this type; `None` where it may be written in
+/// The block with `note = true` after each assignment to the name, which has this type; `None` where it may be written in
 /// another way.
 pub(super) fn noted(block: &Block, name: &Ident, ty: &Ty, note: &Ident) -> Option<Block> {
     let mut notes = Notes { name, ty, note, locals: Locals::default(), other: false };

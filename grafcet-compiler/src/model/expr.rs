@@ -19,7 +19,7 @@ pub struct Expr {
     pub mark: Mark,
 }
 
-/// A Rust block of the user behind a qualifier, an event or `=>`.
+/// A Rust block of the user after a qualifier, an event or `=>`.
 #[derive(Clone)]
 pub struct Code {
     /// The user's tokens with placeholders, as in [`Expr::tokens`].

@@ -292,7 +292,7 @@ pub struct Any {
     pub first: TransitionId,
     /// In order of declaration; not the targets, and not what is excepted: these stay as they are.
     pub sources: Vec<StepId>,
-    /// Behind `except`, as written.
+    /// After `except`, as written.
     pub except: Vec<Ident>,
 }
 
@@ -304,14 +304,14 @@ pub struct Association {
     pub time: Option<TimeRef>,
     /// The event of `on`.
     pub event: Option<Expr>,
-    /// Behind `if`.
+    /// After `if`.
     pub condition: Option<Expr>,
     pub effect: Effect,
     /// The whole line without its `;`.
     pub mark: Mark,
     /// The qualifier, where one is written.
     pub qualifier_mark: Option<Mark>,
-    /// The name behind the qualifier, or the block.
+    /// The name after the qualifier, or the block.
     pub target_mark: Mark,
 }
 
@@ -320,7 +320,7 @@ pub struct Association {
 pub enum Effect {
     /// A boolean output or variable that is controlled: `N relay`, `S lamp`.
     Control(Place),
-    /// `speed = e`. Behind N on an output: a continuous assignation; elsewhere a stored one.
+    /// `speed = e`. After N on an output: a continuous assignation; elsewhere a stored one.
     Assign(Place, Expr),
     /// `heat(80)`
     Call(ActionId, Vec<Expr>),

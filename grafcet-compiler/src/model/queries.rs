@@ -27,7 +27,7 @@ impl Model {
         all
     }
 
-    /// `sfc`: whether an evolution can change what an edge looks at: actions look at it behind the evolution, conditions of
+    /// `sfc`: whether an evolution can change what an edge looks at: actions look at it after the evolution, conditions of
     /// transitions in front of it.
     #[must_use]
     pub fn is_late(&self, id: EdgeId) -> bool {

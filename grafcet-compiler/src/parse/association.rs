@@ -80,13 +80,13 @@ fn misplaced(input: &Input) -> Result<()> {
     }
     let Some(word) = input.word() else {
         if chain::begins(input) {
-            return Err(input.error("transitions stand behind the steps, not in them"));
+            return Err(input.error("transitions stand after the steps, not in them"));
         }
         return Err(input.error(format!("expected what the step does, such as `N q;`, found {}", input.found())));
     };
     let behind = input.next();
     if word == "if" {
-        return Err(input.error("the condition stands behind the action: `q if condition;`"));
+        return Err(input.error("the condition stands after the action: `q if condition;`"));
     }
     if words::item_begins(input) {
         return Err(input.error(
@@ -98,7 +98,7 @@ fn misplaced(input: &Input) -> Result<()> {
         ));
     }
     if behind.at("->") || behind.at("-") && behind.next().at_group(Delimiter::Bracket) {
-        return Err(input.error("transitions stand behind the steps, not in them"));
+        return Err(input.error("transitions stand after the steps, not in them"));
     }
     Ok(())
 }
@@ -240,7 +240,7 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
         )));
     }
     let message = if input.word().is_some() && (input.next().at(";") || input.next().is_empty()) {
-        format!("`{word}` needs two things behind it, a time and its target: `{word} 5s q;`")
+        format!("`{word}` needs two things after it, a time and its target: `{word} 5s q;`")
     } else {
         format!("`{word}` needs a time in front of its target: `{word} 5s q;`")
     };
@@ -251,7 +251,7 @@ fn time(input: &mut Input, qualifier: Option<(Qualifier, Span)>, sink: &mut Sink
 fn behind_qualifier(input: &mut Input, start: &Input, qualifier: Option<(Qualifier, Span)>) -> Result<Target> {
     if ends(input) {
         let mark = Mark { start: start.span(), end: input.last() };
-        return Err(Error::new(mark, "this acts on nothing; name an output, a variable or an action behind it"));
+        return Err(Error::new(mark, "this acts on nothing; name an output, a variable or an action after it"));
     }
     if let (Some((_, span)), Some(word)) = (qualifier, input.word()) {
         let behind = input.next();

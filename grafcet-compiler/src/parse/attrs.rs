@@ -32,7 +32,7 @@ impl Outer {
 
     /// The error where nothing follows the attributes; attributes that are mistakes themselves say enough.
     pub(super) fn of_nothing(&self, input: &Input) -> Error {
-        if self.marks.is_empty() { Error::reported() } else { input.error("expected an item behind its attributes") }
+        if self.marks.is_empty() { Error::reported() } else { input.error("expected an item after its attributes") }
     }
 
     /// Reports attributes for the generated item where there is none.
@@ -168,7 +168,7 @@ fn sort(attr: Attribute, mark: Mark, attrs: &mut Attrs) -> Result<()> {
     Error::several(mistakes).map_or(Ok(()), Err)
 }
 
-/// `derive(…)`, also behind the condition of a `cfg_attr`.
+/// `derive(…)`, also after the condition of a `cfg_attr`.
 fn derive(meta: &Meta, mark: Mark) -> Result<Option<Derive>> {
     let Meta::List(list) = meta else { return Ok(None) };
     if list.path.is_ident("derive") {

@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, Span, TokenStream, TokenTree};
 use super::guard::Guard;
 use super::{Result, fragments};
 
-/// All tokens of a call; the content of a group stands behind the group. No group is without delimiters.
+/// All tokens of a call; the content of a group stands after the group. No group is without delimiters.
 pub(super) struct Buffer(Vec<Token>);
 
 pub(super) struct Token {
@@ -64,7 +64,7 @@ impl Buffer {
         Ok(opened)
     }
 
-    /// The group at `at` with what is laid out behind it.
+    /// The group at `at` with what is laid out after it.
     fn rebuilt(&self, at: usize, group: &Group) -> TokenTree {
         let mut content = Vec::new();
         let mut inside = at + 1;

@@ -26,7 +26,7 @@ pub(super) fn begins(input: &Input) -> bool {
     }
 }
 
-/// Whether a step or several are next, and an arrow behind them.
+/// Whether a step or several are next, and an arrow after them.
 pub(super) fn draws(input: &Input) -> bool {
     (input.word().is_some() || input.at_group(Delimiter::Parenthesis)) && at_arrow(&input.next())
 }
@@ -187,7 +187,7 @@ fn arrow(input: &mut Input, sink: &mut Sink) -> Result<Option<Arrow>> {
         if !input.at_group(Delimiter::Bracket) {
             return Ok(Some(Arrow::Bare(mark)));
         }
-        sink.notation(mark, "the head of an arrow stands behind its condition: `-[x]->`");
+        sink.notation(mark, "the head of an arrow stands after its condition: `-[x]->`");
         headed = true;
     } else if input.eat("<-") {
         return Err(Error::new(start.span(), "arrows point forward: write `B -[x]-> A` in place of `A <-[x]- B`"));
@@ -221,7 +221,7 @@ fn doubled(input: &mut Input, start: &Input, sink: &mut Sink) -> bool {
     doubled
 }
 
-/// What should be `->` behind the brackets. That dashes are `doubled` is said once.
+/// What should be `->` after the brackets. That dashes are `doubled` is said once.
 fn head(input: &mut Input, start: &Input, doubled: bool, sink: &mut Sink) -> Result<()> {
     let brackets = input.last();
     if input.eat("->") {

@@ -12,7 +12,7 @@ pub(super) fn parse(input: &mut Input, what: &str) -> Result<Expr> {
     with(input, what, Expr::parse)
 }
 
-/// A condition behind which a block may follow.
+/// A condition after which a block may follow.
 pub(super) fn before_block(input: &mut Input, what: &str) -> Result<Expr> {
     with(input, what, Expr::parse_without_eager_brace)
 }

@@ -36,7 +36,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
 fn names(input: &mut Input) -> Result<Vec<Ident>> {
     let mut names = vec![input.name("a name")?];
     while input.eat(",") {
-        names.push(input.name("a name behind `,`")?);
+        names.push(input.name("a name after `,`")?);
     }
     Ok(names)
 }
@@ -51,10 +51,10 @@ fn colon(input: &mut Input, names: &[Ident], keyword: Option<&Ident>) -> Result<
     Ok(())
 }
 
-/// The expression behind `=`.
+/// The expression after `=`.
 fn value(input: &mut Input) -> Result<Expr> {
     if input.is_empty() || input.at(";") {
-        return Err(input.error(format!("expected a value behind `=`, found {}", input.found())));
+        return Err(input.error(format!("expected a value after `=`, found {}", input.found())));
     }
     let start = *input;
     let value = input.rust(Expr::parse)?;

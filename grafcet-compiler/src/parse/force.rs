@@ -16,7 +16,7 @@ pub(super) fn parse(input: &mut Input) -> Result<Force> {
     };
     let order = order(inside)?;
     let mark = input.since(&start);
-    // Behind braces a `;` is optional.
+    // After braces a `;` is optional.
     input.eat(";");
     Ok(Force { mark, partial, order })
 }

@@ -22,7 +22,7 @@ pub(super) fn starts_operand(input: &Input) -> bool {
     input.at_name() || input.literal().is_some()
 }
 
-/// `T#5s`: the input behind it and what stands behind the sign.
+/// `T#5s`: the input after it and what stands after the sign.
 pub(super) fn iec_time<'a>(input: &Input<'a>) -> Option<(Input<'a>, String)> {
     let word = input.word().filter(|word| ["t", "time", "lt", "ltime"].contains(&word.to_lowercase().as_str()));
     word.filter(|_| input.next().at("#"))?;

@@ -60,7 +60,7 @@ fn apart(tokens: &mut [TokenTree]) {
 enum Kind {
     /// It holds together by itself: `a`, `f(x)`; or it is nothing that parentheses could stand around: `let x = 1`, `pub`.
     Whole,
-    /// `a.f`: with parentheses behind it, it would be a method.
+    /// `a.f`: with parentheses after it, it would be a method.
     Field,
     /// `{ … }`, which may be a block or a body of the chart.
     Braces,

@@ -1,6 +1,6 @@
 //! Bounds what `syn` and later passes recurse over, so that no input overflows the stack.
 //!
-//! `syn` recurses where Rust nests: in groups, behind prefixes, in generic arguments. Here every token that leads a level
+//! `syn` recurses where Rust nests: in groups, after prefixes, in generic arguments. Here every token that leads a level
 //! down has a price, in kilobytes of stack of an unoptimised build as measured (`syn` 3.0, x86-64, rounded up), and the
 //! sum over the levels that can be open at once stays below what the smallest stack around has: the 2 MB of a thread.
 
@@ -115,7 +115,7 @@ struct Run {
     last_tight: usize,
     /// Open generic arguments, or comparisons.
     angles: Vec<usize>,
-    /// Behind a closure's parameters a comma need not end anything.
+    /// After a closure's parameters a comma need not end anything.
     closure: bool,
     before: Before,
 }
@@ -166,7 +166,7 @@ impl Run {
     }
 
     fn ident(&mut self, word: &str) {
-        // Behind a brace only these words go on with the same expression.
+        // After a brace only these words go on with the same expression.
         if self.before == Before::Brace && word != "else" && word != "as" {
             self.end();
         }
@@ -228,7 +228,7 @@ impl Run {
         }
     }
 
-    /// Whether two characters behind an operand are one operator; if so, its price.
+    /// Whether two characters after an operand are one operator; if so, its price.
     fn pair(&mut self, first: char, second: char) -> bool {
         match (first, second) {
             // The first character was taken for an assignment, or for generic arguments.

@@ -49,7 +49,7 @@ fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, (Di
         );
     }
     let Some(inside) = input.enter(Delimiter::Brace) else {
-        return Err(input.error(format!("expected `{{` behind the name of the chart, found {}", input.found())));
+        return Err(input.error(format!("expected `{{` after the name of the chart, found {}", input.found())));
     };
     Ok((vis, (dialect, keyword), name, inside))
 }

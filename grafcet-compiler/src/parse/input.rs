@@ -266,7 +266,7 @@ impl<'a> Input<'a> {
         let mut ahead = *self;
         let mut operand = false;
         while let Some(token) = ahead.token() {
-            // No expression and no type has a name right behind an operand: so much less to cut out where `;` is missing.
+            // No expression and no type has a name right after an operand: so much less to cut out where `;` is missing.
             let name = !token.word.is_empty() && !words::is_rust(&token.word);
             if name && operand || matches!(&token.tree, TokenTree::Punct(punct) if punct.as_char() == ';') {
                 break;

@@ -1,7 +1,7 @@
 //! Tokens to syntax: one file a production of the language.
 //!
 //! The structure of a chart is read with a cursor that can look ahead as far as it likes; the Rust inside it (types, expressions, blocks) is cut out and handed to `syn` piece by piece, so that a mistake in one
-//! piece is the mistake of that piece alone. Every body goes on behind a broken item.
+//! piece is the mistake of that piece alone. Every body goes on after a broken item.
 
 mod association;
 mod attrs;

@@ -16,7 +16,7 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
         "always" => {
             let first = condition::parse(input, "what must always hold")?;
             if input.eat("=>") {
-                let condition = condition::parse(input, "what follows from it, behind `=>`")?;
+                let condition = condition::parse(input, "what follows from it, after `=>`")?;
                 Property::Always { attrs, keyword, premise: Some(first), condition }
             } else {
                 Property::Always { attrs, keyword, premise: None, condition: first }

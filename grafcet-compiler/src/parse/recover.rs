@@ -27,7 +27,7 @@ impl Items {
     }
 }
 
-/// Steps over the rest of a broken item: behind its `;` or its braces, or before what must be the next one.
+/// Steps over the rest of a broken item: after its `;` or its braces, or before what must be the next one.
 pub(super) fn skip(input: &mut Input, start: &Input, items: Items) {
     if input.is_at(start) {
         input.bump();
@@ -62,7 +62,7 @@ pub(super) fn semicolon(input: &mut Input, items: Items, sink: &mut Sink) {
     }
     let chain = || items == Items::OfChart && input.word().is_some() && chain::begins(input);
     if input.is_empty() || input.on_new_line() || items.item_begins(input) || chain() {
-        sink.notation(input.last(), "`;` is missing behind this");
+        sink.notation(input.last(), "`;` is missing after this");
         return;
     }
     if items == Items::OfStep && input.at(",") {
@@ -86,7 +86,7 @@ fn unexpected(input: &Input) -> Error {
     }
     let word = input.word().unwrap_or_default().to_lowercase();
     if ["when", "falls", "wenn"].contains(&word.as_str()) {
-        return input.error("the condition of an action stands behind `if`: `q if condition;`");
+        return input.error("the condition of an action stands after `if`: `q if condition;`");
     }
     if ["after", "nach"].contains(&word.as_str()) && input.next().literal().is_some() {
         return input.error("an action that begins later has the qualifier `D` and its time in front: `D 5s q;`");
@@ -114,7 +114,7 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
         return vec![first];
     }
     let mut word = words::meant(&written).unwrap_or_default();
-    // `initial step Off`: the name stands behind the last of the words.
+    // `initial step Off`: the name stands after the last of the words.
     let mut turns = Turns::default();
     while turns.more(&start)
         && matches!(word, "initial" | "final" | "linked" | "entry" | "exit" | "macro" | "enclosing")

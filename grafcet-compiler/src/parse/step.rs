@@ -84,7 +84,7 @@ fn words(input: &mut Input, sink: &mut Sink) -> Words {
             return found;
         }
     }
-    sink.notation(input.last(), "behind this `step` is missing, as in `initial step Off;`");
+    sink.notation(input.last(), "after this `step` is missing, as in `initial step Off;`");
     found
 }
 
@@ -116,7 +116,7 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
         return Ok(StepBody::default());
     }
     if input.is_empty() || input.on_new_line() || words::item_begins(input) {
-        sink.notation(input.last(), "`;` is missing behind this; a step ends with `;` or has a body in braces");
+        sink.notation(input.last(), "`;` is missing after this; a step ends with `;` or has a body in braces");
         return Ok(StepBody::default());
     }
     Err(input.error(if input.at(",") {
@@ -124,7 +124,7 @@ fn plain(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<StepBody> {
     } else if input.at(":") {
         format!("what a step does stands in braces: `step {name} {{ N q; }}`")
     } else {
-        format!("expected `{{` or `;` behind the name of the step, found {}", input.found())
+        format!("expected `{{` or `;` after the name of the step, found {}", input.found())
     }))
 }
 

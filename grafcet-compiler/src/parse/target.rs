@@ -1,4 +1,4 @@
-//! What can stand behind a qualifier: `relay`, `count = count + 1`, `heat(80)`, `{ count += 1; }`.
+//! What can stand after a qualifier: `relay`, `count = count + 1`, `heat(80)`, `{ count += 1; }`.
 
 use proc_macro2::{Delimiter, Ident};
 use syn::parse::{Parse, ParseStream};
@@ -81,7 +81,7 @@ fn value(input: &mut Input, name: &Ident) -> Result<Expr> {
     Ok(value)
 }
 
-/// What other notations write behind the name.
+/// What other notations write after the name.
 fn refuse(input: &Input, name: &Ident) -> Result<()> {
     if input.at(":=") {
         return Err(input.error(format!("an assignment is written `{name} = …`, without `:`")));

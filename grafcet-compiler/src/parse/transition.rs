@@ -90,6 +90,6 @@ fn leftover(inside: &Input) -> Error {
     } else if inside.at(";") {
         "a condition ends with its bracket, without `;`".to_owned()
     } else {
-        format!("expected `]` behind the condition, found {}", inside.found())
+        format!("expected `]` after the condition, found {}", inside.found())
     })
 }

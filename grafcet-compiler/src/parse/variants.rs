@@ -1,4 +1,4 @@
-//! `in {Off, Auto, Manual}` behind the type of a declaration.
+//! `in {Off, Auto, Manual}` after the type of a declaration.
 
 use proc_macro2::Delimiter;
 
@@ -6,7 +6,7 @@ use super::input::Turns;
 use super::{Input, Result};
 use crate::ast::{Variant, Variants};
 
-/// What stands behind `in`; nothing where there is none.
+/// What stands after `in`; nothing where there is none.
 pub(super) fn parse(input: &mut Input) -> Result<Option<Variants>> {
     let keyword = input.span();
     if !input.eat_word("in") {

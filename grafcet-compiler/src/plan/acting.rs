@@ -29,7 +29,7 @@ pub(super) fn acts_in_arms(model: &Model, shape: &Shape, nests: &[Nest], drives:
     more <= branches * (DISPATCH + WORTH * SAVED)
 }
 
-/// Whether an action does the same wherever in the cycle it stands behind the evolution of its own branch: it looks at nothing that
+/// Whether an action does the same wherever in the cycle it stands after the evolution of its own branch: it looks at nothing that
 /// other branches change, and waits for no other action.
 fn acts_alone(association: &Association, drives: &[Drive]) -> bool {
     let Effect::Control(Place::Output(output)) = association.effect else { return false };

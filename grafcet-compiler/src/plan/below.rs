@@ -97,7 +97,7 @@ pub(crate) fn is_top(model: &Model, partial: PartialId) -> bool {
 /// How partial grafcets that evolve in place know that something above them has decided about them in this evolution.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Descent {
-    /// A transition that decides about something below it jumps behind all that is below: nothing there could clear.
+    /// A transition that decides about something below it jumps after all that is below: nothing there could clear.
     Jumps,
     /// It notes about which ones it has decided.
     Notes,

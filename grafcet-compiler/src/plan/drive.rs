@@ -12,7 +12,7 @@ pub struct Drive {
     pub continuous: bool,
     /// It keeps a value from cycle to cycle (S, R, P1 …): a field holds it.
     pub stored: bool,
-    /// An R has to come behind what else the cycle does to it: a flag waits for that.
+    /// An R has to come after what else the cycle does to it: a flag waits for that.
     pub reset_flag: bool,
     /// An action reads its value of the cycle before, which the cycle may overwrite before.
     pub read_by_actions: bool,

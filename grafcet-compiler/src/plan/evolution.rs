@@ -17,7 +17,7 @@ pub struct Evolution {
     pub exclusive: Vec<bool>,
     /// `sfc`: transitions that compete for source steps of an AND-convergence, in source order (A28).
     pub contests: Vec<Vec<TransitionId>>,
-    /// Steps that may be activated and left in the same evolution: they are entered behind everything else.
+    /// Steps that may be activated and left in the same evolution: they are entered after everything else.
     pub entered_last: Set<StepId>,
 }
 

@@ -16,7 +16,7 @@ pub(super) type UsedEdge = (EdgeId, bool, bool);
 pub struct Memory {
     /// Variables; a combinational one is computed from the situation and not remembered.
     pub vars: Vec<VarId>,
-    /// Variables computed from the situation, each behind those it reads (A22).
+    /// Variables computed from the situation, each after those it reads (A22).
     pub combinational: Vec<VarId>,
     /// Outputs that are remembered, in order of declaration.
     pub stored: Vec<OutputId>,
@@ -41,7 +41,7 @@ pub struct Memory {
     pub blinking: Set<StepId>,
     /// Edges, each with whether its rising and its falling side are used.
     pub edges: Vec<UsedEdge>,
-    /// `sfc`: the same of those that actions look at and an evolution changes: they are sampled behind it.
+    /// `sfc`: the same of those that actions look at and an evolution changes: they are sampled after it.
     pub late_edges: Vec<UsedEdge>,
     /// `grafcet`: edges of what stands still in a search, sampled once in front of it: its first evolution sees them (A2).
     pub still_edges: Vec<EdgeId>,
@@ -105,7 +105,7 @@ impl Memory {
     }
 }
 
-/// The edges that are sampled in front of an evolution, and those sampled behind it. What an evolution does not change is the
+/// The edges that are sampled in front of an evolution, and those sampled after it. What an evolution does not change is the
 /// same to both.
 fn edges(model: &Model, all: &Set<Read>) -> (Vec<UsedEdge>, Vec<UsedEdge>) {
     let mut acting: Set<Read> = Set::new();
@@ -113,7 +113,7 @@ fn edges(model: &Model, all: &Set<Read>) -> (Vec<UsedEdge>, Vec<UsedEdge>) {
     acting.extend(model.associations.values().flat_map(Association::reads).flatten().copied());
     others.extend(model.transitions.values().flat_map(|transition| &transition.condition.reads).copied());
     others.extend(model.delays.values().flat_map(|delay| &delay.of.reads).copied());
-    // An edge of an edge comes behind it.
+    // An edge of an edge comes after it.
     let looks = |reads: &Set<Read>, id: EdgeId| reads.contains(&Read::Rising(id)) || reads.contains(&Read::Falling(id));
     for (id, edge) in model.edges.iter().rev() {
         if looks(&acting, id) {

@@ -1,4 +1,4 @@
-//! Parallel branches within one another, so that an evolution can change the regions in place, one behind the other.
+//! Parallel branches within one another, so that an evolution can change the regions in place, one after the other.
 //!
 //! Where a transition that forks or joins clears, nothing else in the regions it touches can: they are tested first, and
 //! the branches inside only where none of them clears. So no region is changed before all that look at its state have done so.

@@ -253,7 +253,7 @@ fn is_long(model: &Model, plan: &Known<'_>) -> bool {
 }
 
 /// Whether a few steps of a long sequence wait for something that no other one waits for. LLVM copies the actions of such a step
-/// behind its test, unless a table says which test it is. The table costs a byte a step and four instructions a cycle: with one such
+/// after its test, unless a table says which test it is. The table costs a byte a step and four instructions a cycle: with one such
 /// step in five it saved an eighth of the flash (Seq64), with one in four half of that, with nearly each other one none.
 fn copies_few(model: &Model, evolution: &Evolution) -> bool {
     let (mut alone, mut shared) = (0, Map::<Tree, usize>::new());

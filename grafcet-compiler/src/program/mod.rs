@@ -130,7 +130,7 @@ pub enum Type<'m> {
 #[derive(Clone, Copy)]
 pub enum Initial<'m> {
     Value(Value),
-    /// The constant behind `=`.
+    /// The constant after `=`.
     Constant(&'m Written),
     /// `Default` of a declared type.
     Default,
@@ -180,7 +180,7 @@ pub enum Statement<'m> {
     Run(Box<Run<'m>>),
     Call(ActionId, Expr<'m>, Vec<Expr<'m>>),
     Mark(Mark),
-    /// Keeps the optimiser behind from moving code across it.
+    /// Keeps the optimiser after from moving code across it.
     Fence,
 }
 

@@ -143,7 +143,7 @@ fn covered(shape: &Shape) -> Vec<(Square, What)> {
     }
 }
 
-/// Frames stand apart, inside a sheet, or share an edge; and no line goes through one but the one behind a qualifier.
+/// Frames stand apart, inside a sheet, or share an edge; and no line goes through one but the one after a qualifier.
 fn frames(drawing: &Drawing) -> Vec<String> {
     let mut problems = Vec::new();
     let frames = drawing.shapes.iter().filter_map(|shape| match shape {

@@ -19,7 +19,7 @@ fn with_fragments(text: &str, fragment: &dyn Fn(TokenStream) -> TokenStream) -> 
             match tree {
                 TokenTree::Ident(mark) if mark == "__" => match tokens.next() {
                     Some(TokenTree::Group(group)) => out.extend(fragment(level(group.stream(), fragment))),
-                    _ => panic!("braces behind the mark"),
+                    _ => panic!("braces after the mark"),
                 },
                 TokenTree::Group(group) => {
                     out.extend([TokenTree::from(Group::new(group.delimiter(), level(group.stream(), fragment)))]);

@@ -1,4 +1,4 @@
-//! The parser: every form of the language, every message, recovery behind mistakes, hostile sizes.
+//! The parser: every form of the language, every message, recovery after mistakes, hostile sizes.
 
 mod forms;
 mod fragments;

@@ -38,8 +38,8 @@ fn headers() {
         ("sfc { }", "{", "expected the name of the chart", false),
         ("sfc match { }", "match", "`match` is a keyword of Rust", false),
         ("sfc _ { }", "_", "`_` is a keyword of Rust", false),
-        ("sfc Motor", "Motor", "expected `{` behind the name", false),
-        ("sfc Motor; step A;", ";", "expected `{` behind the name", false),
+        ("sfc Motor", "Motor", "expected `{` after the name", false),
+        ("sfc Motor; step A;", ";", "expected `{` after the name", false),
         ("sfc Motor<T> { }", "<", "no generic parameters", false),
         ("pub(in a b) sfc Motor { }", "b", "unexpected token", false),
         ("sfc Motor { } pub sfc Other { }", "pub", "one chart", true),
@@ -67,7 +67,7 @@ fn declarations() {
     in_chart(&[
         ("input a, b bool;", "bool", "expected `:` and a type, as in `input a, b: bool;`"),
         ("input ;", ";", "expected a name"),
-        ("input a,: bool;", ":", "expected a name behind `,`"),
+        ("input a,: bool;", ":", "expected a name after `,`"),
         ("input a: ;", ";", "expected a type"),
         ("var a = 0;", "=", "expected `:` and a type"),
         ("var a: u16 := 0;", ":", "not `:=`"),
@@ -165,7 +165,7 @@ fn associations() {
         ("sd 5s q;", "sd", "write `SD`"),
         ("X 5s q;", "X", "no qualifier"),
         ("run { x() }", "run", "no qualifier"),
-        ("L q;", "L", "needs two things behind it, a time and its target: `L 5s q;`"),
+        ("L q;", "L", "needs two things after it, a time and its target: `L 5s q;`"),
         ("L q = true;", "L", "needs a time"),
         ("SD heat(80);", "SD", "needs a time"),
         ("DS q if a;", "DS", "needs a time"),
@@ -197,7 +197,7 @@ fn associations() {
         ("on { x() }", "{", "expected an event"),
         ("on rising(a) ;", "on rising(a)", "acts on nothing"),
         ("{ x() }", "{", "a block has a qualifier"),
-        ("if a { x() }", "if", "the condition stands behind the action"),
+        ("if a { x() }", "if", "the condition stands after the action"),
         ("P1 { let; }", ";", "expected"),
         (";", ";", "ends nothing"),
         ("q", "q", "`;` is missing"),
@@ -212,7 +212,7 @@ fn associations() {
         ("force G {A, INIT};", "INIT", "stands alone"),
         ("force G {A B};", "B", "expected `,`"),
         ("force G::H {};", ":", "expected the situation"),
-        ("A -[x]-> B;", "A", "transitions stand behind the steps"),
+        ("A -[x]-> B;", "A", "transitions stand after the steps"),
         ("input a: bool;", "input", "declarations stand in front of the steps"),
         ("step B { }", "step", "beside this step, not in it"),
         ("Step B { }", "Step", "a step cannot stand in a step"),
@@ -228,7 +228,7 @@ fn chains() {
         ("A -[x] B;", "-[x]", "the head of this arrow is missing"),
         ("A -[x]> B;", ">", "`-[x]->`"),
         ("A [x]-> B;", "[", "in front of this `-` is missing"),
-        ("A ->[x] B;", "->", "stands behind its condition"),
+        ("A ->[x] B;", "->", "stands after its condition"),
         ("A -x-> B;", "-x->", "stands in brackets: `-[x]->`"),
         ("A -x && !y-> B;", "-x && !y->", "stands in brackets"),
         ("A -(x)-> B;", "-(x)->", "stands in brackets"),
@@ -256,7 +256,7 @@ fn chains() {
 fn conditions() {
     let condition = |cases: &[(&str, &str, &str)]| check("sfc C { A -[", "]-> B; }", cases);
     condition(&[
-        ("x y", "y", "expected `]` behind the condition"),
+        ("x y", "y", "expected `]` after the condition"),
         ("x, y", ",", "combined with `&&` or `||`"),
         ("x;", ";", "ends with its bracket"),
         ("x AND y", "AND", "`AND` is written `&&`"),
@@ -317,7 +317,7 @@ fn attributes() {
         ("#![allow(dead_code)]", "#![allow(dead_code)]", "only the levels of rules"),
         ("#![doc = \"x\"]", "#![doc = \"x\"]", "only the levels of rules"),
         ("#![cfg(x)]", "#![cfg(x)]", "on the whole macro call"),
-        ("step A; #[doc(hidden)]", "}", "expected an item behind its attributes"),
+        ("step A; #[doc(hidden)]", "}", "expected an item after its attributes"),
     ]);
 }
 

@@ -1,4 +1,4 @@
-//! Behind a mistake the parser goes on: all mistakes of a chart in one run, in source order, and nothing else lost.
+//! After a mistake the parser goes on: all mistakes of a chart in one run, in source order, and nothing else lost.
 
 use crate::{run, show};
 

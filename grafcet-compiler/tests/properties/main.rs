@@ -13,7 +13,7 @@ fn holds(chart: &str) {
     assert_eq!(said(chart), Vec::<String>::new(), "{chart}");
 }
 
-/// The only thing that is wrong with the chart; returned are the lines of its message behind the first.
+/// The only thing that is wrong with the chart; returned are the lines of its message after the first.
 fn fails(chart: &str, rule: &str, word: &str) -> Vec<String> {
     let said = said(chart);
     let [one] = &said[..] else { panic!("{chart}: {said:#?}") };

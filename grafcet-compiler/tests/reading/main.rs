@@ -284,7 +284,7 @@ fn what_is_drawn_wrongly_is_seen() {
     assert!([dots, gaps, numbers, anys].iter().all(|count| *count > 10), "{found}");
 }
 
-/// Double lines without their gaps of ten pixels: what begins so far behind the end of another in the same row goes on.
+/// Double lines without their gaps of ten pixels: what begins so far after the end of another in the same row goes on.
 fn closed(svg: &str) -> String {
     let level = |piece: &str| -> Option<[i32; 3]> {
         let (x, rest) = piece.split_once(' ')?;

@@ -49,7 +49,7 @@ pub(crate) struct Piece {
     pub(crate) ends: Vec<End>,
     /// It has the head of an arrow that points up.
     pub(crate) arrow: bool,
-    /// The numbers at its branches, with the ends behind each.
+    /// The numbers at its branches, with the ends after each.
     pub(crate) ranks: Vec<(usize, Vec<End>)>,
 }
 

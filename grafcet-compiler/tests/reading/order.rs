@@ -61,7 +61,7 @@ fn initial_steps_are_on_top() {
     crate::none(said);
 }
 
-/// A sequence with ways aside, which are written before it or behind it, of steps that are declared in any order.
+/// A sequence with ways aside, which are written before it or after it, of steps that are declared in any order.
 fn aside(seed: u64) -> String {
     let mut rng = Rng::new(seed);
     let count = rng.between(4, 9);

@@ -87,7 +87,7 @@ pub struct Action<'a> {
     pub qualifier: &'a str,
     /// The time of the qualifier: `5s`.
     pub time: &'a str,
-    /// The condition behind `if`, or the event of `on`.
+    /// The condition after `if`, or the event of `on`.
     pub condition: &'a str,
     /// `relay`, `heat(80)`, `count = count + 1`
     pub text: &'a str,
@@ -102,7 +102,7 @@ pub struct Transition<'a> {
     pub sources: &'a [usize],
     /// What an `any` leaves; none for all other transitions.
     pub any: Option<Any<'a>>,
-    /// The steps behind it; none for a sink transition.
+    /// The steps after it; none for a sink transition.
     pub targets: &'a [usize],
     /// The transition condition as it stands in the source.
     pub condition: &'a str,

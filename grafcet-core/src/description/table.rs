@@ -19,7 +19,7 @@ pub const LINKED: Number = 2;
 /// zero; how many actions and how many forcing orders it has.
 const STEP: usize = 5;
 
-/// How many numbers describe a transition: how many steps stand before it and behind it, how many actions it has.
+/// How many numbers describe a transition: how many steps stand before it and after it, how many actions it has.
 const TRANSITION: usize = 3;
 
 /// So many associations, of four texts each.
@@ -61,7 +61,7 @@ pub const fn steps<'a, const N: usize>(
 }
 
 /// So many transitions: name and condition, three numbers of each, see `TRANSITION`, and what belongs to them, one after the
-/// other: the steps before and behind, and the actions.
+/// other: the steps before and after, and the actions.
 #[must_use]
 pub const fn transitions<'a, const N: usize>(
     texts: &'a [&'a str],

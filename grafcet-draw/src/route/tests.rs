@@ -43,7 +43,7 @@ fn nets_that_hold_each_other_in_a_circle_do_not_touch() {
     assert_eq!(two.nets.iter().filter(|net| net.bend.is_some()).count(), 1);
     let three = rows(vec![(vec![0], vec![4, 8]), (vec![4], vec![10]), (vec![10], vec![0, 2])]);
     assert_eq!(shared(&three), Vec::<String>::new());
-    assert_eq!(rows(vec![(vec![0], vec![4]), (vec![4], vec![8])]).nets[0].bend, None, "one behind the other");
+    assert_eq!(rows(vec![(vec![0], vec![4]), (vec![4], vec![8])]).nets[0].bend, None, "one after the other");
 }
 
 /// From every place at most one line comes down, and to every place at most one goes down, as between two layers.

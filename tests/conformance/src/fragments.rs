@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-/// The letter behind `frag_`, and what `macro_rules!` calls it.
+/// The letter after `frag_`, and what `macro_rules!` calls it.
 const KINDS: [(char, &str); 4] = [('e', "expr"), ('t', "ty"), ('l', "literal"), ('b', "block")];
 
 /// Where one stands in a text.

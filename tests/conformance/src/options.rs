@@ -10,7 +10,7 @@ conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with
   --cycles   cycles of each chart (default 500)
   --seed     which charts (default 1)
   --with     only charts with something that the table below a report names so
-  --number   begins with the chart of this number, as the report gives it behind `s` or `g`
+  --number   begins with the chart of this number, as the report gives it after `s` or `g`
   --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
   --least    it is an error if fewer charts of a small kind are compared, or half as many of what large charts have (default 0)
   --folder   where the crates are written and built (default: in the target folder)

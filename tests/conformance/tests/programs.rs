@@ -218,7 +218,7 @@ fn programs_are_as_recorded() {
     recorded(&root.join("tests/golden/program/flags.txt"), &program.to_string());
 }
 
-/// A small chart for each pass: its program in front of it and behind it, as pseudo-code.
+/// A small chart for each pass: its program in front of it and after it, as pseudo-code.
 #[test]
 fn each_pass_is_as_recorded() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden/passes");
@@ -246,7 +246,7 @@ fn each_pass_is_as_recorded() {
     ] {
         let model = read(chart);
         let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
-        // The passes behind `Split` are read without what the last ones take away.
+        // The passes after `Split` are read without what the last ones take away.
         let tidy =
             if [Pass::Known, Pass::Join, Pass::Search, Pass::Hoist].contains(&pass) { &[Pass::Dead][..] } else { &[] };
         let before = optimised(&model, Encoding::Regions, &[&Pass::ALL[..at], tidy].concat()).expect("a program");

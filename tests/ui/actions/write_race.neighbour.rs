@@ -32,7 +32,7 @@ grafcet! {
     }
 }
 
-// One behind the other, and what the action control combines.
+// One after the other, and what the action control combines.
 grafcet! {
     sfc Parallel {
         #![deny(grafcet::write_race)]

@@ -12,7 +12,7 @@ grafcet! {
     }
 }
 
-// Whoever waits for its own step waits for nothing, and a branch behind it is not reported beside it.
+// Whoever waits for its own step waits for nothing, and a branch after it is not reported beside it.
 grafcet! {
     sfc Door {
         input open, shut: bool;

@@ -1,4 +1,4 @@
-//! What stands behind `in` is the whole enum: what is missing, or does not exist, is found at its name.
+//! What stands after `in` is the whole enum: what is missing, or does not exist, is found at its name.
 
 use grafcet::grafcet;
 

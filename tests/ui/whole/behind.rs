@@ -1,4 +1,4 @@
-//! What is refused hides no mistake elsewhere in the same item: a condition none in the actions on clearing behind it, one action
+//! What is refused hides no mistake elsewhere in the same item: a condition none in the actions on clearing after it, one action
 //! none in the next, one line of a step none in the others.
 use grafcet::grafcet;
 

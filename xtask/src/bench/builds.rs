@@ -144,7 +144,7 @@ impl Project {
         self.timed_check("0")
     }
 
-    /// The same of small charts behind an edit, with all that an earlier check has left.
+    /// The same of small charts after an edit, with all that an earlier check has left.
     fn small(&self) -> Result<f64> {
         let charts = small_charts(self.name);
         self.write(&charts)?;

@@ -30,7 +30,7 @@ const TARGETS: [&str; 2] = ["thumbv7m-none-eabi", "thumbv6m-none-eabi"];
 /// Who wrote the charts, by their features in `benches`. The first is compared with the others.
 const AUTHORS: [&str; 7] = ["generated", "hand", "c", "smlang", "statig", "flags", "tables"];
 
-/// Of [`AUTHORS`], the last that competes: what comes behind is only there to be compared with.
+/// Of [`AUTHORS`], the last that competes: what comes after is only there to be compared with.
 const RIVALS: usize = 4;
 
 /// The place among them of C with tables, which is shown for orientation.

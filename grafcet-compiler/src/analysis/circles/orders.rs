@@ -37,7 +37,7 @@ impl Circles<'_> {
         true
     }
 
-    /// Whether the transition can clear behind the first evolution of a cycle. It cannot if it waits for inputs alone:
+    /// Whether the transition can clear after the first evolution of a cycle. It cannot if it waits for inputs alone:
     /// where it is enabled when the cycle begins, it clears at once, and what enables it leaves its condition false.
     fn can_follow(&self, id: TransitionId) -> bool {
         let view = Node::default();

@@ -157,7 +157,7 @@ impl<'r, 'm> Run<'r, 'm> {
         rests
     }
 
-    /// The situation behind an evolution; `None` if nothing changes (A25).
+    /// The situation after an evolution; `None` if nothing changes (A25).
     fn clear(&self, at: usize, cleared: Vec<TransitionId>, goals: Goals) -> Option<Node> {
         let (transitions, node) = (&self.circles.model.transitions, &self.nodes[at]);
         let steps = |pick: fn(&crate::model::Transition) -> &Vec<StepId>| {

@@ -1,4 +1,4 @@
-//! What the conditions are in the evolutions behind the first one of a cycle.
+//! What the conditions are in the evolutions after the first one of a cycle.
 
 use super::Circles;
 use super::run::Node;

@@ -114,7 +114,7 @@ fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
 }
 
 /// Whether a source transition, which nothing has to enable, may go on filling a chart in which what clears depends on what
-/// is active or stored: the steps behind it can then turn each other on and off.
+/// is active or stored: the steps after it can then turn each other on and off.
 fn is_refilled(model: &Model) -> bool {
     let varies = |read: &Read| match read {
         Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().any(|read| !is_constant_read(read)),
@@ -224,7 +224,7 @@ impl Tarjan {
         successors.after(id).into_iter().filter(|next| among.contains(next)).list()
     }
 
-    /// What was met behind the first one of a set and is still open belongs to it.
+    /// What was met after the first one of a set and is still open belongs to it.
     fn close(&mut self, first: TransitionId, successors: &mut Successors<'_>) {
         if self.order[first.index()] != Some(self.low[first.index()]) {
             return;

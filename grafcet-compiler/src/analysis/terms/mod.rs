@@ -41,7 +41,7 @@ pub(super) struct Demands {
     pub(super) differences: Vec<(usize, usize, Span)>,
 }
 
-/// Terms, each behind those that it is computed of.
+/// Terms, each after those that it is computed of.
 #[derive(Debug, Default)]
 pub(super) struct Terms {
     nodes: Vec<Node>,

@@ -201,7 +201,7 @@ impl Question<'_> {
             let near = |window: i128| if let Fit::Saturating(_) = fit { window.clamp(-1, 1) } else { window };
             let windows = windows(ty, exact).map(|(first, last)| (near(first), near(last)));
             let Some((first, last)) = windows.filter(|(first, last)| first < last) else { continue };
-            // Behind the one that comes first, the one around zero if that is among them.
+            // After the one that comes first, the one around zero if that is among them.
             let number = if first < 0 && last >= 0 { -1 } else { (first + last).div_euclid(2) };
             return Some((of, limits(ty).0 + ((number + 1) << ty.bits) - 1));
         }

@@ -26,7 +26,7 @@ impl<'m> Printer<'_, 'm> {
         self.expr(expr, Type::Bool).0
     }
 
-    /// The same behind `if`, where no struct may stand open.
+    /// The same after `if`, where no struct may stand open.
     pub(super) fn condition(&self, expr: &Expr<'m>) -> TokenStream {
         self.value(expr)
     }

@@ -3,7 +3,7 @@
 //! - `layout`: how each place is stored
 //! - `scope`: where each local is declared
 //! - `statement`, `expr`: what their names say
-//! - `user`: Rust of the user, behind bindings of what it reads
+//! - `user`: Rust of the user, after bindings of what it reads
 //! - `visit`: a walk through statements and expressions
 
 mod expr;

@@ -10,7 +10,7 @@ pub(super) struct Scope {
     pub(super) before: Vec<Vec<PlaceId>>,
     /// Whether a `Set` declares what it sets.
     pub(super) declares: Vec<bool>,
-    /// By place: whether it is written again behind its declaration.
+    /// By place: whether it is written again after its declaration.
     pub(super) mutable: Vec<bool>,
 }
 

@@ -1,4 +1,4 @@
-//! Rust of the user, with its own tokens, behind bindings of what it reads.
+//! Rust of the user, with its own tokens, after bindings of what it reads.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
@@ -31,7 +31,7 @@ impl<'m> Printer<'_, 'm> {
         behind(&self.bindings(&user.binds, &[], user.tree.is_opaque()), tokens)
     }
 
-    /// A block of the user: what it may write is a copy, which is taken over behind it.
+    /// A block of the user: what it may write is a copy, which is taken over after it.
     pub(super) fn run(&self, run: &Run<'m>) -> TokenStream {
         let mut tokens = run.code.tokens.clone();
         let written: Vec<Place> = run.writes.iter().map(|write| write.name).collect();

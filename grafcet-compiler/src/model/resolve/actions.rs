@@ -1,4 +1,4 @@
-//! Associations of steps with actions, and what stands behind their qualifiers.
+//! Associations of steps with actions, and what stands after their qualifiers.
 
 use proc_macro2::Ident;
 

@@ -52,7 +52,7 @@ impl Lower<'_, '_> {
             syn::Expr::Binary(both) if matches!(both.op, BinOp::Div(_)) => {
                 if let Some(Meaning::Step(_) | Meaning::Macro(_)) = self.meaning(&both.right) {
                     let (time, step) = (super::text::of(&both.left), super::text::of(&both.right));
-                    let message = format!("the step of a `blink` stands behind a comma: `blink({time}, {step})`");
+                    let message = format!("the step of a `blink` stands after a comma: `blink({time}, {step})`");
                     self.resolver.sink.notation(Mark::of(parts), message);
                     return None;
                 }
@@ -123,7 +123,7 @@ impl Lower<'_, '_> {
                 let (on, off) = (super::text::of(parts), super::text::of(step));
                 format!("the two parts of a period stand with a `/` between them: `blink({on}/{off})`")
             }
-            _ => "behind the times of a `blink` stands a step: `blink(500ms, Step)`".to_owned(),
+            _ => "after the times of a `blink` stands a step: `blink(500ms, Step)`".to_owned(),
         };
         self.resolver.sink.notation(Mark::of(step), message);
         None

@@ -299,7 +299,7 @@ impl Resolver<'_> {
             ),
             End::Target => (
                 &rules::SINK_TRANSITION,
-                "a transition of an `sfc` has a step behind it; name it, or write a `grafcet`, which has sink transitions",
+                "a transition of an `sfc` has a step after it; name it, or write a `grafcet`, which has sink transitions",
             ),
         };
         self.sink.rule(rule, &[], vec![(*mark, message.to_owned())]);
@@ -312,7 +312,7 @@ impl Resolver<'_> {
             End::Source => {
                 (&rules::SOURCE_TRANSITION, "no step stands in front of this transition; name it: `A -[x]-> …`")
             }
-            End::Target => (&rules::SINK_TRANSITION, "no step stands behind this transition; name it: `… -[x]-> A`"),
+            End::Target => (&rules::SINK_TRANSITION, "no step stands after this transition; name it: `… -[x]-> A`"),
         };
         let message = match (self.model.dialect, end) {
             (Dialect::Sfc, _) => message.to_owned(),
@@ -340,7 +340,7 @@ impl Resolver<'_> {
         for clearing in &transition.clearing {
             if self.model.dialect == Dialect::Sfc {
                 let message = "an `sfc` ties actions to steps, not to transitions (IEC 61131-3); \
-                               write the action behind `P1` in the step that follows";
+                               write the action after `P1` in the step that follows";
                 self.sink.rule(&rules::CLEARING_ACTION, &[], vec![(clearing.mark, message.to_owned())]);
             }
             let effect = self.effect(&clearing.target);

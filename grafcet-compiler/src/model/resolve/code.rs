@@ -1,4 +1,4 @@
-//! Rust blocks behind a qualifier, an event or `=>`.
+//! Rust blocks after a qualifier, an event or `=>`.
 
 use proc_macro2::Ident;
 use syn::punctuated::Punctuated;

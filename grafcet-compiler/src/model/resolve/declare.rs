@@ -82,7 +82,7 @@ impl Resolver<'_> {
         self.variants(decl, values, &ty(&decl.ty));
     }
 
-    /// The second pass over a declaration: what stands behind `=`.
+    /// The second pass over a declaration: what stands after `=`.
     pub(super) fn initial_value(&mut self, decl: &ast::Decl) {
         let Some(init) = &decl.init else { return };
         let init: Expr = expr::resolve(init, self);

@@ -94,7 +94,7 @@ impl Lower<'_, '_> {
 
     fn three_part_delay(&mut self, on: TimeRef, inner: &ExprBinary, last: &syn::Expr) -> DelayParts {
         let off = self.resolver.time_of(last).unwrap_or_else(|| {
-            let message = "behind the second `/` of a delay stands a time: `3s/e/2s`".to_owned();
+            let message = "after the second `/` of a delay stands a time: `3s/e/2s`".to_owned();
             self.resolver.sink.notation(Mark::of(last), message);
             TimeRef::Ticks(0)
         });
@@ -128,7 +128,7 @@ impl Lower<'_, '_> {
         self.replace(expr, read)
     }
 
-    /// `Step` or `Partial::Step` behind the first `/`; what else it may be is an expression.
+    /// `Step` or `Partial::Step` after the first `/`; what else it may be is an expression.
     fn delayed_step(&self, of: &syn::Expr) -> Option<Vec<Ident>> {
         let of = without_parentheses(of);
         let meaning = |name: &Ident| self.resolver.scope.get(name);

@@ -187,7 +187,7 @@ impl<'r, 's> Lower<'r, 's> {
                 Tree::Bool(true)
             }
             Some(Meaning::Action(_)) => {
-                let message = format!("`{name}` is an action; it can stand behind a qualifier, not in an expression");
+                let message = format!("`{name}` is an action; it can stand after a qualifier, not in an expression");
                 self.resolver.sink.notation(&name, message);
                 Tree::Bool(true)
             }

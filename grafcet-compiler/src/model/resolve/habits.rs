@@ -162,7 +162,7 @@ pub(super) fn delayed(name: &Ident, resolver: &Resolver<'_>) -> Option<String> {
     let numbered = || text.strip_prefix('X').is_some_and(|rest| !rest.is_empty() && is_number(rest));
     let from = || resolver.from.clone().filter(|_| numbered());
     let step = variable_of(&text, resolver).or_else(from)?;
-    Some(format!("no step is called `{name}`: behind `/` stands the step itself, `{step}`"))
+    Some(format!("no step is called `{name}`: after `/` stands the step itself, `{step}`"))
 }
 
 /// What a function block of IEC 61131-3 is here.

@@ -159,7 +159,7 @@ impl Resolver<'_> {
         names
     }
 
-    /// Reports a value that a `let` mentions and that is declared behind it; `false` if all is well.
+    /// Reports a value that a `let` mentions and that is declared after it; `false` if all is well.
     pub(super) fn is_later(&mut self, name: &Ident, value: Name) -> bool {
         let Some(id) = self.defining else { return false };
         let [inputs, outputs, vars, params] = self.lets[id.index()].before;
@@ -171,13 +171,13 @@ impl Resolver<'_> {
         };
         if later {
             let own = &self.model.lets[id].name;
-            let message = format!("`{name}` is declared behind `{own}`; declare it in front of this `let`");
+            let message = format!("`{name}` is declared after `{own}`; declare it in front of this `let`");
             self.sink.notation(name, message);
         }
         later
     }
 
-    /// Reports a name of a `let` that cannot be used here: itself, or one behind it.
+    /// Reports a name of a `let` that cannot be used here: itself, or one after it.
     fn is_ahead(&mut self, name: &Ident, id: LetId) -> bool {
         let Some(own) = self.defining.filter(|own| *own <= id) else { return false };
         let message = match (own == id, self.stands_for(id, own)) {
@@ -188,7 +188,7 @@ impl Resolver<'_> {
             }
             _ => {
                 let own = &self.model.lets[own].name;
-                format!("`{name}` is declared behind `{own}`; move it in front of this `let`")
+                format!("`{name}` is declared after `{own}`; move it in front of this `let`")
             }
         };
         self.sink.notation(name, message);

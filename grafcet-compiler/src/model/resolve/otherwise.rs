@@ -48,7 +48,7 @@ impl Resolver<'_> {
         branches
     }
 
-    /// Whether an `else` stands behind other branches and in front of none; else it is reported.
+    /// Whether an `else` stands after other branches and in front of none; else it is reported.
     fn is_last(&mut self, id: TransitionId, others: &[TransitionId]) -> bool {
         let mark = self.model.transitions[id].condition.mark;
         let steps = self.steps_text(id);
@@ -71,7 +71,7 @@ impl Resolver<'_> {
             Some(other) => {
                 let other = self.model.transition_text(&self.model.transitions[*other]);
                 let message = format!(
-                    "`else` is the last branch of {steps}, and {other} stands behind it; move this one to the end"
+                    "`else` is the last branch of {steps}, and {other} stands after it; move this one to the end"
                 );
                 self.sink.notation(mark, message);
             }

@@ -9,7 +9,7 @@ use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
 use crate::similar;
 use crate::sorted::Map;
 
-/// What a name in an expression or behind a qualifier means.
+/// What a name in an expression or after a qualifier means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Meaning {
     Value(Name),
@@ -168,7 +168,7 @@ impl Scope {
         sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
     }
 
-    /// Reports a name in an expression or behind a qualifier that is not declared.
+    /// Reports a name in an expression or after a qualifier that is not declared.
     pub(super) fn unknown_name(&self, name: &Ident, wanted: &str, sink: &mut Sink) {
         if self.is_broken(name) {
             return;

@@ -88,7 +88,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The time behind a qualifier.
+    /// The time after a qualifier.
     pub(super) fn time_arg(&mut self, time: &ast::TimeArg, qualifier: Option<Qualifier>) -> TimeRef {
         match time {
             ast::TimeArg::Literal(time)

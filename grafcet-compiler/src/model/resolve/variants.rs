@@ -14,7 +14,7 @@ use crate::ast::{self, DeclKind};
 use crate::model::{Binary, Name, Read, Tree, Ty, Variants};
 
 impl Resolver<'_> {
-    /// Takes down what stands behind `in` of a declaration.
+    /// Takes down what stands after `in` of a declaration.
     pub(super) fn variants(&mut self, decl: &ast::Decl, names: Vec<Name>, ty: &Ty) {
         let Some(variants) = &decl.variants else { return };
         if decl.kind == DeclKind::Output {

@@ -364,7 +364,7 @@ fn is_held(association: &Association) -> bool {
     matches!(association.qualifier, Qualifier::N | Qualifier::L | Qualifier::D)
 }
 
-/// An output assigned behind another qualifier than N is written, not assigned in the sense of A35.
+/// An output assigned after another qualifier than N is written, not assigned in the sense of A35.
 fn what(association: &Association) -> What {
     match &association.effect {
         Effect::Control(place) => What::Place(*place),

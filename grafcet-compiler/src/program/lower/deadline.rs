@@ -11,7 +11,7 @@ use crate::sorted::Set;
 enum Change {
     /// At the time itself.
     At(TimeRef),
-    /// One tick behind it.
+    /// One tick after it.
     Behind(TimeRef),
     /// At the ends of both parts of a period.
     Blink(u32, u32),

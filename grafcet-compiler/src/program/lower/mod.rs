@@ -83,7 +83,7 @@ struct Lower<'r, 'm> {
     model: &'m Model,
     regions: &'r Regions,
     initial: Set<StepId>,
-    /// The partial grafcets, each behind those that act on it.
+    /// The partial grafcets, each after those that act on it.
     partials: Vec<PartialId>,
     places: Vec<PlaceInfo<'m>>,
     first: PlaceId,

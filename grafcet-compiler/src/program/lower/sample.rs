@@ -1,4 +1,4 @@
-//! What is sampled: edges, delays (A36) and combinational variables (A22), each behind those it reads.
+//! What is sampled: edges, delays (A36) and combinational variables (A22), each after those it reads.
 
 use super::Lower;
 use super::view::Moment;
@@ -102,7 +102,7 @@ impl<'m> Lower<'_, 'm> {
         }
     }
 
-    /// Puts a sample behind those it reads.
+    /// Puts a sample after those it reads.
     fn visit(&self, sample: Sample, seen: &mut Set<Sample>, order: &mut Vec<Sample>) {
         if !seen.insert(sample) {
             return;

@@ -39,7 +39,7 @@ impl<'m> Lower<'_, 'm> {
         Stored { next, due: Vec::new(), calls: Vec::new() }
     }
 
-    /// What the stored actions write, and the calls behind them; all in source order, those of transitions last.
+    /// What the stored actions write, and the calls after them; all in source order, those of transitions last.
     pub(super) fn stored_actions(&mut self, stored: &mut Stored<'m>) -> (Vec<Statement<'m>>, Vec<Statement<'m>>) {
         let model = self.model;
         let mut body = begin(stored);

@@ -38,7 +38,7 @@ impl<'m> Lower<'_, 'm> {
         Expr::User(Box::new(User { tokens, tree, binds }))
     }
 
-    /// The condition behind `if`, if there is one.
+    /// The condition after `if`, if there is one.
     pub(super) fn condition(&self, condition: Option<&'m Written>, moment: Moment) -> Expr<'m> {
         condition.map_or_else(yes, |condition| self.user(condition, moment))
     }

@@ -1,4 +1,4 @@
-//! Where a cycle in one state depends on what is not known, and the next state does not: both ways are followed, and behind them is known
+//! Where a cycle in one state depends on what is not known, and the next state does not: both ways are followed, and after them is known
 //! what they agree on.
 
 use super::super::build::not;

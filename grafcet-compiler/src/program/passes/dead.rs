@@ -127,7 +127,7 @@ impl Uses {
 
 /// What is read later on: the places that differ from what is so at the end.
 pub(super) struct Live<'l> {
-    /// By place: whether it is read behind the end, in the next cycle or from outside.
+    /// By place: whether it is read after the end, in the next cycle or from outside.
     pub(super) base: &'l [bool],
     pub(super) flips: Set<PlaceId>,
     /// The same where a loop is left.
@@ -174,7 +174,7 @@ impl Live<'_> {
         *statements = kept;
     }
 
-    /// A round of a loop reads what the one before has written; behind the loop is where it is left.
+    /// A round of a loop reads what the one before has written; after the loop is where it is left.
     pub(super) fn rounds(&mut self, body: &mut Vec<Statement<'_>>) {
         let behind = self.flips.clone();
         let outside = std::mem::replace(&mut self.left, behind);

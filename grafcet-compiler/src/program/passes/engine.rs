@@ -31,10 +31,10 @@ pub(super) enum End<'m> {
     Leaf(Leaf<'m>),
 }
 
-/// The end of a way: what is done behind its last fork.
+/// The end of a way: what is done after its last fork.
 pub(super) struct Leaf<'m> {
     pub(super) body: Vec<Statement<'m>>,
-    /// The state behind it.
+    /// The state after it.
     pub(super) state: Value,
     /// What is known then of the fields.
     pub(super) facts: Vec<Fact>,

@@ -6,7 +6,7 @@
 //! lamp = q.lamp
 //! ```
 //!
-//! Needs: it is read once behind it, or costs nothing; nothing in between writes what it reads; it can be asked later as well. What is
+//! Needs: it is read once after it, or costs nothing; nothing in between writes what it reads; it can be asked later as well. What is
 //! then not read any more falls to `dead`.
 
 use super::super::{Expr, PlaceId, Program, Statement};
@@ -18,7 +18,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     block(&closed, &mut program.cycle);
 }
 
-/// By place: a local, and all that reads it stands behind a statement that has set it in the same cycle.
+/// By place: a local, and all that reads it stands after a statement that has set it in the same cycle.
 fn closed(program: &Program<'_>) -> Vec<bool> {
     let mut closed: Vec<bool> = program.places.iter().map(|place| !place.is_field && !is_seen(place)).collect();
     let mut set = vec![false; program.places.len()];

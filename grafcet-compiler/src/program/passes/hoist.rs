@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The arm of the first cycle need not do it: fields have their initial values then, and are given them back. Needs: in each other arm what
-//! stands in front may be done behind it; it does not write what is matched on.
+//! stands in front may be done after it; it does not write what is matched on.
 
 use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::fold::initial;

@@ -4,8 +4,8 @@
 //! - `marks`: what observers are told, where nobody observes
 //! - `apart`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
-//! - `split`: one match on the state before, one on the state behind; what fields hold in each state
-//! - `search`: the same in the loop of a `grafcet`, and behind it
+//! - `split`: one match on the state before, one on the state after; what fields hold in each state
+//! - `search`: the same in the loop of a `grafcet`, and after it
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at

@@ -1,4 +1,4 @@
-//! The search of a `grafcet` for stability: in the loop one match on the state, behind it one for what is done in the state that was
+//! The search of a `grafcet` for stability: in the loop one match on the state, after it one for what is done in the state that was
 //! found.
 //!
 //! ```text
@@ -170,7 +170,7 @@ impl<'m> Search<'m> {
         if begun { Ok((trees, ends)) } else { Err(Lost) }
     }
 
-    /// What is done behind the loop, by the state in which it was left.
+    /// What is done after the loop, by the state in which it was left.
     fn acts(
         &self,
         program: &Program<'m>,
@@ -234,7 +234,7 @@ fn live<'m>(program: &Program<'m>, body: &[Statement<'m>], behind: &[Statement<'
     live.flips
 }
 
-/// By place: whether it is read behind the end of the cycle.
+/// By place: whether it is read after the end of the cycle.
 fn base(program: &Program<'_>) -> Vec<bool> {
     let mut base = needed(program);
     for (needed, place) in base.iter_mut().zip(&program.places) {

@@ -65,7 +65,7 @@ impl View {
         Self { effects, taken: vec![false; list.len()], end: list.len() }
     }
 
-    /// The last place of a statement, if what stays behind it can be done before it.
+    /// The last place of a statement, if what stays after it can be done before it.
     fn find(&self, list: &[Statement<'_>], statement: &Statement<'_>) -> Option<usize> {
         let at = list[..self.end].iter().rposition(|other| same_statement(other, statement))?;
         let stays = |behind: usize| self.taken[behind] || self.effects[at].may_swap(&self.effects[behind]);

@@ -74,7 +74,7 @@ impl Points {
     }
 }
 
-/// Where something matters: by the state before the evolution, and by that behind it.
+/// Where something matters: by the state before the evolution, and by that after it.
 #[derive(Clone)]
 pub(super) struct Support {
     pub(super) before: Points,
@@ -115,7 +115,7 @@ pub(super) struct Index {
     pub(super) always: Vec<usize>,
     pub(super) before: Vec<Vec<usize>>,
     pub(super) after: Vec<Vec<usize>>,
-    /// The state is not written behind this statement.
+    /// The state is not written after this statement.
     pub(super) last: usize,
     /// By place: a truth that can only be true in some states, set on the way to the next state.
     pub(super) forks: Vec<bool>,
@@ -297,7 +297,7 @@ impl<'s, 'm> Sparse<'s, 'm> {
                 let mut all = Support::all();
                 for part in parts {
                     all = all.and(&self.holds(part));
-                    // What stands behind does not keep it from being asked.
+                    // What stands after does not keep it from being asked.
                     if !is_pure(part) {
                         break;
                     }

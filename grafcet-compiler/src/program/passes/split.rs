@@ -1,4 +1,4 @@
-//! One match on the state, whose paths end in constant states, and one for what is done in the state behind it.
+//! One match on the state, whose paths end in constant states, and one for what is done in the state after it.
 //!
 //! ```text
 //! clears.Off→On = was.state is Off && on       match state
@@ -11,7 +11,7 @@
 //!
 //! The cycle is evaluated for each value that the state may have before it (`engine`), and the first cycle is one of them, which costs no
 //! field. A condition forks the way where the next state depends on it. What ways to one state have in common at their ends is done
-//! behind them, by that state (`share`); what depends on how the state was entered stays on the way.
+//! after them, by that state (`share`); what depends on how the state was entered stays on the way.
 //!
 //! With `known`, what fields hold in each state is followed over the cycles, until nothing changes.
 //!
@@ -35,7 +35,7 @@ const WAYS: usize = 2_000;
 pub(super) struct Options {
     /// What fields hold in each state is followed.
     pub(super) known: bool,
-    /// What ways to one state have in common is done behind them.
+    /// What ways to one state have in common is done after them.
     pub(super) join: bool,
 }
 
@@ -181,7 +181,7 @@ impl Split {
         Statement::Match(self.state, arms, Vec::new())
     }
 
-    /// What is done behind the ways, by the state that they lead to, and what is done in each.
+    /// What is done after the ways, by the state that they lead to, and what is done in each.
     fn join<'m>(&self, trees: &mut [Option<Tree<'m>>]) -> (Vec<Arm<'m>>, Vec<Statement<'m>>) {
         let mut leaves: Vec<Vec<&mut Vec<Statement<'m>>>> = Vec::new();
         leaves.resize_with(self.points.all.len(), Vec::new);

@@ -293,7 +293,7 @@ impl<'m> Running<'_, 'm> {
     }
 }
 
-/// What stands behind `=` in a declaration.
+/// What stands after `=` in a declaration.
 fn constant<'m>(
     program: &Program<'m>,
     expr: &Written,

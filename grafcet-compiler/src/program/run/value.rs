@@ -177,7 +177,7 @@ fn integers(operator: Binary, a: i128, b: i128, left: Option<Width>, right: Opti
         Binary::Sub => a.checked_sub(b),
         Binary::Mul => a.checked_mul(b),
         Binary::Div => a.checked_div(b),
-        // The division behind it overflows where it does.
+        // The division after it overflows where it does.
         Binary::Rem => fitting(a.checked_div(b), width, "remainder").ok().and(a.checked_rem(b)),
         Binary::BitAnd => Some(a & b),
         Binary::BitOr => Some(a | b),

@@ -9,7 +9,7 @@ use words::{LITERALS, OPERATORS, SEEDS, WORDS};
 
 mod words;
 
-/// The bytes that decide; behind their end everything is zero.
+/// The bytes that decide; after their end everything is zero.
 struct Bytes<'a>(&'a [u8]);
 
 impl Bytes<'_> {

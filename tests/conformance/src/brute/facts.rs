@@ -104,7 +104,7 @@ fn assumed(model: &Model) -> Vec<&Tree> {
     model.assumptions.iter().map(|assumption| &assumption.never.tree).collect()
 }
 
-/// The places to which two stored actions behind S, R, P1 or P0 give different values in one evolution of a `grafcet`.
+/// The places to which two stored actions after S, R, P1 or P0 give different values in one evolution of a `grafcet`.
 #[must_use]
 pub(super) fn races(model: &Model, graph: &Graph) -> BTreeSet<Place> {
     let mut races = BTreeSet::new();

@@ -33,7 +33,7 @@ pub struct State {
 
 /// One cycle.
 pub struct Edge {
-    /// The state behind it.
+    /// The state after it.
     pub to: usize,
     /// Its evolutions; in `grafcet` the last one has not taken place.
     pub evolutions: Vec<Evolution>,

@@ -19,7 +19,7 @@ pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec
     for step in model.steps.ids() {
         let Some(activation) = explored.unsafe_step(step) else { continue };
         let name = &model.steps[step].name;
-        // The way may end in the middle of a cycle, behind the evolution that activates the step.
+        // The way may end in the middle of a cycle, after the evolution that activates the step.
         let activates = |edge: &Edge, end: &PathCycle| {
             let mut entered = false;
             starts_with(edge.done(model), &end.cleared, &mut |evolution| entered |= enters(model, evolution, step))

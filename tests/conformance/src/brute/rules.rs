@@ -40,7 +40,7 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, exact: bool) -> Re
     // Where the drawing is wrong, nobody looks at how the chart evolves; an instable one has that to mend first.
     let evolves = ["several_initial_steps", "unstable"].iter().all(|rule| !rules.reported.contains(rule));
     if exact && evolves {
-        // What cannot go on or be reached is reported once, by one of the rules about it: behind a branch that always
+        // What cannot go on or be reached is reported once, by one of the rules about it: after a branch that always
         // holds that is `always_true`.
         let dead_ends = [
             "never_true",

@@ -125,7 +125,7 @@ fn deadlocks(piece: &Piece, model: &Model, graph: &Graph) -> BTreeSet<(PartialId
     here.filter(|steps| !steps.is_empty()).map(|steps| (piece.partial, steps)).collect()
 }
 
-/// The ends of cycles behind which something cannot come any more, where a piece is neither forced nor in a final step:
+/// The ends of cycles after which something cannot come any more, where a piece is neither forced nor in a final step:
 /// there it is meant to end.
 fn ends<'g>(piece: &Piece, model: &Model, graph: &'g Graph, hope: Vec<bool>) -> impl Iterator<Item = &'g State> {
     let finals: Vec<StepId> = piece.steps.iter().copied().filter(|step| model.steps[*step].is_final).collect();

@@ -20,7 +20,7 @@ pub(super) enum Target {
 
 /// The target of an association.
 ///
-/// Reading chosen: an output assigned behind another qualifier than N is written, not assigned in the sense of A35,
+/// Reading chosen: an output assigned after another qualifier than N is written, not assigned in the sense of A35,
 /// and so a target of its own like an assignment to a variable.
 pub(super) fn target_of(model: &Model, id: AssociationId) -> Target {
     let association = &model.associations[id];

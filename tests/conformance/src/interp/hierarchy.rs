@@ -8,7 +8,7 @@ use super::value::Error;
 use super::view::Situation;
 use grafcet_compiler::model::{AnyId, Force, ForceOrder, Model, Partial, PartialId, StepId, TransitionId};
 
-/// All partial grafcets, each behind those that enclose or may force it.
+/// All partial grafcets, each after those that enclose or may force it.
 pub(super) fn top_down(model: &Model) -> Result<Vec<PartialId>, Error> {
     let mut order = Vec::new();
     for id in model.partials.ids() {

@@ -128,7 +128,7 @@ fn blinks(model: &Model) -> bool {
     model.expressions().into_iter().flatten().any(|read| matches!(read, Read::Blink(_)))
 }
 
-/// The values behind `=`, or those of `Default`.
+/// The values after `=`, or those of `Default`.
 pub(super) fn constants<'m>(
     names: impl Iterator<Item = (&'m Ty, &'m Option<Expr>)>,
     model: &Model,

@@ -77,7 +77,7 @@ pub(super) fn sample_delays(
     Ok(outputs)
 }
 
-/// All delays, each behind those that its expression reads.
+/// All delays, each after those that its expression reads.
 fn innermost_first(model: &Model) -> Vec<DelayId> {
     let mut order = Order { model, seen: BTreeSet::new(), delays: Vec::new() };
     model.delays.ids().for_each(|id| order.read(Read::Delay(id)));

@@ -233,7 +233,7 @@ fn integers(operator: Binary, a: i128, b: i128, width: Option<Width>) -> Result<
         Binary::Sub => a.checked_sub(b),
         Binary::Mul => a.checked_mul(b),
         Binary::Div => a.checked_div(b),
-        // Rust refuses MIN % -1 as well: the division behind it overflows.
+        // Rust refuses MIN % -1 as well: the division after it overflows.
         Binary::Rem => int(a.checked_div(b), width, "Rem").ok().and(a.checked_rem(b)),
         Binary::BitAnd => Some(a & b),
         Binary::BitOr => Some(a | b),

@@ -210,7 +210,7 @@ impl Gen {
         format!("{};", self.assignment(value))
     }
 
-    /// What stands behind `=>` of a transition.
+    /// What stands after `=>` of a transition.
     pub(super) fn clearing(&mut self) -> Option<String> {
         let written = |value: &&Value| value.role == Role::Written;
         let values: Vec<Value> = self.names.values.iter().filter(written).cloned().collect();

@@ -51,7 +51,7 @@ impl Part {
         self.steps.iter().map(|step| step.name.clone()).collect()
     }
 
-    /// The steps that one more transition can leave: `else` stands behind all others.
+    /// The steps that one more transition can leave: `else` stands after all others.
     fn open(&self) -> Vec<String> {
         let last = |name: &String| self.arrows.iter().any(|arrow| arrow.whole && arrow.from.contains(name));
         self.names().into_iter().filter(|name| !last(name)).collect()

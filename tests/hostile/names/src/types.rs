@@ -179,7 +179,7 @@ fn runs() {
     let q = values.cycle(&inputs, &mut Silent);
     assert_eq!((q.shown, q.chosen, q.text), (Mode::Automatic, Mode::Automatic, ""));
     let q = values.cycle(&inputs, &mut Silent);
-    assert_eq!((q.power, q.copied, q.total), (3.0, [1; 4], 0), "`sum` is written behind `total`");
+    assert_eq!((q.power, q.copied, q.total), (3.0, [1; 4], 0), "`sum` is written after `total`");
     assert_eq!(values.cycle(&inputs, &mut Silent).total, (1 << 40) + 3);
 
     let mut stored = Stored::new();

@@ -1,4 +1,4 @@
-//! Rust in conditions and blocks where its grammar has corners: structs behind operators, functions as values, assignments
+//! Rust in conditions and blocks where its grammar has corners: structs after operators, functions as values, assignments
 //! to several places; and steps named with their partial grafcet.
 
 use grafcet::grafcet;
@@ -34,7 +34,7 @@ fn high(level: u16) -> bool {
 }
 
 grafcet! {
-    /// Structs behind operators, functions that are called, places that are swapped.
+    /// Structs after operators, functions that are called, places that are swapped.
     pub sfc Written {
         #![allow(grafcet::always_true)]
         input level: u16;
@@ -84,7 +84,7 @@ fn structs_functions_and_several_places() {
     assert_eq!((q.first, q.second, chart.situation()), (2, 1, WrittenStep::Swap));
     assert!(cycle(&mut chart, 11, false).late);
     let _ = cycle(&mut chart, 0, false);
-    // What a block reads of an output is what the cycle before returned, 2, also behind a block that has written it.
+    // What a block reads of an output is what the cycle before returned, 2, also after a block that has written it.
     let q = cycle(&mut chart, 11, true);
     assert_eq!((q.first, q.second, chart.situation()), (6, 2, WrittenStep::Swap));
 }

@@ -120,7 +120,7 @@ impl Links {
         self.group_of[atom].map_or(&[], |group| self.groups[group].atoms())
     }
 
-    /// The two atoms behind a difference in which a time has part.
+    /// The two atoms after a difference in which a time has part.
     pub(crate) fn times(&self, atom: usize) -> Option<(usize, usize)> {
         self.times.get(&atom).copied()
     }

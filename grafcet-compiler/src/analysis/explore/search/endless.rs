@@ -2,7 +2,7 @@
 //!
 //! A circle is entered where a transition clears in a stable situation and the search turns in it. It is a fault where
 //! none of its transitions ever begins a search that comes to rest, and neither does one that leads into it. What lies
-//! behind a search without end is not looked at.
+//! after a search without end is not looked at.
 
 use std::rc::Rc;
 

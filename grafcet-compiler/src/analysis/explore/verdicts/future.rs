@@ -152,7 +152,7 @@ pub(crate) fn ends(graph: &Graph, looked_at: &[bool]) -> Vec<usize> {
     ends.map(|(_, members)| members[0]).list()
 }
 
-/// The strongly connected groups of states (Tarjan), each behind those to which it leads; with an explicit stack.
+/// The strongly connected groups of states (Tarjan), each after those to which it leads; with an explicit stack.
 fn groups(graph: &Graph) -> (Vec<usize>, Vec<Vec<usize>>) {
     const NONE: usize = usize::MAX;
     let size = graph.states.len();

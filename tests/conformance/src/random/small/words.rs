@@ -2,7 +2,7 @@
 
 use super::Sketch;
 
-/// Named conditions, one used by the next, at transitions, behind `if`, in edges, delays, arguments and values.
+/// Named conditions, one used by the next, at transitions, after `if`, in edges, delays, arguments and values.
 pub(super) fn named(sketch: &mut Sketch) {
     sketch.declare("output s: bool;\nvar n: u8 = 0;\noutput m: u8;\naction f(x: bool);");
     let first = ["a || rising(b)", "rising(a) && !c", "falling(b)", "a && !b", "B.X && b", "A.T >= 2ms", "n > 1"];
