@@ -99,10 +99,10 @@ impl Ring {
             if is_grafcet && (1..=3).all(|which| case[which] == Some(true)) {
                 return None;
             }
-            for from in 0..3 {
-                if let Some(to) = after(case, from, is_grafcet) {
+            for (from, held) in holds.iter_mut().enumerate() {
+                if let Some(to) = after(*case, from, is_grafcet) {
                     ring.leads[from][to] = true;
-                    holds[from][to] |= case[4] == Some(true);
+                    held[to] |= case[4] == Some(true);
                 }
             }
         }
@@ -137,7 +137,7 @@ impl Ring {
 }
 
 /// Where a cycle ends; none where the program panics.
-fn after(case: &Case, from: usize, is_grafcet: bool) -> Option<usize> {
+fn after(case: Case, from: usize, is_grafcet: bool) -> Option<usize> {
     let mut at = from;
     while case[at + 1]? {
         at = (at + 1) % 3;
@@ -207,11 +207,11 @@ fn counts(dialect: &str, charts: usize) -> Counts {
         let chart = format!("{shared} home A; }}");
         let found = said(&chart);
         let has = |rule: &str| found.iter().any(|one| one.starts_with(rule));
-        let (surely, possibly) = (sure.ways_home(), possible.ways_home());
+        let (certain, maybe) = (sure.ways_home(), possible.ways_home());
         match (has("not_home"), has("property_undecided")) {
-            (true, false) => assert!((0..3).any(|end| sure.ends[end] && !possibly[end]), "{chart}\n{found:?}"),
+            (true, false) => assert!((0..3).any(|end| sure.ends[end] && !maybe[end]), "{chart}\n{found:?}"),
             // Wherever it can come to, it can go on without a panic.
-            (false, false) => assert!((0..3).all(|end| !possible.ends[end] || surely[end]), "{chart}\n{found:?}"),
+            (false, false) => assert!((0..3).all(|end| !possible.ends[end] || certain[end]), "{chart}\n{found:?}"),
             _ if is_clear => counts.given_up += 1,
             _ => counts.open += 1,
         }

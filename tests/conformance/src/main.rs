@@ -54,7 +54,9 @@ fn corpus(project: &Project) -> Result<usize, String> {
     }
     let outcomes = project.play(&cases)?;
     let differing: Vec<_> = outcomes.iter().filter(|outcome| outcome.kind != "same").collect();
-    differing.iter().for_each(|outcome| println!("{}: {}\n{}", outcome.name, outcome.kind, outcome.text));
+    for outcome in &differing {
+        println!("{}: {}\n{}", outcome.name, outcome.kind, outcome.text);
+    }
     println!("corpus: {} charts, {} differ", cases.len(), differing.len());
     Ok(differing.len())
 }

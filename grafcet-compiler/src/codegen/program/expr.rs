@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::Printer;
+use super::user::is_input;
 use crate::list::List;
 use crate::place::quote;
 use crate::program::{Comparison, Expr, PlaceId, Type};
@@ -112,7 +113,7 @@ impl<'m> Printer<'_, 'm> {
                 (quote!(#p::phase(#reached, #passed, #p::Ticks::new(#period))), Binds::Term)
             }
             Expr::User(user) => {
-                let binds = if self.is_input(user) { Binds::Term } else { Binds::Block };
+                let binds = if is_input(user) { Binds::Term } else { Binds::Block };
                 (self.user(user), binds)
             }
         }

@@ -27,9 +27,12 @@ pub(super) struct Layout {
 #[derive(Clone, Copy, Default)]
 pub(super) struct States {
     pub(super) empty: bool,
-    /// The first cycle is still to come; seen from outside this step is active.
-    pub(super) start: Option<Option<StepId>>,
+    pub(super) start: Option<Start>,
 }
+
+/// The first cycle is still to come; seen from outside this step is active.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Start(pub(super) Option<StepId>);
 
 struct Slot {
     name: Ident,
@@ -98,11 +101,6 @@ impl Layout {
         &self.slot(place).name
     }
 
-    /// The field with the bits of all steps.
-    pub(super) fn flags(&self) -> Ident {
-        names::local("situation")
-    }
-
     fn number(&self, p: &TokenStream) -> TokenStream {
         match self.highest {
             0..=0xff => quote!(#p::u8),
@@ -110,6 +108,16 @@ impl Layout {
             _ => quote!(#p::u32),
         }
     }
+}
+
+/// The field with the bits of all steps.
+pub(super) fn flags() -> Ident {
+    names::local("situation")
+}
+
+/// The bit of a step: the field, its byte, and the mask.
+fn bit(index: usize) -> (Ident, Literal, Literal) {
+    (flags(), Literal::usize_suffixed(index / 8), Literal::u8_suffixed(1 << (index % 8)))
 }
 
 fn kind(place: &PlaceInfo<'_>, used: bool) -> Kind {
@@ -187,7 +195,7 @@ impl Used {
         if let Type::State(region) = ty {
             match value {
                 Value::Step(None) => self.regions[region].empty = true,
-                Value::Start(seen) => self.regions[region].start = Some(seen),
+                Value::Start(seen) => self.regions[region].start = Some(Start(seen)),
                 _ => {}
             }
         }
@@ -213,7 +221,7 @@ impl<'m> Printer<'_, 'm> {
             }
             Kind::Param => quote!(self.params.#name),
             Kind::Bit(index) => {
-                let (field, byte, mask) = self.bit(*index);
+                let (field, byte, mask) = bit(*index);
                 quote!((self.#field[#byte] & #mask != 0))
             }
         }
@@ -233,7 +241,7 @@ impl<'m> Printer<'_, 'm> {
             }
             Kind::Param => quote!(self.params.#name = #value;),
             Kind::Bit(index) => {
-                let (field, byte, mask) = self.bit(*index);
+                let (field, byte, mask) = bit(*index);
                 match value.to_string().as_str() {
                     "true" => quote!(self.#field[#byte] |= #mask;),
                     "false" => quote!(self.#field[#byte] &= !#mask;),
@@ -241,10 +249,6 @@ impl<'m> Printer<'_, 'm> {
                 }
             }
         }
-    }
-
-    fn bit(&self, index: usize) -> (Ident, Literal, Literal) {
-        (self.layout.flags(), Literal::usize_suffixed(index / 8), Literal::u8_suffixed(1 << (index % 8)))
     }
 
     /// The type of a place.
@@ -287,7 +291,7 @@ impl<'m> Printer<'_, 'm> {
         if self.cx.plan.shape.is_flags() {
             let bytes = Literal::usize_suffixed(self.cx.flag_bytes());
             let initial = self.cx.initial_flags();
-            fields.push(Field { name: self.layout.flags(), ty: quote!([#p::u8; #bytes]), initial });
+            fields.push(Field { name: flags(), ty: quote!([#p::u8; #bytes]), initial });
         }
         for index in 0..self.program.places.len() {
             let place = PlaceId(index);

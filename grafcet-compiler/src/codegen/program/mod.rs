@@ -15,7 +15,7 @@ mod visit;
 
 use proc_macro2::TokenStream;
 
-use self::layout::Layout;
+use self::layout::{Layout, Start};
 use self::scope::Scope;
 use super::machine::{Deadline, Machine};
 use super::{Cx, chart_impl, names, state, types};
@@ -103,7 +103,7 @@ impl<'m> Printer<'_, 'm> {
             return self.get(place);
         }
         let (state, variant) = (self.get(place), self.cx.variant(step));
-        let starts = self.layout.regions[region].start == Some(Some(step));
+        let starts = self.layout.regions[region].start == Some(Start(Some(step)));
         let starting = starts.then(|| {
             let start = self.start(region);
             quote!(|| #state == #start)
@@ -122,7 +122,7 @@ impl<'m> Printer<'_, 'm> {
             let name = &cx.names.situation;
             let regions = (0..cx.plan.regions.all().len()).map(|region| {
                 let (field, state) = (names::region_field(region, cx.plan), state(region));
-                let Some(seen) = self.layout.regions[region].start else { return quote!(#field: #state,) };
+                let Some(Start(seen)) = self.layout.regions[region].start else { return quote!(#field: #state,) };
                 let (start, seen) = (self.start(region), self.variant(seen, region));
                 quote!(#field: match #state { #start => #seen, entered => entered },)
             });
@@ -131,7 +131,7 @@ impl<'m> Printer<'_, 'm> {
         let arms = cx.plan.regions.all()[0].steps.iter().enumerate().map(|(index, id)| {
             let (variant, name) = (cx.variant(*id), state::step_name(cx, *id));
             let states = self.layout.regions[0];
-            let start = (states.start == Some(Some(*id))).then(|| self.start(0));
+            let start = (states.start == Some(Start(Some(*id)))).then(|| self.start(0));
             // There is always an active step.
             let none = (states.empty && index == 0).then(|| cx.empty(0));
             let others = start.into_iter().chain(none).map(|other| quote!(| #other));
@@ -146,7 +146,7 @@ impl<'m> Printer<'_, 'm> {
         if cx.plan.one_step {
             return chart_impl::one_by_one(cx, cx.model.steps.ids().map(|step| self.is_active(step)));
         }
-        let (name, field) = (&cx.names.situation, self.layout.flags());
+        let (name, field) = (&cx.names.situation, layout::flags());
         quote!(#name { steps: self.#field })
     }
 

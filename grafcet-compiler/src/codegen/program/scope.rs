@@ -103,7 +103,9 @@ impl Walk {
                 Seen::Set(..) | Seen::Arm(..) | Seen::Value(_) => {}
             });
             let is_loop = matches!(statement, Statement::Loop { .. });
-            visit::blocks(statement).into_iter().for_each(|inner| self.block(inner, is_loop));
+            for inner in visit::blocks(statement) {
+                self.block(inner, is_loop);
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::Printer;
+use super::layout::Start;
 use super::scope::Scope;
 use crate::list::List;
 use crate::place::quote;
@@ -123,9 +124,10 @@ impl<'m> Printer<'_, 'm> {
         let condition = self.condition(condition);
         let then = self.list(then, lines);
         let otherwise = self.list(otherwise, lines);
-        match otherwise.is_empty() {
-            true => quote!(if #condition { #then }),
-            false => quote!(if #condition { #then } else { #otherwise }),
+        if otherwise.is_empty() {
+            quote!(if #condition { #then })
+        } else {
+            quote!(if #condition { #then } else { #otherwise })
         }
     }
 
@@ -159,7 +161,7 @@ impl<'m> Printer<'_, 'm> {
                 let states = self.layout.regions[region];
                 let none = !states.empty || has(Value::Step(None));
                 let all = self.program.regions[region].iter().all(|step| has(Value::Step(Some(*step))));
-                all && none && states.start.is_none_or(|start| has(Value::Start(start)))
+                all && none && states.start.is_none_or(|Start(seen)| has(Value::Start(seen)))
             }
             Type::Phase => {
                 [Phase::First, Phase::Repeated, Phase::Final].into_iter().all(|phase| has(Value::Phase(phase)))

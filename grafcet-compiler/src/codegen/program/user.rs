@@ -10,18 +10,18 @@ use crate::model::{Name, Place, Read, placeholder};
 use crate::place::{self, quote};
 use crate::program::{Expr, Run, User};
 
-impl<'m> Printer<'_, 'm> {
-    /// Whether an expression of the user is an input alone.
-    pub(super) fn is_input(&self, user: &User<'m>) -> bool {
-        let input = matches!(user.binds[..], [(Read::Name(Name::Input(_)), Expr::Input(_))]);
-        input && plain_name(without_parens(user.tokens)).is_some()
-    }
+/// Whether an expression of the user is an input alone.
+pub(super) fn is_input(user: &User<'_>) -> bool {
+    let input = matches!(user.binds[..], [(Read::Name(Name::Input(_)), Expr::Input(_))]);
+    input && plain_name(without_parens(user.tokens)).is_some()
+}
 
+impl<'m> Printer<'_, 'm> {
     /// An expression of the user.
     pub(super) fn user(&self, user: &User<'m>) -> TokenStream {
         let tokens = without_parens(user.tokens);
         // An input alone needs no binding: the user's own token names the field.
-        if let (true, Some(name)) = (self.is_input(user), plain_name(tokens)) {
+        if let (true, Some(name)) = (is_input(user), plain_name(tokens)) {
             // Located there, so that a type error stands there.
             return quote_spanned!(Span::call_site().located_at(name.span())=> inputs.#name);
         }
@@ -36,7 +36,7 @@ impl<'m> Printer<'_, 'm> {
         let mut tokens = run.code.tokens.clone();
         let written: Vec<Place> = run.writes.iter().map(|write| write.name).collect();
         let bindings = self.bindings(&run.binds, &written, true);
-        let (mut notes, mut takes) = (TokenStream::new(), TokenStream::new());
+        let (mut flags, mut takes) = (TokenStream::new(), TokenStream::new());
         for write in &run.writes {
             let name = self.cx.model.place_name(write.name);
             let take = self.put(write.to, &name.to_token_stream());
@@ -45,21 +45,21 @@ impl<'m> Printer<'_, 'm> {
                 continue;
             };
             // No local of the program begins like this.
-            let note = names::local(&format!("__{}", names::written(name)));
-            let noted = self.put(noted, &quote!(true));
+            let noticed = names::local(&format!("__{}", names::written(name)));
+            let tell = self.put(noted, &quote!(true));
             let ty = self.cx.model.place_ty(write.name);
             let always = writes::always(&tokens, name);
-            match (!always).then(|| writes::noted(&tokens, name, ty, &note)).flatten() {
+            match (!always).then(|| writes::noted(&tokens, name, ty, &noticed)).flatten() {
                 Some(block) => {
                     tokens = block;
-                    notes.extend(quote!(let mut #note = false;));
-                    takes.extend(quote!(if #note { #take #noted }));
+                    flags.extend(quote!(let mut #noticed = false;));
+                    takes.extend(quote!(if #noticed { #take #tell }));
                 }
-                None => takes.extend(quote!(#take #noted)),
+                None => takes.extend(quote!(#take #tell)),
             }
         }
         // The braces are the user's: they keep the block's own names apart from the ones written back.
-        quote!({ #bindings #notes #[allow(unused_braces)] #tokens #takes })
+        quote!({ #bindings #flags #[allow(unused_braces)] #tokens #takes })
     }
 
     /// `let on = inputs.on;` for everything that is read. In Rust that is not looked into (`opaque`) a name that is mentioned may stand

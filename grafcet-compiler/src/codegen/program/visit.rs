@@ -56,7 +56,9 @@ pub(super) fn statement(statement: &Statement<'_>, note: &mut dyn FnMut(Seen)) {
         Statement::Match(place, arms, _) => {
             note(Seen::Read(*place));
             for (values, _) in arms {
-                values.iter().for_each(|value| note(Seen::Arm(*place, *value)));
+                for value in values {
+                    note(Seen::Arm(*place, *value));
+                }
             }
         }
         Statement::Run(run) => {
@@ -72,7 +74,9 @@ pub(super) fn statement(statement: &Statement<'_>, note: &mut dyn FnMut(Seen)) {
         }
         Statement::Call(_, phase, args) => {
             expr(phase, note);
-            args.iter().for_each(|arg| expr(arg, note));
+            for arg in args {
+                expr(arg, note);
+            }
         }
         Statement::Part(..) | Statement::Loop { .. } | Statement::Break | Statement::Mark(_) | Statement::Fence => {}
     }

@@ -76,8 +76,7 @@ struct Cursor {
 impl<'e, 'm> Engine<'e, 'm> {
     pub(super) fn new(
         places: &'e [PlaceInfo<'m>],
-        list: &'e [Statement<'m>],
-        index: &'e Index,
+        (list, index): (&'e [Statement<'m>], &'e Index),
         state: PlaceId,
         points: &'e States,
         fields: &'e [PlaceId],

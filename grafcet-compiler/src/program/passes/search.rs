@@ -141,7 +141,7 @@ impl<'m> Search<'m> {
     ) -> Result<(Vec<Option<Tree<'m>>>, Vec<Option<Vec<Fact>>>), Lost> {
         let places = &program.places;
         let index = Index::of(places, &self.body, self.state, None, assumed, &self.points).ok_or(Lost)?;
-        let mut engine = Engine::new(places, &self.body, &index, self.state, &self.points, carried, assumed, true);
+        let mut engine = Engine::new(places, (&self.body, &index), self.state, &self.points, carried, assumed, true);
         let mut ends: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
         trees.resize_with(self.points.all.len(), || None);
@@ -181,7 +181,7 @@ impl<'m> Search<'m> {
         let index = Index::whole(places.len(), self.behind.len(), &self.points);
         // Nothing is known of what the loop has written but what it is left with.
         let nothing = vec![false; places.len()];
-        let mut engine = Engine::new(places, &self.behind, &index, self.state, &self.points, &[], &nothing, false);
+        let mut engine = Engine::new(places, (&self.behind, &index), self.state, &self.points, &[], &nothing, false);
         let mut touched = Effects::of_all(&self.before);
         touched.add_all(&self.body);
         let mut acts = Vec::new();

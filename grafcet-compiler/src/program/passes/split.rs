@@ -100,7 +100,7 @@ impl Split {
     ) -> Result<Vec<Option<Tree<'m>>>, Lost> {
         let places = &program.places;
         let with_first = [&self.fields[..], &[self.first]].concat();
-        let mut engine = Engine::new(places, list, index, self.state, &self.points, &with_first, assumed, false);
+        let mut engine = Engine::new(places, (list, index), self.state, &self.points, &with_first, assumed, false);
         let mut known: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         known[0] = Some(self.fields.iter().map(|place| at_start(program, *place, options)).collect());
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
