@@ -14,7 +14,6 @@ pub mod chart;
 pub mod emit;
 pub mod fragments;
 pub mod generated;
-pub mod interp;
 pub mod oracle;
 pub mod play;
 pub mod program;

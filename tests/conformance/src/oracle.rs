@@ -1,7 +1,7 @@
 //! The interpreter as a [`Subject`].
 
-use crate::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_compiler::model::{Model, Ty};
+use grafcet_sim::interp::{self, Call, Interpreter, Phase, Situation, Value};
 
 use crate::{Rest, Shown, Subject, Values};
 
@@ -52,7 +52,7 @@ impl Subject for Interpreted<'_> {
         let cycle = self.machine.cycle(&inputs, now).map_err(|error| error.to_string())?;
         // Arithmetic that leaves its type in the next cycle is no mistake of this one.
         let rest = || self.machine.rest(&before, &cycle, &inputs, now).ok();
-        self.rest = self.model.uses_time().then(rest).flatten();
+        self.rest = self.model.uses_time().then(rest).flatten().map(told);
         let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
         Ok(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) })
     }
@@ -80,6 +80,14 @@ impl Subject for Interpreted<'_> {
 
     fn rest(&self) -> Option<Rest> {
         self.rest
+    }
+}
+
+fn told(rest: interp::Rest) -> Rest {
+    match rest {
+        interp::Rest::Goes => Rest::Goes,
+        interp::Rest::Looks => Rest::Looks,
+        interp::Rest::Sleeps => Rest::Sleeps,
     }
 }
 

@@ -8,10 +8,10 @@ use grafcet_compiler::program::passes::{Pass, optimise};
 use grafcet_compiler::program::run::{Call, Cycle, Machine, Nothing};
 use grafcet_compiler::program::{Encoding, Mark, Phase, PlaceId, Program, Role, Value, naive};
 
-use crate::interp::{self, Interpreter};
 use crate::oracle::Interpreted;
 use crate::reader::{Kind, Line};
 use crate::{Shown, Subject, Values, asleep, play};
+use grafcet_sim::interp::{self, Interpreter};
 
 /// A program as a chart that runs.
 pub struct Programmed<'p, 'm> {

@@ -3,7 +3,7 @@
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_conformance::interp::{Cycle, Error, Interpreter, Value};
+use grafcet_sim::interp::{Cycle, Error, Interpreter, Value};
 
 fn model(chart: &str) -> Model {
     let mut sink = Sink::new();

@@ -9,8 +9,8 @@ use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model, Ty};
 use grafcet_compiler::parse;
 use grafcet_conformance::fragments;
-use grafcet_conformance::interp::{Call, Interpreter, Phase, Situation, Value};
 use grafcet_conformance::reader::{self, Expected, Kind, Line};
+use grafcet_sim::interp::{Call, Interpreter, Phase, Situation, Value};
 
 /// Every file of the corpus, and all differences at once.
 #[test]

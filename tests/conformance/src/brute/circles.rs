@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::interp::{Evolution, Interpreter};
 use grafcet_compiler::model::{Model, Name, Read, StepId, TransitionId};
+use grafcet_sim::interp::{Evolution, Interpreter};
 
 use super::graph::{Edge, Graph};
 

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::interp::Evolution;
 use grafcet_compiler::analysis::{Concurrency, Condition, Logic, Stability, explore};
 use grafcet_compiler::model::{Effect, Expr, Id, Model, Place, Qualifier, StepId, TransitionId, Tree};
+use grafcet_sim::interp::Evolution;
 
 use super::compare::Difference;
 use super::graph::Graph;

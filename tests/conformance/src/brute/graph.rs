@@ -5,10 +5,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::interp::{Evolution, Interpreter, Memory, Situation, Value};
 use grafcet_compiler::model::{
     Binary, Effect, Expr, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree, Ty,
 };
+use grafcet_sim::interp::{Evolution, Interpreter, Memory, Situation, Value};
 
 /// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.
 const LEAP: u32 = 1 << 31;

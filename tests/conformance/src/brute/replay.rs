@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::interp::{Evolution, Value};
 use grafcet_compiler::analysis::explore::{Demand, Exploration, Given, Path, PathCycle};
 use grafcet_compiler::model::{Id, Model, Name, Read, StepId, TransitionId, Tree};
+use grafcet_sim::interp::{Evolution, Value};
 
 use super::compare::Difference;
 use super::graph::{Edge, Graph};

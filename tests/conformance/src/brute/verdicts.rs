@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::interp::{Evolution, Situation};
 use grafcet_compiler::model::{Model, PartialId, StepId, TransitionId};
+use grafcet_sim::interp::{Evolution, Situation};
 
 use super::graph::{Edge, Graph, State};
 

@@ -4,7 +4,17 @@
 use std::collections::BTreeMap;
 
 use super::{Cycle, Error, Interpreter, Machine, Memory, Value};
-use crate::Rest;
+
+/// What may be said of the next cycle.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Rest {
+    /// It has something to do without an input and without time.
+    Goes,
+    /// It would do nothing; but the one that has run did something.
+    Looks,
+    /// It would do nothing, as the one that has run.
+    Sleeps,
+}
 
 impl Interpreter<'_> {
     /// What is left behind the cycle that has just run with these inputs, `before` being the memory in front of it.

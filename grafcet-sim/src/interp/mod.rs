@@ -29,6 +29,7 @@ mod view;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::grafcet::{Grafcet, Until};
+pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;
 pub use self::value::{Error, Value};
