@@ -13,6 +13,9 @@ use std::process::Command;
 /// Who writes charts: the name, what is written of a ring of so many steps, and of Par8.
 type Author = (&'static str, fn(usize) -> String, fn() -> String);
 
+/// The charts that are built, where not all are.
+const CHARTS: &str = "GRAFCET_CHARTS";
+
 fn main() {
     let folder = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     println!("cargo:rerun-if-changed=c");
@@ -21,6 +24,11 @@ fn main() {
         println!("cargo:rerun-if-changed={}", firmware.join("memory.x").display());
         println!("cargo:rustc-link-search={}", firmware.display());
         println!("cargo:rustc-link-arg-bins=-Tlink.x");
+    }
+    println!("cargo:rerun-if-env-changed={CHARTS}");
+    match env::var(CHARTS) {
+        Err(_) => println!("cargo:rustc-cfg=every_chart"),
+        Ok(charts) => charts.split_whitespace().for_each(|chart| println!("cargo:rustc-cfg={chart}")),
     }
     let out = PathBuf::from(variable("OUT_DIR"));
     let authors: [Author; 4] = [

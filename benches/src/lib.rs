@@ -111,7 +111,8 @@ pub trait Visitor {
 /// The charts of one build: their names, the shapes of their functions, their dialects.
 macro_rules! benches {
     ($($chart:ident: $function:ident $($dialect:ident)*;)*) => {
-        $(pub mod $chart {
+        $(#[cfg(any(every_chart, $chart))]
+        pub mod $chart {
             $(pub mod $dialect {
                 use crate::implementation::$chart::$dialect::{CYCLE, Chart, ChartInputs, ChartOutputs};
 
@@ -134,7 +135,10 @@ macro_rules! benches {
 
         /// Shows all charts to a visitor.
         pub fn visit(visitor: &mut impl crate::Visitor) {
-            $($($chart::$dialect::visit(visitor);)*)*
+            $(#[cfg(any(every_chart, $chart))]
+            {
+                $($chart::$dialect::visit(visitor);)*
+            })*
         }
     };
     (@is_stable sfc) => { |_| true };
@@ -239,7 +243,7 @@ pub static nothing_root: u32 = 0;
 pub static panic_root: fn(&[u8], usize) -> u8 = |bytes, place| bytes[place];
 
 /// A root that keeps the description of a chart: what looks for such has to find it.
-#[cfg(feature = "generated")]
+#[cfg(all(feature = "generated", every_chart))]
 #[unsafe(no_mangle)]
 pub static description_root: &grafcet::description::Description<'static> = &implementation::mixed::sfc::Chart::CHART;
 

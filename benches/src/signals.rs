@@ -134,16 +134,19 @@ macro_rules! generated {
         $(generated!(@chart $chart ($($dialect)*) $signals);)*
     };
     (@chart chain5000 $dialects:tt $signals:tt) => {
-        #[cfg(feature = "long")]
+        #[cfg(all(feature = "long", any(every_chart, chain5000)))]
         words!(crate::implementation::chain5000::sfc, $signals);
-        #[cfg(feature = "long")]
+        #[cfg(all(feature = "long", any(every_chart, chain5000)))]
         words!(crate::implementation::chain5000::grafcet, $signals);
     };
     (@chart $chart:ident (grafcet) $signals:tt) => {
+        #[cfg(any(every_chart, $chart))]
         words!(crate::implementation::$chart::grafcet, $signals);
     };
     (@chart $chart:ident (sfc grafcet) $signals:tt) => {
+        #[cfg(any(every_chart, $chart))]
         words!(crate::implementation::$chart::sfc, $signals);
+        #[cfg(any(every_chart, $chart))]
         words!(crate::implementation::$chart::grafcet, $signals);
     };
 }

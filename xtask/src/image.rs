@@ -45,7 +45,7 @@ impl Linker {
     /// # Errors
     /// The library lacks the root or what it needs.
     pub(crate) fn link(&self, root: &str) -> Result<Image> {
-        let path = self.library.with_extension("elf");
+        let path = self.library.with_file_name(format!("{root}.elf"));
         let mut command = Command::new(&self.program);
         command.args(["-flavor", "gnu", "--gc-sections", "--entry", root, "--undefined", root, "-o"]).arg(&path);
         run(command.arg(&self.library).args(&self.libgcc))?;

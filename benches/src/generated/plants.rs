@@ -212,9 +212,10 @@ both! { picker: TimedCycle {
     Recover -[!ack && 1s/Recover]-> Home;
 } }
 
+#[cfg(any(every_chart, packer))]
 pub mod packer {
     pub mod grafcet {
-        grafcet::grafcet! {
+        crate::implementation::chart! {
             pub grafcet Chart {
                 input ack, auto, carton, erected, bottle, closed, out, jog: bool;
                 input estop, jam: bool;

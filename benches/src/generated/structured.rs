@@ -42,9 +42,10 @@ both! { mixed: TimedCycle {
     (Capped, Labelled) -[true]-> Unclamp -[!clamped]-> Deliver -[gone]-> Idle;
 } }
 
+#[cfg(any(every_chart, cell))]
 pub mod cell {
     pub mod grafcet {
-        grafcet::grafcet! {
+        crate::implementation::chart! {
             pub grafcet Chart {
                 input estop, ack, auto, part, clamped, drilled, stamped: bool;
                 output conveyor, clamp, drill, stamp, alarm: bool;

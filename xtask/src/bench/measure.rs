@@ -36,13 +36,13 @@ struct Count {
 /// The charts as these authors wrote them, for one target; the first has all of them.
 pub(super) fn all(toolchain: &BareMetal, target: &str, authors: &[&'static str]) -> Result<Vec<Row>> {
     println!("bench: {target}, {}", toolchain.describe());
-    rows(authors, |author| costs(toolchain, target, author, &features(author)))
+    rows(authors, |author| costs(toolchain, target, &Build { author, features: &features(author), charts: None }))
 }
 
 /// The generated charts alone, without those that take the compiler long.
 pub(super) fn generated(toolchain: &BareMetal, target: &str) -> Result<Vec<Row>> {
     println!("bench: {target}, {}", toolchain.describe());
-    rows(&AUTHORS[..1], |author| costs(toolchain, target, author, author))
+    rows(&AUTHORS[..1], |author| costs(toolchain, target, &Build { author, features: author, charts: None }))
 }
 
 /// The features of the benches with all charts of one author.
@@ -75,16 +75,25 @@ pub(super) fn rows(authors: &[&'static str], costs: impl Fn(&str) -> Result<Vec<
     Ok(rows)
 }
 
-/// Every chart of one author.
-fn costs(toolchain: &BareMetal, target: &str, author: &str, features: &str) -> Result<Vec<(String, Cost)>> {
+/// What is built of the benches.
+pub(super) struct Build<'a> {
+    pub(super) author: &'a str,
+    pub(super) features: &'a str,
+    /// These charts alone, their names with blanks between them.
+    pub(super) charts: Option<&'a str>,
+}
+
+/// Every chart of one build.
+pub(super) fn costs(toolchain: &BareMetal, target: &str, what: &Build<'_>) -> Result<Vec<(String, Cost)>> {
+    let author = what.author;
     let folder = project::target(firmware::FOLDER).join(target).join("release");
-    build(toolchain, target, features, &["--bin", "count"])?;
+    build(toolchain, target, what, &["--bin", "count"])?;
     let counts = count(&folder.join("count"))?;
-    build(toolchain, target, features, &["--lib", "--crate-type", "staticlib"])?;
+    build(toolchain, target, what, &["--lib", "--crate-type", "staticlib"])?;
     let library = folder.join("libgrafcet_benches.a");
     let linker =
         if ["c", "tables"].contains(&author) { Linker::with_c(library, target)? } else { Linker::new(library)? };
-    check_finders(&linker, author)?;
+    check_finders(&linker, what)?;
     let nothing = linker.link(NOTHING)?.flash()?;
     let cost = |count: Count| {
         let Count { chart, dialect, hash, busy, idle, ram } = count;
@@ -102,20 +111,22 @@ fn costs(toolchain: &BareMetal, target: &str, author: &str, features: &str) -> R
 }
 
 /// What is looked for in the images is found in those that hold it.
-fn check_finders(linker: &Linker, author: &str) -> Result {
+fn check_finders(linker: &Linker, what: &Build<'_>) -> Result {
     if linker.link(PANIC)?.panics()?.is_none() {
         return Err(format!("no panic is found in {PANIC}: the names to look for have changed"));
     }
-    if author == AUTHORS[0] && !linker.link(DESCRIPTION.0)?.holds(DESCRIPTION.1)? {
+    let described = what.author == AUTHORS[0] && what.charts.is_none();
+    if described && !linker.link(DESCRIPTION.0)?.holds(DESCRIPTION.1)? {
         return Err(format!("no description is found in {}", DESCRIPTION.0));
     }
     Ok(())
 }
 
-fn build(toolchain: &BareMetal, target: &str, features: &str, what: &[&str]) -> Result {
+fn build(toolchain: &BareMetal, target: &str, what: &Build<'_>, artefact: &[&str]) -> Result {
     let mut command = toolchain.cargo("rustc", target);
-    command.args(["--quiet", "--locked", "--release", "--manifest-path", "benches/Cargo.toml", "--features", features]);
-    run(command.args(what).arg("--target-dir").arg(project::target(firmware::FOLDER)))
+    command.args(["--quiet", "--locked", "--release", "--manifest-path", "benches/Cargo.toml", "--features"]);
+    command.arg(what.features).envs(what.charts.map(|charts| ("GRAFCET_CHARTS", charts)));
+    run(command.args(artefact).arg("--target-dir").arg(project::target(firmware::FOLDER)))
 }
 
 /// Runs the image that counts.

@@ -16,10 +16,12 @@ mod page;
 mod readme;
 mod speed;
 mod table;
+mod through;
 
 use self::figures::Recorded;
 pub(crate) use self::speed::check;
 use self::table::{BUSY, FIGURES, IDLE};
+pub(crate) use self::through::run as through;
 use crate::command::Result;
 use crate::toolchain::{BareMetal, missing};
 
