@@ -3,19 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::continuous::{associations_of, is_continuous};
-use super::value::{Error, default};
+use super::value::Error;
 use grafcet_compiler::model::{Association, Effect, Expr, Model, Name, Place, Qualifier, Read, VarId};
-
-/// Every declared type has values here; of enums those that an input lists.
-pub(super) fn types(model: &Model) -> Result<(), Error> {
-    let unlisted = model.inputs.iter().filter(|(id, _)| model.variants_of(Name::Input(*id)).is_none());
-    let inputs = unlisted.map(|(_, i)| &i.ty);
-    let outputs = model.outputs.values().map(|o| &o.ty);
-    let vars = model.vars.values().map(|v| &v.ty);
-    let params = model.params.values().map(|p| &p.ty);
-    let args = model.actions.values().flat_map(|a| &a.params).map(|(_, ty)| ty);
-    inputs.chain(outputs).chain(vars).chain(params).chain(args).try_for_each(|ty| default(ty).map(drop))
-}
 
 /// Every qualifier has a target that it can have in the dialect (A32, A33).
 pub(super) fn targets(model: &Model) -> Result<(), Error> {

@@ -21,7 +21,8 @@ pub(super) fn associations_of(model: &Model, place: Place) -> impl DoubleEndedIt
 }
 
 /// A22: whether a variable of a `grafcet` is asserted by continuous actions.
-pub(super) fn is_combinational(model: &Model, var: VarId) -> bool {
+#[must_use]
+pub fn is_combinational(model: &Model, var: VarId) -> bool {
     associations_of(model, Place::Var(var)).next().is_some()
 }
 

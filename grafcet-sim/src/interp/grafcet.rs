@@ -9,6 +9,7 @@ use super::state::State;
 use super::stored::{self, Outcome};
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
+use super::world::Given;
 use super::{Call, Evolution, Phase, arguments};
 use grafcet_compiler::model::{ActionId, AssociationId, Effect, Id, Model, Place};
 
@@ -37,6 +38,8 @@ pub(super) enum Until {
 /// How a search ended.
 pub(super) struct Search {
     pub(super) calls: Vec<Call>,
+    /// The stored associations that ran, in their order.
+    pub(super) ran: Vec<AssociationId>,
     pub(super) stable: bool,
     /// The evolutions that changed something; the activation of the initial situation is before the search and not counted.
     pub(super) evolutions: u32,
@@ -52,29 +55,28 @@ impl Grafcet {
         &mut self,
         model: &Model,
         state: &mut State,
-        (inputs, params): (&[Value], &[Value]),
+        given: Given<'_>,
         elapsed: u32,
         until: Until,
     ) -> Result<Search, Error> {
-        let delays = state.sample_delays(model, inputs, params, elapsed)?;
-        let mut search = Search { calls: Vec::new(), stable: false, evolutions: 0, seen: Vec::new(), turn: None };
+        let delays = state.sample_delays(model, given, elapsed)?;
+        let mut search =
+            Search { calls: Vec::new(), ran: Vec::new(), stable: false, evolutions: 0, seen: Vec::new(), turn: None };
         let (Until::Bound(most) | Until::Turned(most)) = until;
         let mut known = Vec::new();
         if state.first {
-            let outcome = activate(&state.view(model, inputs, params, &delays))?;
+            let outcome = activate(&state.view(model, given, &delays))?;
             search.calls.extend(outcome.calls);
+            search.ran.extend(outcome.ran);
             state.commit(outcome.writes);
         }
         // A24: one search over the whole chart.
         loop {
             let (before, now) = {
-                let view = state.view(model, inputs, params, &delays);
+                let view = state.view(model, given, &delays);
                 (state.edges.clone(), view.sample_edges()?)
             };
-            let view = View {
-                edges: Edges { before: &before, now: Some(&now) },
-                ..state.view(model, inputs, params, &delays)
-            };
+            let view = View { edges: Edges { before: &before, now: Some(&now) }, ..state.view(model, given, &delays) };
             let (evolution, outcome) = evolve(&view)?;
             search.stable = is_stable(&evolution, &outcome, &view);
             search.seen.push(evolution.clone());
@@ -91,6 +93,7 @@ impl Grafcet {
             }
             search.evolutions += 1;
             search.calls.extend(outcome.calls);
+            search.ran.extend(outcome.ran);
             state.commit(outcome.writes);
             state.times.enter(model, &evolution.after);
             state.situation = evolution.after;
@@ -160,7 +163,11 @@ fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
     for id in view.model.transitions.ids() {
         if hierarchy::is_enabled(id, view.situation, view.model) {
             evolution.enabled.insert(id);
-            if any::lets(&anys, id, view.model) && view.holds(any::condition(id, view.model))? {
+            if !any::lets(&anys, id, view.model) {
+                continue;
+            }
+            view.given.world.asked(id, &|part| view.holds(part));
+            if view.holds(any::condition(id, view.model))? {
                 evolution.fireable.insert(id);
             }
         }

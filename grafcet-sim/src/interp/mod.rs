@@ -14,10 +14,13 @@
 
 mod any;
 mod check;
+mod computed;
 mod continuous;
 mod control;
 mod grafcet;
 mod hierarchy;
+mod look;
+mod real;
 mod rest;
 mod sfc;
 mod state;
@@ -25,17 +28,23 @@ mod stored;
 mod time;
 mod value;
 mod view;
+mod world;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
+pub use self::continuous::is_combinational;
 use self::grafcet::{Grafcet, Until};
+pub use self::look::{Counted, Look};
+pub use self::real::{Real, Symbol};
 pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;
 pub use self::value::{Error, Value};
 pub use self::view::Situation;
 use self::view::View;
-use grafcet_compiler::model::{ActionId, Code, Dialect, Expr, Model, Statement, StepId, TransitionId, Tree, Ty};
+use self::world::Given;
+pub use self::world::{Nothing, World};
+use grafcet_compiler::model::{ActionId, AssociationId, Dialect, Expr, Model, StepId, TransitionId, Tree, Ty};
 
 /// Which call of a code action this is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -68,6 +77,8 @@ pub struct Cycle {
     pub active: BTreeSet<StepId>,
     /// In the order in which they were made.
     pub calls: Vec<Call>,
+    /// The associations that ran, in their order: calls, blocks, assignments, and in `grafcet` what is stored. Not what is continuous.
+    pub ran: Vec<AssociationId>,
     /// `grafcet`: the search ended in a stable situation (A30). Always true in `sfc`.
     pub stable: bool,
     /// `grafcet`: the evolutions of the search that changed something; the activation of the initial situation is not
@@ -125,7 +136,6 @@ impl<'m> Interpreter<'m> {
     /// If a declared type or an initial value is not understood, if something depends on itself (A14, A22), or if a
     /// qualifier has a target that it cannot have in the dialect (A32).
     pub fn new(model: &'m Model) -> Result<Self, Error> {
-        check::types(model)?;
         check::targets(model)?;
         check::combinational_circles(model)?;
         let memory = Memory::initial(model)?;
@@ -172,24 +182,32 @@ impl<'m> Interpreter<'m> {
     /// If the inputs do not fit their declarations, or an expression is not understood or would panic in Rust; the
     /// interpreter is then somewhere inside the cycle and of no further use.
     pub fn cycle(&mut self, inputs: &[Value], now: u32) -> Result<Cycle, Error> {
+        self.cycle_in(&Nothing, inputs, now)
+    }
+
+    /// The same with what the program around the chart contributes.
+    ///
+    /// # Errors
+    /// As of [`Interpreter::cycle`].
+    pub fn cycle_in(&mut self, world: &dyn World, inputs: &[Value], now: u32) -> Result<Cycle, Error> {
         accept_all(inputs, self.model.inputs.values().map(|i| &i.ty))?;
         let Memory { state, machine } = &mut self.memory;
         let elapsed = state.advance(now);
-        let given = (inputs, &self.params[..]);
-        let (calls, stable, evolutions, stirred, seen) = match machine {
+        let given = Given { inputs, params: &self.params, world };
+        let (calls, ran, stable, evolutions, stirred, seen) = match machine {
             Machine::Sfc(sfc) => {
                 let scan = sfc.cycle(self.model, state, given, elapsed)?;
                 let evolved = scan.evolution.as_ref().is_some_and(|evolution| !evolution.cleared.is_empty());
-                (scan.calls, true, u32::from(evolved), scan.stirred, scan.evolution.into_iter().collect())
+                (scan.calls, scan.ran, true, u32::from(evolved), scan.stirred, scan.evolution.into_iter().collect())
             }
             Machine::Grafcet(grafcet) => {
                 let search = grafcet.cycle(self.model, state, given, elapsed, Until::Bound(self.max_evolutions))?;
-                (search.calls, search.stable, search.evolutions, false, search.seen)
+                (search.calls, search.ran, search.stable, search.evolutions, false, search.seen)
             }
         };
         state.first = false;
         let (outputs, active) = (state.outputs.clone(), state.situation.clone());
-        Ok(Cycle { outputs, active, calls, stable, evolutions, stirred, seen })
+        Ok(Cycle { outputs, active, calls, ran, stable, evolutions, stirred, seen })
     }
 
     /// The evolutions of one turn of the search of a cycle that would go on for ever, if they show within so many; the interpreter
@@ -201,7 +219,7 @@ impl<'m> Interpreter<'m> {
         let Memory { state, machine } = &mut self.memory;
         let Machine::Grafcet(grafcet) = machine else { return Ok(Some(Vec::new())) };
         let elapsed = state.advance(now);
-        let given = (inputs, &self.params[..]);
+        let given = Given { inputs, params: &self.params, world: &Nothing };
         let mut search = grafcet.cycle(self.model, state, given, elapsed, Until::Turned(most))?;
         Ok(match search.turn {
             Some(turn) => Some(search.seen.split_off(search.seen.len() - turn)),
@@ -214,7 +232,16 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// The expression is not understood, or would panic in Rust.
     pub fn holds(&self, tree: &Tree, inputs: &[Value]) -> Result<bool, Error> {
-        self.memory.state.view(self.model, inputs, &self.params, &BTreeMap::new()).holds(tree)
+        self.look(&Nothing, inputs).holds(tree)
+    }
+
+    /// What expressions are at the end of the last cycle, whose inputs are given: what the next one would find with the same inputs and
+    /// without any time in between.
+    #[must_use]
+    pub fn look<'a>(&'a self, world: &'a dyn World, inputs: &'a [Value]) -> Look<'a> {
+        let state = &self.memory.state;
+        let delays = state.delays.iter().map(|(id, delayed)| (*id, delayed.output)).collect();
+        Look { model: self.model, state, given: Given { inputs, params: &self.params, world }, delays }
     }
 
     /// What the chart remembers now.
@@ -279,9 +306,4 @@ fn arguments(action: ActionId, args: &[Expr], view: &View<'_>) -> Result<Vec<Val
         return Err(Error::Count { expected: params.len(), found: args.len() });
     }
     args.iter().zip(params).map(|(arg, (_, ty))| view.eval(&arg.tree)?.into_value(ty)).collect()
-}
-
-/// The statements of a block that is understood.
-fn statements(code: &Code) -> Result<&[Statement], Error> {
-    code.statements.as_deref().ok_or_else(|| Error::NotUnderstood(code.text.clone()))
 }

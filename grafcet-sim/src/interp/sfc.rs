@@ -7,7 +7,8 @@ use super::control::{ActionControl, Change, Target, Verdict, inputs, target_of};
 use super::state::State;
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
-use super::{Call, Evolution, Phase, arguments, statements};
+use super::world::Given;
+use super::{Call, Evolution, Phase, arguments};
 use grafcet_compiler::model::{AssociationId, Effect, Id, Model, OutputId, Place, Qualifier};
 
 /// The action controls of a chart.
@@ -22,6 +23,8 @@ pub(super) struct Done {
     pub(super) calls: Vec<Call>,
     /// A block ran, or an assignment found another value than it wrote.
     pub(super) stirred: bool,
+    /// The associations that ran, in their order.
+    pub(super) ran: Vec<AssociationId>,
     /// The evolution; a first cycle has none.
     pub(super) evolution: Option<Evolution>,
 }
@@ -45,19 +48,19 @@ impl Sfc {
         &mut self,
         model: &Model,
         state: &mut State,
-        (inputs, params): (&[Value], &[Value]),
+        given: Given<'_>,
         elapsed: u32,
     ) -> Result<Done, Error> {
-        let delays = state.sample_delays(model, inputs, params, elapsed)?;
+        let delays = state.sample_delays(model, given, elapsed)?;
         // Rule 8: what the evolution sees is compared with what that of the cycle before saw.
-        let edges = state.view(model, inputs, params, &delays).sample_edges()?;
+        let edges = state.view(model, given, &delays).sample_edges()?;
         let before = std::mem::replace(&mut state.edges, edges.clone());
         let edges = Edges { before: &before, now: Some(&edges) };
 
         let (change, evolution) = if state.first {
             (first(&state.situation), None)
         } else {
-            let (change, evolution) = evolve(&View { edges, ..state.view(model, inputs, params, &delays) })?;
+            let (change, evolution) = evolve(&View { edges, ..state.view(model, given, &delays) })?;
             (change, Some(evolution))
         };
         state.situation.clone_from(&change.after);
@@ -68,7 +71,7 @@ impl Sfc {
         let after = View {
             times: &acting,
             edges: Edges { before: &state.action_edges, now: None },
-            ..state.view(model, inputs, params, &delays)
+            ..state.view(model, given, &delays)
         };
         let edges = after.sample_edges()?;
         let before = std::mem::replace(&mut state.action_edges, edges.clone());
@@ -83,18 +86,19 @@ impl Sfc {
                 situation: &Situation::new(),
                 times: &Times::default(),
                 edges,
-                ..state.view(model, inputs, params, &delays)
+                ..state.view(model, given, &delays)
             },
             vars: state.vars.clone(),
             next: outputs.clone(),
             calls: Vec::new(),
+            ran: Vec::new(),
             stirred: false,
         };
         self.act(&mut scan, elapsed, state)?;
-        let Scan { vars, next, calls, stirred, change, acting, .. } = scan;
+        let Scan { vars, next, calls, ran, stirred, change, acting, .. } = scan;
         (state.vars, state.outputs, state.times) = (vars, next, acting);
         state.times.enter(model, &change.after);
-        Ok(Done { calls, stirred, evolution })
+        Ok(Done { calls, stirred, ran, evolution })
     }
 
     /// Timers that stand still.
@@ -155,6 +159,9 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
             continue;
         }
         let free = lets && transition.sources.iter().all(|step| !left.contains(step));
+        if free {
+            view.given.world.asked(id, &|part| view.holds(part));
+        }
         match view.holds(any::condition(id, view.model)) {
             Ok(true) => evolution.fireable.insert(id),
             Err(error) if free => return Err(error),
@@ -274,6 +281,7 @@ struct Scan<'a> {
     /// The outputs this cycle will return.
     next: Vec<Value>,
     calls: Vec<Call>,
+    ran: Vec<AssociationId>,
     stirred: bool,
 }
 
@@ -296,7 +304,10 @@ impl Scan<'_> {
         match &run.what {
             What::Control(place, q) => self.write(*place, Value::Bool(*q)),
             What::Initial(id) => self.next[id.index()] = initial_outputs[id.index()],
-            What::Run(id, phase) => self.run(&model.associations[*id].effect, run.moment, *phase)?,
+            What::Run(id, phase) => {
+                self.ran.push(*id);
+                self.run(&model.associations[*id].effect, run.moment, *phase)?;
+            }
         }
         Ok(())
     }
@@ -319,7 +330,7 @@ impl Scan<'_> {
                 self.calls.push(Call { action: *action, phase, args });
             }
             Effect::Block(code) => {
-                let written = view.run(statements(code)?)?;
+                let written = view.code(code)?;
                 self.stirred = true;
                 for (place, value) in written {
                     self.write(place, value);

@@ -7,6 +7,7 @@ use super::rest::still;
 use super::time::{self, Delayed};
 use super::value::{Error, Value, default};
 use super::view::{Edges, Situation, Times, View};
+use super::world::{Given, Nothing};
 use grafcet_compiler::model::{DelayId, EdgeId, Expr, Model, Read, Ty};
 
 /// The memory of a running chart.
@@ -28,7 +29,7 @@ pub(super) struct State {
     pub(super) edges: BTreeMap<EdgeId, bool>,
     /// `sfc`: the same, as the actions of the cycle before saw them.
     pub(super) action_edges: BTreeMap<EdgeId, bool>,
-    delays: BTreeMap<DelayId, Delayed>,
+    pub(super) delays: BTreeMap<DelayId, Delayed>,
 }
 
 impl State {
@@ -75,14 +76,12 @@ impl State {
     pub(super) fn view<'a>(
         &'a self,
         model: &'a Model,
-        inputs: &'a [Value],
-        params: &'a [Value],
+        given: Given<'a>,
         delays: &'a BTreeMap<DelayId, bool>,
     ) -> View<'a> {
         View {
             model,
-            inputs,
-            params,
+            given,
             vars: &self.vars,
             outputs: &self.outputs,
             situation: &self.situation,
@@ -97,13 +96,12 @@ impl State {
     pub(super) fn sample_delays(
         &mut self,
         model: &Model,
-        inputs: &[Value],
-        params: &[Value],
+        given: Given<'_>,
         elapsed: u32,
     ) -> Result<BTreeMap<DelayId, bool>, Error> {
         let mut delays = std::mem::take(&mut self.delays);
         let nothing = BTreeMap::new();
-        let outputs = time::sample_delays(&mut delays, elapsed, &self.view(model, inputs, params, &nothing));
+        let outputs = time::sample_delays(&mut delays, elapsed, &self.view(model, given, &nothing));
         self.delays = delays;
         outputs
     }
@@ -137,8 +135,7 @@ pub(super) fn constants<'m>(
     let (no_edges, no_delays) = (BTreeMap::new(), &nothing);
     let view = View {
         model,
-        inputs: &[],
-        params: &[],
+        given: Given { inputs: &[], params: &[], world: &Nothing },
         vars: &[],
         outputs: &[],
         situation: &situation,
@@ -148,7 +145,7 @@ pub(super) fn constants<'m>(
         own: None,
     };
     let value = |(ty, init): (&Ty, &Option<Expr>)| match init {
-        None => default(ty),
+        None => Ok(default(ty)),
         Some(init) => view.eval(&init.tree)?.into_value(ty),
     };
     names.map(value).collect()

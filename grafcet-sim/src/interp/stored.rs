@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::value::{Error, Value};
 use super::view::{Situation, View};
-use super::{Call, Phase, arguments, statements};
-use grafcet_compiler::model::{Association, Effect, Place, Qualifier, TransitionId};
+use super::{Call, Phase, arguments};
+use grafcet_compiler::model::{Association, AssociationId, Effect, Place, Qualifier, TransitionId};
 
 /// What the stored actions of one evolution do together.
 #[derive(Default)]
@@ -14,6 +14,8 @@ pub(super) struct Outcome {
     pub(super) writes: BTreeMap<Place, Value>,
     /// The calls that run with the evolution (A33).
     pub(super) calls: Vec<Call>,
+    /// The associations that ran.
+    pub(super) ran: Vec<AssociationId>,
 }
 
 /// Runs the stored actions of an evolution from the situation of `view` to `after`.
@@ -23,9 +25,10 @@ pub(super) struct Outcome {
 /// the associations, then that of the transitions with clearing actions.
 pub(super) fn actions(view: &View<'_>, after: &Situation, cleared: &BTreeSet<TransitionId>) -> Result<Outcome, Error> {
     let mut outcome = Outcome::default();
-    for association in view.model.associations.values() {
+    for (id, association) in view.model.associations.iter() {
         let condition = || association.condition.as_ref().map_or(Ok(true), |c| view.holds(&c.tree));
         if occurs(association, view, after)? && condition()? {
+            outcome.ran.push(id);
             stored(association, view, &mut outcome)?;
         }
     }
@@ -79,7 +82,7 @@ fn perform(effect: &Effect, view: &View<'_>, outcome: &mut Outcome) -> Result<()
             outcome.calls.push(Call { action: *action, phase: Phase::First, args });
         }
         // A33: a block sees its own writes and otherwise the values from before the evolution.
-        Effect::Block(code) => outcome.writes.extend(view.run(statements(code)?)?),
+        Effect::Block(code) => outcome.writes.extend(view.code(code)?),
     }
     Ok(())
 }

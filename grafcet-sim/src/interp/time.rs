@@ -46,6 +46,11 @@ impl Delayed {
         self.off.forget_time();
     }
 
+    /// The signal of the last cycle, and how long it has been so.
+    pub(super) fn counted(self) -> (bool, u32) {
+        if self.on.running { (true, self.on.elapsed) } else { (false, self.off.elapsed) }
+    }
+
     fn step(&mut self, signal: bool, elapsed: u32, (on, off): (u32, u32)) {
         self.on.step(signal, elapsed, false);
         self.off.step(!signal, elapsed, false);

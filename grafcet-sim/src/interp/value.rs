@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::real::{Real, Symbol};
 use grafcet_compiler::model::{Binary, Ty, Unary};
 
 /// A value of a declared name.
@@ -13,6 +14,12 @@ pub enum Value {
     Int(i128),
     /// `time`, in the unit of the chart's clock.
     Ticks(u32),
+    /// `f32` or `f64`.
+    Real(Real),
+    /// A variant of an enum that the chart does not list.
+    Name(Symbol),
+    /// What `Default` gives for a type of the program: nobody here knows it.
+    Unknown,
 }
 
 impl fmt::Display for Value {
@@ -21,6 +28,9 @@ impl fmt::Display for Value {
             Self::Bool(value) => value.fmt(f),
             Self::Int(value) => value.fmt(f),
             Self::Ticks(value) => write!(f, "{value}t"),
+            Self::Real(value) => value.0.fmt(f),
+            Self::Name(value) => value.fmt(f),
+            Self::Unknown => f.write_str("?"),
         }
     }
 }
@@ -68,12 +78,12 @@ impl std::error::Error for Error {}
 /// The range of an integer type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Width {
-    signed: bool,
-    bits: u32,
+    pub(super) signed: bool,
+    pub(super) bits: u32,
 }
 
 impl Width {
-    fn holds(self, value: i128) -> bool {
+    pub(super) fn holds(self, value: i128) -> bool {
         match (self.signed, self.bits) {
             (true, 128) => true,
             (false, 127..) => value >= 0,
@@ -89,6 +99,9 @@ pub(super) enum Term {
     Bool(bool),
     Int(i128, Option<Width>),
     Ticks(u32),
+    /// With whether it is an `f32`.
+    Real(Real, Option<bool>),
+    Name(Symbol),
 }
 
 impl Term {
@@ -108,7 +121,35 @@ impl Term {
             }
             (Value::Int(value), _) => Self::Int(value, None),
             (Value::Ticks(value), _) => Self::Ticks(value),
+            (Value::Real(value), ty) => Self::Real(value, Some(is_single(ty))),
+            (Value::Name(value), _) => Self::Name(value),
+            (Value::Unknown, ty) => return Err(Error::NotUnderstood(format!("the default of {}", name(ty)))),
         })
+    }
+
+    /// The term of a value of which nobody says the type.
+    pub(super) fn from_outside(value: Value, text: &str) -> Result<Self, Error> {
+        Ok(match value {
+            Value::Bool(value) => Self::Bool(value),
+            Value::Int(value) => Self::Int(value, None),
+            Value::Ticks(value) => Self::Ticks(value),
+            Value::Real(value) => Self::Real(value, None),
+            Value::Name(value) => Self::Name(value),
+            Value::Unknown => return Err(Error::NotUnderstood(text.to_owned())),
+        })
+    }
+
+    /// A literal that is no integer, or the path of a variant.
+    pub(super) fn literal(text: &str) -> Option<Self> {
+        let (digits, single) = match text.strip_suffix("f32") {
+            Some(digits) => (digits, Some(true)),
+            None => text.strip_suffix("f64").map_or((text, None), |digits| (digits, Some(false))),
+        };
+        let is_number = digits.starts_with(|c: char| c.is_ascii_digit());
+        match digits.replace('_', "").parse::<f64>() {
+            Ok(value) if is_number => Some(Self::Real(Real(value).rounded(single), single)),
+            _ => Symbol::of_path(text).map(Self::Name),
+        }
     }
 
     /// The value a name of this type takes from the term.
@@ -117,6 +158,8 @@ impl Term {
             Self::Bool(value) => Value::Bool(value),
             Self::Int(value, _) => Value::Int(value),
             Self::Ticks(value) => Value::Ticks(value),
+            Self::Real(value, _) => Value::Real(value.rounded(Some(is_single(ty)))),
+            Self::Name(value) => Value::Name(value),
         };
         accept(value, ty)
     }
@@ -125,8 +168,10 @@ impl Term {
 /// The value itself, if the type has it.
 pub(super) fn accept(value: Value, ty: &Ty) -> Result<Value, Error> {
     match (value, ty) {
-        // A variant is its place in the list; other types are refused from the start.
-        (Value::Bool(_), Ty::Bool(_)) | (Value::Ticks(_), Ty::Time(_)) | (Value::Int(_), Ty::Other(_)) => Ok(value),
+        (Value::Bool(_), Ty::Bool(_)) | (Value::Ticks(_), Ty::Time(_)) => Ok(value),
+        (Value::Real(real), Ty::Other(_)) if ty.is_float() => Ok(Value::Real(real.rounded(Some(is_single(ty))))),
+        // A variant is its place in the list where the chart lists it.
+        (Value::Int(_) | Value::Name(_) | Value::Unknown, Ty::Other(_)) if !ty.is_float() => Ok(value),
         (Value::Int(int), Ty::Int { signed, bits, .. }) => {
             let width = Width { signed: *signed, bits: *bits };
             if width.holds(int) { Ok(value) } else { Err(Error::Overflow(format!("{int} in {bits} bits"))) }
@@ -136,12 +181,13 @@ pub(super) fn accept(value: Value, ty: &Ty) -> Result<Value, Error> {
 }
 
 /// What `Default` gives for a type.
-pub(super) fn default(ty: &Ty) -> Result<Value, Error> {
+pub(super) fn default(ty: &Ty) -> Value {
     match ty {
-        Ty::Bool(_) => Ok(Value::Bool(false)),
-        Ty::Int { .. } => Ok(Value::Int(0)),
-        Ty::Time(_) => Ok(Value::Ticks(0)),
-        Ty::Other(_) => Err(Error::Type(format!("{} has no values here", name(ty)))),
+        Ty::Bool(_) => Value::Bool(false),
+        Ty::Int { .. } => Value::Int(0),
+        Ty::Time(_) => Value::Ticks(0),
+        Ty::Other(_) if ty.is_float() => Value::Real(Real(0.0)),
+        Ty::Other(_) => Value::Unknown,
     }
 }
 
@@ -154,6 +200,10 @@ fn name(ty: &Ty) -> String {
     }
 }
 
+fn is_single(ty: &Ty) -> bool {
+    name(ty) == "f32"
+}
+
 /// `!a`, `-a`
 pub(super) fn unary(operator: Unary, operand: Term) -> Result<Term, Error> {
     match (operator, operand) {
@@ -163,6 +213,7 @@ pub(super) fn unary(operator: Unary, operand: Term) -> Result<Term, Error> {
             Ok(Term::Int(all - value, Some(width)))
         }
         (Unary::Not, Term::Int(value, width)) => Ok(Term::Int(!value, width)),
+        (Unary::Neg, Term::Real(value, single)) => Ok(Term::Real(Real(-value.0), single)),
         (Unary::Neg, Term::Int(value, width)) => int(value.checked_neg(), width, "negation"),
         (operator, operand) => Err(Error::Type(format!("{operator:?} of {operand:?}"))),
     }
@@ -179,6 +230,10 @@ pub(super) fn binary(operator: Binary, left: Term, right: Term) -> Result<Term, 
             }
             integers(operator, a, b, common(left, right)?)
         }
+        (Term::Real(a, left), Term::Real(b, right)) => reals(operator, a.0, b.0, left.or(right)),
+        (Term::Name(a), Term::Name(b)) if matches!(operator, Binary::Eq | Binary::Ne) => {
+            Ok(Term::Bool((a == b) == (operator == Binary::Eq)))
+        }
         _ => Err(Error::Type(format!("{operator:?} of {left:?} and {right:?}"))),
     }
 }
@@ -191,7 +246,7 @@ fn common(left: Option<Width>, right: Option<Width>) -> Result<Option<Width>, Er
     }
 }
 
-fn compare<T: Ord>(operator: Binary, a: &T, b: &T) -> Option<Term> {
+pub(super) fn compare<T: PartialOrd>(operator: Binary, a: &T, b: &T) -> Option<Term> {
     Some(Term::Bool(match operator {
         Binary::Eq => a == b,
         Binary::Ne => a != b,
@@ -201,6 +256,23 @@ fn compare<T: Ord>(operator: Binary, a: &T, b: &T) -> Option<Term> {
         Binary::Ge => a >= b,
         _ => return None,
     }))
+}
+
+fn reals(operator: Binary, a: f64, b: f64, single: Option<bool>) -> Result<Term, Error> {
+    let [a, b] = [a, b].map(|value| Real(value).rounded(single).0);
+    if let Some(result) = compare(operator, &a, &b) {
+        return Ok(result);
+    }
+    // The result of two numbers of `f32` in `f64`, rounded once, is that of `f32`.
+    let result = match operator {
+        Binary::Add => a + b,
+        Binary::Sub => a - b,
+        Binary::Mul => a * b,
+        Binary::Div => a / b,
+        Binary::Rem => a % b,
+        _ => return Err(Error::Type(format!("{operator:?} of floats"))),
+    };
+    Ok(Term::Real(Real(result).rounded(single), single))
 }
 
 fn booleans(operator: Binary, a: bool, b: bool) -> Result<Term, Error> {
@@ -262,7 +334,7 @@ fn shift(operator: Binary, a: i128, b: i128, width: Option<Width>) -> Result<Ter
 }
 
 /// A result that has to fit its type.
-fn int(result: Option<i128>, width: Option<Width>, what: &str) -> Result<Term, Error> {
+pub(super) fn int(result: Option<i128>, width: Option<Width>, what: &str) -> Result<Term, Error> {
     match result {
         Some(value) if width.is_none_or(|w| w.holds(value)) => Ok(Term::Int(value, width)),
         _ => Err(Error::Overflow(what.to_owned())),

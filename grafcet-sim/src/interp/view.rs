@@ -2,11 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::computed::computed;
 use super::continuous;
-use super::value::{Error, Term, Value, binary, unary};
+use super::value::{Error, Term, Value, accept, binary, unary};
+use super::world::Given;
 use grafcet_compiler::model::{
-    Binary, Blinker, DelayId, EdgeId, Id, MacroId, Model, Name, OutputId, Place, Read, Statement, StepId, TimeRef,
-    Tree, VarId,
+    Binary, Blinker, Code, Computed, DelayId, EdgeId, Id, MacroId, Model, Name, OutputId, Place, Read, Statement,
+    StepId, TimeRef, Tree, VarId,
 };
 
 /// A set of active steps.
@@ -32,8 +34,7 @@ pub(super) struct Edges<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
     pub(super) model: &'a Model,
-    pub(super) inputs: &'a [Value],
-    pub(super) params: &'a [Value],
+    pub(super) given: Given<'a>,
     pub(super) vars: &'a [Value],
     pub(super) outputs: &'a [Value],
     pub(super) situation: &'a Situation,
@@ -58,8 +59,49 @@ impl View<'_> {
             Tree::Binary(Binary::And, a, b) => Ok(Term::Bool(self.holds(a)? && self.holds(b)?)),
             Tree::Binary(Binary::Or, a, b) => Ok(Term::Bool(self.holds(a)? || self.holds(b)?)),
             Tree::Binary(operator, a, b) => binary(*operator, self.eval(a)?, self.eval(b)?),
-            Tree::Opaque { text, .. } => Err(Error::NotUnderstood(text.clone())),
+            Tree::Opaque { text, of, .. } => self.opaque(text, of.as_deref()),
         }
+    }
+
+    /// Rust that has no node of its own: arithmetic written as methods, a literal, what the program tells.
+    fn opaque(&self, text: &str, of: Option<&Computed>) -> Result<Term, Error> {
+        if let Some(of) = of {
+            let operands: Result<Vec<Term>, Error> = of.operands.iter().map(|operand| self.eval(operand)).collect();
+            match operands {
+                Ok(operands) => {
+                    if let Some(result) = computed(of.how, &operands, text) {
+                        return result;
+                    }
+                }
+                Err(Error::NotUnderstood(_)) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        if let Some(value) = self.given.world.value(text, &|name| self.told(name)) {
+            return Term::from_outside(value, text);
+        }
+        Term::literal(text).ok_or_else(|| Error::NotUnderstood(text.to_owned()))
+    }
+
+    /// The value of a name as the program around sees it.
+    fn told(&self, name: Name) -> Option<Value> {
+        self.value_of(name).ok()
+    }
+
+    /// What a block writes, which sees its own writes (A33).
+    pub(super) fn code(&self, code: &Code) -> Result<BTreeMap<Place, Value>, Error> {
+        if let Some(statements) = &code.statements {
+            return self.run(statements);
+        }
+        let unknown = || Error::NotUnderstood(code.text.clone());
+        let told = self.given.world.block(&code.text, &|name| self.told(name)).ok_or_else(unknown)?;
+        let place = |name: &str| code.writes.iter().find(|place| self.model.place_name(**place) == name);
+        let mut written = BTreeMap::new();
+        for (name, value) in told {
+            let place = *place(&name).ok_or_else(unknown)?;
+            written.insert(place, accept(value, self.model.place_ty(place))?);
+        }
+        Ok(written)
     }
 
     /// Whether a condition holds.
@@ -73,7 +115,7 @@ impl View<'_> {
             Read::Active(step) => Term::Bool(self.situation.contains(&step)),
             Read::Since(step) => Term::Ticks(self.time_of(step)),
             Read::MacroActive(id) => Term::Bool(self.macro_active(id)),
-            Read::MacroSince(id) => Term::Ticks(saturated(self.times.macros.get(&id))),
+            Read::MacroSince(id) => Term::Ticks(self.time_of_macro(id)),
             Read::Rising(edge) => {
                 let (before, now) = self.edge(edge)?;
                 Term::Bool(!before && now)
@@ -106,6 +148,16 @@ impl View<'_> {
         saturated(self.times.steps.get(&step))
     }
 
+    /// The same of a macro-step.
+    pub(super) fn time_of_macro(&self, id: MacroId) -> u32 {
+        saturated(self.times.macros.get(&id))
+    }
+
+    /// The value of a name, of its type.
+    pub(super) fn value_of(&self, name: Name) -> Result<Value, Error> {
+        self.name(name)?.into_value(self.model.ty(name))
+    }
+
     /// `t/Step` is `Step.X && Step.T >= t`; `0s/Step` is `Step.X` (A23).
     pub(super) fn elapsed(&self, time: TimeRef, step: StepId) -> Result<bool, Error> {
         Ok(self.situation.contains(&step) && self.time_of(step) >= self.ticks(time)?)
@@ -131,10 +183,20 @@ impl View<'_> {
         edges.map(|(id, edge)| Ok((id, self.holds(&edge.of.tree)?))).collect()
     }
 
+    /// A variant that the chart lists is its place there.
     fn name(&self, name: Name) -> Result<Term, Error> {
+        let term = self.stored(name)?;
+        let Term::Name(symbol) = term else { return Ok(term) };
+        let Some(variants) = self.model.variants_of(name) else { return Ok(term) };
+        let place = variants.list.iter().position(|variant| variant.name == symbol.name());
+        let place = place.and_then(|place| i128::try_from(place).ok());
+        place.map(|place| Term::Int(place, None)).ok_or_else(|| Error::Type(format!("{symbol} is not in the list")))
+    }
+
+    fn stored(&self, name: Name) -> Result<Term, Error> {
         match name {
-            Name::Input(id) => Term::of(self.inputs[id.index()], &self.model.inputs[id].ty),
-            Name::Param(id) => Term::of(self.params[id.index()], &self.model.params[id].ty),
+            Name::Input(id) => Term::of(self.given.inputs[id.index()], &self.model.inputs[id].ty),
+            Name::Param(id) => Term::of(self.given.params[id.index()], &self.model.params[id].ty),
             Name::Output(id) => self.output(id),
             Name::Var(id) => self.var(id),
         }
@@ -179,7 +241,7 @@ impl View<'_> {
     }
 
     /// Runs the statements of a block, which sees its own writes (A33), and returns what it wrote.
-    pub(super) fn run(&self, statements: &[Statement]) -> Result<BTreeMap<Place, Value>, Error> {
+    fn run(&self, statements: &[Statement]) -> Result<BTreeMap<Place, Value>, Error> {
         let mut own = BTreeMap::new();
         self.statements(statements, &mut own)?;
         Ok(own)

@@ -108,5 +108,6 @@ fn number(value: Value) -> i128 {
         Value::Bool(value) => i128::from(value),
         Value::Int(value) => value,
         Value::Ticks(value) => i128::from(value),
+        other => unreachable!("no chart of the comparison has a {other:?}"),
     }
 }

@@ -293,6 +293,7 @@ fn back(value: interp::Value) -> Value {
         interp::Value::Bool(value) => Value::Bool(value),
         interp::Value::Ticks(ticks) => Value::Ticks(ticks),
         interp::Value::Int(number) => Value::Int(number),
+        other => unreachable!("no chart of the comparison has a {other:?}"),
     }
 }
 

@@ -3,7 +3,7 @@
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
-use grafcet_sim::interp::{Cycle, Error, Interpreter, Value};
+use grafcet_sim::interp::{Cycle, Error, Interpreter, Real, Value};
 
 fn model(chart: &str) -> Model {
     let mut sink = Sink::new();
@@ -36,6 +36,43 @@ fn arithmetic_has_the_width_of_the_declared_type() {
     assert_eq!(assign("u128", "x * 2", i128::MAX / 2), Ok(Value::Int(i128::MAX - 1)));
     // An intermediate result counts as well: Rust would panic at the product.
     assert!(matches!(assign("u8", "x * 2 / 2", 200), Err(Error::Overflow(_))));
+}
+
+#[test]
+fn floats_are_those_of_rust() {
+    let real = |value: f64| Value::Real(Real(value));
+    let assign = |ty: &str, expression: &str, x: f64| -> Result<Value, Error> {
+        let chart = format!(
+            "grafcet C {{ input x: {ty}; output n: {ty}; initial step A {{ P1 n = {expression}; }} step B; A -[false]-> B; }}"
+        );
+        let model = model(&chart);
+        let cycle = Interpreter::new(&model)?.cycle(&[real(x)], 0)?;
+        Ok(cycle.outputs[0])
+    };
+    assert_eq!(assign("f32", "x * 3.0 + 0.1", 0.7), Ok(real(f64::from(0.7_f32 * 3.0 + 0.1))));
+    assert_eq!(assign("f64", "x * 3.0 + 0.1", 0.7), Ok(real(0.7 * 3.0 + 0.1)));
+    assert_eq!(assign("f64", "-x % 2.5 / 0.0", 7.0), Ok(real(f64::NEG_INFINITY)));
+    let close =
+        "sfc C { input t: f32; output q: bool; initial step A { q if t == 0.1 && t < 1e3; } step B; A -[false]-> B; }";
+    let model = model(close);
+    let mut machine = Interpreter::new(&model).expect("understood");
+    assert_eq!(machine.cycle(&[real(0.1)], 0).map(|c| c.outputs), Ok(vec![Value::Bool(true)]), "0.1 is an f32 there");
+}
+
+#[test]
+fn methods_of_integers_are_those_of_rust() {
+    assert_eq!(assign("u16", "x.abs_diff(500)", 497), Ok(Value::Int(3)));
+    assert_eq!(assign("u8", "x.wrapping_add(10)", 250), Ok(Value::Int(4)));
+    assert_eq!(assign("i8", "x.wrapping_sub(10)", -125), Ok(Value::Int(121)));
+    assert_eq!(assign("u8", "x.saturating_sub(10)", 3), Ok(Value::Int(0)));
+    assert_eq!(assign("i8", "x.saturating_mul(10)", -100), Ok(Value::Int(-128)));
+    assert_eq!(assign("u8", "x.clamp(10, 20).max(12).min(18)", 200), Ok(Value::Int(18)));
+    assert!(matches!(assign("i8", "x.abs()", -128), Err(Error::Overflow(_))));
+    assert_eq!(assign("i16", "x.rem_euclid(7)", -1), Ok(Value::Int(6)));
+    assert_eq!(assign("i16", "x.div_euclid(0)", -1), Err(Error::DivisionByZero));
+    assert_eq!(assign("u8", "x.pow(2)", 15), Ok(Value::Int(225)));
+    assert!(matches!(assign("u8", "x.pow(2)", 16), Err(Error::Overflow(_))));
+    assert_eq!(assign("i32", "x as u8 as i8 as i32", 0x1_ff), Ok(Value::Int(-1)));
 }
 
 #[test]
@@ -77,8 +114,10 @@ fn unknown_rust_is_not_guessed() {
         model("sfc C { var n: u8 = 0; initial step A { P1 { for _ in 0..3 { n += 1; } } } step B; A -[n > 9]-> B; }");
     assert!(matches!(Interpreter::new(&block).map(|mut m| m.cycle(&[], 0)), Ok(Err(Error::NotUnderstood(_)))));
 
-    let float = model("sfc C { input x: f32; initial step A; step B; A -[true]-> B -[true]-> A; }");
-    assert!(matches!(Interpreter::new(&float), Err(Error::Type(_))));
+    let default = model("sfc C { input x: Mode; initial step A; step B; A -[x == Mode::Auto]-> B -[true]-> A; }");
+    let mut machine = Interpreter::new(&default).expect("understood so far");
+    assert!(machine.cycle(&[Value::Unknown], 0).is_ok());
+    assert!(matches!(machine.cycle(&[Value::Unknown], 0), Err(Error::NotUnderstood(_))));
 }
 
 #[test]

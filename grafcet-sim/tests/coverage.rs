@@ -1,0 +1,130 @@
+//! What runs have covered.
+
+use grafcet_sim::{Chart, Missing, Simulation, Trace, Value};
+
+const SOURCE: &str = "sfc C {
+    input a, b: bool;
+    initial step A;
+    step B;
+    A -[a && !b]-> B;
+    B -[!a]-> A;
+}";
+
+/// What is missing after cycles with these inputs.
+fn missing(inputs: &[(bool, bool)]) -> Vec<String> {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    let mut run = Simulation::new(&chart).expect("understood");
+    for (a, b) in inputs {
+        run.cycle(0, &[("a", (*a).into()), ("b", (*b).into())]).expect("understood");
+    }
+    run.coverage().missing().iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn nothing_ran() {
+    let all = missing(&[]);
+    assert_eq!(all.len(), 2 + 2 + 6, "{all:?}");
+    assert_eq!(all[0], "step `A` was never active");
+}
+
+#[test]
+fn a_part_has_to_decide_as_both() {
+    let decided = "never decided as";
+    // The first cycle asks nothing.
+    let first = [(false, false)];
+    let parts = |inputs: &[(bool, bool)]| -> Vec<String> {
+        let of_a = missing(&[&first, inputs].concat());
+        of_a.into_iter().filter(|line| line.contains(decided) && line.contains("A → B")).collect()
+    };
+    assert_eq!(parts(&[]).len(), 4);
+    // Both parts are against it: neither decides.
+    assert_eq!(parts(&[(false, true)]).len(), 4);
+    assert_eq!(parts(&[(false, false)]).len(), 3);
+    let left = parts(&[(false, false), (true, true)]);
+    assert_eq!(
+        left,
+        [
+            "`a` never decided as true in the condition of `A → B`",
+            "`b` never decided as false in the condition of `A → B`"
+        ]
+    );
+    assert!(parts(&[(false, false), (true, true), (true, false)]).is_empty());
+    let all = [(false, false), (false, false), (true, true), (true, false), (true, false), (false, false)];
+    assert!(missing(&all).is_empty());
+}
+
+#[test]
+fn a_file_for_tools() {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    let mut run = Simulation::new(&chart).expect("understood");
+    let cycles = [(false, false), (true, false)].map(|(a, b)| (0, vec![("a", Value::Bool(a)), ("b", Value::Bool(b))]));
+    let trace = Trace::run(&mut run, cycles).expect("understood");
+    let expected = "TN:C
+SF:src/main.rs
+FN:3,A
+FN:4,B
+FNDA:1,A
+FNDA:1,B
+FNF:2
+FNH:2
+BRDA:5,0,0,1
+BRDA:5,0,1,0
+BRDA:5,0,2,0
+BRDA:5,0,3,1
+BRDA:6,1,0,-
+BRDA:6,1,1,-
+BRF:6
+BRH:2
+DA:3,1
+DA:4,1
+DA:5,1
+DA:6,0
+LF:4
+LH:3
+end_of_record
+";
+    assert_eq!(trace.coverage.lcov("src/main.rs"), expected);
+    let text = trace.coverage.to_string();
+    assert!(text.starts_with("C: 2 of 2 steps active, 1 of 2 transitions cleared, 2 of 6 decisions"), "{text}");
+    assert!(trace.coverage.missing().contains(&Missing::Transition("B → A".to_owned())));
+}
+
+#[test]
+fn runs_add_up() {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    let run = |inputs: &[(bool, bool)]| {
+        let mut run = Simulation::new(&chart).expect("understood");
+        let cycles = inputs.iter().map(|(a, b)| (0, vec![("a", Value::Bool(*a)), ("b", Value::Bool(*b))]));
+        Trace::run(&mut run, cycles).expect("understood").coverage
+    };
+    let mut all = run(&[(false, false), (false, false), (true, true), (true, false)]);
+    all.assert_covered(&[
+        "transition `B → A`",
+        "`a` never decided as true in the condition of `B",
+        "`a` never decided as false in the condition of `B",
+    ]);
+    all.add(&run(&[(false, false), (true, false), (true, false), (false, false)]));
+    all.assert_covered(&[]);
+}
+
+#[test]
+#[should_panic(expected = "not covered of C:\n  transition `B → A` never cleared")]
+fn what_is_missing_ends_a_test() {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    let mut run = Simulation::new(&chart).expect("understood");
+    for (a, b) in [(false, false), (false, false), (true, true), (true, false), (true, false)] {
+        run.cycle(0, &[("a", a.into()), ("b", b.into())]).expect("understood");
+    }
+    run.coverage().assert_covered(&["`a` never decided as false in the condition of `B"]);
+}
+
+#[test]
+#[should_panic(expected = "excepted, but covered of C: step `A`")]
+fn an_exception_that_is_none_ends_a_test() {
+    let chart = Chart::parse("sfc C { input a: bool; initial step A; A -[a]-> A; }").expect("a chart");
+    let mut run = Simulation::new(&chart).expect("understood");
+    for a in [false, false, true] {
+        run.cycle(0, &[("a", a.into())]).expect("understood");
+    }
+    run.coverage().assert_covered(&["step `A`"]);
+}
