@@ -243,6 +243,8 @@ fn each_pass_is_as_recorded() {
         (Pass::Hoist, timed),
         (Pass::Forward, lamp),
         (Pass::Dead, lamp),
+        (Pass::Store, lamp),
+        (Pass::Records, lamp),
     ] {
         let model = read(chart);
         let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");

@@ -27,13 +27,15 @@ impl Sorter {
 }
 impl Sorter {
     pub fn cycle(&mut self, inputs: &SorterInputs) -> SorterOutputs {
-        let mut outputs = SorterOutputs {
-            feed: false,
-            keep: false,
-            reject: false,
+        let mut outputs = const {
+            SorterOutputs {
+                feed: false,
+                keep: false,
+                reject: false,
+            }
         };
         let was_state: __SorterState = self.state;
-        let mut entered_feed: bool = false;
+        let entered_feed: bool;
         let mut entered_measure: bool = false;
         if self.first {
             entered_feed = true;

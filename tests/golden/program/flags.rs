@@ -19,7 +19,7 @@ impl Pair {
         let mut outputs = PairOutputs { q: false };
         let was_s1_x: bool = (self.situation[0usize] & 1u8 != 0);
         let was_s2_x: bool = (self.situation[0usize] & 2u8 != 0);
-        let mut entered_s1_: bool = false;
+        let entered_s1_: bool;
         if self.first {
             entered_s1_ = true;
         } else {

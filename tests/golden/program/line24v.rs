@@ -22,10 +22,12 @@ impl Line24V {
 }
 impl Line24V {
     pub fn cycle(&mut self, inputs: &Line24VInputs) -> Line24VOutputs {
-        let mut outputs = Line24VOutputs {
-            q1: false,
-            q2: false,
-            q3: false,
+        let mut outputs = const {
+            Line24VOutputs {
+                q1: false,
+                q2: false,
+                q3: false,
+            }
         };
         let mut was_state: __Line24VState = __Line24VState::NONE;
         let mut evolutions: u8 = 0;

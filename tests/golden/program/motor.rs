@@ -20,13 +20,15 @@ impl Motor {
 }
 impl Motor {
     pub fn cycle(&mut self, inputs: &MotorInputs) -> MotorOutputs {
-        let mut outputs = MotorOutputs {
-            relay: false,
-            green: false,
-            red: false,
+        let mut outputs = const {
+            MotorOutputs {
+                relay: false,
+                green: false,
+                red: false,
+            }
         };
         let was_state: __MotorState = self.state;
-        let mut entered_off: bool = false;
+        let entered_off: bool;
         if self.first {
             entered_off = true;
         } else {

@@ -59,10 +59,12 @@ impl Dyer {
         let now: Ticks = core::convert::Into::into(
             now,
         );
-        let mut outputs = DyerOutputs {
-            inlet: false,
-            outlet: false,
-            ready: false,
+        let mut outputs = const {
+            DyerOutputs {
+                inlet: false,
+                outlet: false,
+                ready: false,
+            }
         };
         let elapsed: Ticks = if self.first {
             Ticks::ZERO
@@ -81,7 +83,7 @@ impl Dyer {
         let mut clears_wash_dye: bool = false;
         let mut clears_dye_drain: bool = false;
         let mut clears_drain_idle: bool = false;
-        let mut entered_idle: bool = false;
+        let entered_idle: bool;
         let mut entered_fill: bool = false;
         let mut entered_wash: bool = false;
         let mut entered_dye: bool = false;

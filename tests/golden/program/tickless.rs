@@ -51,14 +51,16 @@ impl Crossing {
         let now: Ticks = core::convert::Into::into(
             now,
         );
-        let mut outputs = CrossingOutputs {
-            green: false,
-            yellow: false,
-            red: false,
-            wait: false,
-            walk: false,
-            chirp: false,
-            hurry: false,
+        let mut outputs = const {
+            CrossingOutputs {
+                green: false,
+                yellow: false,
+                red: false,
+                wait: false,
+                walk: false,
+                chirp: false,
+                hurry: false,
+            }
         };
         let elapsed: Ticks = if self.first {
             Ticks::ZERO
@@ -78,7 +80,7 @@ impl Crossing {
         let mut clears_stop_walk: bool = false;
         let mut clears_walk_clear: bool = false;
         let mut clears_clear_cars: bool = false;
-        let mut entered_cars: bool = false;
+        let entered_cars: bool;
         let mut entered_asked: bool = false;
         let mut entered_yellow: bool = false;
         let mut entered_stop: bool = false;

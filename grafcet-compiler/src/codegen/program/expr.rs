@@ -82,6 +82,14 @@ impl<'m> Printer<'_, 'm> {
                     (quote!(!#inner), Binds::Unary)
                 }
             },
+            Expr::All(parts) if self.at_once(parts) => {
+                let parts = self.list_of(parts, Binds::Unary);
+                (quote!(#(#parts)&*), Binds::Compare)
+            }
+            Expr::Any(parts) if self.at_once(parts) => {
+                let parts = self.list_of(parts, Binds::Unary);
+                (quote!(#(#parts)|*), Binds::Compare)
+            }
             Expr::All(parts) => {
                 let parts = self.list_of(parts, Binds::And);
                 (quote!(#(#parts)&&*), Binds::And)
@@ -117,6 +125,15 @@ impl<'m> Printer<'_, 'm> {
                 (self.user(user), binds)
             }
         }
+    }
+
+    /// Whether all parts of a condition are asked, whatever the first ones say.
+    fn at_once(&self, parts: &[Expr<'m>]) -> bool {
+        let is_input = |part: &Expr<'m>| match part {
+            Expr::Not(inner) => matches!(**inner, Expr::Input(_)),
+            part => matches!(part, Expr::Input(_)),
+        };
+        self.eager && parts.iter().all(is_input)
     }
 
     fn sum(&self, a: &Expr<'m>, sign: &TokenStream, b: &Expr<'m>) -> TokenStream {

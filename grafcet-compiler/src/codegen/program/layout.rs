@@ -11,7 +11,7 @@ use crate::list::List;
 use crate::model::{Id, StepId, Ty};
 use crate::place::quote;
 
-use crate::program::{Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use crate::program::{Arm, Initial, Phase, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use crate::sorted::Set;
 
 /// How each place is stored.
@@ -76,6 +76,28 @@ impl Layout {
         let regions = if cx.plan.shape.is_flags() { 0 } else { program.regions.len() };
         used.regions.truncate(regions);
         Self { slots, regions: used.regions, highest: used.highest }
+    }
+
+    /// Whether a match has an arm for each value.
+    pub(super) fn is_complete(&self, program: &Program<'_>, ty: Type<'_>, arms: &[Arm<'_>]) -> bool {
+        let mut seen = Set::new();
+        for (values, _) in arms {
+            seen.extend(values.iter().copied());
+        }
+        let has = |value: Value| seen.contains(&value);
+        match ty {
+            Type::Bool => has(Value::Bool(true)) && has(Value::Bool(false)),
+            Type::State(region) => {
+                let states = self.regions[region];
+                let none = !states.empty || has(Value::Step(None));
+                let all = program.regions[region].iter().all(|step| has(Value::Step(Some(*step))));
+                all && none && states.start.is_none_or(|Start(seen)| has(Value::Start(seen)))
+            }
+            Type::Phase => {
+                [Phase::First, Phase::Repeated, Phase::Final].into_iter().all(|phase| has(Value::Phase(phase)))
+            }
+            Type::Ticks | Type::Number | Type::User(_) => false,
+        }
     }
 
     fn slot(&self, place: PlaceId) -> &Slot {

@@ -20,6 +20,7 @@ use self::scope::Scope;
 use super::machine::{Deadline, Machine};
 use super::{Cx, chart_impl, names, state, types};
 use crate::list::List;
+use crate::model::Ty;
 use crate::place::quote;
 use crate::program::{self, Program, Role, Statement};
 
@@ -28,13 +29,16 @@ struct Printer<'p, 'm> {
     cx: &'p Cx<'m>,
     program: &'p Program<'m>,
     layout: Layout,
+    /// Inputs are asked all at once: no jump is worth what it saves. In a loop it is.
+    eager: bool,
 }
 
 /// The state and the cycle of a chart as its program says.
 pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
     let cycle = statement::unwatched(&program.cycle);
     let layout = Layout::of(cx, program, &cycle);
-    let printer = Printer { cx, program, layout };
+    let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { .. }));
+    let printer = Printer { cx, program, layout, eager };
     Machine {
         types: printer.types(),
         fields: printer.fields(),
@@ -72,7 +76,13 @@ impl<'m> Printer<'_, 'm> {
                 mutable = Some(quote!(mut));
             }
         }
-        quote!(let #mutable outputs = #name { #first }; #body #last outputs)
+        let mut first = quote!(#name { #first });
+        if model.outputs.len() > 1
+            && model.outputs.values().all(|output| output.init.is_none() && matches!(output.ty, Ty::Bool(_)))
+        {
+            first = quote!(const { #first });
+        }
+        quote!(let #mutable outputs = #first; #body #last outputs)
     }
 
     fn deadline(&self, deadline: &program::Deadline<'m>) -> Deadline {

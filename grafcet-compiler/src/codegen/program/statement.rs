@@ -3,11 +3,10 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::Printer;
-use super::layout::Start;
 use super::scope::Scope;
 use crate::list::List;
 use crate::place::quote;
-use crate::program::{Arm, Expr, Phase, PlaceId, Statement, Type, Value};
+use crate::program::{Arm, Expr, Phase, PlaceId, Role, Statement, Type, Value};
 
 /// The statements without what observers are told, and without what is there for them alone.
 pub(super) fn unwatched<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
@@ -63,7 +62,15 @@ impl<'m> Printer<'_, 'm> {
 
     fn list(&self, statements: &[Statement<'m>], lines: &mut Lines<'_>) -> TokenStream {
         let mut tokens = TokenStream::new();
-        for statement in statements {
+        let mut rest = statements;
+        while let Some((statement, behind)) = rest.split_first() {
+            if let Some((record, count)) = self.record(rest) {
+                tokens.extend(record);
+                lines.next += count;
+                rest = &rest[count..];
+                continue;
+            }
+            rest = behind;
             if let Statement::Part(_, body) = statement {
                 tokens.extend(self.list(body, lines));
                 continue;
@@ -72,12 +79,31 @@ impl<'m> Printer<'_, 'm> {
             lines.next += 1;
             for place in &lines.scope.before[number] {
                 let (ty, name, value) = (self.ty(*place), self.layout.name(*place), self.initial(*place));
+                if lines.scope.settled[place.0] {
+                    tokens.extend(quote!(let #name: #ty;));
+                    continue;
+                }
                 let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
                 tokens.extend(quote!(let #mutable #name: #ty = #value;));
             }
             tokens.extend(self.statement(statement, number, lines));
         }
         tokens
+    }
+
+    /// Statements that give each output a constant are one constant, and how many they are.
+    fn record(&self, statements: &[Statement<'m>]) -> Option<(TokenStream, usize)> {
+        let (model, name) = (self.cx.model, &self.cx.names.outputs);
+        let count = model.outputs.len();
+        let first = statements.get(..count).filter(|_| count > 1)?;
+        let mut fields = TokenStream::new();
+        for (statement, (id, output)) in first.iter().zip(model.outputs.iter()) {
+            let Statement::Set(place, Expr::Value(value)) = statement else { return None };
+            let is_next = self.program.places[place.0].role == Role::Output(id) && self.layout.is_result(*place);
+            let (name, value) = (is_next.then_some(&output.name)?, self.constant(*value, Type::Bool));
+            fields.extend(quote!(#name: #value,));
+        }
+        Some((quote!(outputs = const { #name { #fields } };), count))
     }
 
     fn statement(&self, statement: &Statement<'m>, number: usize, lines: &mut Lines<'_>) -> TokenStream {
@@ -145,29 +171,11 @@ impl<'m> Printer<'_, 'm> {
             tokens.extend(quote!(#(#values)|* => { #body }));
         }
         let otherwise = self.list(otherwise, lines);
-        if !self.is_complete(ty, arms) {
+        if !self.layout.is_complete(self.program, ty, arms) {
             tokens.extend(quote!(_ => { #otherwise }));
         }
         let value = self.get(place);
         quote!(match #value { #tokens })
-    }
-
-    /// Whether a match has an arm for each value.
-    fn is_complete(&self, ty: Type<'m>, arms: &[Arm<'m>]) -> bool {
-        let has = |value: Value| arms.iter().any(|(values, _)| values.contains(&value));
-        match ty {
-            Type::Bool => has(Value::Bool(true)) && has(Value::Bool(false)),
-            Type::State(region) => {
-                let states = self.layout.regions[region];
-                let none = !states.empty || has(Value::Step(None));
-                let all = self.program.regions[region].iter().all(|step| has(Value::Step(Some(*step))));
-                all && none && states.start.is_none_or(|Start(seen)| has(Value::Start(seen)))
-            }
-            Type::Phase => {
-                [Phase::First, Phase::Repeated, Phase::Final].into_iter().all(|phase| has(Value::Phase(phase)))
-            }
-            Type::Ticks | Type::Number | Type::User(_) => false,
-        }
     }
 
     /// A value as an expression and as a pattern.

@@ -9,6 +9,8 @@
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at
+//! - `store`: the next state is stored once
+//! - `records`: few outputs are one constant in each state
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
@@ -22,10 +24,12 @@ mod fold;
 mod forward;
 mod hoist;
 mod outputs;
+mod records;
 mod search;
 mod share;
 mod sparse;
 mod split;
+mod store;
 mod uses;
 
 use super::{Program, Statement};
@@ -45,11 +49,13 @@ pub enum Pass {
     Hoist,
     Forward,
     Dead,
+    Store,
+    Records,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -60,6 +66,8 @@ impl Pass {
         Self::Hoist,
         Self::Forward,
         Self::Dead,
+        Self::Store,
+        Self::Records,
     ];
 }
 
@@ -89,6 +97,12 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Dead) {
         dead::pass(program);
+    }
+    if wants(Pass::Store) {
+        store::pass(program);
+    }
+    if wants(Pass::Records) {
+        records::pass(program);
     }
 }
 

@@ -19,39 +19,42 @@ impl Sorter {
 }
 impl Sorter {
     pub fn cycle(&mut self, inputs: &SorterInputs) -> SorterOutputs {
-        let mut outputs = SorterOutputs {
-            feed: false,
-            keep: false,
-            reject: false,
+        let mut outputs = const {
+            SorterOutputs {
+                feed: false,
+                keep: false,
+                reject: false,
+            }
         };
+        let after: __SorterState;
         match self.state {
             __SorterState::INIT => {
-                self.state = __SorterState::Feed;
+                after = __SorterState::Feed;
             }
             __SorterState::Feed => {
                 if inputs.piece {
-                    self.state = __SorterState::Measure;
+                    after = __SorterState::Measure;
+                } else {
+                    after = __SorterState::Feed;
                 }
             }
             __SorterState::Measure => {
                 if self.z {
-                    self.state = __SorterState::Keep;
+                    after = __SorterState::Keep;
                 } else {
-                    self.state = __SorterState::Reject;
+                    after = __SorterState::Reject;
                 }
             }
-            __SorterState::Keep => {
+            __SorterState::Keep | __SorterState::Reject => {
                 if !inputs.piece {
-                    self.state = __SorterState::Feed;
-                }
-            }
-            __SorterState::Reject => {
-                if !inputs.piece {
-                    self.state = __SorterState::Feed;
+                    after = __SorterState::Feed;
+                } else {
+                    after = self.state;
                 }
             }
         }
-        match self.state {
+        self.state = after;
+        match after {
             __SorterState::Feed => {
                 outputs.feed = true;
             }

@@ -10,35 +10,62 @@ impl Motor {
 }
 impl Motor {
     pub fn cycle(&mut self, inputs: &MotorInputs) -> MotorOutputs {
-        let mut outputs = MotorOutputs {
-            relay: false,
-            green: false,
-            red: false,
+        let mut outputs = const {
+            MotorOutputs {
+                relay: false,
+                green: false,
+                red: false,
+            }
         };
+        let after: __MotorState;
         match self.state {
             __MotorState::INIT => {
-                self.state = __MotorState::Off;
+                after = __MotorState::Off;
             }
             __MotorState::Off => {
-                if inputs.on && !inputs.over_temp {
-                    self.state = __MotorState::On;
+                if inputs.on & !inputs.over_temp {
+                    after = __MotorState::On;
+                } else {
+                    after = __MotorState::Off;
                 }
             }
             __MotorState::On => {
-                if inputs.off || inputs.over_temp {
-                    self.state = __MotorState::Off;
+                if inputs.off | inputs.over_temp {
+                    after = __MotorState::Off;
+                } else {
+                    after = __MotorState::On;
                 }
             }
         }
-        match self.state {
+        self.state = after;
+        match after {
             __MotorState::Off => {
-                outputs.red = true;
+                outputs = const {
+                    MotorOutputs {
+                        relay: false,
+                        green: false,
+                        red: true,
+                    }
+                };
             }
             __MotorState::On => {
-                outputs.relay = true;
-                outputs.green = true;
+                outputs = const {
+                    MotorOutputs {
+                        relay: true,
+                        green: true,
+                        red: false,
+                    }
+                };
             }
-            _ => {}
+            _ => {
+                outputs = const {
+                    MotorOutputs {
+                        relay: false,
+                        green: false,
+                        red: false,
+                    }
+                };
+            }
         }
         outputs
     }

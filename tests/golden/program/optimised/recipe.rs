@@ -33,10 +33,12 @@ impl Dyer {
         let now: Ticks = core::convert::Into::into(
             now,
         );
-        let mut outputs = DyerOutputs {
-            inlet: false,
-            outlet: false,
-            ready: false,
+        let mut outputs = const {
+            DyerOutputs {
+                inlet: false,
+                outlet: false,
+                ready: false,
+            }
         };
         let elapsed: Ticks = now.since(self.reading);
         self.reading = now;

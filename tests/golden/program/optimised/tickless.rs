@@ -35,14 +35,16 @@ impl Crossing {
         let now: Ticks = core::convert::Into::into(
             now,
         );
-        let mut outputs = CrossingOutputs {
-            green: false,
-            yellow: false,
-            red: false,
-            wait: false,
-            walk: false,
-            chirp: false,
-            hurry: false,
+        let mut outputs = const {
+            CrossingOutputs {
+                green: false,
+                yellow: false,
+                red: false,
+                wait: false,
+                walk: false,
+                chirp: false,
+                hurry: false,
+            }
         };
         let elapsed: Ticks = now.since(self.reading);
         self.reading = now;
