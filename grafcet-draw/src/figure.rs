@@ -1,6 +1,6 @@
 //! What each thing looks like: its size, and its shapes once it has a place.
 
-use crate::shape::{Drawing, Frame, Heading, Shape};
+use crate::shape::{Drawing, Frame, Heading, Place, Shape, Thing};
 use crate::wrap::width;
 
 /// The room a thing takes around its middle, in squares.
@@ -19,6 +19,7 @@ pub(crate) enum Figure {
     /// What an `any` leaves.
     Any(Vec<String>),
     Transition {
+        id: usize,
         name: String,
         lines: Vec<String>,
     },
@@ -26,6 +27,8 @@ pub(crate) enum Figure {
 }
 
 pub(crate) struct Step {
+    /// Itself, or the macro-step.
+    pub(crate) of: Thing,
     pub(crate) name: String,
     pub(crate) frame: Frame,
     pub(crate) active: bool,
@@ -74,7 +77,7 @@ impl Figure {
                 let text = lines.iter().map(|line| width(line)).max().unwrap_or(0);
                 Extent { left: text / 2 + 1, right: text - text / 2 + 1, height: rows(lines) }
             }
-            Figure::Transition { name, lines } => {
+            Figure::Transition { name, lines, .. } => {
                 let left = if name.is_empty() { 2 } else { width(name) + 4 };
                 let right = lines.iter().map(|line| width(line) + 4).max().unwrap_or(2);
                 Extent { left, right, height: rows(lines).max(1) - 1 }
@@ -111,7 +114,8 @@ impl Figure {
                 to.centred((x, y + 1), name);
             }
             Figure::Any(lines) => (y..).zip(lines).for_each(|(row, line)| to.centred((x, row), line)),
-            Figure::Transition { name, lines } => {
+            Figure::Transition { id, name, lines } => {
+                to.places.push(Place { of: Thing::Transition(*id), at: (x - 2, y), size: (5, 1) });
                 to.shapes.push(Shape::Bar { at: (x, y) });
                 to.text((x - 3 - width(name), y), name);
                 for (row, line) in (y..).zip(lines) {
@@ -172,6 +176,7 @@ impl Step {
 
     fn draw(&self, x: i32, y: i32, to: &mut Drawing) {
         let (left, top) = (x - self.width() / 2, y + self.top());
+        to.places.push(Place { of: self.of, at: (left, top), size: (self.width(), 3) });
         to.shapes.push(Shape::Frame { at: (left, top), size: (self.width(), 3), kind: self.frame });
         to.centred((x, top + 1), &self.name);
         if !self.from.is_empty() {

@@ -29,7 +29,7 @@ pub(crate) fn legend(chart: &Description<'_>) -> Option<Drawing> {
     }
     let wide = lines.iter().map(|(indent, line)| indent + width(line)).max()?;
     let size = (wide + 4, i32::try_from(lines.len()).unwrap_or(0) + 2);
-    let mut drawing = Drawing { width: size.0, height: size.1, shapes: Vec::new() };
+    let mut drawing = Drawing { width: size.0, height: size.1, ..Drawing::default() };
     drawing.shapes.push(Shape::Frame { at: (0, 0), size, kind: Frame::Sheet });
     for (row, (indent, line)) in (1..).zip(&lines) {
         drawing.text((2 + indent, row), line);

@@ -27,7 +27,7 @@ use grafcet_core::ActiveSteps;
 use grafcet_core::description::Description;
 
 pub use mermaid::mermaid;
-pub use shape::{Drawing, Frame, Heading, Shape};
+pub use shape::{Drawing, Frame, Heading, Place, Shape, Thing};
 use wording::{Density, Wording};
 
 /// A chart of more steps than this is not drawn step by step.
@@ -82,6 +82,15 @@ pub fn svg(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) -> 
 #[must_use]
 pub fn svg_inline(chart: &Description<'_>) -> String {
     svg::write(chart.name, &layout(chart, &()), svg::Style::Page)
+}
+
+/// A chart as SVG for a page that moves marks over it: as [`svg_inline`], and below the lines a rectangle for each step,
+/// macro-step and transition that is not seen as long as nobody gives it a look. `data-steps` lists the steps by number, of a macro-step
+/// all of its expansion; `data-transition` is the number of a transition.
+#[must_use]
+pub fn svg_live(chart: &Description<'_>) -> String {
+    let drawing = layout(chart, &());
+    svg::live(chart, &drawing)
 }
 
 /// A chart in characters, for a terminal, with the steps marked that are active in `situation` (`&()` marks none).

@@ -12,6 +12,30 @@ pub struct Drawing {
     pub height: i32,
     /// In the order of drawing.
     pub shapes: Vec<Shape>,
+    /// Where steps, macro-steps and transitions stand, for who puts marks upon them.
+    pub places: Vec<Place>,
+}
+
+/// Where something of the chart stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Place {
+    /// What it is.
+    pub of: Thing,
+    /// The upper left square.
+    pub at: (i32, i32),
+    /// From edge to edge, as of a frame.
+    pub size: (i32, i32),
+}
+
+/// What can be marked, by its number in the description.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Thing {
+    /// A step.
+    Step(usize),
+    /// A macro-step.
+    Macro(usize),
+    /// A transition: its bar.
+    Transition(usize),
 }
 
 /// One thing on the paper.
@@ -128,6 +152,9 @@ impl Drawing {
             shape
         });
         self.shapes.extend(moved);
+        for place in other.places {
+            self.places.push(Place { at: (place.at.0 + dx, place.at.1 + dy), ..place });
+        }
         self.width = self.width.max(other.width + dx);
         self.height = self.height.max(other.height + dy);
     }

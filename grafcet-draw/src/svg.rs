@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::shape::{Drawing, Frame, Heading, Shape};
+use grafcet_core::description::Description;
+
+use crate::shape::{Drawing, Frame, Heading, Shape, Thing};
 use crate::wrap::width;
 
 /// A square in pixels.
@@ -25,6 +27,48 @@ pub(crate) enum Style {
 
 /// One line, without a blank one in it, so that Markdown passes it on.
 pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
+    write_upon(name, drawing, style, "")
+}
+
+/// For a page that moves marks.
+pub(crate) fn live(chart: &Description<'_>, drawing: &Drawing) -> String {
+    let mut marks = String::new();
+    for place in &drawing.places {
+        let (x, y) = middle(place.at);
+        let (w, h) = ((place.size.0 - 1) * SQUARE.0, (place.size.1 - 1) * SQUARE.1);
+        // Writing to a string cannot fail.
+        let _ = match place.of {
+            Thing::Transition(id) => {
+                let (x, y, w) = (x - 2, y - 6, w + 4);
+                write!(marks, "<rect data-transition=\"{id}\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"12\"/>")
+            }
+            of => {
+                let steps = steps(chart, of);
+                write!(marks, "<rect data-steps=\"{steps}\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/>")
+            }
+        };
+    }
+    write_upon(chart.name, drawing, Style::Page, &format!("<g fill=\"none\">{marks}</g>"))
+}
+
+/// A step alone, or all of an expansion.
+fn steps(chart: &Description<'_>, of: Thing) -> String {
+    let within = |step: &grafcet_core::description::Step<'_>| {
+        let mut at = step.expansion;
+        while let Some(id) = at {
+            if of == Thing::Macro(id) {
+                return true;
+            }
+            at = chart.macros.get(id).and_then(|outer| outer.outer);
+        }
+        false
+    };
+    let all = chart.steps.iter().enumerate().filter(|(id, step)| of == Thing::Step(*id) || within(step));
+    let all: Vec<String> = all.map(|(id, _)| id.to_string()).collect();
+    all.join(" ")
+}
+
+fn write_upon(name: &str, drawing: &Drawing, style: Style, below: &str) -> String {
     let (wide, high) = (drawing.width * SQUARE.0 + 2 * MARGIN, drawing.height * SQUARE.1 + 2 * MARGIN);
     let size = match style {
         Style::Paper => format!("width=\"{wide}\" height=\"{high}\" style=\"color:#1f2328;background:#fff\""),
@@ -36,7 +80,7 @@ pub(crate) fn write(name: &str, drawing: &Drawing, style: Style) -> String {
     drawing.shapes.iter().for_each(|shape| layers.add(shape));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {0} {wide} {high}\" {size} role=\"img\" \
-         aria-label=\"Chart {1}\"><g fill=\"none\" stroke=\"currentColor\"><path d=\"{2}\"/>{3}\
+         aria-label=\"Chart {1}\">{below}<g fill=\"none\" stroke=\"currentColor\"><path d=\"{2}\"/>{3}\
          <path d=\"{4}\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" \
          dominant-baseline=\"central\">{5}{6}</g></svg>",
         // Half a pixel more: lines run through the middles of pixels, and one that is drawn twice, as between two actions, is no wider.

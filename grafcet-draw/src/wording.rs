@@ -6,7 +6,7 @@ use grafcet_core::description::{Action, Any, Description, Dialect};
 
 use crate::figure::{Box, Figure, Step};
 use crate::graph::{Item, Kind};
-use crate::shape::Frame;
+use crate::shape::{Frame, Thing};
 use crate::sheets::{Node, name};
 use crate::wrap::wrap;
 
@@ -90,7 +90,20 @@ impl Wording<'_> {
             }
         }
         let from = if names.is_empty() { Vec::new() } else { wrap(&names.join(", "), FROM, LINES) };
-        Step { name, frame, active, linked: step.is_some_and(|step| step.linked), from, boxes, pad: self.density.pad }
+        let of = match node {
+            Node::Step(id) => Thing::Step(id),
+            Node::Macro(id) => Thing::Macro(id),
+        };
+        Step {
+            of,
+            name,
+            frame,
+            active,
+            linked: step.is_some_and(|step| step.linked),
+            from,
+            boxes,
+            pad: self.density.pad,
+        }
     }
 
     /// Where a reference leads from. Source transitions and `any` without a name are written as in the source.
@@ -198,7 +211,7 @@ impl Wording<'_> {
         for clearing in transition.clearing {
             lines.extend(self.lines(&format!("⇒ {}", assigned(clearing))));
         }
-        Figure::Transition { name: short(transition.name), lines }
+        Figure::Transition { id, name: short(transition.name), lines }
     }
 }
 

@@ -199,8 +199,7 @@ impl Asking<'_> {
             Tree::Read(Read::Delay(id)) => self.delay(&mut part, *id, wanted)?,
             Tree::Read(Read::Rising(edge) | Read::Falling(edge)) => {
                 let of = &self.model.edges[*edge].of;
-                let now = if self.look.holds(&of.tree)? { "it is true" } else { "it is false" };
-                now.clone_into(&mut part.note);
+                part.note = format!("{} is {}", of.text, self.look.holds(&of.tree)?);
                 if !plain_read(&of.tree) {
                     self.values(&mut part, &of.tree)?;
                 }

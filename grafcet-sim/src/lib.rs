@@ -8,6 +8,8 @@ mod cycle;
 pub mod interp;
 mod names;
 mod program;
+mod script;
+mod show;
 mod simulation;
 mod trace;
 mod value;
@@ -18,6 +20,13 @@ pub use coverage::{Coverage, Missing};
 pub use cycle::{Call, Cycle, Evolution, Forced, Gap, Phase, Ran};
 pub use names::{Kind, Names, Signal, Step, Transition};
 pub use program::{Asked, Program};
+pub use script::{BadLine, Scripted, script};
+pub use show::{chronogram, page, table, vcd};
 pub use simulation::{Error, Simulation};
 pub use trace::{Difference, Trace};
 pub use value::Value;
+
+/// The page for users, whose blocks are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/replay.md")]
+mod page_for_users {}

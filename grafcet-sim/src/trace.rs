@@ -3,6 +3,7 @@
 use crate::coverage::Coverage;
 use crate::cycle::{Cycle, Gap};
 use crate::names::Names;
+use crate::script::Scripted;
 use crate::simulation::{Error, Simulation};
 use crate::value::Value;
 
@@ -46,6 +47,19 @@ impl Trace {
         let mut trace = Self::of(simulation);
         for (now, inputs) in cycles {
             trace.cycles.push(simulation.cycle(now, &inputs)?);
+        }
+        trace.coverage = simulation.coverage();
+        Ok(trace)
+    }
+
+    /// Runs the simulation through a script, as [`script`](crate::script()) reads it.
+    ///
+    /// # Errors
+    /// As of [`Simulation::cycle`].
+    pub fn play(simulation: &mut Simulation<'_>, cycles: &[Scripted]) -> Result<Self, Error> {
+        let mut trace = Self::of(simulation);
+        for (now, inputs) in cycles {
+            trace.cycles.push(simulation.cycle_with(*now, inputs)?);
         }
         trace.coverage = simulation.coverage();
         Ok(trace)

@@ -59,8 +59,8 @@ fn how_long_still() {
 #[test]
 fn edges() {
     let up: &[(u32, &[(&str, Value)])] = &[(0, &[("a", true.into())])];
-    assert_eq!(waits("rising(a)", &[START]), "`rising(a)` (it is false)");
-    assert_eq!(waits("rising(a)", up), "`rising(a)` (it is true)");
+    assert_eq!(waits("rising(a)", &[START]), "`rising(a)` (a is false)");
+    assert_eq!(waits("rising(a)", up), "`rising(a)` (a is true)");
 }
 
 #[test]

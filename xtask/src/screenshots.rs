@@ -1,13 +1,13 @@
-//! What rustdoc shows of the example charts, in its light and its dark theme, for people who look at them. Nothing compares
+//! What rustdoc shows of the example charts, in its light and its dark theme, and the page of a replay, for people who look at them. Nothing compares
 //! them: fonts and the version of the browser move their pixels.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::command::{Result, capture_within, find, run as run_command};
+use crate::command::{Result, capture, capture_within, find, run as run_command};
 use crate::firmware::{EXAMPLES, EXAMPLES_CRATE};
 use crate::project::{self, cargo, remove, root};
 
@@ -26,7 +26,7 @@ const LIMIT: Duration = Duration::from_secs(60);
 /// Makes all of them.
 ///
 /// # Errors
-/// Chromium is missing, rustdoc fails, or a page shows no chart.
+/// Chromium is missing, rustdoc or the replay fails, or a page shows no chart.
 pub(crate) fn run() -> Result {
     let browsers = ["chromium", "chromium-browser", "google-chrome"];
     let browser = browsers.iter().find_map(|name| find(name));
@@ -39,18 +39,33 @@ pub(crate) fn run() -> Result {
     run_command(cargo(&doc).arg(&target))?;
     for example in EXAMPLES {
         for (chart, page) in pages(&target.join("doc/grafcet_firmware").join(example))? {
-            for (theme, scheme) in THEMES {
-                let picture = root().join(FOLDER).join(format!("{chart}-{theme}.png"));
-                let mut command = Command::new(&browser);
-                // Its sandbox does not work for root; the page is our own.
-                command.args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", WINDOW]);
-                command.arg(format!("--blink-settings=preferredColorScheme={scheme}"));
-                command.arg(format!("--screenshot={}", picture.display())).arg(format!("file://{}", page.display()));
-                capture_within(&mut command, LIMIT)?;
-            }
-            println!("screenshots: {chart}");
+            pictures(&browser, &chart, &page.display().to_string(), WINDOW)?;
         }
     }
+    replay(&browser, &target)
+}
+
+/// The page of a replay, at the evolution in which the emergency stop of the cell is pressed.
+fn replay(browser: &Path, target: &Path) -> Result {
+    let page = target.join("cell");
+    let run = ["run", "--quiet", "--package", "grafcet-sim", "--example", "replay", "--"];
+    let script = ["examples/charts/cell.rs", "Cell", "examples/charts/cell.script"];
+    capture(cargo(&run).args(script).arg(&page).stdout(Stdio::piped()))?;
+    pictures(browser, "Replay", &format!("{}.html#14.1", page.display()), "--window-size=1400,900")
+}
+
+/// One picture in each theme.
+fn pictures(browser: &Path, name: &str, page: &str, window: &str) -> Result {
+    for (theme, scheme) in THEMES {
+        let picture = root().join(FOLDER).join(format!("{name}-{theme}.png"));
+        let mut command = Command::new(browser);
+        // Its sandbox does not work for root; the page is our own.
+        command.args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", window]);
+        command.arg(format!("--blink-settings=preferredColorScheme={scheme}"));
+        command.arg(format!("--screenshot={}", picture.display())).arg(format!("file://{page}"));
+        capture_within(&mut command, LIMIT)?;
+    }
+    println!("screenshots: {name}");
     Ok(())
 }
 

@@ -60,11 +60,11 @@ fn what_covers_another_is_seen() {
         vec![text(-1, 0)],
     ];
     for shapes in faulty {
-        let drawing = Drawing { width: 20, height: 10, shapes };
+        let drawing = Drawing { width: 20, height: 10, shapes, ..Drawing::default() };
         assert!(!problems(&drawing).is_empty(), "{drawing:?}");
     }
     let shapes = vec![frame(0, 0), frame(0, 2), text(1, 1), Shape::Line { from: (5, 1), to: (9, 1), double: false }];
-    assert!(problems(&Drawing { width: 20, height: 10, shapes }).is_empty());
+    assert!(problems(&Drawing { width: 20, height: 10, shapes, ..Drawing::default() }).is_empty());
 }
 
 /// `None` where the chart has mistakes.
