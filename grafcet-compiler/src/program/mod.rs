@@ -22,6 +22,7 @@ use crate::model::{
     ActionId, AssociationId, Code, DelayId, EdgeId, Expr as Written, InputId, MacroId, Model, OutputId, ParamId, Place,
     Qualifier, Read, StepId, TransitionId, Tree, Ty, VarId,
 };
+use crate::sorted::Set;
 
 pub use lower::{Encoding, Refused, naive};
 
@@ -33,6 +34,8 @@ pub struct Program<'m> {
     pub places: Vec<PlaceInfo<'m>>,
     /// The groups of steps that share a place, in the order of [`Role::State`].
     pub regions: Vec<Vec<StepId>>,
+    /// By step: which others may be active beside it, before and after each evolution; empty where all steps share a place.
+    pub beside: Vec<Set<StepId>>,
     pub cycle: Vec<Statement<'m>>,
     /// Of a chart that uses time.
     pub deadline: Option<Deadline<'m>>,

@@ -232,6 +232,8 @@ fn each_pass_is_as_recorded() {
                   Dark -[on]-> Lit -[off]-> Dark; }";
     let timed =
         "sfc Timed { input a: bool; output p: bool; initial step A; step B { p; } A -[rising(a)]-> B -[5ms/B]-> A; }";
+    let pair = "sfc Pair { input a, b, c, d: bool; output p, q, r: bool; initial step Start { p; } step A1 { q; } step A2; step B1 { p; } \
+                step B2 { r; } Start -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[c]-> B2; (A2, B2) -[d]-> Start; }";
     for (pass, chart) in [
         (Pass::Marks, lamp),
         (Pass::Apart, lamp),
@@ -240,17 +242,22 @@ fn each_pass_is_as_recorded() {
         (Pass::Known, called),
         (Pass::Join, twice),
         (Pass::Search, stairs),
+        (Pass::Several, pair),
         (Pass::Hoist, timed),
         (Pass::Forward, lamp),
         (Pass::Dead, lamp),
         (Pass::Store, lamp),
         (Pass::Records, lamp),
+        (Pass::Fences, pair),
     ] {
         let model = read(chart);
         let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
         // The passes after `Split` are read without what the last ones take away.
-        let tidy =
-            if [Pass::Known, Pass::Join, Pass::Search, Pass::Hoist].contains(&pass) { &[Pass::Dead][..] } else { &[] };
+        let tidy = if [Pass::Known, Pass::Join, Pass::Search, Pass::Several, Pass::Hoist].contains(&pass) {
+            &[Pass::Dead][..]
+        } else {
+            &[]
+        };
         let before = optimised(&model, Encoding::Regions, &[&Pass::ALL[..at], tidy].concat()).expect("a program");
         let after = optimised(&model, Encoding::Regions, &[&Pass::ALL[..=at], tidy].concat()).expect("a program");
         assert_ne!(before.to_string(), after.to_string(), "{pass:?}");

@@ -74,8 +74,14 @@ pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Res
     let mut lower = Lower::new(model, &regions, facts);
     let cycle = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
-    let regions = regions.all().iter().map(|region| region.steps.clone()).collect();
-    Ok(Program { model, places: lower.places, regions, cycle, deadline })
+    let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).collect();
+    let mut beside = Vec::new();
+    if regions.len() > 1 {
+        for step in model.steps.ids() {
+            beside.push(facts.concurrency.beside(step).collect());
+        }
+    }
+    Ok(Program { model, places: lower.places, regions, beside, cycle, deadline })
 }
 
 /// What is made for one chart, and what is known about it meanwhile.

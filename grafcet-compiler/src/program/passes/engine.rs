@@ -4,7 +4,7 @@ use super::super::{Expr, PlaceId, PlaceInfo, Run, Statement, Type, Value};
 use super::fold::{Known, initial};
 use super::sparse::{Index, States};
 use super::uses::Effects;
-use crate::model::Read;
+use crate::model::{Read, StepId};
 
 /// What is known of a place.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -17,7 +17,12 @@ pub(super) enum Fact {
     Assumed(Value),
     /// The same as another place, which has not been written since.
     Copy(PlaceId),
+    /// The state of a region: one of the list with this number.
+    Among(usize),
 }
+
+/// States of which a region has one.
+pub(super) type Among = Vec<Option<StepId>>;
 
 /// What is done on all ways from one state.
 pub(super) struct Tree<'m> {
@@ -60,6 +65,8 @@ pub(super) struct Engine<'e, 'm> {
     pub(super) learned: Vec<PlaceId>,
     /// What has been a copy of what so far.
     copies: Vec<(PlaceId, PlaceId)>,
+    /// What [`Fact::Among`] stands for.
+    pub(super) lists: Vec<Among>,
     ways: usize,
 }
 
@@ -110,6 +117,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             trail: Vec::new(),
             learned: Vec::new(),
             copies: Vec::new(),
+            lists: Vec::new(),
             ways: 0,
         }
     }
@@ -132,7 +140,10 @@ impl<'e, 'm> Engine<'e, 'm> {
             let (copy, of) = self.copies[at];
             if of == place && self.env[copy.0] == Fact::Copy(of) {
                 self.trail.push((copy, Fact::Copy(of)));
-                self.env[copy.0] = Fact::Nothing;
+                self.env[copy.0] = match self.env[of.0] {
+                    known @ (Fact::Is(_) | Fact::Among(_)) => known,
+                    _ => Fact::Nothing,
+                };
             }
         }
         if let Fact::Copy(of) = fact {
@@ -165,7 +176,11 @@ impl<'e, 'm> Engine<'e, 'm> {
             Fact::Copy(other) => Some(other),
             _ => None,
         };
-        Known { places: self.places, value: &value, copy: &copy }.fold(expr)
+        let among = |place: PlaceId| match self.env[place.0] {
+            Fact::Among(list) => Some(&self.lists[list]),
+            _ => None,
+        };
+        Known { places: self.places, value: &value, copy: &copy, among: &among }.fold(expr)
     }
 
     /// The next statement that matters.
@@ -203,7 +218,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             if let Some(condition) = self.may_leave(&list[at]) {
                 // The loop is left there, or it goes on.
                 let (mark, learned) = (self.trail.len(), self.learned.len());
-                self.learn(&condition, true);
+                self.tell(&condition, true);
                 let mut then = Vec::new();
                 if let Statement::If(_, leaving, _) = &list[at] {
                     self.block(leaving, &mut then);
@@ -211,7 +226,7 @@ impl<'e, 'm> Engine<'e, 'm> {
                 let tree = Tree { body: Vec::new(), end: End::Leaf(self.leaf(then)?) };
                 self.back(mark);
                 self.learned.truncate(learned);
-                self.learn(&condition, false);
+                self.tell(&condition, false);
                 forks.push((std::mem::take(&mut body), condition, tree));
                 continue;
             }
@@ -224,7 +239,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             };
             self.ways = self.ways.checked_sub(1).ok_or(Lost)?;
             let (mark, learned) = (self.trail.len(), self.learned.len());
-            self.learn(&condition, true);
+            self.tell(&condition, true);
             let mut then = Vec::new();
             self.set(place, Expr::Value(Value::Bool(true)), &mut then);
             let mut tree = self.go(point, cursor)?;
@@ -233,7 +248,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             self.learned.truncate(learned);
             forks.push((std::mem::take(&mut body), condition, tree));
             if let Some((_, condition, _)) = forks.last() {
-                self.learn(&condition.clone(), false);
+                self.tell(&condition.clone(), false);
             }
             self.set(place, Expr::Value(Value::Bool(false)), &mut body);
         }

@@ -2,8 +2,9 @@
 
 use super::super::build::{choose, no, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Type, User, Value};
+use super::engine::Among;
 use super::uses::{is_pure, same};
-use crate::model::Tree;
+use crate::model::{StepId, Tree};
 
 /// What is known of places.
 pub(super) struct Known<'k, 'm> {
@@ -11,6 +12,8 @@ pub(super) struct Known<'k, 'm> {
     pub(super) value: &'k dyn Fn(PlaceId) -> Option<Value>,
     /// Another place that holds the same.
     pub(super) copy: &'k dyn Fn(PlaceId) -> Option<PlaceId>,
+    /// The states of which a region has one.
+    pub(super) among: &'k dyn Fn(PlaceId) -> Option<&'k Among>,
 }
 
 /// The value that a place begins with. Of what the user declares otherwise only Rust knows it.
@@ -39,7 +42,7 @@ impl Known<'_, '_> {
             Expr::Value(_) | Expr::Input(_) | Expr::Now => expr.clone(),
             Expr::Place(place) => match (self.get(*place), (self.copy)(*place)) {
                 (Some(value), _) => Expr::Value(value),
-                (None, Some(other)) => Expr::Place(other),
+                (None, Some(other)) => self.get(other).map_or(Expr::Place(other), Expr::Value),
                 (None, None) => expr.clone(),
             },
             Expr::Initial(place) => match (initial(&self.places[place.0]), self.places[place.0].ty) {
@@ -53,7 +56,7 @@ impl Known<'_, '_> {
             Expr::Is(place, steps) => match self.get(*place) {
                 Some(Value::Step(Some(step))) => truth(steps.contains(&step)),
                 Some(_) => no(),
-                None => expr.clone(),
+                None => self.is(*place, steps),
             },
             Expr::Not(inner) => negated(self.fold(inner)),
             Expr::All(parts) => self.list(parts, true),
@@ -89,6 +92,22 @@ impl Known<'_, '_> {
                 Expr::User(Box::new(User { tokens: user.tokens, tree: user.tree, binds }))
             }
         }
+    }
+
+    /// Whether a state that is not known is one of some.
+    fn is<'m>(&self, place: PlaceId, steps: &[StepId]) -> Expr<'m> {
+        let place = (self.copy)(place).unwrap_or(place);
+        if let Some(Value::Step(step)) = self.get(place) {
+            return truth(step.is_some_and(|step| steps.contains(&step)));
+        }
+        let Some(list) = (self.among)(place) else { return Expr::Is(place, steps.to_vec()) };
+        let found = |state: &Option<StepId>| state.is_some_and(|step| steps.contains(&step));
+        if list.iter().all(found) {
+            return yes();
+        }
+        let mut left = steps.to_vec();
+        left.retain(|step| list.contains(&Some(*step)));
+        if left.is_empty() { no() } else { Expr::Is(place, left) }
     }
 
     /// `All` (`and`) or `Any` of some parts. What could answer differently each time is asked in any case.

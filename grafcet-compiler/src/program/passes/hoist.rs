@@ -58,7 +58,7 @@ fn are_single(arms: &[Arm<'_>]) -> bool {
     arms.len() > 1 && arms.iter().all(|(values, _)| values.len() == 1)
 }
 
-fn out_of<'m>(
+pub(super) fn out_of<'m>(
     places: &[PlaceInfo<'m>],
     state: PlaceId,
     mut start: Option<&mut Vec<Statement<'m>>>,

@@ -6,26 +6,33 @@
 //! - `outputs`: outputs that each cycle gives a value are no fields
 //! - `split`: one match on the state before, one on the state after; what fields hold in each state
 //! - `search`: the same in the loop of a `grafcet`, and after it
+//! - `several`: of several regions, each looked at by itself as far as that is possible
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at
 //! - `store`: the next state is stored once
 //! - `records`: few outputs are one constant in each state
+//! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
-//! `share` (what lists have in common); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
+//! `share` (what lists have in common), `several` also on `parts` (another order, in which those of one region stand together) and `among` (which
+//! states of a region are possible); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
 
+mod among;
 mod apart;
 mod branches;
 mod dead;
 mod engine;
+mod fences;
 mod flat;
 mod fold;
 mod forward;
 mod hoist;
 mod outputs;
+mod parts;
 mod records;
 mod search;
+mod several;
 mod share;
 mod sparse;
 mod split;
@@ -46,16 +53,18 @@ pub enum Pass {
     /// What ways have in common, within `Split`.
     Join,
     Search,
+    Several,
     Hoist,
     Forward,
     Dead,
     Store,
     Records,
+    Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -63,11 +72,13 @@ impl Pass {
         Self::Known,
         Self::Join,
         Self::Search,
+        Self::Several,
         Self::Hoist,
         Self::Forward,
         Self::Dead,
         Self::Store,
         Self::Records,
+        Self::Fences,
     ];
 }
 
@@ -89,6 +100,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Search) {
         search::pass(program);
     }
+    if wants(Pass::Several) {
+        several::pass(program);
+    }
     if wants(Pass::Hoist) {
         hoist::pass(program);
     }
@@ -103,6 +117,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Records) {
         records::pass(program);
+    }
+    if wants(Pass::Fences) {
+        fences::pass(program);
     }
 }
 

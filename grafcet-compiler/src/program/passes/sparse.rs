@@ -138,7 +138,7 @@ impl Index {
             before: vec![Vec::new(); points.all.len()],
             after: vec![Vec::new(); points.all.len()],
             last: end,
-            forks: deciding(places, &list[..=end], state),
+            forks: deciding(places, &list[..=end], &[state]),
         };
         for (at, statement) in list.iter().enumerate() {
             sparse.is_before = at < start;
@@ -179,9 +179,11 @@ fn writes(statement: &Statement<'_>, place: PlaceId) -> bool {
 }
 
 /// The locals on which the state that is written depends, the user's conditions not looked into.
-fn deciding(places: &[PlaceInfo<'_>], list: &[Statement<'_>], state: PlaceId) -> Vec<bool> {
+pub(super) fn deciding(places: &[PlaceInfo<'_>], list: &[Statement<'_>], states: &[PlaceId]) -> Vec<bool> {
     let mut found = vec![false; places.len()];
-    found[state.0] = true;
+    for state in states {
+        found[state.0] = true;
+    }
     for statement in list.iter().rev() {
         let mut asked = Vec::new();
         decides(statement, &mut asked, &mut found);

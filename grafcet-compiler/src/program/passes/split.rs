@@ -218,7 +218,7 @@ fn sweep(program: &Program<'_>, trees: &mut [Option<Tree<'_>>]) {
     }
 }
 
-fn collect<'t, 'm>(tree: &'t mut Tree<'m>, points: &States, leaves: &mut [Vec<&'t mut Vec<Statement<'m>>>]) {
+pub(super) fn collect<'t, 'm>(tree: &'t mut Tree<'m>, points: &States, leaves: &mut [Vec<&'t mut Vec<Statement<'m>>>]) {
     match &mut tree.end {
         End::Leaf(leaf) => {
             if let Some(point) = points.point(leaf.state) {

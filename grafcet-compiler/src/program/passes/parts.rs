@@ -1,0 +1,262 @@
+//! A list of statements put into another order and cut into parts: those that concern the same regions stand beside each other.
+//!
+//! ```text
+//! clears.A1→A2 = state.A1 is A1 && x0            clears.A1→A2 = state.A1 is A1 && x0
+//! clears.B1→B2 = state.B1 is B1 && x1            if clears.A1→A2: state.A1 = A2
+//! if clears.A1→A2: state.A1 = A2           ->    ----
+//! if clears.B1→B2: state.B1 = B2                 clears.B1→B2 = state.B1 is B1 && x1
+//!                                                if clears.B1→B2: state.B1 = B2
+//! ```
+//!
+//! What reads stays behind what it reads, what writes behind what reads or writes the same, what somebody outside sees in its order. Truths
+//! that are gathered (`any = any || …`) may be gathered in any order.
+
+use super::super::build::no;
+use super::super::{Expr, PlaceId, PlaceInfo, Role, Statement};
+use super::uses::{Effects, each_read, is_pure, mentions};
+use crate::sorted::Set;
+
+/// Some statements, and the regions they concern.
+pub(super) struct Part<'m> {
+    pub(super) statements: Vec<Statement<'m>>,
+    pub(super) regions: Set<usize>,
+}
+
+/// What is so where one of several regions says it, asked of each region by a statement of its own. `off` tells which truths are false
+/// where the list begins.
+pub(super) fn spread<'m>(
+    places: &[PlaceInfo<'m>],
+    list: Vec<Statement<'m>>,
+    off: &dyn Fn(PlaceId) -> bool,
+) -> Vec<Statement<'m>> {
+    let all = regions(places, &list);
+    let mut written: Set<PlaceId> = Set::new();
+    let mut out = Vec::with_capacity(list.len());
+    for (statement, regions) in list.into_iter().zip(all) {
+        let is_new = |place: PlaceId| off(place) && !written.contains(&place);
+        match statement {
+            Statement::Set(place, Expr::Any(asked))
+                if regions.len() > 1
+                    && !places[place.0].is_field
+                    && asked.iter().all(|part| is_pure(part) && !mentions(part, place)) =>
+            {
+                if !is_new(place) {
+                    out.push(Statement::Set(place, no()));
+                }
+                for part in asked {
+                    out.push(Statement::Set(place, Expr::Any(vec![Expr::Place(place), part])));
+                }
+                written.insert(place);
+            }
+            other => {
+                written.extend(Effects::of(&other).writes.iter().copied());
+                out.push(other);
+            }
+        }
+    }
+    out
+}
+
+pub(super) fn parts<'m>(places: &[PlaceInfo<'m>], list: Vec<Statement<'m>>) -> Vec<Part<'m>> {
+    let regions = regions(places, &list);
+    let keys = keys(places, &list, &regions);
+    let after = Order::of(places, &list);
+    let order = after.scheduled(&keys);
+    let mut statements: Vec<Option<Statement<'m>>> = list.into_iter().map(Some).collect();
+    let mut parts: Vec<(Option<usize>, Part<'m>)> = Vec::new();
+    for at in order {
+        let Some(statement) = statements[at].take() else { continue };
+        match parts.last_mut() {
+            Some((key, part)) if *key == keys[at] => {
+                part.regions.extend(regions[at].iter().copied());
+                part.statements.push(statement);
+            }
+            _ => parts.push((keys[at], Part { statements: vec![statement], regions: regions[at].clone() })),
+        }
+    }
+    parts.into_iter().map(|(_, part)| part).collect()
+}
+
+/// By statement, the regions on whose states it depends or which it writes, also by way of locals.
+fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Vec<Set<usize>> {
+    let mut of: Vec<Set<usize>> = vec![Set::new(); places.len()];
+    for (place, of) in places.iter().zip(&mut of) {
+        if let Role::State(region) = place.role {
+            of.insert(region);
+        }
+    }
+    let mut all = Vec::with_capacity(list.len());
+    for statement in list {
+        let effects = Effects::of(statement);
+        let gathered = gathers(statement);
+        let mut regions = Set::new();
+        for place in &*effects.reads {
+            if Some(*place) != gathered {
+                regions.extend(of[place.0].iter().copied());
+            }
+        }
+        for place in &*effects.writes {
+            if matches!(places[place.0].role, Role::State(_)) {
+                regions.extend(of[place.0].iter().copied());
+            } else if !places[place.0].is_field {
+                of[place.0].extend(regions.iter().copied());
+            }
+        }
+        all.push(regions);
+    }
+    all
+}
+
+/// A truth to which one more is added: `any = any || …`.
+fn gathers(statement: &Statement<'_>) -> Option<PlaceId> {
+    let Statement::Set(place, Expr::Any(parts)) = statement else { return None };
+    let others = |part: &Expr<'_>| {
+        let mut free = true;
+        each_read(part, &mut |read| free &= read != *place);
+        free
+    };
+    let [Expr::Place(first), rest @ ..] = &parts[..] else { return None };
+    (first == place && rest.iter().all(others)).then_some(*place)
+}
+
+/// By statement, what it belongs to: regions whose states depend on each other belong together. None, where there are no regions.
+fn keys(places: &[PlaceInfo<'_>], list: &[Statement<'_>], regions: &[Set<usize>]) -> Vec<Option<usize>> {
+    let mut group: Vec<usize> = (0..places.len()).collect();
+    let find = |group: &[usize], mut region: usize| {
+        while group[region] != region {
+            region = group[region];
+        }
+        region
+    };
+    for (statement, regions) in list.iter().zip(regions) {
+        let writes = Effects::of(statement).writes;
+        let decides = writes.iter().any(|place| matches!(places[place.0].role, Role::State(_)));
+        let [first, rest @ ..] = &regions[..] else { continue };
+        for other in rest.iter().filter(|_| decides) {
+            let (a, b) = (find(&group, *first), find(&group, *other));
+            group[a.max(b)] = a.min(b);
+        }
+    }
+    let mut keys = Vec::with_capacity(list.len());
+    for regions in regions {
+        let mut own = Set::new();
+        for region in &**regions {
+            own.insert(find(&group, *region));
+        }
+        keys.push(match own[..] {
+            [] => None,
+            [one] => Some(one),
+            // It looks at several that do not depend on each other.
+            _ => Some(usize::MAX),
+        });
+    }
+    keys
+}
+
+/// What has to stand before what.
+struct Order {
+    /// By statement: those that come after it, and how many come before it.
+    next: Vec<Vec<usize>>,
+    open: Vec<usize>,
+    done: Vec<bool>,
+}
+
+impl Order {
+    fn of(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Self {
+        let count = list.len();
+        let mut order = Self { next: vec![Vec::new(); count], open: vec![0; count], done: vec![false; count] };
+        // By place: who wrote it last, who has added to it and who has read it since.
+        let mut written: Vec<Option<usize>> = vec![None; places.len()];
+        let mut gathered: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
+        let mut read: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
+        let (mut told, mut left) = (None, None);
+        for (at, statement) in list.iter().enumerate() {
+            let effects = Effects::of(statement);
+            let adds = gathers(statement);
+            let mut before = Set::new();
+            before.extend(left);
+            for place in effects.reads.iter().filter(|place| Some(**place) != adds) {
+                before.extend(written[place.0]);
+                before.extend(gathered[place.0].iter().copied());
+                read[place.0].push(at);
+            }
+            for place in &*effects.writes {
+                before.extend(written[place.0]);
+                before.extend(read[place.0].iter().copied());
+                if Some(*place) == adds {
+                    gathered[place.0].push(at);
+                } else {
+                    before.extend(gathered[place.0].drain(..));
+                    read[place.0].clear();
+                    written[place.0] = Some(at);
+                }
+            }
+            if effects.outside {
+                before.extend(told.replace(at));
+            }
+            if effects.leaves {
+                before.extend(0..at);
+                left = Some(at);
+            }
+            before.remove(&at);
+            for earlier in &*before {
+                order.next[*earlier].push(at);
+                order.open[at] += 1;
+            }
+        }
+        order
+    }
+
+    /// In an order in which those of one key stand together as far as that is possible.
+    fn scheduled(mut self, keys: &[Option<usize>]) -> Vec<usize> {
+        let mut order = Vec::with_capacity(keys.len());
+        let mut ready: Set<usize> = Set::new();
+        ready.extend((0..keys.len()).filter(|at| self.open[*at] == 0));
+        let mut current = None;
+        while let Some(first) = ready.first().copied() {
+            let of = |key: Option<usize>| ready.iter().copied().find(|at| keys[*at] == key);
+            let at = match of(current) {
+                Some(at) => at,
+                None => of(None).or_else(|| self.whole(&ready, keys)).unwrap_or(first),
+            };
+            current = keys[at];
+            ready.remove(&at);
+            order.push(at);
+            self.done[at] = true;
+            for next in std::mem::take(&mut self.next[at]) {
+                self.open[next] -= 1;
+                if self.open[next] == 0 {
+                    ready.insert(next);
+                }
+            }
+        }
+        order
+    }
+
+    /// The first statement of a key of which nothing waits for another key.
+    fn whole(&self, ready: &Set<usize>, keys: &[Option<usize>]) -> Option<usize> {
+        let mut tried: Set<Option<usize>> = Set::new();
+        for at in &**ready {
+            if !tried.insert(keys[*at]) {
+                continue;
+            }
+            let mut open = self.open.clone();
+            let mut stack: Vec<usize> = ready.iter().copied().filter(|other| keys[*other] == keys[*at]).collect();
+            let mut reached = 0;
+            while let Some(one) = stack.pop() {
+                reached += 1;
+                for next in &self.next[one] {
+                    open[*next] -= 1;
+                    if open[*next] == 0 && keys[*next] == keys[*at] {
+                        stack.push(*next);
+                    }
+                }
+            }
+            let left = (0..keys.len()).filter(|other| keys[*other] == keys[*at] && !self.done[*other]).count();
+            if reached == left {
+                return Some(*at);
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,137 @@
+//! A part of regions that depend on each other: first the states of one region beside which nothing else is active, or a condition that
+//! looks at several regions.
+
+use super::super::engine::{Among, Fact};
+use super::super::parts::Part;
+use super::super::share;
+use super::super::sparse::Index;
+use super::super::split::merged;
+use super::super::uses::{Effects, each_read};
+use super::{Env, Several};
+use crate::program::build::not;
+use crate::program::{Expr, Statement, Type, Value};
+use crate::sorted::Set;
+
+impl<'m> Several<'_, 'm> {
+    /// A part of regions that depend on each other.
+    pub(super) fn joint(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+        if let Some(done) = self.by_head(&part, env) {
+            return done;
+        }
+        self.by_condition(part, env)
+    }
+
+    /// First the states of one region beside which nothing else is active.
+    fn by_head(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let mut best: Option<(usize, Among)> = None;
+        for region in &*part.regions {
+            let Fact::Among(list) = env.facts[self.states[*region].0] else { continue };
+            let mut alone = Vec::new();
+            for step in env.lists[list].iter().filter(|step| step.is_some()) {
+                let known = |other: &usize| {
+                    let unknown = matches!(env.facts[self.states[*other].0], Fact::Among(_));
+                    other == region || !unknown || self.narrowed(*other, *step, &mut env.clone()).is_some()
+                };
+                if part.regions.iter().all(known) {
+                    alone.push(*step);
+                }
+            }
+            if !alone.is_empty() && best.as_ref().is_none_or(|(_, before)| before.len() < alone.len()) {
+                best = Some((*region, alone));
+            }
+        }
+        let (region, alone) = best?;
+        let state = self.states[region];
+        let trees = self.arms(region, &alone, &part.statements, env)?;
+        let mut arms = Vec::new();
+        for (value, tree) in trees {
+            arms.push((vec![value], tree.statements()));
+        }
+        let mut env = env.clone();
+        let Fact::Among(list) = env.facts[state.0] else { return None };
+        let mut left = env.lists[list].clone();
+        left.retain(|step| !alone.contains(step));
+        for other in part.regions.iter().filter(|other| **other != region) {
+            let Fact::Among(list) = env.facts[self.states[*other].0] else { continue };
+            let mut beside = env.lists[list].clone();
+            beside.retain(|step| left.iter().any(|one| self.may_meet(*one, *step)));
+            env.facts[self.states[*other].0] = env.among(beside);
+        }
+        env.facts[state.0] = env.among(left);
+        let mut rest = self.spec(&part.statements, &env);
+        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !Effects::of(one).writes.contains(&state);
+        let mut bodies = vec![&mut rest];
+        for (_, body) in &mut arms {
+            bodies.push(body);
+        }
+        let behind = share::ends(&mut bodies, &may);
+        let mut all = vec![Statement::Match(state, merged(arms), rest)];
+        all.extend(behind);
+        Some(all)
+    }
+
+    /// First a condition that looks at several regions.
+    fn by_condition(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+        let found = part.statements.iter().position(|statement| {
+            let Statement::Set(place, value) = statement else { return false };
+            let mut regions = Set::new();
+            each_read(value, &mut |read| regions.extend(self.states.iter().position(|state| *state == read)));
+            regions.len() > 1 && matches!(self.places[place.0].ty, Type::Bool) && !self.places[place.0].is_field
+        });
+        let Some(at) = found else { return part.statements };
+        let (mut before, mut rest) = (Vec::new(), Vec::new());
+        let mut wanted = Effects::of(&part.statements[at]).reads;
+        let mut list = part.statements;
+        let behind = list.split_off(at);
+        for statement in list.into_iter().rev() {
+            let effects = Effects::of(&statement);
+            if effects.writes.is_disjoint(&wanted) && effects.writes.is_disjoint(&Effects::of_all(&before).reads) {
+                rest.push(statement);
+            } else {
+                wanted.extend(effects.reads.iter().copied());
+                before.push(statement);
+            }
+        }
+        before.reverse();
+        rest.reverse();
+        // What stays behind must not be what stands in front now.
+        let (front, back) = (Effects::of_all(&before), Effects::of_all(&rest));
+        let Some(Statement::Set(place, condition)) = behind.first() else { return before };
+        let mut swaps = front.may_swap(&back);
+        swaps &= Effects::of(&behind[0]).may_swap(&back);
+        if !swaps {
+            before.extend(rest);
+            before.extend(behind);
+            return before;
+        }
+        let (place, condition) = (*place, condition.clone());
+        rest.extend(behind.into_iter().skip(1));
+        let index = Index::whole(self.places.len(), 0, &self.points[0]);
+        let mut engine = self.engine(&[], &index, 0, env);
+        let mut body = Vec::new();
+        engine.block(&before, &mut body);
+        let mut ways = Vec::new();
+        for holds in [true, false] {
+            let mark = engine.trail.len();
+            engine.tell(&condition, holds);
+            engine.note(place, Fact::Is(Value::Bool(holds)));
+            let env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
+            let mut way = self.spec(&rest, &env);
+            if env.later.contains(&place) {
+                way.insert(0, Statement::Set(place, Expr::Value(Value::Bool(holds))));
+            }
+            ways.push(way);
+            engine.back(mark);
+        }
+        let (Some(mut otherwise), Some(mut then)) = (ways.pop(), ways.pop()) else { return body };
+        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_));
+        let behind = share::ends(&mut [&mut then, &mut otherwise], &may);
+        if then.is_empty() {
+            body.push(Statement::If(not(condition), otherwise, then));
+        } else {
+            body.push(Statement::If(condition, then, otherwise));
+        }
+        body.extend(behind);
+        body
+    }
+}

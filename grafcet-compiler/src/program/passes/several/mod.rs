@@ -1,0 +1,330 @@
+//! A cycle of several regions: what concerns one region alone in one match on its state.
+//!
+//! ```text
+//! clears.B1→B2 = was.state.B1 is B1 && x1            match state.A1
+//! …                                                    start: …
+//! if clears.(A2,B2)→C: state.A1 = C          ->        C: if done: …
+//! if clears.(A2,B2)→C: state.B1 = none                 others:
+//! if clears.B1→B2: state.B1 = B2                         if state.A1 is A2 && state.B1 is B2 && x2: …
+//! lamp = state.B1 is B2                                  else:
+//!                                                          match state.A1 …
+//!                                                          match state.B1
+//!                                                            B1: if x1: …
+//! ```
+//!
+//! Some statements are looked at with all that is known of the states, cut into parts (`parts`), and each part looked at by itself:
+//! - of one region: for each state that it may have, what is done in it (`engine`);
+//! - of regions that depend on each other: where one of them has states beside which no other step is active, those first; else where a
+//!   condition looks at several regions, it is asked first, and the rest done by what it says.
+//!
+//! Needs: several regions; no loop. What is not understood stays as it is.
+
+mod joint;
+mod single;
+
+use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::dead::{Live, is_seen, needed};
+use super::engine::{Among, Engine, Fact};
+use super::flat::flat;
+use super::fold::initial;
+use super::hoist;
+use super::parts::{Part, parts, spread};
+use super::share;
+use super::sparse::{Index, States};
+use super::uses::{Effects, mentions};
+use crate::model::StepId;
+use crate::sorted::Set;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let count = program.places.len();
+    let mut places = std::mem::take(&mut program.places);
+    let list = program.beside.is_empty().then(Vec::new).unwrap_or_else(|| {
+        let first = places.iter().position(|place| place.role == Role::First).map(PlaceId);
+        let mut list = flat(&program.cycle, first, false, &mut places);
+        direct(&places, &mut list);
+        list
+    });
+    program.places = places;
+    match Several::of(program).and_then(|several| several.cycle(&list)) {
+        // What has not been looked into may ask for the first cycle, which has no place of its own any more.
+        Some((start, cycle)) if !asks_first(program, &cycle) => {
+            let head = &mut program.places[start.0];
+            if let Initial::Value(Value::Step(step)) = head.initial {
+                head.initial = Initial::Value(Value::Start(step));
+            }
+            program.cycle = cycle;
+        }
+        _ => program.places.truncate(count),
+    }
+}
+
+/// What is known where some statements begin.
+#[derive(Clone)]
+struct Env {
+    facts: Vec<Fact>,
+    lists: Vec<Among>,
+    /// What is read after them.
+    later: Set<PlaceId>,
+}
+
+struct Several<'p, 'm> {
+    places: &'p [PlaceInfo<'m>],
+    beside: &'p [Set<StepId>],
+    /// By region: its place, and its states.
+    states: Vec<PlaceId>,
+    points: Vec<States>,
+    first: PlaceId,
+    /// By place: whether it is read after the end of the cycle.
+    base: Vec<bool>,
+}
+
+impl<'p, 'm> Several<'p, 'm> {
+    fn of(program: &'p Program<'m>) -> Option<Self> {
+        let (mut states, mut points) = (Vec::new(), Vec::new());
+        if program.regions.len() < 2 || program.beside.is_empty() {
+            return None;
+        }
+        for (region, steps) in program.regions.iter().enumerate() {
+            let state = program.place(Role::State(region))?;
+            let Initial::Value(Value::Step(begin)) = program.places[state.0].initial else { return None };
+            states.push(state);
+            points.push(States::of(begin, steps));
+        }
+        let first = program.place(Role::First)?;
+        let asked = program.deadline.as_ref().is_some_and(|deadline| {
+            let mut found = mentions(&deadline.at_once, first);
+            for (condition, time) in &deadline.waits {
+                found |= mentions(condition, first) || mentions(time, first);
+            }
+            found
+        });
+        let mut base = needed(program);
+        for (needed, place) in base.iter_mut().zip(&program.places) {
+            *needed &= place.is_field || is_seen(place);
+        }
+        base[first.0] = false;
+        (!asked).then_some(Self { places: &program.places, beside: &program.beside, states, points, first, base })
+    }
+
+    /// The region whose state tells that the first cycle is still to come, and the cycle.
+    fn cycle(&self, list: &[Statement<'m>]) -> Option<(PlaceId, Vec<Statement<'m>>)> {
+        let effects = Effects::of_all(list);
+        let loops = list.iter().any(|statement| matches!(statement, Statement::Loop { .. }));
+        if loops || !effects.writes.contains(&self.first) {
+            return None;
+        }
+        let mut facts = Vec::with_capacity(self.places.len());
+        for place in self.places {
+            facts.push(match initial(place) {
+                _ if place.is_field => Fact::Nothing,
+                Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
+                _ => Fact::Initial,
+            });
+        }
+        let mut env = Env { facts, lists: Vec::new(), later: Set::new() };
+        let mut start = self.first_cycle(list, &env)?;
+        env.facts[self.first.0] = Fact::Is(Value::Bool(false));
+        for (region, state) in self.states.iter().enumerate() {
+            env.facts[state.0] = env.among(self.possible(region));
+        }
+        let mut rest = self.spec(list, &env);
+        let mut head = self.states[0];
+        if let Some(Statement::Match(place, ..)) =
+            rest.iter().find(|one| matches!(one, Statement::Match(place, ..) if self.states.contains(place)))
+        {
+            head = *place;
+        }
+        let begin = initial(&self.places[head.0])?;
+        start.insert(0, Statement::Set(head, Expr::Value(begin)));
+        let Value::Step(begin) = begin else { return None };
+        let mut others = vec![(Vec::new(), rest)];
+        let mut cycle = hoist::out_of(self.places, head, Some(&mut start), &mut others);
+        rest = others.pop()?.1;
+        let may = |statement: &Statement<'m>| {
+            !matches!(statement, Statement::Mark(_)) && !Effects::of(statement).writes.contains(&head)
+        };
+        let behind = share::ends(&mut [&mut start, &mut rest], &may);
+        let starting = (vec![Value::Start(begin)], start);
+        cycle.push(match &mut rest[..] {
+            [Statement::Match(place, arms, otherwise)] if *place == head => {
+                arms.insert(0, starting);
+                Statement::Match(head, std::mem::take(arms), std::mem::take(otherwise))
+            }
+            _ => Statement::Match(head, vec![starting], rest),
+        });
+        cycle.extend(behind);
+        Some((head, cycle))
+    }
+
+    /// All is known in it.
+    fn first_cycle(&self, list: &[Statement<'m>], env: &Env) -> Option<Vec<Statement<'m>>> {
+        let mut env = env.clone();
+        env.facts[self.first.0] = Fact::Is(Value::Bool(true));
+        for (index, place) in self.places.iter().enumerate() {
+            if index != self.first.0 && place.is_field && !matches!(place.role, Role::Param(_)) {
+                env.facts[index] = match initial(place) {
+                    Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
+                    _ => Fact::Initial,
+                };
+            }
+        }
+        let (body, facts) = self.folded(list, &env);
+        (facts[self.first.0] == Fact::Is(Value::Bool(false))).then(|| self.swept(body, &env))
+    }
+
+    /// All states of a region; there may be none.
+    fn possible(&self, region: usize) -> Among {
+        let mut all = Vec::new();
+        for value in &self.points[region].all {
+            if let Value::Step(step) = value {
+                all.push(*step);
+            }
+        }
+        all
+    }
+
+    /// Statements with all that is known, and what is known after them.
+    fn folded(&self, list: &[Statement<'m>], env: &Env) -> (Vec<Statement<'m>>, Vec<Fact>) {
+        let index = Index::whole(self.places.len(), 0, &self.points[0]);
+        let mut engine = self.engine(list, &index, 0, env);
+        let mut body = Vec::new();
+        engine.block(list, &mut body);
+        (body, engine.env)
+    }
+
+    fn engine<'e>(&'e self, list: &'e [Statement<'m>], index: &'e Index, region: usize, env: &Env) -> Engine<'e, 'm> {
+        let assumed = vec![false; self.places.len()];
+        let (state, points) = (self.states[region], &self.points[region]);
+        let mut engine = Engine::new(self.places, (list, index), state, points, &[], &assumed, false);
+        engine.env.clone_from(&env.facts);
+        engine.lists.clone_from(&env.lists);
+        engine
+    }
+
+    /// What nobody looks at is left away.
+    fn swept(&self, mut body: Vec<Statement<'m>>, env: &Env) -> Vec<Statement<'m>> {
+        let mut flips = Set::new();
+        for place in &*env.later {
+            if !self.base[place.0] {
+                flips.insert(*place);
+            }
+        }
+        Live { base: &self.base, flips, left: Set::new() }.sweep(&mut body);
+        body
+    }
+
+    fn spec(&self, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {
+        let (body, _) = self.folded(list, env);
+        let body = self.swept(body, env);
+        let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
+        let mut parts = parts(self.places, spread(self.places, body, &off));
+        join_wide(&mut parts, self.places);
+        let mut later = vec![env.later.clone()];
+        for part in parts.iter().rev() {
+            let mut reads = later.last().cloned().unwrap_or_default();
+            reads.extend(Effects::of_all(&part.statements).reads.iter().copied());
+            later.push(reads);
+        }
+        let mut env = env.clone();
+        let mut body = Vec::new();
+        for (number, part) in parts.into_iter().enumerate() {
+            env.later.clone_from(&later[later.len() - 2 - number]);
+            let writes = Effects::of_all(&part.statements).writes;
+            let (_, after) = self.folded(&part.statements, &env);
+            body.extend(self.part(part, &env));
+            for place in &*writes {
+                env.facts[place.0] = match after[place.0] {
+                    Fact::Among(list) if list >= env.lists.len() => Fact::Nothing,
+                    // Another place is no better to read than this one.
+                    Fact::Copy(_) if !matches!(self.places[place.0].ty, Type::State(_)) => Fact::Nothing,
+                    fact => fact,
+                };
+            }
+            for (at, (fact, after)) in env.facts.iter_mut().zip(after).enumerate() {
+                if matches!(*fact, Fact::Copy(of) if writes.contains(&of)) && !writes.contains(&PlaceId(at)) {
+                    *fact = after;
+                }
+            }
+        }
+        body
+    }
+
+    fn part(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+        let decides = self.decides(&part);
+        match part.regions[..] {
+            [] => part.statements,
+            _ if !decides && part.statements.len() < 2 => part.statements,
+            [region] => self.single(region, part, env),
+            _ if decides => self.joint(part, env),
+            _ => part.statements,
+        }
+    }
+
+    fn decides(&self, part: &Part<'m>) -> bool {
+        Effects::of_all(&part.statements).writes.iter().any(|place| self.states.contains(place))
+    }
+}
+
+impl Env {
+    fn among(&mut self, states: Among) -> Fact {
+        if let [state] = states[..] {
+            return Fact::Is(Value::Step(state));
+        }
+        self.lists.push(states);
+        Fact::Among(self.lists.len() - 1)
+    }
+}
+
+/// What comes after a part and concerns some of its regions alone is looked at with it.
+fn join_wide(parts: &mut Vec<Part<'_>>, places: &[PlaceInfo<'_>]) {
+    let mut at = 0;
+    while at < parts.len() {
+        let is_state = |place: &PlaceId| matches!(places[place.0].role, Role::State(_));
+        let decides = Effects::of_all(&parts[at].statements).writes.iter().any(is_state);
+        while decides && parts[at].regions.len() > 1 && at + 1 < parts.len() {
+            let next = &parts[at + 1];
+            if next.regions.is_empty() || !next.regions.is_subset(&parts[at].regions) {
+                break;
+            }
+            let mut next = parts.remove(at + 1);
+            parts[at].statements.append(&mut next.statements);
+        }
+        at += 1;
+    }
+}
+
+fn asks_first(program: &Program<'_>, cycle: &[Statement<'_>]) -> bool {
+    let first = program.place(Role::First);
+    first.is_some_and(|first| Effects::of_all(cycle).reads.contains(&first))
+}
+
+/// A truth that is only there to be copied to a place is that place.
+fn direct(places: &[PlaceInfo<'_>], list: &mut Vec<Statement<'_>>) {
+    let mut mentioned: Vec<Vec<usize>> = vec![Vec::new(); places.len()];
+    for (at, statement) in list.iter().enumerate() {
+        let effects = Effects::of(statement);
+        for place in effects.reads.iter().chain(effects.writes.difference(&effects.reads)) {
+            mentioned[place.0].push(at);
+        }
+    }
+    let mut gone = Set::new();
+    for at in (0..list.len()).rev() {
+        let Statement::Set(to, Expr::Place(from)) = list[at] else { continue };
+        let (here, there) = (&places[to.0], &places[from.0]);
+        let alike = !here.is_field && !there.is_field && initial(here) == initial(there) && initial(here).is_some();
+        let [set, copied] = mentioned[from.0][..] else { continue };
+        if !alike || copied != at || mentioned[to.0].first() != Some(&at) {
+            continue;
+        }
+        if let Statement::Set(place, _) = &mut list[set] {
+            *place = to;
+            gone.insert(at);
+            mentioned[to.0][0] = set;
+        }
+    }
+    let mut at = 0;
+    list.retain(|_| {
+        at += 1;
+        !gone.contains(&(at - 1))
+    });
+}

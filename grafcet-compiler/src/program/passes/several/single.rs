@@ -1,0 +1,146 @@
+//! A part of one region: for each state what is done in it, and whether the ways to a state act on their own.
+
+use super::super::engine::{Among, Fact, Tree};
+use super::super::parts::Part;
+use super::super::share;
+use super::super::sparse::{Index, deciding};
+use super::super::split::{collect, merged};
+use super::super::uses::Effects;
+use super::{Env, Several};
+use crate::model::{Id, StepId};
+use crate::program::{Arm, PlaceId, Statement, Type, Value};
+
+/// More ways from one state than this are too many.
+const WAYS: usize = 64;
+
+/// In statements, what a second match costs.
+const DISPATCH: usize = 5;
+
+impl<'m> Several<'_, 'm> {
+    /// A part of one region: an arm for each of its states.
+    pub(super) fn single(&self, region: usize, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+        let Fact::Among(list) = env.facts[self.states[region].0] else { return part.statements };
+        let states = env.lists[list].clone();
+        let Some(mut arms) = self.arms(region, &states, &part.statements, env) else { return part.statements };
+        let state = self.states[region];
+        let apart = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
+        let joined = self.joined(region, &mut arms);
+        let whole = weight(&joined) + if joined.len() > 1 { DISPATCH } else { 0 };
+        if weight(std::slice::from_ref(&apart)) <= whole { vec![apart] } else { joined }
+    }
+
+    /// What is done on all ways from some states of a region.
+    pub(super) fn arms(
+        &self,
+        region: usize,
+        states: &Among,
+        list: &[Statement<'m>],
+        env: &Env,
+    ) -> Option<Vec<(Value, Tree<'m>)>> {
+        let (points, state) = (&self.points[region], self.states[region]);
+        let mut index = Index::whole(self.places.len(), list.len(), points);
+        let writes = |one: &Statement<'m>| Effects::of(one).writes.iter().any(|place| self.states.contains(place));
+        if let Some(last) = list.iter().rposition(writes) {
+            index.last = last;
+            index.forks = deciding(self.places, &list[..=last], &self.states);
+            for (place, forks) in self.places.iter().zip(&mut index.forks) {
+                *forks &= matches!(place.ty, Type::Bool);
+            }
+        }
+        let mut engine = self.engine(list, &index, region, env);
+        let mut arms = Vec::new();
+        for step in states {
+            let mut known = vec![(state, Fact::Is(Value::Step(*step)))];
+            for other in (0..self.states.len()).filter(|other| *other != region) {
+                let mut beside = env.clone();
+                if let Some(fact) = self.narrowed(other, *step, &mut beside) {
+                    known.push((self.states[other], fact));
+                }
+            }
+            let point = points.point(Value::Step(*step))?;
+            let tree = engine.from(point, &known, WAYS).ok()?;
+            let mut tree = tree;
+            tree.each_leaf_mut(&mut |leaf| leaf.body = self.swept(std::mem::take(&mut leaf.body), env));
+            arms.push((Value::Step(*step), tree));
+        }
+        Some(arms)
+    }
+
+    /// What is known of a region beside a step of another one, where that is a single state.
+    pub(super) fn narrowed(&self, region: usize, step: Option<StepId>, env: &mut Env) -> Option<Fact> {
+        let Fact::Among(list) = env.facts[self.states[region].0] else { return None };
+        let mut left = env.lists[list].clone();
+        left.retain(|other| self.may_meet(step, *other));
+        match left[..] {
+            [one] => Some(Fact::Is(Value::Step(one))),
+            _ => None,
+        }
+    }
+
+    pub(super) fn may_meet(&self, one: Option<StepId>, other: Option<StepId>) -> bool {
+        let (Some(one), Some(other)) = (one, other) else { return true };
+        self.beside[one.index()].contains(&other)
+    }
+
+    /// What ways to one state have in common is done after them, by that state.
+    fn joined(&self, region: usize, arms: &mut [(Value, Tree<'m>)]) -> Vec<Statement<'m>> {
+        let (points, state) = (&self.points[region], self.states[region]);
+        let mut leaves: Vec<Vec<&mut Vec<Statement<'m>>>> = Vec::new();
+        leaves.resize_with(points.all.len(), Vec::new);
+        let mut kept = Vec::with_capacity(arms.len());
+        for (value, tree) in arms.iter_mut() {
+            collect(tree, points, &mut leaves);
+            kept.push(*value);
+        }
+        let may = |one: &Statement<'m>| !matches!(one, Statement::Mark(_)) && !Effects::of(one).writes.contains(&state);
+        let mut acts: Vec<Arm<'m>> = Vec::new();
+        for (point, mut ends) in points.all.iter().zip(leaves) {
+            if !ends.is_empty() {
+                acts.push((vec![*point], share::ends(&mut ends, &may)));
+            }
+        }
+        let mut bodies = Vec::with_capacity(acts.len());
+        for (_, body) in &mut acts {
+            bodies.push(body);
+        }
+        let rest = share::ends(&mut bodies, &may);
+        acts.retain(|(_, body)| !body.is_empty());
+        let mut all = Vec::new();
+        let evolving = evolution(state, arms.iter().map(|(value, tree)| (*value, tree.copy())).collect());
+        if weight(std::slice::from_ref(&evolving)) > 0 {
+            all.push(evolving);
+        }
+        if !acts.is_empty() {
+            all.push(Statement::Match(state, merged(acts), Vec::new()));
+        }
+        all.extend(rest);
+        all
+    }
+}
+
+pub(super) fn evolution(state: PlaceId, arms: Vec<(Value, Tree<'_>)>) -> Statement<'_> {
+    let mut all = Vec::new();
+    for (value, tree) in arms {
+        let body = tree.statements();
+        if !body.is_empty() {
+            all.push((vec![value], body));
+        }
+    }
+    Statement::Match(state, merged(all), Vec::new())
+}
+
+/// How many statements there are.
+fn weight(statements: &[Statement<'_>]) -> usize {
+    let mut sum = 0;
+    for statement in statements {
+        sum += match statement {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => weight(body),
+            Statement::If(_, then, otherwise) => 1 + weight(then) + weight(otherwise),
+            Statement::Match(_, arms, otherwise) => {
+                arms.iter().map(|(_, body)| weight(body)).sum::<usize>() + weight(otherwise)
+            }
+            _ => 1,
+        };
+    }
+    sum
+}
