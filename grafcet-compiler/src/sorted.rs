@@ -8,6 +8,8 @@ use std::cmp::Ordering;
 use std::ops::Deref;
 use std::{mem, slice, vec};
 
+use crate::list::List;
+
 /// The binary search of the standard library, as a loop of its own: half as much code for each type of key.
 macro_rules! search {
     ($items:expr, |$known:pat_param| $order:expr) => {{
@@ -23,6 +25,33 @@ macro_rules! search {
         }
         Err(from)
     }};
+}
+
+/// Sorts by a key; what has the same key stays in its order.
+///
+/// Numbers are sorted in place of the items: so there is one sort for items of all types, of which each would be forty functions.
+pub(crate) fn sort_by_key<T: Clone, K: Ord>(items: &mut Vec<T>, key: impl Fn(&T) -> K) {
+    let compare = |a: usize, b: usize| key(&items[a]).cmp(&key(&items[b]));
+    if let Some(order) = order(items.len(), &compare) {
+        *items = order.into_iter().map(|number| items[number].clone()).list();
+    }
+}
+
+/// The same of what is its own key.
+pub(crate) fn sort<T: Clone + Ord>(items: &mut Vec<T>) {
+    if let Some(order) = order(items.len(), &|a, b| items[a].cmp(&items[b])) {
+        *items = order.into_iter().map(|number| items[number].clone()).list();
+    }
+}
+
+/// The numbers of so many items in their order; none where they stand in order.
+fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Option<Vec<usize>> {
+    if (1..count).all(|number| compare(number - 1, number) != Ordering::Greater) {
+        return None;
+    }
+    let mut order = (0..count).list();
+    order.sort_by(|a, b| compare(*a, *b));
+    Some(order)
 }
 
 /// A set: a slice in ascending order, each value once.

@@ -1,9 +1,8 @@
 //! Long nets in columns: a flow ends in a reference below a transition and goes on at the top of the next column.
 
-use std::collections::BTreeMap;
-
 use crate::graph::{Graph, Kind, layered};
 use crate::sheets::{Link, Node, Sheet, pieces};
+use crate::sorted::{List, Map, sort_by_key};
 use crate::wording::Wording;
 
 /// What has more rows than this is folded.
@@ -21,29 +20,29 @@ pub(crate) fn columns(wording: &Wording<'_>, net: Sheet) -> Vec<Sheet> {
     }
     let layers = Layers::of(&graph);
     let cuts = cuts(&heights, &layers.costs(&net, heights.len()));
-    split(net, &layers, &cuts).iter().flat_map(pieces).collect()
+    split(net, &layers, &cuts).iter().flat_map(pieces).list()
 }
 
 /// The rows of each layer, with those of the lines after it: about.
 fn heights(wording: &Wording<'_>, graph: &Graph) -> Vec<i32> {
-    let none = BTreeMap::new();
+    let none = Map::new();
     let height = |id: &usize| wording.figure(&graph.items[*id], &none).extent().height;
-    graph.layers.iter().map(|layer| layer.iter().map(height).max().unwrap_or(0) + 2).collect()
+    graph.layers.iter().map(|layer| layer.iter().map(height).max().unwrap_or(0) + 2).list()
 }
 
 /// Where everything stands before the fold.
 struct Layers {
-    nodes: BTreeMap<Node, usize>,
-    links: BTreeMap<usize, usize>,
+    nodes: Map<Node, usize>,
+    links: Map<usize, usize>,
 }
 
 impl Layers {
     fn of(graph: &Graph) -> Self {
-        let mut layers = Self { nodes: BTreeMap::new(), links: BTreeMap::new() };
+        let mut layers = Self { nodes: Map::new(), links: Map::new() };
         for item in &graph.items {
             match item.kind {
-                Kind::Node(node) => drop(layers.nodes.insert(node, item.layer)),
-                Kind::Transition(id) => drop(layers.links.insert(id, item.layer)),
+                Kind::Node(node) => layers.nodes.insert(node, item.layer),
+                Kind::Transition(id) => layers.links.insert(id, item.layer),
                 Kind::Jump(_) | Kind::Any(_) | Kind::Pass | Kind::Rise => {}
             }
         }
@@ -51,11 +50,11 @@ impl Layers {
     }
 
     fn node(&self, node: Node) -> usize {
-        self.nodes.get(&node).copied().unwrap_or_default()
+        self.nodes.get(node).copied().unwrap_or_default()
     }
 
     fn link(&self, link: &Link) -> usize {
-        self.links.get(&link.transition).copied().unwrap_or_default()
+        self.links.get(link.transition).copied().unwrap_or_default()
     }
 
     /// How many lines down become references where the net is cut below each layer; `None` where it cannot be: a transition
@@ -108,7 +107,7 @@ fn split(net: Sheet, layers: &Layers, cuts: &[usize]) -> Vec<Sheet> {
     let column = |layer: usize| cuts.partition_point(|cut| *cut < layer);
     let mut columns = vec![Sheet::default(); cuts.len() + 1];
     let mut nodes = net.nodes;
-    nodes.sort_by_key(|node| layers.node(*node));
+    sort_by_key(&mut nodes, |node| layers.node(*node));
     for node in nodes {
         columns[column(layers.node(node))].nodes.push(node);
     }

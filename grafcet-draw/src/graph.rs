@@ -1,10 +1,9 @@
 //! A net in layers: steps and transitions take turns from top to bottom, and what leads up again leaves the graph.
 
-use std::collections::BTreeMap;
-
 use crate::search::{Search, ranks};
 use crate::sequence::{Sequence, sequence};
 use crate::sheets::{Link, Node, Sheet};
+use crate::sorted::{List, Map, sort_by_key};
 use crate::wording::Wording;
 
 /// How many lines go up at the side of a net; other jumps back are written as references.
@@ -66,9 +65,9 @@ pub(crate) struct Graph {
     /// From left to right.
     pub(crate) layers: Vec<Vec<usize>>,
     /// The hops of sequences, which are straight if they can be: the number of the sequence, 0 for the main one.
-    pub(crate) straight: BTreeMap<(usize, usize), usize>,
+    pub(crate) straight: Map<(usize, usize), usize>,
     /// The hops from a step to its branches where these have an order: which of them comes first, from 1.
-    pub(crate) ranks: BTreeMap<(usize, usize), usize>,
+    pub(crate) ranks: Map<(usize, usize), usize>,
 }
 
 /// The layers of a net.
@@ -76,18 +75,18 @@ pub(crate) fn layered(wording: &Wording<'_>, net: &Sheet) -> Graph {
     let mut search = Search::new(net);
     let mut entered = vec![false; net.nodes.len()];
     search.targets.iter().flatten().for_each(|node| entered[*node] = true);
-    let mut roots: Vec<usize> = (0..net.nodes.len()).collect();
+    let mut roots = (0..net.nodes.len()).list();
     // What is active first, then what is entered first, then what no transition leads to.
-    roots.sort_by_key(|node| (wording.begins(net.nodes[*node]), entered[*node], *node));
+    sort_by_key(&mut roots, |node| (wording.begins(net.nodes[*node]), entered[*node], *node));
     let first = roots.first().map_or(0, |node| wording.begins(net.nodes[*node]));
-    search.top = net.nodes.iter().map(|node| wording.begins(*node) == first).collect();
+    search.top = net.nodes.iter().map(|node| wording.begins(*node) == first).list();
     search.run(&roots);
     lengthen(&mut search, &roots);
     // Once more with the main branches first: who is named first in the source does not matter.
     let layers = ranks(&search);
     let main = sequence(&search, &layers.0).main;
     for (links, main) in search.out.iter_mut().zip(main) {
-        links.sort_by_key(|link| Some(*link) != main);
+        sort_by_key(links, |link| Some(*link) != main);
     }
     search.run(&roots);
     let layers = ranks(&search);
@@ -147,12 +146,11 @@ impl<'s> Builder<'s> {
             graph.items.len() - 1
         };
         let nodes = search.net.nodes.iter().enumerate();
-        let node_item =
-            nodes.map(|(i, node)| item(Kind::Node(*node), node_layer[i], key(search.node_key[i]))).collect();
+        let node_item = nodes.map(|(i, node)| item(Kind::Node(*node), node_layer[i], key(search.node_key[i]))).list();
         let links = search.net.links.iter().enumerate();
         let transition =
             |(i, link): (usize, &Link)| item(Kind::Transition(link.transition), link_layer[i], key(search.link_key[i]));
-        let link_item = links.map(transition).collect();
+        let link_item = links.map(transition).list();
         Self { search, wording, graph, node_item, link_item }
     }
 
@@ -229,9 +227,13 @@ impl<'s> Builder<'s> {
             way.push(self.item(Kind::Pass, layer, self.graph.items[from].key + 1));
         }
         way.push(to);
-        let hops = way.windows(2).map(|pair| (pair[0], pair[1]));
-        self.graph.hops.extend(hops.clone());
-        self.graph.straight.extend(straight.into_iter().flat_map(|number| hops.clone().map(move |hop| (hop, number))));
+        for pair in way.windows(2) {
+            let hop = (pair[0], pair[1]);
+            self.graph.hops.push(hop);
+            if let Some(number) = straight {
+                self.graph.straight.insert(hop, number);
+            }
+        }
         (way[0], way[1])
     }
 
@@ -260,7 +262,7 @@ impl<'s> Builder<'s> {
             from.push(upper);
         }
         let key = -1 - i64::try_from(last - first).unwrap_or_default();
-        let rises: Vec<_> = (first..=last).map(|layer| self.item(Kind::Rise, layer, key)).collect();
+        let rises = (first..=last).map(|layer| self.item(Kind::Rise, layer, key)).list();
         self.graph.hops.extend(rises.windows(2).map(|pair| (pair[0], pair[1])));
         self.graph.loops.push(Loop { from, rises, to });
     }
@@ -268,19 +270,19 @@ impl<'s> Builder<'s> {
     /// The steps that a line leads back to, with its transitions; and what is written as a reference.
     fn split(&self) -> (Vec<Returns>, Vec<(usize, usize)>) {
         let search = self.search;
-        let mut looped: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut looped: Map<usize, Vec<usize>> = Map::new();
         let rising = &search.back;
         for (link, target) in rising {
             // What can come from anywhere is no way back of the net.
             if search.targets[*link].len() == 1 && !self.is_any(*link) {
-                looped.entry(*target).or_default().push(*link);
+                looped.entry(*target).push(*link);
             }
         }
-        let mut looped: Vec<_> = looped.into_iter().collect();
-        looped.sort_by_key(|(target, _)| self.layer(self.node_item[*target]));
+        let mut looped = looped.entries();
+        sort_by_key(&mut looped, |(target, _)| self.layer(self.node_item[*target]));
         looped.truncate(LOOPS);
         let drawn = |arc: &(usize, usize)| looped.iter().any(|(to, links)| *to == arc.1 && links.contains(&arc.0));
-        let mut jumps: Vec<_> = rising.iter().copied().filter(|arc| !drawn(arc)).collect();
+        let mut jumps = rising.iter().copied().filter(|arc| !drawn(arc)).list();
         let mut far = Vec::new();
         for (link, targets) in search.targets.iter().enumerate() {
             let arcs = targets.iter().map(|target| (link, *target)).filter(|arc| !rising.contains(arc));

@@ -18,6 +18,7 @@ mod search;
 mod sequence;
 mod shape;
 mod sheets;
+mod sorted;
 mod svg;
 mod text;
 mod wording;
@@ -28,6 +29,7 @@ use grafcet_core::description::Description;
 
 pub use mermaid::mermaid;
 pub use shape::{Drawing, Frame, Heading, Place, Shape, Thing};
+use sorted::List;
 use wording::{Density, Wording};
 
 /// A chart of more steps than this is not drawn step by step.
@@ -56,12 +58,12 @@ fn within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), widt
     if is_large(chart) {
         return overview(&sheets, legend::legend(chart), width);
     }
-    let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).collect();
+    let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).list();
     let wording = Wording { chart, active, density: Density::ROOMY };
     let drawn = sheets
         .iter()
         .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&wording, sheet), width - 4, (3, 1))));
-    shape::pack(drawn.chain(legend::legend(chart)).collect(), width, (2, 1))
+    shape::pack(drawn.chain(legend::legend(chart)).list(), width, (2, 1))
 }
 
 /// Whether a chart is too large to be drawn step by step: it has more than 150 steps or 600 transitions.
@@ -113,7 +115,7 @@ fn framed(title: &str, doc: &str, inside: Drawing) -> Drawing {
     }
     let mut sheet = Drawing::default();
     let about = wrap::wrap(doc, inside.width.max(NARROW), wording::LINES);
-    let about: Vec<&String> = about.iter().filter(|line| !line.is_empty()).collect();
+    let about = about.iter().filter(|line| !line.is_empty()).list();
     let texts = about.iter().map(|line| wrap::width(line)).max().unwrap_or(0).max(wrap::width(title));
     let width = inside.width.max(texts) + 4;
     let top = 3 + i32::try_from(about.len()).unwrap_or(0);

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use grafcet_core::description::{Description, Let, Step};
 
+use crate::sorted::List;
 use crate::wording::{any_text, assigned};
 
 /// The text of a Mermaid diagram: steps are boxes with their actions, initial ones with a double frame, and transitions are
@@ -56,7 +57,7 @@ pub fn mermaid(chart: &Description<'_>) -> String {
         }
     }
     if !chart.lets.is_empty() {
-        let lines: Vec<String> = chart.lets.iter().map(stands_for).collect();
+        let lines = chart.lets.iter().map(stands_for).list();
         let _ = writeln!(out, "    names>\"{}\"]", lines.join("<br>"));
     }
     out
@@ -75,7 +76,7 @@ fn label(step: &Step<'_>) -> String {
     let mut text = escape(step.name);
     for action in step.actions {
         let words = [action.qualifier, action.time, &assigned(action.text)].map(escape);
-        let words: Vec<&str> = words.iter().map(String::as_str).filter(|word| !word.is_empty()).collect();
+        let words = words.iter().map(String::as_str).filter(|word| !word.is_empty()).list();
         text.push_str("<br>");
         text.push_str(&words.join(" "));
         if !action.condition.is_empty() {

@@ -5,9 +5,10 @@ use crate::fold::columns;
 use crate::graph::{Graph, Kind, layered};
 use crate::order::order;
 use crate::place::place;
-use crate::route::{Channel, channel};
+use crate::route::channel;
 use crate::shape::{Drawing, Heading, Shape};
 use crate::sheets::{Sheet, pieces};
+use crate::sorted::{List, sort};
 use crate::wording::{Density, Origin, References, Wording};
 use crate::wrap::width;
 
@@ -22,23 +23,23 @@ pub(crate) fn draw(wording: &Wording<'_>, sheet: &Sheet) -> Vec<Drawing> {
         order(&mut graph);
         graph
     });
-    let graphs: Vec<Graph> = graphs.collect();
+    let graphs = graphs.list();
     let references = references(sheet, &graphs);
     let dense = Wording { chart: wording.chart, active: wording.active.clone(), density: Density::DENSE };
     let drawings = graphs.iter().map(|graph| {
         let drawing = drawn(wording, graph, &references);
         if drawing.width > WIDE { drawn(&dense, graph, &references) } else { drawing }
     });
-    drawings.collect()
+    drawings.list()
 }
 
 /// The steps that lead to others by references, each once, as they stand on paper.
 fn references(sheet: &Sheet, graphs: &[Graph]) -> References {
     let mut references = References::new();
     for (transition, target) in graphs.iter().flat_map(|graph| &graph.jumps) {
-        let from: &mut Vec<Origin> = references.entry(*target).or_default();
+        let from: &mut Vec<Origin> = references.entry(*target);
         let sources = sheet.links.iter().filter(|link| link.transition == *transition).flat_map(|link| &link.sources);
-        let mut origins: Vec<Origin> = sources.map(|node| Origin::Node(*node)).collect();
+        let mut origins = sources.map(|node| Origin::Node(*node)).list();
         if origins.is_empty() {
             origins.push(Origin::Source(*transition));
         }
@@ -50,8 +51,8 @@ fn references(sheet: &Sheet, graphs: &[Graph]) -> References {
 
 /// A net whose steps are all connected.
 fn drawn(wording: &Wording<'_>, graph: &Graph, references: &References) -> Drawing {
-    let figures: Vec<Figure> = graph.items.iter().map(|item| wording.figure(item, references)).collect();
-    let extents: Vec<Extent> = figures.iter().map(Figure::extent).collect();
+    let figures = graph.items.iter().map(|item| wording.figure(item, references)).list();
+    let extents = figures.iter().map(Figure::extent).list();
     let x = place(graph, &extents);
     let mut hops = vec![Vec::new(); graph.layers.len() + 1];
     let (mut leads_on, mut entered) = (vec![false; graph.items.len()], vec![false; graph.items.len()]);
@@ -64,10 +65,10 @@ fn drawn(wording: &Wording<'_>, graph: &Graph, references: &References) -> Drawi
         entered[upward.to] = true;
     }
     for (item, entered) in graph.items.iter().zip(&mut entered) {
-        *entered |= matches!(item.kind, Kind::Node(node) if references.contains_key(&node));
+        *entered |= matches!(item.kind, Kind::Node(node) if references.get(node).is_some());
     }
     let channels = hops.iter().enumerate().map(|(below, hops)| channel(graph, &x, below, hops));
-    let channels: Vec<Channel> = channels.collect();
+    let channels = channels.list();
     let mut drawing = Drawing::default();
     let mut last = -1;
     let mut rows = Vec::new();
@@ -145,9 +146,8 @@ fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
             other => others.push(other),
         }
     }
-    lines.sort_unstable();
-    let doubles: Vec<_> =
-        lines.iter().filter(|line| line.1).map(|(.., row, left, right)| (*row, *left, *right)).collect();
+    sort(&mut lines);
+    let doubles: Vec<_> = lines.iter().filter(|line| line.1).map(|(.., row, left, right)| (*row, *left, *right)).list();
     let ends = |x: i32, y: i32| doubles.iter().any(|(row, left, right)| y == *row && (*left..=*right).contains(&x));
     let mut long: Vec<(bool, bool, i32, i32, i32)> = Vec::new();
     for line in lines {
@@ -165,5 +165,5 @@ fn joined(shapes: Vec<Shape>) -> Vec<Shape> {
         let (from, to) = if upright { ((at, start), (at, end)) } else { ((start, at), (end, at)) };
         Shape::Line { from, to, double }
     });
-    lines.chain(others).collect()
+    lines.chain(others).list()
 }

@@ -1,6 +1,7 @@
 //! Who stands left of whom: as the chart is read, and then with fewer crossings where that is possible.
 
 use crate::graph::{Graph, Kind};
+use crate::sorted::{List, sort_by_key};
 
 /// How often the layers are gone through, down and up.
 const SWEEPS: usize = 4;
@@ -9,7 +10,7 @@ const SWEEPS: usize = 4;
 pub(crate) fn order(graph: &mut Graph) {
     let items = &graph.items;
     for layer in &mut graph.layers {
-        layer.sort_by_key(|id| (items[*id].key, *id));
+        sort_by_key(layer, |id| (items[*id].key, *id));
     }
     let (mut best, mut least) = (graph.layers.clone(), crossings(graph));
     for sweep in 0..SWEEPS {
@@ -51,9 +52,9 @@ fn sort(graph: &mut Graph, down: bool) {
             let scaled = (sum * 1024).checked_div(near.len()).unwrap_or(places[id] * 1024);
             i64::try_from(scaled).unwrap_or(i64::MAX)
         };
-        let mut keyed: Vec<_> = graph.layers[layer].iter().map(|id| (mean(*id), places[*id], *id)).collect();
-        keyed.sort_unstable();
-        let sorted: Vec<usize> = keyed.into_iter().map(|(.., id)| id).collect();
+        let mut keyed = graph.layers[layer].iter().map(|id| (mean(*id), places[*id], *id)).list();
+        sort_by_key(&mut keyed, |key| *key);
+        let sorted = keyed.into_iter().map(|(.., id)| id).list();
         sorted.iter().enumerate().for_each(|(place, id)| places[*id] = place);
         graph.layers[layer] = sorted;
     }

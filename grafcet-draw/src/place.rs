@@ -4,6 +4,7 @@
 use crate::figure::Extent;
 use crate::graph::{Graph, Kind};
 use crate::order::places;
+use crate::sorted::{List, sort, sort_by_key};
 
 /// Between two neighbours in a layer.
 const GAP: i32 = 2;
@@ -17,7 +18,7 @@ pub(crate) fn place(graph: &Graph, extents: &[Extent]) -> Vec<i32> {
     for _ in 0..ROUNDS {
         blocks.approach(graph, extents, &mut x);
     }
-    blocks.of_item.iter().map(|block| x[*block]).collect()
+    blocks.of_item.iter().map(|block| x[*block]).list()
 }
 
 /// Items in adjacent layers that stand exactly below each other.
@@ -29,7 +30,7 @@ struct Blocks {
 
 impl Blocks {
     fn of(graph: &Graph) -> Self {
-        let mut of_item: Vec<usize> = (0..graph.items.len()).collect();
+        let mut of_item = (0..graph.items.len()).list();
         let below = aligned(graph);
         for layer in &graph.layers {
             for id in layer {
@@ -49,7 +50,7 @@ impl Blocks {
             right[of_item[pair[0]]].push(of_item[pair[1]]);
             waiting[of_item[pair[1]]] += 1;
         }
-        let mut order: Vec<usize> = (0..count).filter(|id| of_item[*id] == *id && waiting[*id] == 0).collect();
+        let mut order = (0..count).filter(|id| of_item[*id] == *id && waiting[*id] == 0).list();
         let mut done = 0;
         while let Some(block) = order.get(done).copied() {
             done += 1;
@@ -109,8 +110,8 @@ impl Blocks {
             if pulls[*block].is_empty() || graph.items[*block].kind == Kind::Rise {
                 continue;
             }
-            let mut wanted: Vec<i32> = pulls[*block].iter().map(|other| x[*other]).collect();
-            wanted.sort_unstable();
+            let mut wanted = pulls[*block].iter().map(|other| x[*other]).list();
+            sort(&mut wanted);
             let wanted = wanted[(wanted.len() - 1) / 2];
             let most = right[*block].iter().map(|(other, gap)| x[*other] - gap).min().unwrap_or(i32::MAX);
             x[*block] = wanted.min(most).max(x[*block]);
@@ -132,10 +133,10 @@ fn aligned(graph: &Graph) -> Vec<Option<usize>> {
     let line = |id: usize| usize::from(!matches!(graph.items[id].kind, Kind::Pass | Kind::Rise));
     let mut below = vec![None; graph.items.len()];
     for mut hops in between {
-        hops.sort_by_key(|(upper, lower)| {
+        sort_by_key(&mut hops, |(upper, lower)| {
             let branches = degrees[*upper].1 + degrees[*lower].0;
             // The main sequence first, then other lines that pass, then other sequences.
-            let sequence = graph.straight.get(&(*upper, *lower)).copied();
+            let sequence = graph.straight.get((*upper, *lower)).copied();
             let passing = match line(*upper) + line(*lower) {
                 0 => 0,
                 1 => 2,

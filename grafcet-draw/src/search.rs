@@ -1,8 +1,7 @@
 //! What leads down in a net, what leads back, and how far below each other steps and transitions stand.
 
-use std::collections::BTreeMap;
-
-use crate::sheets::{Link, Node, Sheet};
+use crate::sheets::Sheet;
+use crate::sorted::{List, Map};
 
 /// Depth first through a net, which finds the arcs that lead back.
 pub(crate) struct Search<'n> {
@@ -30,10 +29,12 @@ pub(crate) struct Search<'n> {
 
 impl<'n> Search<'n> {
     pub(crate) fn new(net: &'n Sheet) -> Self {
-        let index: BTreeMap<Node, usize> = net.nodes.iter().enumerate().map(|(i, node)| (*node, i)).collect();
-        let known = |nodes: &[Node]| nodes.iter().filter_map(|node| index.get(node).copied()).collect::<Vec<_>>();
+        let mut index = Map::new();
+        for (number, node) in net.nodes.iter().enumerate() {
+            index.insert(*node, number);
+        }
         let (nodes, links) = (net.nodes.len(), net.links.len());
-        let sources: Vec<_> = net.links.iter().map(|link: &Link| known(&link.sources)).collect();
+        let sources = net.links.iter().map(|link| index.of(&link.sources)).list();
         let mut out = vec![Vec::new(); nodes];
         for (link, sources) in sources.iter().enumerate() {
             for node in sources {
@@ -43,7 +44,7 @@ impl<'n> Search<'n> {
         Self {
             net,
             sources,
-            targets: net.links.iter().map(|link| known(&link.targets)).collect(),
+            targets: net.links.iter().map(|link| index.of(&link.targets)).list(),
             out,
             top: vec![false; nodes],
             root: vec![false; nodes],
@@ -158,9 +159,9 @@ pub(crate) fn ranks(search: &Search<'_>) -> (Vec<usize>, Vec<usize>) {
     let mut links = vec![1; search.sources.len()];
     let mut above = vec![0_usize; nodes.len()];
     search.forward.iter().flatten().for_each(|node| above[*node] += 1);
-    let mut waiting: Vec<usize> = search.sources.iter().map(Vec::len).collect();
-    let mut ready: Vec<usize> = (0..nodes.len()).filter(|node| above[*node] == 0).collect();
-    let mut done: Vec<usize> = (0..links.len()).filter(|link| waiting[*link] == 0).collect();
+    let mut waiting = search.sources.iter().map(Vec::len).list();
+    let mut ready = (0..nodes.len()).filter(|node| above[*node] == 0).list();
+    let mut done = (0..links.len()).filter(|link| waiting[*link] == 0).list();
     loop {
         while let Some(link) = done.pop() {
             for node in &search.forward[link] {

@@ -4,6 +4,7 @@
 //! where a fault is dealt with, is no part of that way, however much follows it.
 
 use crate::search::Search;
+use crate::sorted::{List, sort_by_key};
 
 /// From so many steps on one way a step is reached that is no part of it.
 const MANY: usize = 3;
@@ -38,10 +39,10 @@ impl Sequence {
 pub(crate) fn sequence(search: &Search<'_>, layers: &[usize]) -> Sequence {
     let ways = Ways::of(search, layers);
     let count = search.out.len();
-    let main: Vec<Option<usize>> = (0..count).map(|node| ways.main(node)).collect();
+    let main = (0..count).map(|node| ways.main(node)).list();
     let mut sequence = Sequence { main, down: Vec::new(), on: Vec::new() };
-    let mut starts: Vec<usize> = (0..count).collect();
-    starts.sort_by_key(|node| search.node_key[*node]);
+    let mut starts = (0..count).list();
+    sort_by_key(&mut starts, |node| search.node_key[*node]);
     let (mut nodes, mut links) = (vec![false; count], vec![false; search.sources.len()]);
     for (number, start) in starts.into_iter().enumerate() {
         let mut node = start;
@@ -68,8 +69,8 @@ struct Ways<'s> {
 impl<'s> Ways<'s> {
     fn of(search: &'s Search<'s>, layers: &[usize]) -> Self {
         let links = search.sources.len();
-        let mut order: Vec<usize> = (0..search.out.len()).collect();
-        order.sort_by_key(|node| layers[*node]);
+        let mut order = (0..search.out.len()).list();
+        sort_by_key(&mut order, |node| layers[*node]);
         let aside = aside(search, &order);
         let mut ways = Self { search, own: vec![0; links], long: vec![0; links] };
         let mut before = vec![Vec::new(); search.out.len()];
@@ -122,7 +123,7 @@ fn aside(search: &Search<'_>, order: &[usize]) -> Vec<bool> {
         }
         most.into_iter().max().unwrap_or(0)
     };
-    before.iter().map(|nodes| chain(nodes) >= MANY).collect()
+    before.iter().map(|nodes| chain(nodes) >= MANY).list()
 }
 
 /// What a node leads down to.

@@ -1,8 +1,8 @@
 //! What is drawn as one net: a partial grafcet, an enclosure, the expansion of a macro-step.
 
-use std::collections::BTreeMap;
-
 use grafcet_core::description::Description;
+
+use crate::sorted::{List, Map};
 
 /// A step as it is drawn: a macro-step stands for its expansion.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -41,26 +41,25 @@ type Room = (usize, Option<usize>);
 
 /// The sheets of a chart: its partial grafcets in order, each before the expansions of its macro-steps.
 pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
-    let mut rooms: BTreeMap<Room, Sheet> = BTreeMap::new();
+    let mut rooms: Map<Room, Sheet> = Map::new();
     for (step, described) in chart.steps.iter().enumerate() {
         let room = (described.partial, described.expansion);
-        rooms.entry(room).or_default().nodes.push(Node::Step(step));
+        rooms.entry(room).nodes.push(Node::Step(step));
     }
     for (id, macro_step) in chart.macros.iter().enumerate() {
         let partial = chart.steps.get(macro_step.entry).map_or(0, |entry| entry.partial);
-        rooms.entry((partial, macro_step.outer)).or_default().nodes.push(Node::Macro(id));
+        rooms.entry((partial, macro_step.outer)).nodes.push(Node::Macro(id));
     }
     for (transition, described) in chart.transitions.iter().enumerate() {
-        let known = |steps: &[usize]| -> Vec<usize> {
-            steps.iter().copied().filter(|step| *step < chart.steps.len()).collect()
-        };
+        let known =
+            |steps: &[usize]| -> Vec<usize> { steps.iter().copied().filter(|step| *step < chart.steps.len()).list() };
         let (sources, targets) = (known(described.sources), known(described.targets));
-        let seen = |steps: &[usize], of: Seen| -> Vec<Node> { steps.iter().map(|step| of(chart, *step)).collect() };
+        let seen = |steps: &[usize], of: Seen| -> Vec<Node> { steps.iter().map(|step| of(chart, *step)).list() };
         // From outside an expansion is its macro-step; what stays within it leads from step to step.
         let views: [[Seen; 2]; 4] = [[source, target], [source, plain], [plain, target], [plain, plain]];
         let links = views.map(|[from, to]| (seen(&sources, from), seen(&targets, to)));
         let rooms_of = |(from, to): &(Vec<Node>, Vec<Node>)| -> Vec<Room> {
-            from.iter().chain(to).map(|node| room(chart, *node)).collect()
+            from.iter().chain(to).map(|node| room(chart, *node)).list()
         };
         let one = |link: &&(Vec<Node>, Vec<Node>)| rooms_of(link).windows(2).all(|pair| pair[0] == pair[1]);
         let (sources, targets) = links.iter().find(one).unwrap_or(&links[0]).clone();
@@ -68,15 +67,16 @@ pub(crate) fn sheets(chart: &Description<'_>) -> Vec<Sheet> {
         // steps in the first net.
         let net = described.any.and_then(|any| chart.steps.get(*any.steps.first()?)).map(|step| (step.partial, None));
         let first = net.or_else(|| sources.first().or(targets.first()).map(|node| room(chart, *node)));
-        let Some(place) = first.or(rooms.keys().next().copied()) else { continue };
+        let Some(place) = first.or(rooms.first()) else { continue };
         let link = Link { transition, sources, targets, jumps: Vec::new() };
-        rooms.entry(place).or_default().links.push(link);
+        rooms.entry(place).links.push(link);
     }
-    for (room, sheet) in &mut rooms {
-        sheet.title = title(chart, *room);
-        doc(chart, *room).clone_into(&mut sheet.doc);
-    }
-    rooms.into_values().collect()
+    let named = |(room, mut sheet): (Room, Sheet)| {
+        sheet.title = title(chart, room);
+        doc(chart, room).clone_into(&mut sheet.doc);
+        sheet
+    };
+    rooms.entries().into_iter().map(named).list()
 }
 
 fn plain(_: &Description<'_>, step: usize) -> Node {
@@ -135,21 +135,27 @@ pub(crate) fn name<'a>(chart: &Description<'a>, node: Node) -> &'a str {
 
 /// The pieces of a sheet that no transition connects.
 pub(crate) fn pieces(sheet: &Sheet) -> Vec<Sheet> {
-    let mut piece: BTreeMap<Node, usize> = sheet.nodes.iter().enumerate().map(|(i, node)| (*node, i)).collect();
+    let mut piece = Map::new();
+    for (number, node) in sheet.nodes.iter().enumerate() {
+        piece.insert(*node, number);
+    }
     for link in &sheet.links {
-        let touched = || link.sources.iter().chain(&link.targets);
-        let ids: Vec<usize> = touched().filter_map(|node| piece.get(node).copied()).collect();
+        let ids = piece.of(link.sources.iter().chain(&link.targets));
         let Some(least) = ids.iter().min().copied() else { continue };
-        piece.values_mut().filter(|id| ids.contains(id)).for_each(|id| *id = least);
+        for node in &sheet.nodes {
+            let id = piece.entry(*node);
+            if ids.contains(id) {
+                *id = least;
+            }
+        }
     }
-    let mut pieces: BTreeMap<usize, Sheet> = BTreeMap::new();
+    let mut pieces: Map<usize, Sheet> = Map::new();
     for node in &sheet.nodes {
-        let id = piece.get(node).copied().unwrap_or_default();
-        pieces.entry(id).or_default().nodes.push(*node);
+        pieces.entry(*piece.entry(*node)).nodes.push(*node);
     }
     for link in &sheet.links {
-        let first = link.sources.iter().chain(&link.targets).find_map(|node| piece.get(node).copied());
-        pieces.entry(first.unwrap_or_default()).or_default().links.push(link.clone());
+        let first = link.sources.iter().chain(&link.targets).find_map(|node| piece.get(*node).copied());
+        pieces.entry(first.unwrap_or_default()).links.push(link.clone());
     }
-    pieces.into_values().collect()
+    pieces.entries().into_iter().map(|(_, piece)| piece).list()
 }

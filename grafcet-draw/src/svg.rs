@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use grafcet_core::description::Description;
 
 use crate::shape::{Drawing, Frame, Heading, Shape, Thing};
+use crate::sorted::{List, sort};
 use crate::wrap::width;
 
 /// A square in pixels.
@@ -113,7 +114,7 @@ fn doubles(drawing: &Drawing) -> Vec<(i32, i32, i32)> {
         Shape::Line { from, to, double: true } => Some((from.1, from.0, to.0)),
         _ => None,
     });
-    doubles.collect()
+    doubles.list()
 }
 
 /// Where something crosses a double line that has nothing to do with it.
@@ -124,7 +125,7 @@ fn gaps(drawing: &Drawing, doubles: &[(i32, i32, i32)]) -> Vec<(i32, i32)> {
         let crossed = |(row, left, right): &&(i32, i32, i32)| top < row && row < bottom && left <= x && x <= right;
         gaps.extend(doubles.iter().filter(crossed).filter(|_| x == to).map(|(row, ..)| (*row, *x)));
     }
-    gaps.sort_unstable();
+    sort(&mut gaps);
     gaps.dedup();
     gaps
 }

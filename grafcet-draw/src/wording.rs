@@ -1,13 +1,12 @@
 //! What stands on paper for each item of a net: the words of the description in boxes, cut to their measure.
 
-use std::collections::BTreeMap;
-
 use grafcet_core::description::{Action, Any, Description, Dialect};
 
 use crate::figure::{Box, Figure, Step};
 use crate::graph::{Item, Kind};
 use crate::shape::{Frame, Thing};
 use crate::sheets::{Node, name};
+use crate::sorted::Map;
 use crate::wrap::wrap;
 
 /// Names and words are cut at so many squares.
@@ -41,7 +40,7 @@ impl Density {
 }
 
 /// From where references lead to a step.
-pub(crate) type References = BTreeMap<Node, Vec<Origin>>;
+pub(crate) type References = Map<Node, Vec<Origin>>;
 
 /// From where a reference leads.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -55,7 +54,7 @@ impl Wording<'_> {
     /// What an item of a net looks like; `references` lead to its steps from elsewhere.
     pub(crate) fn figure(&self, item: &Item, references: &References) -> Figure {
         match item.kind {
-            Kind::Node(node) => Figure::Step(self.step(node, references.get(&node).map_or(&[], |from| from))),
+            Kind::Node(node) => Figure::Step(self.step(node, references.get(node).map_or(&[], |from| from))),
             Kind::Jump(node) => Figure::Jump(name(self.chart, node).to_owned()),
             Kind::Transition(id) => self.transition(id),
             Kind::Any(id) => Figure::Any(self.lines(&self.any(id).map(any_text).unwrap_or_default())),

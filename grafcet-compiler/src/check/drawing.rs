@@ -4,6 +4,7 @@ use super::rivals;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Dialect, ForceOrder, Model, PartialId, StepId, TransitionId};
+use crate::sorted::sort;
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
     initial_steps(model, sink);
@@ -73,8 +74,8 @@ fn duplicate_transitions(model: &Model, sink: &mut Sink) {
     let mut seen = crate::sorted::Map::new();
     for (id, transition) in model.drawn_transitions() {
         let (mut sources, mut targets) = (transition.sources.clone(), transition.targets.clone());
-        sources.sort_unstable();
-        targets.sort_unstable();
+        sort(&mut sources);
+        sort(&mut targets);
         let key = (sources, targets, &transition.condition.tree);
         if let Some(first) = seen.insert(key, id) {
             duplicate_transition(model, first, id, sink);

@@ -4,7 +4,7 @@ use super::targets;
 use crate::diagnostic::{Mark, Rule, Severity, Sink};
 use crate::list::List;
 use crate::model::{Dialect, LevelAttr, Model, Name};
-use crate::sorted::{Map, Set};
+use crate::sorted::{Map, Set, sort};
 
 /// More rivals are counted, not named.
 const NAMED: usize = 4;
@@ -61,7 +61,7 @@ impl Rivals {
 
 /// The second ones of each first one, each once and in order.
 fn by_first(mut pairs: Vec<(usize, usize)>) -> Map<usize, Vec<usize>> {
-    pairs.sort_unstable();
+    sort(&mut pairs);
     pairs.dedup();
     let mut all: Map<usize, Vec<usize>> = Map::new();
     for (first, second) in pairs {

@@ -8,7 +8,7 @@ use crate::analysis::{Concurrency, Explained};
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
-use crate::sorted::Set;
+use crate::sorted::{Set, sort};
 
 /// Returns where the chart stays for ever, of which an error tells.
 pub(super) fn check(
@@ -74,7 +74,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
         let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
         let missing = joins.flat_map(|stuck| &model.transitions[stuck.join].sources);
         let mut missing: Vec<StepId> = missing.filter(|source| !deadlock.steps.contains(source)).copied().list();
-        missing.sort_unstable();
+        sort(&mut missing);
         missing.dedup();
         let name = &model.steps[*step].name;
         let message = format!(

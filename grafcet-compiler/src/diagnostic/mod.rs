@@ -10,7 +10,7 @@ pub use rules::Rule;
 pub use crate::ast::Severity;
 use crate::ast::{Dialect, LevelAttr};
 pub use crate::mark::Mark;
-use crate::sorted::Set;
+use crate::sorted::{Set, sort_by_key};
 
 /// One mistake: a message for each participant, the culprit first.
 #[derive(Clone, Debug)]
@@ -151,7 +151,7 @@ impl Sink {
         self.read = true;
         let mut all = std::mem::take(&mut self.diagnostics);
         // A stable sort: where a toolchain gives no positions, the order of the passes stays.
-        all.sort_by_key(|d| d.notes.first().map(|(mark, _)| mark.position()));
+        sort_by_key(&mut all, |d| d.notes.first().map(|(mark, _)| mark.position()));
         // Nothing is said twice at one place: a block is read as tokens and as statements, and of three steps with one
         // name the first takes part in two mistakes.
         let mut said = Set::new();

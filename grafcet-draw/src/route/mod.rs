@@ -5,6 +5,7 @@
 
 use crate::graph::{Graph, Kind};
 use crate::shape::{Drawing, Shape};
+use crate::sorted::{List, sort_by_key};
 
 /// Lines that go down beside each other are so far apart: there is room for a number between them.
 const APART: i32 = 3;
@@ -115,20 +116,20 @@ pub(crate) struct Channel {
 /// The channel above a layer; that above layer 0 and that below the last hold only what goes up.
 /// `hops` are those that end in it.
 pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize, hops: &[(usize, usize)]) -> Channel {
-    let from_above: Vec<_> = graph.loops.iter().filter(|l| graph.items[l.to].layer == below).collect();
-    let mut ends: Vec<usize> = hops.iter().map(|hop| hop.1).chain(from_above.iter().map(|l| l.to)).collect();
-    ends.sort_by_key(|id| x[*id]);
+    let from_above = graph.loops.iter().filter(|l| graph.items[l.to].layer == below).list();
+    let mut ends = hops.iter().map(|hop| hop.1).chain(from_above.iter().map(|l| l.to)).list();
+    sort_by_key(&mut ends, |id| x[*id]);
     ends.dedup();
     let mut channel = Channel { nets: Vec::new(), ways: Vec::new(), ranks: Vec::new(), rank_row: 0, height: 0 };
     // Where a line stands in this channel, whichever it is.
     let beside = |item: &crate::graph::Item| item.layer + 1 == below || item.layer == below;
-    let taken: Vec<i32> = (0..x.len()).filter(|id| beside(&graph.items[*id])).map(|id| x[id]).collect();
-    let turns: Vec<Vec<i32>> = graph
+    let taken = (0..x.len()).filter(|id| beside(&graph.items[*id])).map(|id| x[id]).list();
+    let turns = graph
         .loops
         .iter()
         .filter(|l| l.from.iter().any(|id| graph.items[*id].layer + 1 == below))
-        .map(|l| l.from.iter().chain(l.rises.last()).map(|id| x[*id]).collect())
-        .collect();
+        .map(|l| l.from.iter().chain(l.rises.last()).map(|id| x[*id]).list())
+        .list();
     // What has one line from above, and above it nothing that comes down further than where that line starts.
     let alone = |end: usize| {
         let hops = hops.iter().filter(|hop| hop.1 == end).count();
@@ -138,7 +139,7 @@ pub(crate) fn channel(graph: &Graph, x: &[i32], below: usize, hops: &[(usize, us
     let spreads = channel.nets.len();
     for end in ends.into_iter().filter(|end| !alone(*end)) {
         let rises = from_above.iter().filter(|l| l.to == end).filter_map(|l| l.rises.first());
-        channel.collect(graph, x, end, rises.map(|id| x[*id]).collect(), hops);
+        channel.collect(graph, x, end, rises.map(|id| x[*id]).list(), hops);
     }
     for uppers in turns {
         channel.nets.push(Net::new(uppers, Vec::new(), false, Purpose::Turn));
@@ -157,12 +158,12 @@ impl Channel {
         alone: impl Fn(usize) -> bool,
         mut taken: Vec<i32>,
     ) {
-        let mut starts: Vec<usize> = hops.iter().map(|hop| hop.0).collect();
-        starts.sort_by_key(|id| x[*id]);
+        let mut starts = hops.iter().map(|hop| hop.0).list();
+        sort_by_key(&mut starts, |id| x[*id]);
         starts.dedup();
         for start in starts {
-            let mut mine: Vec<usize> = hops.iter().filter(|hop| hop.0 == start).map(|hop| hop.1).collect();
-            mine.sort_by_key(|id| x[*id]);
+            let mut mine = hops.iter().filter(|hop| hop.0 == start).map(|hop| hop.1).list();
+            sort_by_key(&mut mine, |id| x[*id]);
             let mut ports = Vec::new();
             for end in &mine {
                 // Below here, or close to it, something else stands, to which a line comes down from aside.
@@ -177,7 +178,7 @@ impl Channel {
                 };
                 taken.push(port);
                 ports.push((port, *end));
-                if let Some(rank) = graph.ranks.get(&(start, *end)) {
+                if let Some(rank) = graph.ranks.get((start, *end)) {
                     self.ranks.push((port, *rank));
                 }
             }
@@ -185,7 +186,7 @@ impl Channel {
             let spread = needed.then_some(self.nets.len());
             if needed {
                 let double = mine.len() > 1 && matches!(graph.items[start].kind, Kind::Transition(_));
-                let lowers = ports.iter().map(|(port, _)| *port).collect();
+                let lowers = ports.iter().map(|(port, _)| *port).list();
                 self.nets.push(Net::new(vec![x[start]], lowers, double, Purpose::Spread));
             }
             let ways = ports.iter().map(|(port, end)| Way {
@@ -219,8 +220,8 @@ impl Channel {
         // A row is left free beside each layer.
         let mut row = 1 + i32::from(above);
         for range in [0..spreads, spreads..self.nets.len()] {
-            let mut waiting: Vec<usize> = range.clone().collect();
-            waiting.sort_by_key(|id| self.nets[*id].span());
+            let mut waiting = range.clone().list();
+            sort_by_key(&mut waiting, |id| self.nets[*id].span());
             while !waiting.is_empty() {
                 let chosen = self.choose(&waiting);
                 if chosen.is_empty() {
@@ -280,7 +281,7 @@ impl Channel {
         let bends = self.nets.iter().filter_map(|net| net.bend.map(|(place, _)| place));
         let ends = self.nets.iter().flat_map(|net| net.uppers.iter().chain(&net.lowers).copied());
         let ways = self.ways.iter().flat_map(|way| [way.from, way.port, way.to]);
-        let taken: Vec<i32> = bends.chain(ends).chain(ways).collect();
+        let taken = bends.chain(ends).chain(ways).list();
         let (first, last) = (taken.iter().min().copied().unwrap_or(left), taken.iter().max().copied().unwrap_or(right));
         let free = |x: &i32, room: i32| taken.iter().all(|other| (other - x).abs() > room);
         let places = || (left + 1..right).chain((first..left).rev()).chain(right..=last);

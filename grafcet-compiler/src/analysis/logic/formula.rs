@@ -1,5 +1,6 @@
 //! Boolean functions over atoms.
 use crate::list::List;
+use crate::sorted::sort;
 
 /// The upper bound where a boolean atom is true: beyond all numbers.
 const TRUE: i128 = i128::MAX;
@@ -108,7 +109,7 @@ impl Formula {
                 _ => {}
             }
         }
-        demands.sort_unstable();
+        sort(&mut demands);
         demands.dedup_by(|next, kept| {
             let same = next.0 == kept.0;
             if same {

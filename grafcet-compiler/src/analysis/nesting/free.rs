@@ -4,7 +4,7 @@
 use crate::analysis::{Answer, Condition, Logic};
 use crate::list::List;
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TimeRef, TransitionId, Tree, Unary};
-use crate::sorted::{Map, Set};
+use crate::sorted::{Map, Set, sort};
 
 /// Whether that holds for all transitions of a chart, whose conditions read inputs and how long their sources are active.
 pub(super) fn is_free(model: &Model, never: &[&Tree]) -> bool {
@@ -83,7 +83,7 @@ impl<'m> Groups<'m> {
         let (mut of, mut readings) = (Vec::new(), Vec::new());
         for (id, transition) in model.transitions.iter() {
             let mut sources = transition.sources.clone();
-            sources.sort_unstable();
+            sort(&mut sources);
             let number = *known.get(sources.first()?).unwrap_or(&all.len());
             if number == all.len() {
                 all.push(Group::of(&sources));

@@ -4,7 +4,7 @@ use super::demands::{Demand, holds};
 use super::{Relation, drags};
 use crate::list::List;
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
-use crate::sorted::Set;
+use crate::sorted::{Set, sort};
 
 /// A transition.
 pub(super) struct Arc {
@@ -150,7 +150,7 @@ impl Chart {
                 open.extend(self.forces[step].iter().flat_map(|(_, forced)| forced));
             }
         }
-        entered.sort_unstable();
+        sort(&mut entered);
         entered
     }
 

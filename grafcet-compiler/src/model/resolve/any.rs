@@ -17,7 +17,7 @@ use crate::model::{
     placeholder,
 };
 use crate::place::{self, quote};
-use crate::sorted::Set;
+use crate::sorted::{Set, sort};
 
 impl Resolver<'_> {
     /// All `any` of a chart or partial grafcet: they come before its other transitions.
@@ -225,7 +225,7 @@ impl Resolver<'_> {
         let guarded = |(_, transition): &(TransitionId, &Transition)| !transition.guards.is_empty();
         let elses = self.model.transitions.iter().filter(guarded).filter_map(|(_, one)| one.otherwise.clone());
         let mut branches: Vec<TransitionId> = elses.flatten().collect();
-        branches.sort_unstable();
+        sort(&mut branches);
         branches.dedup();
         for id in branches {
             let Expr { text, mark, .. } = &self.model.transitions[id].condition;

@@ -6,7 +6,7 @@ use super::Resolver;
 use crate::list::List;
 use crate::model::{Binary, Expr, Read, StepId, TransitionId, Tree, Unary};
 use crate::place;
-use crate::sorted::{Map, Set};
+use crate::sorted::{Map, Set, sort};
 
 /// What stands for the condition as long as the other branches are not known.
 pub(super) fn always(word: Span) -> Expr {
@@ -108,7 +108,7 @@ impl Resolver<'_> {
 
 fn in_order(steps: &[StepId]) -> Vec<StepId> {
     let mut steps = steps.to_vec();
-    steps.sort_unstable();
+    sort(&mut steps);
     steps
 }
 

@@ -12,7 +12,7 @@ use crate::analysis::explore::valuation::knowledge::{Knowledge, Known, Learnt};
 use crate::analysis::numbers::is_computed;
 use crate::list::List;
 use crate::model::{Binary, Model, Tree};
-use crate::sorted::Map;
+use crate::sorted::{Map, sort};
 
 /// How far a number lies above another, as an atom.
 #[derive(Debug)]
@@ -156,7 +156,7 @@ impl Links {
                             known.push((*atom, knowledge.get(*atom)));
                         }
                     }
-                    known.sort_unstable();
+                    sort(&mut known);
                     known.dedup();
                     let key = (number, known);
                     match tries.get(&key) {

@@ -15,7 +15,7 @@ use crate::analysis::explore::semantics;
 use crate::analysis::{Union, circles};
 use crate::list::List;
 use crate::model::{Id, Model, TransitionId};
-use crate::sorted::Set;
+use crate::sorted::{Set, sort};
 
 /// The transitions of each circle, in the direction of evolution; `None` where so many units of work do not suffice, or something
 /// is not followed.
@@ -187,7 +187,7 @@ impl<'m> Found<'m> {
         let sets: Vec<Set<TransitionId>> = certain.iter().map(set).list();
         certain.retain(|ring| !sets.iter().any(|other| *other != set(ring) && other.is_subset(&set(ring))));
         let mut certain: Vec<_> = certain.into_iter().map(|ring| self.rings[ring].transitions.clone()).list();
-        certain.sort_unstable();
+        sort(&mut certain);
         Some(certain)
     }
 

@@ -20,6 +20,7 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::semantics;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
+use crate::sorted::sort;
 
 /// Explores one piece of a chart, or all of it.
 pub(crate) struct Search<'n, 's> {
@@ -207,7 +208,7 @@ impl<'n, 's> Search<'n, 's> {
                 granted: None,
             });
         }
-        self.graph.edges[number].sort_unstable();
+        sort(&mut self.graph.edges[number]);
         self.graph.edges[number].dedup();
         if !state.first && !net.grafcet {
             self.probe(&state, &enabled);
@@ -260,7 +261,7 @@ impl<'n, 's> Search<'n, 's> {
         for transition in &done.enabled_later {
             self.seen.enabled[*transition] = true;
         }
-        cycle.granted.sort_unstable();
+        sort(&mut cycle.granted);
         let demands = (self.thorough && !late).then(|| self.demands(&cycle).into_boxed_slice());
         for (step, by) in done.doubled {
             let doubled = || Doubled { from, cycle: cycle.clone(), by, end: next.active.clone() };
@@ -288,7 +289,7 @@ impl<'n, 's> Search<'n, 's> {
         let is_bound = |(atom, _): &&(usize, Known)| net.bound[*atom] && !net.unfollowed[*atom];
         let mut demands = cycle.granted.clone();
         demands.extend(cycle.given.iter().filter(is_bound));
-        demands.sort_unstable();
+        sort(&mut demands);
         demands
     }
 

@@ -16,7 +16,7 @@ use crate::analysis::explore::net::formula::Formula;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
 use crate::list::List;
-use crate::sorted::Map;
+use crate::sorted::{Map, sort};
 
 /// Whether a group of transitions can wait in a cycle.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -130,7 +130,7 @@ pub(crate) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
     for (position, transition) in open.iter().enumerate() {
         by_source.extend(net.arcs[*transition].sources.iter().map(|step| (*step, position)));
     }
-    by_source.sort_unstable();
+    sort(&mut by_source);
     for pair in by_source.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
         union.join(pair[0].1, pair[1].1);
     }
@@ -159,7 +159,7 @@ fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
             uses.extend(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
         }
     }
-    uses.sort_unstable();
+    sort(&mut uses);
     uses.dedup();
     let twice = uses.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[0].0);
     let mut shared: Vec<usize> = twice.list();

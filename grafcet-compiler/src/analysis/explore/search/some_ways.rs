@@ -19,6 +19,7 @@ use crate::analysis::explore::verdicts::future::{Future, ends};
 use crate::analysis::explore::verdicts::path::{Deadlock, StuckJoin};
 use crate::list::List;
 use crate::model::{Id, TransitionId};
+use crate::sorted::sort_by_key;
 
 /// How often the inputs are chosen anew so that a transition clears, or waits.
 const TRIES: usize = 64;
@@ -78,7 +79,7 @@ impl Ways {
             cycles.reverse();
             plans.push(led_to(net, &cycles, *step, doubled.by));
         }
-        plans.sort_by_key(Vec::len);
+        sort_by_key(&mut plans, Vec::len);
         for plan in plans.into_iter().take(REPLAYS) {
             let (graph, work) = search(net, limit, seen).follow(&plan);
             self.work += work;

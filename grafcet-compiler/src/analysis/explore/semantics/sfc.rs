@@ -7,6 +7,7 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::list::List;
 use crate::model::{Dialect, Qualifier, Trigger};
+use crate::sorted::sort_by_key;
 
 /// How the evolution changed the situation.
 struct Change {
@@ -24,6 +25,7 @@ enum Moment {
 }
 
 /// What an action does to the followed values.
+#[derive(Clone)]
 enum Effect<'n> {
     Put(usize, Bit),
     Run(&'n [Command]),
@@ -105,7 +107,7 @@ fn act(valuation: &mut Valuation<'_>, change: &Change) {
             }
         }
     }
-    runs.sort_by_key(|(moment, position, _)| (*moment, *position));
+    sort_by_key(&mut runs, |(moment, position, _)| (*moment, *position));
     // Outputs are read as the previous cycle returned them.
     let mut outputs: Vec<(usize, Bit)> = Vec::new();
     for (_, _, effect) in runs {

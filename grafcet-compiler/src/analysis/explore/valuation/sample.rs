@@ -4,6 +4,7 @@ use super::knowledge::{Knowledge, Known, Learnt};
 use super::{Valuation, When};
 use crate::analysis::explore::net::formula::{Formula, Kind};
 use crate::list::List;
+use crate::sorted::sort;
 
 impl Valuation<'_> {
     /// What was decided about this cycle, and about the cycle before it, ascending.
@@ -11,7 +12,7 @@ impl Valuation<'_> {
         let decided = |knowledge: &Knowledge| {
             let pairs = knowledge.learnt().iter().map(|atom| (*atom, knowledge.get(*atom)));
             let mut pairs: Vec<_> = pairs.filter(|(_, known)| *known != Known::Unknown).list();
-            pairs.sort_unstable();
+            sort(&mut pairs);
             pairs.dedup();
             pairs
         };
