@@ -106,6 +106,11 @@
 #[cfg(feature = "std")]
 pub use grafcet_draw as draw;
 
+/// The flight recorder, with the feature `record`.
+#[cfg(feature = "record")]
+pub use grafcet_core::record;
+#[cfg(feature = "record")]
+pub use grafcet_core::recordable;
 pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description};
 pub use heapless;
 
@@ -158,6 +163,8 @@ pub mod __private {
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
 
     pub use __by_edition as by_edition;
+    #[cfg(feature = "record")]
+    pub use grafcet_core::__recorded as recorded;
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, situation, sooner, until,
@@ -197,6 +204,10 @@ pub mod manual {
     #[doc = "[semantics]: self::semantics\n"]
     #[doc = include_str!("../docs/porting.md")]
     pub mod porting {}
+
+    #[doc = "[semantics]: self::semantics\n"]
+    #[doc = include_str!("../docs/record.md")]
+    pub mod record {}
 }
 
 /// The charts of the pages are tests. Those of the rules, half of which are wrong, have a test of their own, and the first

@@ -9,6 +9,7 @@ pub mod check;
 mod codegen;
 pub mod describe;
 pub mod diagnostic;
+pub mod fingerprint;
 mod list;
 mod mark;
 mod methods;
@@ -37,6 +38,13 @@ use plan::Plan;
 #[must_use]
 pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
     by(chart, root, &|model, plan| codegen::generate(model, plan, root))
+}
+
+/// The same, with what the flight recorder needs to know of the chart: the macro's feature `record`.
+#[must_use]
+pub fn compile_recorded(root: &TokenStream, chart: TokenStream) -> TokenStream {
+    let fingerprint = fingerprint::of(chart.clone());
+    by(chart, root, &|model, plan| codegen::generate_recorded(model, plan, root, fingerprint))
 }
 
 /// The same by way of a program, which `lower` makes of the chart: a third opinion for tests and tools.

@@ -8,6 +8,8 @@ pub mod description;
 #[cfg(any(feature = "fugit", feature = "embassy-time"))]
 mod instants;
 mod phase;
+#[cfg(feature = "record")]
+pub mod record;
 #[doc(hidden)]
 pub mod situation;
 mod ticks;

@@ -17,6 +17,16 @@ impl ShortTime {
     pub fn ticks(self) -> Ticks {
         Ticks::new(u32::from(self.0))
     }
+
+    #[cfg(feature = "record")]
+    pub(crate) const fn new(count: u16) -> Self {
+        Self(count)
+    }
+
+    #[cfg(feature = "record")]
+    pub(crate) const fn count(self) -> u16 {
+        self.0
+    }
 }
 
 impl core::ops::Add<Ticks> for ShortTime {
@@ -49,6 +59,17 @@ impl OnDelay {
         self.held = if input && self.input && !restart { self.held + elapsed } else { Ticks::ZERO };
         self.input = input;
         input && self.held >= time
+    }
+
+    #[cfg(feature = "record")]
+    pub(crate) const fn parts(self) -> (Ticks, bool) {
+        (self.held, self.input)
+    }
+
+    /// No time runs while the input is false.
+    #[cfg(feature = "record")]
+    pub(crate) fn of_parts(held: Ticks, input: bool) -> Option<Self> {
+        (input || held == Ticks::ZERO).then_some(Self { held, input })
     }
 
     /// How long it still takes until the output becomes true; `None` if nothing is under way.
@@ -89,6 +110,16 @@ impl Delay {
         if self.held >= if input { on } else { off } {
             self.output = input;
         }
+    }
+
+    #[cfg(feature = "record")]
+    pub(crate) const fn parts(self) -> (Ticks, bool, bool) {
+        (self.held, self.input, self.output)
+    }
+
+    #[cfg(feature = "record")]
+    pub(crate) const fn of_parts(held: Ticks, input: bool, output: bool) -> Self {
+        Self { held, input, output }
     }
 
     /// Whether the delayed condition holds.

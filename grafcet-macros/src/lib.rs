@@ -11,5 +11,6 @@ pub fn chart(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
         Some(TokenTree::Group(path)) => path.stream(),
         _ => TokenStream::new(),
     };
-    grafcet_compiler::compile(&root, tokens.collect()).into()
+    let compile = if cfg!(feature = "record") { grafcet_compiler::compile_recorded } else { grafcet_compiler::compile };
+    compile(&root, tokens.collect()).into()
 }

@@ -6,13 +6,18 @@ use super::{Cx, chart_impl, names, state};
 use crate::list::List;
 use crate::model::Ty;
 use crate::place::quote;
+use crate::plan::RegionId;
 
 /// The state of a chart and the code of its cycle.
 pub(super) struct Machine<'m> {
     /// The private types of the fields.
     pub(super) types: TokenStream,
+    /// The regions whose states are enums: whether none of their steps may be active, and whether the first cycle is a state of its own.
+    pub(super) regions: Vec<(RegionId, bool, bool)>,
     /// What `new` writes, beside the recipe.
     pub(super) fields: Vec<Field>,
+    /// The field with the clock's reading in the last cycle.
+    pub(super) clock: Option<Ident>,
     /// The declared types among theirs: whether the chart is `Copy` depends on them.
     pub(super) stored: Vec<&'m Ty>,
     pub(super) cycle: TokenStream,
@@ -58,7 +63,9 @@ impl<'m> Machine<'m> {
         });
         Self {
             types: state::enums(cx),
+            regions: state::regions(cx),
             fields: cx.fields(),
+            clock: plan.memory.time.then(|| names::local("now")),
             stored: remembered.chain(vars).list(),
             cycle: cx.cycle_body(),
             evolve: cx.evolve_function(),

@@ -24,6 +24,7 @@ mod outside;
 #[cfg(feature = "program")]
 mod program;
 mod recipe;
+mod record;
 mod requirements;
 mod rust;
 mod segments;
@@ -62,6 +63,14 @@ struct Cx<'m> {
 pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
     let cx = Cx::new(model, plan, root);
     items(&cx, &Machine::planned(&cx))
+}
+
+/// The same, and what a recorder needs to know of the chart.
+pub(crate) fn generate_recorded(model: &Model, plan: &Plan, root: &TokenStream, fingerprint: u32) -> TokenStream {
+    let cx = Cx::new(model, plan, root);
+    let machine = Machine::planned(&cx);
+    let (items, recorded) = (items(&cx, &machine), record::all(&cx, &machine, fingerprint));
+    quote!(#items #recorded)
 }
 
 /// The items of a chart whose cycle is a program.

@@ -12,24 +12,30 @@ use crate::plan::{RegionId, Target, What};
 
 /// The enums of the regions.
 pub(super) fn enums(cx: &Cx<'_>) -> TokenStream {
+    regions(cx).into_iter().map(|(region, empty, start)| region_enum(cx, region, empty, start)).tokens()
+}
+
+/// Which enums there are, and which states they have beside the steps.
+pub(super) fn regions(cx: &Cx<'_>) -> Vec<(RegionId, bool, bool)> {
     let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
-    let own = |region: RegionId| {
-        let empty = cx.plan.regions.all()[region].may_be_empty;
-        region_enum(cx, region, empty, cx.has_start_variant(region))
-    };
-    (0..enums).map(own).tokens()
+    let states = |region: RegionId| (region, cx.plan.regions.all()[region].may_be_empty, cx.has_start_variant(region));
+    (0..enums).map(states).list()
+}
+
+/// The variants of a region's enum.
+pub(super) fn variants(cx: &Cx<'_>, id: RegionId, empty: bool, start: bool) -> Vec<Ident> {
+    let steps = cx.plan.regions.all()[id].steps.iter().map(|step| names::private_variant(cx.model, *step));
+    let empty = empty.then(|| cx.names.empty.clone());
+    let start = start.then(|| cx.names.start.clone());
+    steps.chain(empty).chain(start).list()
 }
 
 /// The steps of a region; at most one of them is active.
 pub(super) fn region_enum(cx: &Cx<'_>, id: RegionId, empty: bool, start: bool) -> TokenStream {
     let p = &cx.p;
     let derives = derives::of_states().attributes(cx.model, p);
-    let region = &cx.plan.regions.all()[id];
     let name = cx.names.region(id, cx.plan);
-    let steps = region.steps.iter().map(|step| names::private_variant(cx.model, *step));
-    let empty = empty.then(|| cx.names.empty.clone());
-    let start = start.then(|| cx.names.start.clone());
-    let variants: Vec<Ident> = steps.chain(empty).chain(start).list();
+    let variants = variants(cx, id, empty, start);
     let marked = cx.is_marked(id).then(|| marked(cx, &variants));
     let texts = variants.iter().map(|variant| variant.to_string().trim_start_matches("r#").to_owned()).list();
     let wide = cx.is_wide().then(|| quote!(#[repr(u32)]));

@@ -22,6 +22,7 @@ use super::{Cx, chart_impl, names, state, types};
 use crate::list::List;
 use crate::model::Ty;
 use crate::place::quote;
+use crate::plan::RegionId;
 use crate::program::{self, Program, Role, Statement};
 
 /// What is printed, and what is known about it meanwhile.
@@ -41,6 +42,8 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
     let printer = Printer { cx, program, layout, eager };
     Machine {
         types: printer.types(),
+        regions: printer.regions(),
+        clock: program.place(Role::Reading).map(|reading| printer.layout.name(reading).clone()),
         fields: printer.fields(),
         stored: printer.stored(),
         cycle: printer.cycle(&cycle),
@@ -99,10 +102,13 @@ impl<'m> Printer<'_, 'm> {
 
     /// The private enums of the regions.
     fn types(&self) -> TokenStream {
+        let regions = self.regions().into_iter();
+        regions.map(|(region, empty, start)| state::region_enum(self.cx, region, empty, start)).tokens()
+    }
+
+    fn regions(&self) -> Vec<(RegionId, bool, bool)> {
         let regions = self.layout.regions.iter().enumerate();
-        regions
-            .map(|(region, states)| state::region_enum(self.cx, region, states.empty, states.start.is_some()))
-            .tokens()
+        regions.map(|(region, states)| (region, states.empty, states.start.is_some())).list()
     }
 
     fn is_active(&self, step: crate::model::StepId) -> TokenStream {

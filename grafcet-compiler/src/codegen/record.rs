@@ -1,0 +1,77 @@
+//! What a recorder needs to know of a chart. The code itself is a macro of the runtime (`grafcet_core::record`), so that this is but a list.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::ToTokens;
+
+use super::machine::{Field, Machine};
+use super::{Cx, state, types};
+use crate::fingerprint::Hash;
+use crate::list::List;
+use crate::model::{Model, Ty};
+use crate::place::quote;
+
+pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, fingerprint: u32) -> TokenStream {
+    let Cx { model, p, names, .. } = cx;
+    let (chart, inputs) = (&names.chart, &names.inputs);
+    let input_fields = fields(model.inputs.values().map(|input| (&input.name, &input.ty)), p);
+    let params = (!model.params.is_empty()).then(|| {
+        let (name, fields) = (&names.params, fields(model.params.values().map(|param| (&param.name, &param.ty)), p));
+        quote!(#name { #fields })
+    });
+    let is_clock = |field: &&Field| machine.clock.as_ref() == Some(&field.name);
+    let state =
+        machine.fields.iter().filter(|field| !is_clock(field)).map(|Field { name, ty, .. }| quote!(#name: #ty,));
+    let (state, clock, enums) = (state.tokens(), &machine.clock, enums(cx, machine));
+    let foreign = foreign(model, machine).into_iter().map(|ty| quote!(#ty,)).tokens();
+    let layout = {
+        let mut hash = Hash::new();
+        hash.word(&fingerprint.to_string());
+        hash.tokens(state.clone());
+        hash.tokens(enums.clone());
+        Literal::u32_suffixed(hash.finish())
+    };
+    let fingerprint = Literal::u32_suffixed(fingerprint);
+    quote! {
+        #p::recorded! {
+            chart #chart #fingerprint #layout
+            inputs #inputs { #input_fields }
+            params { #params }
+            state { #state }
+            clock { #clock }
+            foreign { #foreign }
+            enums { #enums }
+        }
+    }
+}
+
+fn fields<'m>(fields: impl Iterator<Item = (&'m proc_macro2::Ident, &'m Ty)>, p: &TokenStream) -> TokenStream {
+    let field = |(name, ty): (_, &Ty)| {
+        let ty = types::rust_type(ty, p);
+        quote!(#name: #ty,)
+    };
+    fields.map(field).tokens()
+}
+
+/// The enums of the regions with their variants, and the first one's with the mark above it.
+fn enums(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
+    let one = |&(region, empty, start): &(_, _, _)| {
+        let (name, variants) = (cx.names.region(region, cx.plan), state::variants(cx, region, empty, start));
+        let marked = cx.is_marked(region).then(|| {
+            let marked = cx.names.marked(cx.plan);
+            quote!(#marked #name {})
+        });
+        quote!(#name { #(#variants)* } #marked)
+    };
+    machine.regions.iter().map(one).tokens()
+}
+
+/// The types of which nobody knows whether they can be recorded: a chart with others is none the worse as long as nobody records it.
+fn foreign(model: &Model, machine: &Machine<'_>) -> Vec<TokenStream> {
+    let (inputs, params) = (model.inputs.values(), model.params.values());
+    let all = inputs.map(|input| &input.ty).chain(params.map(|param| &param.ty)).chain(machine.stored.iter().copied());
+    let foreign = all.filter_map(|ty| match ty {
+        Ty::Other(rust) if !ty.is_float() => Some(rust.to_token_stream()),
+        _ => None,
+    });
+    foreign.list()
+}

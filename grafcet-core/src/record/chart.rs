@@ -1,0 +1,188 @@
+//! What the macro says of a chart that can be recorded.
+
+use super::bits::{Reader, Writer};
+use super::value::Record;
+use crate::{Chart, Ticks};
+
+/// A chart that can be recorded: with the feature `record`, every chart whose inputs, stored outputs, variables and params are
+/// [`Record`]. The macro implements it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be recorded",
+    label = "not recordable",
+    note = "it has to be a chart of `grafcet!` whose inputs, stored outputs, variables and params are `grafcet::record::Record`"
+)]
+pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
+    /// Tells charts apart: a number that follows from the chart's source, but for comments.
+    const FINGERPRINT: u32;
+    /// The same of the state that the compiler has made of it: another version may store the same chart otherwise.
+    const LAYOUT: u32;
+    /// Whether the chart uses time, and tells until when nothing happens.
+    const TIMED: bool;
+    /// How many bits the recipe takes.
+    const PARAM_BITS: usize;
+    /// How many bits the state takes, without the recipe.
+    const STATE_BITS: usize;
+
+    /// Writes the recipe.
+    fn write_params(&self, to: &mut Writer<'_>);
+
+    /// Writes the state. The reading of the clock is not part of it: all times are stored as they have elapsed.
+    fn write_state(&self, to: &mut Writer<'_>);
+
+    /// A chart in the state that was written, as if its last cycle had been at the time `now`; `None` where these bits are none.
+    fn read(params: &mut Reader<'_>, state: &mut Reader<'_>, now: Ticks) -> Option<Self>;
+
+    /// A chart with the same recipe in its initial state.
+    #[must_use]
+    fn begun_anew(&self) -> Self;
+
+    /// Whether recipe and state are the same, the reading of the clock left aside.
+    fn is_same_state(&self, other: &Self) -> bool;
+
+    /// The reading of the clock in the last cycle; zero for a chart without time.
+    fn reading(&self) -> Ticks;
+
+    /// As `next_deadline` of the chart; `None` for one without time.
+    fn deadline(&self) -> Option<Ticks>;
+}
+
+/// What the macro writes, in full.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __recorded {
+    (
+        chart $chart:ident $fingerprint:literal $layout:literal
+        inputs $inputs:ident { $($input:ident: $input_ty:ty,)* }
+        params { $($params:ident { $($param:ident: $param_ty:ty,)* })? }
+        state { $($field:ident: $field_ty:ty,)* }
+        clock { $($clock:ident)? }
+        foreign { $($foreign:ty,)* }
+        enums { $($state:ident $($of:ident)? { $($variant:ident)* })* }
+    ) => {
+        const _: () = {
+            use $crate::record::names as __r;
+
+            impl __r::Record for $inputs where $(for<'chart> $foreign: __r::Record,)* {
+                const BITS: __r::usize = 0 $(+ <$input_ty as __r::Record>::BITS)*;
+                fn write(&self, _to: &mut __r::Writer<'_>) { $(__r::Record::write(&self.$input, _to);)* }
+                fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                    __r::Option::Some(Self { $($input: <$input_ty as __r::Record>::read(_from)?,)* })
+                }
+                #[inline]
+                fn is_same(&self, _other: &Self) -> __r::bool {
+                    true $(& __r::Record::is_same(&self.$input, &_other.$input))*
+                }
+            }
+
+            $(impl __r::Record for $params where $(for<'chart> $param_ty: __r::Record,)* {
+                const BITS: __r::usize = 0 $(+ <$param_ty as __r::Record>::BITS)*;
+                fn write(&self, _to: &mut __r::Writer<'_>) { $(__r::Record::write(&self.$param, _to);)* }
+                fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                    __r::Option::Some(Self { $($param: <$param_ty as __r::Record>::read(_from)?,)* })
+                }
+                fn is_same(&self, _other: &Self) -> __r::bool {
+                    true $(&& __r::Record::is_same(&self.$param, &_other.$param))*
+                }
+            })?
+
+            $($crate::__recorded_states! { $state $($of)? { $($variant)* } })*
+
+            impl __r::Recordable for $chart where $(for<'chart> $foreign: __r::Record,)* {
+                const FINGERPRINT: __r::u32 = $fingerprint;
+                const LAYOUT: __r::u32 = $layout;
+                const TIMED: __r::bool = $crate::__recorded_clock!(timed self $($clock)?);
+                const PARAM_BITS: __r::usize = 0 $(+ <$params as __r::Record>::BITS)?;
+                const STATE_BITS: __r::usize = 0 $(+ <$field_ty as __r::Record>::BITS)*;
+                fn write_params(&self, _to: &mut __r::Writer<'_>) {
+                    $(<$params as __r::Record>::write(&self.params, _to);)?
+                }
+                fn write_state(&self, _to: &mut __r::Writer<'_>) {
+                    $(__r::Record::write(&self.$field, _to);)*
+                }
+                fn read(_params: &mut __r::Reader<'_>, _state: &mut __r::Reader<'_>, _now: __r::Ticks) -> __r::Option<Self> {
+                    __r::Option::Some(Self {
+                        $(params: <$params as __r::Record>::read(_params)?,)?
+                        $($field: <$field_ty as __r::Record>::read(_state)?,)*
+                        $($clock: _now,)?
+                    })
+                }
+                fn begun_anew(&self) -> Self { $crate::__recorded_new!(self $($params)?) }
+                fn is_same_state(&self, _other: &Self) -> __r::bool {
+                    true $(&& <$params as __r::Record>::is_same(&self.params, &_other.params))?
+                        $(&& __r::Record::is_same(&self.$field, &_other.$field))*
+                }
+                fn reading(&self) -> __r::Ticks { $crate::__recorded_clock!(reading self $($clock)?) }
+                fn deadline(&self) -> __r::Option<__r::Ticks> { $crate::__recorded_clock!(deadline self $($clock)?) }
+            }
+        };
+    };
+}
+
+/// What differs between charts with and without a recipe.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __recorded_new {
+    ($chart:ident) => {
+        Self::new()
+    };
+    ($chart:ident $params:ident) => {
+        Self::with_params($chart.params)
+    };
+}
+
+/// What differs between charts with and without time.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __recorded_clock {
+    (timed $chart:ident) => {
+        false
+    };
+    (timed $chart:ident $clock:ident) => {
+        true
+    };
+    (reading $chart:ident) => {
+        __r::Ticks::ZERO
+    };
+    (reading $chart:ident $clock:ident) => {
+        $chart.$clock
+    };
+    (deadline $chart:ident) => {
+        __r::Option::None
+    };
+    (deadline $chart:ident $clock:ident) => {
+        $chart.next_deadline()
+    };
+}
+
+/// The states of a region by their numbers, and the first region's with the mark above it.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __recorded_states {
+    ($state:ident { $($variant:ident)* }) => {
+        impl __r::Record for $state {
+            const BITS: __r::usize = __r::bits_for([$(Self::$variant),*].len());
+            fn write(&self, to: &mut __r::Writer<'_>) { to.put(*self as __r::u32, Self::BITS); }
+            fn read(from: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                const ALL: &[$state] = &[$($state::$variant),*];
+                ALL.get(from.take(Self::BITS)? as __r::usize).copied()
+            }
+            #[inline]
+            fn is_same(&self, other: &Self) -> __r::bool { *self == *other }
+        }
+    };
+    ($marked:ident $state:ident {}) => {
+        impl __r::Record for $marked {
+            const BITS: __r::usize = <$state as __r::Record>::BITS + 1;
+            fn write(&self, to: &mut __r::Writer<'_>) {
+                __r::Record::write(&self.state(), to);
+                __r::Record::write(&self.is_marked(), to);
+            }
+            fn read(from: &mut __r::Reader<'_>) -> __r::Option<Self> {
+                let state = Self::of(<$state as __r::Record>::read(from)?);
+                __r::Option::Some(if <__r::bool as __r::Record>::read(from)? { state.marked() } else { state })
+            }
+            #[inline]
+            fn is_same(&self, other: &Self) -> __r::bool { *self == *other }
+        }
+    };
+}

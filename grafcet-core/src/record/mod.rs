@@ -1,0 +1,32 @@
+//! The flight recorder: the inputs of a chart as they change, in a ring of bytes, from which everything else follows.
+//!
+//! A chart is deterministic: its state and the inputs of each cycle say what it does. A [`Recorder`] runs a chart and notes the
+//! inputs where they differ from those of the cycle before, and the cycles in which the chart does something of its own
+//! accord. [`Records`] reads what is left in the ring, on the controller or on another machine, and [`replay`] runs the chart on it again.
+//! The format stands in the page `docs/record.md`.
+
+mod bits;
+mod chart;
+mod decode;
+mod recorder;
+mod replay;
+mod ring;
+mod value;
+mod varint;
+
+pub use bits::{Reader, Writer, bits_for};
+pub use chart::Recordable;
+pub use decode::{Block, Change, Damage, Entry, Happened, Key, Records};
+pub use recorder::{Recorder, TooSmall};
+pub use replay::{Moment, ReplayError, replay};
+pub use value::Record;
+
+/// What generated code names.
+#[doc(hidden)]
+pub mod names {
+    pub use core::option::Option;
+    pub use core::primitive::{bool, u32, usize};
+
+    pub use super::{Reader, Record, Recordable, Writer, bits_for};
+    pub use crate::Ticks;
+}

@@ -1,0 +1,235 @@
+//! What can be written down: the values of inputs, of the recipe and of a chart's state.
+
+use super::bits::{Reader, Writer};
+use crate::{Delay, OnDelay, ShortTime, Ticks};
+
+/// A value that a record can hold, in a number of bits that is the same for all values of its type.
+///
+/// It is there for `bool`, numbers, `char`, [`Ticks`], and for arrays and tuples of these. [`recordable!`](crate::recordable) implements
+/// it for an enum without fields.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be recorded: it is no `Record`",
+    label = "no `Record`",
+    note = "write `grafcet::recordable! {{ {Self} {{ … }} }}` with the variants of an enum, or `impl grafcet::record::Record for {Self}`"
+)]
+pub trait Record: Copy {
+    /// How many bits a value takes.
+    const BITS: usize;
+
+    /// Writes the value, in as many bits as `BITS` says.
+    fn write(&self, to: &mut Writer<'_>);
+
+    /// Reads a value; `None` where these bits are none.
+    fn read(from: &mut Reader<'_>) -> Option<Self>;
+
+    /// Whether both values would be written down alike. A float that is no number is the same as itself.
+    fn is_same(&self, other: &Self) -> bool;
+}
+
+impl Record for bool {
+    const BITS: usize = 1;
+
+    fn write(&self, to: &mut Writer<'_>) {
+        to.put(u32::from(*self), 1);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Option<Self> {
+        Some(from.take(1)? != 0)
+    }
+
+    #[inline]
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// Numbers as they are in memory, the lowest byte first.
+macro_rules! numbers {
+    ($($number:ty as $bits:ty: $to:expr, $from:expr;)*) => {$(
+        impl Record for $number {
+            const BITS: usize = <$bits>::BITS as usize;
+
+            fn write(&self, to: &mut Writer<'_>) {
+                let bits: $bits = $to(*self);
+                bits.to_le_bytes().into_iter().for_each(|byte| to.put(u32::from(byte), 8));
+            }
+
+            fn read(from: &mut Reader<'_>) -> Option<Self> {
+                let mut bytes = [0; size_of::<$bits>()];
+                for byte in &mut bytes {
+                    *byte = u8::try_from(from.take(8)?).ok()?;
+                }
+                $from(<$bits>::from_le_bytes(bytes))
+            }
+
+            #[inline]
+            fn is_same(&self, other: &Self) -> bool {
+                $to(*self) == $to(*other)
+            }
+        }
+    )*};
+}
+
+numbers! {
+    u8 as u8: |n| n, Some;
+    u16 as u16: |n| n, Some;
+    u32 as u32: |n| n, Some;
+    u64 as u64: |n| n, Some;
+    u128 as u128: |n| n, Some;
+    i8 as u8: |n: i8| u8::from_le_bytes(n.to_le_bytes()), |n: u8| Some(i8::from_le_bytes(n.to_le_bytes()));
+    i16 as u16: |n: i16| u16::from_le_bytes(n.to_le_bytes()), |n: u16| Some(i16::from_le_bytes(n.to_le_bytes()));
+    i32 as u32: |n: i32| u32::from_le_bytes(n.to_le_bytes()), |n: u32| Some(i32::from_le_bytes(n.to_le_bytes()));
+    i64 as u64: |n: i64| u64::from_le_bytes(n.to_le_bytes()), |n: u64| Some(i64::from_le_bytes(n.to_le_bytes()));
+    i128 as u128: |n: i128| u128::from_le_bytes(n.to_le_bytes()), |n: u128| Some(i128::from_le_bytes(n.to_le_bytes()));
+    f32 as u32: f32::to_bits, |n| Some(f32::from_bits(n));
+    f64 as u64: f64::to_bits, |n| Some(f64::from_bits(n));
+    char as u32: u32::from, char::from_u32;
+    Ticks as u32: Ticks::get, |n| Some(Ticks::new(n));
+    ShortTime as u16: ShortTime::count, |n| Some(ShortTime::new(n));
+    // As wide as on the widest machine, so that a record means the same everywhere.
+    usize as u64: |n| n as u64, |n| usize::try_from(n).ok();
+    isize as u64: |n: isize| u64::from_le_bytes((n as i64).to_le_bytes()), |n: u64| isize::try_from(i64::from_le_bytes(n.to_le_bytes())).ok();
+}
+
+impl Record for () {
+    const BITS: usize = 0;
+
+    fn write(&self, _: &mut Writer<'_>) {}
+
+    fn read(_: &mut Reader<'_>) -> Option<Self> {
+        Some(())
+    }
+
+    #[inline]
+    fn is_same(&self, (): &Self) -> bool {
+        true
+    }
+}
+
+/// At least one of them: nothing cannot be told from what is missing.
+impl<T: Record, const N: usize> Record for [T; N] {
+    const BITS: usize = T::BITS * N;
+
+    fn write(&self, to: &mut Writer<'_>) {
+        for one in self {
+            one.write(to);
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Option<Self> {
+        let read = [(); N].map(|()| T::read(from));
+        let first = (*read.first()?)?;
+        read.iter().all(Option::is_some).then(|| read.map(|one| one.unwrap_or(first)))
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.iter().zip(other).all(|(one, other)| one.is_same(other))
+    }
+}
+
+/// As wide with a value as without one.
+impl<T: Record> Record for Option<T> {
+    const BITS: usize = 1 + T::BITS;
+
+    fn write(&self, to: &mut Writer<'_>) {
+        self.is_some().write(to);
+        match self {
+            Some(value) => value.write(to),
+            None => to.skip(T::BITS),
+        }
+    }
+
+    fn read(from: &mut Reader<'_>) -> Option<Self> {
+        if bool::read(from)? { T::read(from).map(Some) } else { from.is_empty(T::BITS).then_some(None) }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Some(one), Some(other)) => one.is_same(other),
+            (one, other) => one.is_some() == other.is_some(),
+        }
+    }
+}
+
+macro_rules! tuples {
+    ($(($($name:ident $field:tt)*))*) => {$(
+        impl<$($name: Record),*> Record for ($($name,)*) {
+            const BITS: usize = 0 $(+ $name::BITS)*;
+
+            fn write(&self, to: &mut Writer<'_>) {
+                $(self.$field.write(to);)*
+            }
+
+            fn read(from: &mut Reader<'_>) -> Option<Self> {
+                Some(($($name::read(from)?,)*))
+            }
+
+            fn is_same(&self, other: &Self) -> bool {
+                true $(&& self.$field.is_same(&other.$field))*
+            }
+        }
+    )*};
+}
+
+tuples! { (A 0) (A 0 B 1) (A 0 B 1 C 2) (A 0 B 1 C 2 D 3) }
+
+impl Record for OnDelay {
+    const BITS: usize = 33;
+
+    fn write(&self, to: &mut Writer<'_>) {
+        self.parts().write(to);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Option<Self> {
+        let (held, input) = Record::read(from)?;
+        Self::of_parts(held, input)
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl Record for Delay {
+    const BITS: usize = 34;
+
+    fn write(&self, to: &mut Writer<'_>) {
+        self.parts().write(to);
+    }
+
+    fn read(from: &mut Reader<'_>) -> Option<Self> {
+        let (held, input, output) = Record::read(from)?;
+        Some(Self::of_parts(held, input, output))
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// An enum without fields can be recorded: `grafcet::recordable! { Mode { Off, Auto, Manual } }` beside its declaration. Its values
+/// are numbered in this order.
+#[macro_export]
+macro_rules! recordable {
+    ($name:ty { $($variant:ident),* $(,)? }) => {
+        impl $crate::record::Record for $name {
+            const BITS: usize = $crate::record::bits_for([$(<$name>::$variant),*].len());
+
+            fn write(&self, to: &mut $crate::record::Writer<'_>) {
+                // A variant that is not listed is an error here.
+                match self { $(<$name>::$variant => {})* }
+                let before = [$(<$name>::$variant),*].into_iter().take_while(|variant| !variant.is_same(self));
+                to.put(before.fold(0, |index, _| index + 1), Self::BITS);
+            }
+
+            fn read(from: &mut $crate::record::Reader<'_>) -> ::core::option::Option<Self> {
+                let index = from.take(Self::BITS)?;
+                [$(<$name>::$variant),*].get(index as usize).copied()
+            }
+
+            fn is_same(&self, other: &Self) -> bool {
+                ::core::mem::discriminant(self) == ::core::mem::discriminant(other)
+            }
+        }
+    };
+}
