@@ -11,6 +11,7 @@ mod decode;
 mod recorder;
 mod replay;
 mod ring;
+mod snapshot;
 mod value;
 mod varint;
 
@@ -19,13 +20,14 @@ pub use chart::Recordable;
 pub use decode::{Block, Change, Damage, Entry, Happened, Key, Records};
 pub use recorder::{Recorder, TooSmall};
 pub use replay::{Moment, ReplayError, replay};
+pub use snapshot::{RestoreError, restore, snapshot, snapshot_len};
 pub use value::Record;
 
 /// What generated code names.
 #[doc(hidden)]
 pub mod names {
     pub use core::option::Option;
-    pub use core::primitive::{bool, u32, usize};
+    pub use core::primitive::{bool, u8, u32, usize};
 
     pub use super::{Reader, Record, Recordable, Writer, bits_for};
     pub use crate::Ticks;
