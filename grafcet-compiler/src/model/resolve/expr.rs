@@ -2,11 +2,11 @@
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{BinOp, Lit, Member, UnOp};
+use syn::{BinOp, Lit, UnOp};
 
 use super::scope::Meaning;
 use super::{Resolver, habits};
-use crate::diagnostic::{Mark, rules};
+use crate::diagnostic::Mark;
 use crate::list::List;
 use crate::model::{Binary, Edge, Expr, LetId, Name, Place, Read, TimeRef, Tree, Ty, Unary, placeholder};
 use crate::visit::Locals;
@@ -157,115 +157,6 @@ impl<'r, 's> Lower<'r, 's> {
             Read::Elapsed(time, step) => Tree::Elapsed(time, step),
             Read::MacroElapsed(time, id) => Tree::MacroElapsed(time, id),
             read => Tree::Read(read),
-        }
-    }
-
-    fn path(&mut self, expr: &mut syn::Expr) -> Tree {
-        let Some(name) = single_name(expr) else { return self.opaque(expr) };
-        if name == "true" || name == "false" {
-            return Tree::Bool(name == "true");
-        }
-        match self.resolver.scope.get(&name) {
-            _ if self.locals.contains(&name) => Tree::Opaque {
-                text: name.to_string(),
-                reads: Vec::new(),
-                call: None,
-                whole: false,
-                open: false,
-                of: None,
-            },
-            Some(Meaning::Let(id)) => self.put_in_place(expr, &name, id),
-            Some(Meaning::Value(value)) if self.resolver.is_later(&name, value) => Tree::Bool(true),
-            Some(Meaning::Value(value)) => {
-                self.note(Read::Name(value));
-                self.places.push(Seen { read: Read::Name(value), mark: (&name).into(), within: None });
-                self.join(expr, value);
-                Tree::Read(Read::Name(value))
-            }
-            Some(Meaning::Step(_) | Meaning::Macro(_)) => {
-                self.resolver.sink.notation(&name, without_field(&name.to_string()));
-                Tree::Bool(true)
-            }
-            Some(Meaning::Action(_)) => {
-                let message = format!("`{name}` is an action; it can stand after a qualifier, not in an expression");
-                self.resolver.sink.notation(&name, message);
-                Tree::Bool(true)
-            }
-            None if habits::name(&name, self.resolver).is_some() => {
-                let message = habits::name(&name, self.resolver).unwrap_or_default();
-                self.resolver.sink.notation(&name, message);
-                Tree::Bool(true)
-            }
-            _ if !looks_like_a_variable(&name) && !self.resolver.scope.is_misspelt(&name) => Tree::Opaque {
-                text: name.to_string(),
-                reads: Vec::new(),
-                call: None,
-                whole: false,
-                open: false,
-                of: None,
-            },
-            _ => {
-                self.resolver.scope.unknown_name(&name, &format!("input {name}: bool;"), self.resolver.sink);
-                Tree::Bool(true)
-            }
-        }
-    }
-
-    /// A chart's names are the same whichever macro they come from: a use of one becomes what Rust takes for the
-    /// declared name.
-    fn join(&self, expr: &mut syn::Expr, value: Name) {
-        let declared = self.resolver.model.value_name(value).span();
-        let syn::Expr::Path(path) = expr else { return };
-        for segment in &mut path.path.segments {
-            segment.ident.set_span(segment.ident.span().resolved_at(declared));
-        }
-    }
-
-    /// `Off.X`, `Off.T`, `Production::Feed.X`; any other field is Rust.
-    fn field(&mut self, expr: &mut syn::Expr) -> Tree {
-        let syn::Expr::Field(field) = &*expr else { return self.opaque(expr) };
-        let member = match &field.member {
-            Member::Named(name) if name == "X" || name == "T" => name.clone(),
-            _ => return self.opaque(expr),
-        };
-        let Some(step) = step_path(&field.base) else { return self.opaque(expr) };
-        if matches!(&step[..], [name] if self.locals.contains(name)) {
-            return self.opaque(expr);
-        }
-        let Some(meaning) = self.step(&step) else {
-            return if member == "X" { Tree::Bool(true) } else { Tree::Int(0) };
-        };
-        let read = match (meaning, member == "X") {
-            (Meaning::Step(id), true) => Read::Active(id),
-            (Meaning::Step(id), false) => Read::Since(id),
-            (Meaning::Macro(id), true) => Read::MacroActive(id),
-            (Meaning::Macro(id), false) => Read::MacroSince(id),
-            (Meaning::Value(value), _) if self.resolver.is_plain(value) => {
-                let (name, kind) = (&step[0], meaning.kind());
-                let message = format!("`{name}` is {kind}, not a step; only a step has `.{member}`");
-                self.resolver.sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), message)]);
-                return Tree::Bool(true);
-            }
-            _ => return self.opaque(expr),
-        };
-        self.replace(expr, read)
-    }
-
-    /// The step a path names; `None` is reported. A declared value with a field `X` is Rust.
-    pub(super) fn step(&mut self, path: &[Ident]) -> Option<Meaning> {
-        let name = path.last()?;
-        self.resolver.mention(name);
-        if let [partial, _] = path {
-            let partial = self.resolver.find_partial(partial)?;
-            let found = self.resolver.scope.step(name, self.resolver.sink)?;
-            if let Meaning::Step(step) = found {
-                self.resolver.step_of_partial(name, step, partial);
-            }
-            return Some(found);
-        }
-        match self.resolver.scope.get(name) {
-            Some(value @ Meaning::Value(_)) => Some(value),
-            _ => self.resolver.scope.step(name, self.resolver.sink),
         }
     }
 

@@ -16,6 +16,7 @@ mod foreign;
 mod habits;
 mod misplaced;
 mod named;
+mod names;
 mod otherwise;
 mod properties;
 mod pure;

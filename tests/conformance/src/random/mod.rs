@@ -6,6 +6,7 @@ mod actions;
 pub mod agree;
 mod expr;
 mod hierarchy;
+mod inside;
 mod names;
 mod rng;
 mod small;

@@ -34,14 +34,14 @@ pub(super) struct Arrow {
 }
 
 /// How much may still be drawn.
-struct Room {
-    steps: usize,
+pub(super) struct Room {
+    pub(super) steps: usize,
     /// How deep hierarchy may go.
-    depth: usize,
+    pub(super) depth: usize,
 }
 
 impl Part {
-    fn arrow(&mut self, from: &[impl AsRef<str>], to: &[impl AsRef<str>], guard: Option<String>) {
+    pub(super) fn arrow(&mut self, from: &[impl AsRef<str>], to: &[impl AsRef<str>], guard: Option<String>) {
         let from = from.iter().map(|step| step.as_ref().to_owned()).collect();
         let to = to.iter().map(|step| step.as_ref().to_owned()).collect();
         self.arrows.push(Arrow { from, to, guard, whole: false });
@@ -202,7 +202,7 @@ impl Gen {
     }
 
     /// From `first` around and back, and jumps.
-    fn body(&mut self, part: &mut Part, first: &str, room: &mut Room) {
+    pub(super) fn body(&mut self, part: &mut Part, first: &str, room: &mut Room) {
         let mut last = first.to_owned();
         while room.steps > 0 {
             last = self.grow(part, last, room);
@@ -224,7 +224,7 @@ impl Gen {
     }
 
     /// Source and sink transitions, in `grafcet`.
-    fn ends(&mut self, part: &mut Part) {
+    pub(super) fn ends(&mut self, part: &mut Part) {
         if !self.grafcet {
             return;
         }
@@ -242,7 +242,7 @@ impl Gen {
     }
 
     /// Goes on from a step; the new last step.
-    fn grow(&mut self, part: &mut Part, from: String, room: &mut Room) -> String {
+    pub(super) fn grow(&mut self, part: &mut Part, from: String, room: &mut Room) -> String {
         match self.rng.below(10) {
             0..=3 => {
                 let to = self.node(part, room);
@@ -328,7 +328,7 @@ impl Gen {
         }
     }
 
-    fn plain(&mut self, part: &mut Part, words: &str) -> String {
+    pub(super) fn plain(&mut self, part: &mut Part, words: &str) -> String {
         let name = self.fresh('S');
         part.steps.push(Step {
             words: words.to_owned(),
@@ -339,56 +339,7 @@ impl Gen {
         name
     }
 
-    fn macro_step(&mut self, part: &mut Part, room: &Room) -> String {
-        self.note("macro-step");
-        let mut body = Part::default();
-        let entry = self.plain(&mut body, "entry ");
-        let mut inner = Room { steps: self.rng.below(3), depth: room.depth - 1 };
-        let mut last = entry.clone();
-        while inner.steps > 0 {
-            last = self.grow(&mut body, last, &mut inner);
-        }
-        let exit = self.plain(&mut body, "exit ");
-        body.arrow(&[last], &[&exit], None);
-        if self.rng.chance(25) {
-            body.arrow(&[exit], &[entry], None);
-        }
-        let name = self.fresh('M');
-        let inner = Inner::Macro(Box::new(body));
-        part.steps.push(Step { words: "macro ".to_owned(), name: name.clone(), inner, forces: Vec::new() });
-        name
-    }
-
-    fn enclosing(&mut self, part: &mut Part, room: &Room) -> String {
-        self.note("enclosing step");
-        if room.depth == 1 {
-            self.note("enclosing or macro-step inside another");
-        }
-        let name = self.fresh('S');
-        let mut enclosed = Vec::new();
-        for _ in 0..self.rng.between(1, 2) {
-            let mut body = Part { name: Some(self.fresh('G')), ..Part::default() };
-            let mut inner = Room { steps: self.rng.between(1, 3), depth: room.depth - 1 };
-            // A macro-step cannot carry the link.
-            let nested = inner.depth > 0 && self.rng.chance(20);
-            let first = if nested { self.enclosing(&mut body, &inner) } else { self.plain(&mut body, "") };
-            self.body(&mut body, &first, &mut inner);
-            let count = body.steps.len();
-            let carriers: Vec<usize> =
-                (0..count).filter(|index| !matches!(body.steps[*index].inner, Inner::Macro(_))).collect();
-            let linked = *self.rng.pick(&carriers);
-            body.steps[linked].words.insert_str(0, "linked ");
-            let initial = *self.rng.pick(&carriers);
-            body.steps[initial].words.insert_str(0, "initial ");
-            self.ends(&mut body);
-            enclosed.push(body);
-        }
-        let inner = Inner::Enclosed(enclosed);
-        part.steps.push(Step { words: "enclosing ".to_owned(), name: name.clone(), inner, forces: Vec::new() });
-        name
-    }
-
-    fn fresh(&mut self, letter: char) -> String {
+    pub(super) fn fresh(&mut self, letter: char) -> String {
         self.count += 1;
         format!("{letter}{}", self.count)
     }
