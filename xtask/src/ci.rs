@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::command::{Result, run as run_command};
 use crate::project::{cargo, root};
-use crate::{bench, conformance, firmware, first_chart, msrv, packages};
+use crate::{bench, conformance, firmware, first_chart, msrv, packages, record};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
 const RTIC: [&str; 2] = ["--manifest-path", "examples/rtic/Cargo.toml"];
@@ -21,7 +21,7 @@ const APART: [[&str; 2]; 6] = [FIRMWARE, RTIC, EMBASSY, CORPUS, HOSTILE, BENCHES
 type Step = (&'static str, fn() -> Result);
 
 /// No step is ever skipped: one that lacks a tool fails and says which.
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 12] = [
     ("lock files", lock_files),
     ("rustfmt", rustfmt),
     ("test", test),
@@ -30,6 +30,7 @@ const STEPS: [Step; 11] = [
     ("doc", doc),
     ("msrv", msrv::run),
     ("firmware", firmware::run),
+    ("record", record::run),
     ("first chart", first_chart::run),
     ("cost", bench::pinned_on_one),
     ("packages", packages::run),

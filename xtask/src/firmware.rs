@@ -82,6 +82,26 @@ pub(crate) fn run() -> Result {
     corpus()
 }
 
+/// What the image prints that records the cell, fails, and sends its record after the reset.
+///
+/// # Errors
+/// A toolchain or QEMU is missing, the build fails, or the image fails or hangs.
+pub(crate) fn recorded() -> Result<String> {
+    let mut command = BareMetal::find(BOARD)?.cargo("build", BOARD);
+    command.args([
+        "--quiet",
+        "--release",
+        "--manifest-path",
+        EXAMPLES_CRATE,
+        "--bin",
+        "record",
+        "--features",
+        "record",
+    ]);
+    run_command(command.arg("--target-dir").arg(project::target(FOLDER)))?;
+    board_lines("record", RUNNER)
+}
+
 /// The examples with interrupts, and as tasks.
 fn programs() -> Result {
     cargo("build", RTIC_CRATE, BOARD, "--bins")?;

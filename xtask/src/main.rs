@@ -15,6 +15,7 @@ mod packages;
 mod plant;
 mod processor;
 mod project;
+mod record;
 mod release;
 mod screenshots;
 mod toolchain;
@@ -55,6 +56,7 @@ Usage: cargo xtask <task>
   plant [WORD]
             plants faults into the runtime and the code generator, one by one, and tells which test of CI finds each; only
             those whose name holds WORD. An hour, or more
+  record    run a chart with the flight recorder in QEMU, reset the board in the middle, and show from its record what happened
   release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
             beside the last release (cargo-semver-checks)
   screenshots
@@ -87,6 +89,7 @@ fn main() -> ExitCode {
         ["packages"] => packages::run(),
         ["plant"] => plant::run(None),
         ["plant", word] => plant::run(Some(word)),
+        ["record"] => record::run(),
         ["release"] => release::run(),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {
