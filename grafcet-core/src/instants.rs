@@ -2,7 +2,7 @@
 //!
 //! They are taken as they count: the chart's `clock` has to be the unit of the instant, `clock 1us;` for a
 //! `fugit::MonotonicTimerInstantU32<1_000_000>` or an embassy time driver of 1 MHz. Scaling them instead would break the
-//! difference of two readings when the counter wraps around.
+//! difference of two readings when the counter wraps around. Two consecutive cycles lie less than 2^31 of these units apart.
 
 use crate::Ticks;
 

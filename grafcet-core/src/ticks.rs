@@ -5,7 +5,8 @@ use core::ops::{Add, Sub};
 /// A time in the clock unit of a chart (`clock 1ms;`, which is the default).
 ///
 /// As a duration (`Step.T`, a `param` of type `time`) it is at most 2^32 - 1 units and its arithmetic saturates. As
-/// the argument `now` of `cycle` it is a free-running counter, which may wrap around.
+/// the argument `now` of `cycle` it is a free-running counter, which may wrap around as often as it likes; but two consecutive
+/// cycles lie less than 2^31 units apart (24.8 days in milliseconds, 35 minutes in microseconds).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

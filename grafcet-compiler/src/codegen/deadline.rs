@@ -36,7 +36,7 @@ enum Clock {
 /// The method, where the chart uses time.
 pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let (vis, p) = (&cx.model.vis, &cx.p);
-    let Deadline { at_once, waits, reading } = machine.deadline.as_ref()?;
+    let Deadline { at_once, waits, reading, from } = machine.deadline.as_ref()?;
     Some(quote! {
         /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
         /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
@@ -49,7 +49,7 @@ pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> 
             let mut soonest = #p::Option::None;
             #waits
             match soonest {
-                #p::Option::Some(time) => #p::Option::Some(#reading.after(time)),
+                #p::Option::Some(time) => #p::Option::Some(#from.after(time)),
                 #p::Option::None => #p::Option::None,
             }
         }
@@ -136,7 +136,12 @@ impl Cx<'_> {
             if active.is_empty() { quote!(true) } else { quote!(#(#active)&&*) }
         });
         let at_once = quote!(#left_over #(|| #unknown)*);
-        Some(Deadline { at_once, waits: quote!(#(#steps)* #(#delays)* #timers), reading: quote!(self.now) })
+        Some(Deadline {
+            at_once,
+            waits: quote!(#(#steps)* #(#delays)* #timers),
+            reading: quote!(self.now),
+            from: quote!(self.now),
+        })
     }
 
     /// `if active { soonest = sooner(soonest, until(since, 5s)); }`

@@ -47,8 +47,10 @@ pub(super) struct Deadline {
     pub(super) at_once: TokenStream,
     /// Statements that find the soonest time.
     pub(super) waits: TokenStream,
-    /// The reading of the clock in the last cycle.
+    /// The reading of the clock in the last cycle, where the next one is due at once.
     pub(super) reading: TokenStream,
+    /// The reading from which the times count.
+    pub(super) from: TokenStream,
 }
 
 impl<'m> Machine<'m> {

@@ -66,6 +66,8 @@ pub enum Role {
     Reading,
     /// The next cycle would do the same as the last one, were it not for inputs and time.
     Settled,
+    /// The state that the last cycle began with, or what tells that it was in the next one's, or that a time is over.
+    Before,
     /// Which step of a region is active.
     State(usize),
     /// Whether a step is active.
@@ -74,6 +76,12 @@ pub enum Role {
     Time(usize),
     /// The time of a macro-step.
     MacroTime(MacroId),
+    /// The reading of the clock at which the active step of a region was entered, or one that is so long ago that nobody can tell.
+    Began(usize),
+    /// The same of a macro-step.
+    MacroBegan(MacroId),
+    /// A time of the active step is over that is not waited for any more.
+    Passed,
     /// How far a period is since the activation of the active step of a region.
     Phase {
         region: usize,
@@ -270,6 +278,10 @@ pub struct User<'m> {
 pub struct Deadline<'m> {
     /// The next cycle is due at once.
     pub at_once: Expr<'m>,
+    /// Holds the reading of the last cycle, where that is so.
+    pub reading: PlaceId,
+    /// From which reading all others count.
+    pub from: PlaceId,
     /// Where the first holds, something may change after the second. The soonest counts.
     pub waits: Vec<(Expr<'m>, Expr<'m>)>,
 }

@@ -20,9 +20,11 @@ impl Display for Program<'_> {
         self.block(f, &self.cycle, 1)?;
         let Some(deadline) = &self.deadline else { return Ok(()) };
         writeln!(f, "\ndeadline")?;
-        writeln!(f, "  at once if {}", self.expr(&deadline.at_once, 0))?;
+        let name = |place: PlaceId| &self.places[place.0].name;
+        writeln!(f, "  at {} if {}", name(deadline.reading), self.expr(&deadline.at_once, 0))?;
         for (condition, time) in &deadline.waits {
-            writeln!(f, "  in {} if {}", self.expr(time, 0), self.expr(condition, 0))?;
+            let (from, time) = (name(deadline.from), self.expr(time, 0));
+            writeln!(f, "  {time} after {from} if {}", self.expr(condition, 0))?;
         }
         Ok(())
     }

@@ -234,6 +234,8 @@ fn each_pass_is_as_recorded() {
         "sfc Timed { input a: bool; output p: bool; initial step A; step B { p; } A -[rising(a)]-> B -[5ms/B]-> A; }";
     let pair = "sfc Pair { input a, b, c, d: bool; output p, q, r: bool; initial step Start { p; } step A1 { q; } step A2; step B1 { p; } \
                 step B2 { r; } Start -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[c]-> B2; (A2, B2) -[d]-> Start; }";
+    let waits =
+        "sfc Waits { input a: bool; output p: bool; initial step A; step B { p; } A -[a && 9ms/A]-> B -[5ms/B]-> A; }";
     for (pass, chart) in [
         (Pass::Marks, lamp),
         (Pass::Apart, lamp),
@@ -241,6 +243,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Split, lamp),
         (Pass::Known, called),
         (Pass::Join, twice),
+        (Pass::Moved, waits),
         (Pass::Search, stairs),
         (Pass::Several, pair),
         (Pass::Hoist, timed),
@@ -253,7 +256,7 @@ fn each_pass_is_as_recorded() {
         let model = read(chart);
         let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
         // The passes after `Split` are read without what the last ones take away.
-        let tidy = if [Pass::Known, Pass::Join, Pass::Search, Pass::Several, Pass::Hoist].contains(&pass) {
+        let tidy = if [Pass::Known, Pass::Join, Pass::Moved, Pass::Search, Pass::Several, Pass::Hoist].contains(&pass) {
             &[Pass::Dead][..]
         } else {
             &[]
@@ -293,7 +296,8 @@ fn a_long_chart_takes_no_time() {
     let start = Instant::now();
     optimise(&mut program, &Pass::ALL);
     let seconds = start.elapsed().as_secs_f64();
-    assert!(matches!(&program.cycle[..], [.., Statement::Match(..), Statement::Match(..)]), "it is no match");
+    let is_match = |statement: &&Statement<'_>| matches!(statement, Statement::Match(..));
+    assert_eq!(program.cycle.iter().filter(is_match).count(), 2, "it is no match");
     println!("1,000 steps: {seconds:.3} s");
     assert!(seconds < 3.0, "1,000 steps take {seconds:.3} s");
 }

@@ -435,8 +435,7 @@ impl Dyer {
         self.was_q_heat = q_heat;
         self.was_q_drum = q_drum;
         self.settled = !(self.first || clears_idle_fill || clears_fill_wash
-            || clears_wash_dye || clears_dye_drain || clears_drain_idle
-            || !self.edge0_before && edge0_now || opaque_ran);
+            || clears_wash_dye || clears_dye_drain || clears_drain_idle || opaque_ran);
         self.edge0_before = edge0_now;
         self.first = false;
         outputs.inlet = self.inlet;

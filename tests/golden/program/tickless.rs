@@ -12,12 +12,8 @@ pub struct Crossing {
     hurry: bool,
     reading: Ticks,
     settled: bool,
-    time: Ticks,
+    since: Ticks,
     edge0_before: bool,
-    l_tmr_chirp_held: Ticks,
-    l_tmr_chirp_in: bool,
-    d_tmr_hurry_held: Ticks,
-    d_tmr_hurry_in: bool,
 }
 impl Crossing {
     pub const fn new() -> Self {
@@ -33,12 +29,8 @@ impl Crossing {
             hurry: false,
             reading: Ticks::ZERO,
             settled: false,
-            time: Ticks::ZERO,
+            since: Ticks::ZERO,
             edge0_before: false,
-            l_tmr_chirp_held: Ticks::ZERO,
-            l_tmr_chirp_in: false,
-            d_tmr_hurry_held: Ticks::ZERO,
-            d_tmr_hurry_in: false,
         }
     }
 }
@@ -62,13 +54,10 @@ impl Crossing {
                 hurry: false,
             }
         };
-        let elapsed: Ticks = if self.first {
-            Ticks::ZERO
-        } else {
-            now.since(self.reading)
-        };
         self.reading = now;
-        self.time = self.time + elapsed;
+        if self.first {
+            self.since = now;
+        }
         let was_state: __CrossingState = self.state;
         let edge0_now: bool = inputs.button;
         if self.first {
@@ -84,7 +73,6 @@ impl Crossing {
         let mut entered_asked: bool = false;
         let mut entered_yellow: bool = false;
         let mut entered_stop: bool = false;
-        let mut left_walk: bool = false;
         let mut entered_walk: bool = false;
         let mut entered_clear: bool = false;
         if self.first {
@@ -98,38 +86,43 @@ impl Crossing {
             clears_asked_yellow = was_state == __CrossingState::Asked
                 && ({
                     let elapsed_5000_1 = was_state == __CrossingState::Asked
-                        && self.time >= Ticks::new(5000u32);
+                        && now.since(self.since)
+                            >= Ticks::new(5000u32);
                     elapsed_5000_1
                 });
             clears_yellow_stop = was_state == __CrossingState::Yellow
                 && ({
                     let elapsed_3000_2 = was_state == __CrossingState::Yellow
-                        && self.time >= Ticks::new(3000u32);
+                        && now.since(self.since)
+                            >= Ticks::new(3000u32);
                     elapsed_3000_2
                 });
             clears_stop_walk = was_state == __CrossingState::Stop
                 && ({
                     let elapsed_2000_3 = was_state == __CrossingState::Stop
-                        && self.time >= Ticks::new(2000u32);
+                        && now.since(self.since)
+                            >= Ticks::new(2000u32);
                     elapsed_2000_3
                 });
             clears_walk_clear = was_state == __CrossingState::Walk
                 && ({
                     let elapsed_8000_4 = was_state == __CrossingState::Walk
-                        && self.time >= Ticks::new(8000u32);
+                        && now.since(self.since)
+                            >= Ticks::new(8000u32);
                     elapsed_8000_4
                 });
             clears_clear_cars = was_state == __CrossingState::Clear
                 && ({
                     let elapsed_4000_5 = was_state == __CrossingState::Clear
-                        && self.time >= Ticks::new(4000u32);
+                        && now.since(self.since)
+                            >= Ticks::new(4000u32);
                     elapsed_4000_5
                 });
             let left_cars: bool = clears_cars_asked;
             let left_asked: bool = clears_asked_yellow;
             let left_yellow: bool = clears_yellow_stop;
             let left_stop: bool = clears_stop_walk;
-            left_walk = clears_walk_clear;
+            let left_walk: bool = clears_walk_clear;
             let left_clear: bool = clears_clear_cars;
             entered_cars = clears_clear_cars
                 && !(was_state == __CrossingState::Cars && !left_cars);
@@ -180,11 +173,11 @@ impl Crossing {
                 self.state = __CrossingState::Clear;
             }
         }
-        let reached_time: Ticks = self.time;
+        let reached_time: Ticks = now.since(self.since);
         if entered_cars || entered_asked || entered_yellow || entered_stop
             || entered_walk || entered_clear
         {
-            self.time = Ticks::ZERO;
+            self.since = now;
         }
         let on_cars_0_: bool = self.state == __CrossingState::Cars;
         let on_asked_1_: bool = self.state
@@ -210,27 +203,11 @@ impl Crossing {
         let q_yellow: bool = on_yellow_3_;
         let q_red: bool = on_stop_5_ || on_walk_7_ || on_clear_11_;
         let q_walk: bool = on_walk_8_;
-        self.l_tmr_chirp_held = if on_walk_9_ && self.l_tmr_chirp_in
-            && !(left_walk && entered_walk && on_walk_9_)
-        {
-            self.l_tmr_chirp_held + elapsed
-        } else {
-            Ticks::ZERO
-        };
-        self.l_tmr_chirp_in = on_walk_9_;
         let q_chirp: bool = on_walk_9_
-            && !(self.l_tmr_chirp_in
-                && self.l_tmr_chirp_held >= Ticks::new(1000u32));
-        self.d_tmr_hurry_held = if on_walk_10_ && self.d_tmr_hurry_in
-            && !(left_walk && entered_walk && on_walk_10_)
-        {
-            self.d_tmr_hurry_held + elapsed
-        } else {
-            Ticks::ZERO
-        };
-        self.d_tmr_hurry_in = on_walk_10_;
-        let q_hurry: bool = self.d_tmr_hurry_in
-            && self.d_tmr_hurry_held >= Ticks::new(6000u32);
+            && !(on_walk_9_
+                && now.since(self.since) >= Ticks::new(1000u32));
+        let q_hurry: bool = on_walk_10_
+            && now.since(self.since) >= Ticks::new(6000u32);
         self.green = q_green;
         self.wait = q_wait;
         self.yellow = q_yellow;
@@ -240,7 +217,7 @@ impl Crossing {
         self.hurry = q_hurry;
         self.settled = !(self.first || clears_cars_asked || clears_asked_yellow
             || clears_yellow_stop || clears_stop_walk || clears_walk_clear
-            || clears_clear_cars || !self.edge0_before && edge0_now);
+            || clears_clear_cars);
         self.edge0_before = edge0_now;
         self.first = false;
         outputs.green = self.green;
@@ -260,72 +237,79 @@ impl Crossing {
         }
         let mut soonest = Option::None;
         if self.state == __CrossingState::Asked
-            && self.time < Ticks::new(5000u32)
+            && self.reading.since(self.since) < Ticks::new(5000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(5000u32) - self.time,
+                    Ticks::new(5000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Yellow
-            && self.time < Ticks::new(3000u32)
+            && self.reading.since(self.since) < Ticks::new(3000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(3000u32) - self.time,
+                    Ticks::new(3000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Stop
-            && self.time < Ticks::new(2000u32)
+            && self.reading.since(self.since) < Ticks::new(2000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(2000u32) - self.time,
+                    Ticks::new(2000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Walk
-            && self.time < Ticks::new(8000u32)
+            && self.reading.since(self.since) < Ticks::new(1000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(8000u32) - self.time,
+                    Ticks::new(1000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        if self.state == __CrossingState::Walk
+            && self.reading.since(self.since) < Ticks::new(6000u32)
+        {
+            soonest = sooner(
+                soonest,
+                Option::Some(
+                    Ticks::new(6000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        if self.state == __CrossingState::Walk
+            && self.reading.since(self.since) < Ticks::new(8000u32)
+        {
+            soonest = sooner(
+                soonest,
+                Option::Some(
+                    Ticks::new(8000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Clear
-            && self.time < Ticks::new(4000u32)
+            && self.reading.since(self.since) < Ticks::new(4000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(4000u32) - self.time,
-                ),
-            );
-        }
-        if self.l_tmr_chirp_in
-            && self.l_tmr_chirp_held < Ticks::new(1000u32)
-        {
-            soonest = sooner(
-                soonest,
-                Option::Some(
-                    Ticks::new(1000u32) - self.l_tmr_chirp_held,
-                ),
-            );
-        }
-        if self.d_tmr_hurry_in
-            && self.d_tmr_hurry_held < Ticks::new(6000u32)
-        {
-            soonest = sooner(
-                soonest,
-                Option::Some(
-                    Ticks::new(6000u32) - self.d_tmr_hurry_held,
+                    Ticks::new(4000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }

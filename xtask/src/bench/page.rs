@@ -28,7 +28,8 @@ All are exact and the same in every run, apart from statig's: its code differs f
 and CI does not look at it. All rows are of one version of rustc, whatever else is installed. All authors of a chart give the same outputs on the same inputs wherever they run,
 cycle by cycle: the run compares a hash of them, of inputs that change in every cycle and of the same held for 6.4 s. All evolve first and act then; smlang and statig take one
 transition per event, which is what an `sfc` does, and have no parallel branches: Par8 is nine machines with code around them. Who writes times by hand keeps the reading at
-which a step was entered, and says where it matters that the counter wraps; generated charts have no such limit.
+which a step was entered, and says where it matters that the counter wraps; generated charts have no such limit: a step may stay active for any length of time. They ask
+for a cycle in every 2^31 ticks (24.8 days in milliseconds), as most of the others do.
 
 *ratio* is that to the best of the others; bold is more than that. *tables* is for orientation and no rival: C whose steps are rows of a table of byte numbers, for charts that
 follow a rule. It takes a pointer cast over the records of the signals (`((const bool *)inputs)[row.input]`), which safe Rust does not have, and the same kind of condition in all steps.

@@ -144,7 +144,7 @@ fn bit(index: usize) -> (Ident, Literal, Literal) {
 
 fn kind(place: &PlaceInfo<'_>, used: bool) -> Kind {
     // What others than the cycle look at.
-    let shown = matches!(place.role, Role::State(_) | Role::Stable | Role::Var(_) | Role::Reading);
+    let shown = matches!(place.role, Role::State(_) | Role::Stable | Role::Var(_));
     match place.role {
         Role::Param(_) => Kind::Param,
         Role::Bit(step) => Kind::Bit(step.index()),
@@ -204,6 +204,8 @@ impl Used {
         visit::block(cycle, &mut note);
         if let Some(deadline) = &program.deadline {
             visit::expr(&deadline.at_once, &mut note);
+            note(Seen::Read(deadline.reading));
+            note(Seen::Read(deadline.from));
             for (condition, time) in &deadline.waits {
                 visit::expr(condition, &mut note);
                 visit::expr(time, &mut note);

@@ -95,9 +95,8 @@ impl<'m> Printer<'_, 'm> {
             let (condition, time) = (self.condition(condition), self.value(time));
             waits.extend(quote!(if #condition { soonest = #p::sooner(soonest, #p::Option::Some(#time)); }));
         }
-        let reading = self.program.place(Role::Reading);
-        let reading = reading.map_or_else(|| quote!(#p::Ticks::ZERO), |reading| self.get(reading));
-        Deadline { at_once: self.condition(&deadline.at_once), waits, reading }
+        let (reading, from) = (self.get(deadline.reading), self.get(deadline.from));
+        Deadline { at_once: self.condition(&deadline.at_once), waits, reading, from }
     }
 
     /// The private enums of the regions.

@@ -12,7 +12,7 @@
 use super::Lower;
 use super::places::plain;
 use super::view::Moment;
-use crate::model::{ActionId, Association, AssociationId, Effect, Id, Place, Qualifier, TimeRef};
+use crate::model::{ActionId, Association, AssociationId, Effect, Id, Model, Place, Qualifier, TimeRef};
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
 
@@ -214,6 +214,13 @@ impl<'m> Lower<'_, 'm> {
         input: Expr<'m>,
         body: &mut Vec<Statement<'m>>,
     ) -> Expr<'m> {
+        if let [id] = self.under(target, qualifier)[..] {
+            if limits_by_step(self.model, id) {
+                let association = &self.model.associations[id];
+                let time = association.time.map_or_else(zero, |time| self.time_of(time));
+                return all(vec![input, at_least(self.since_active(association.step, Moment::After), time)]);
+            }
+        }
         let (first, name) = (target.associations[0], format!("{qualifier:?}_TMR.{}", target.name));
         let (no_time, off) = (Initial::Value(Value::Ticks(0)), Initial::Value(Value::Bool(false)));
         let held = self.field(format!("{name}.held"), Role::TimerHeld(first, qualifier), Type::Ticks, no_time);
@@ -352,6 +359,18 @@ impl<'m> Lower<'_, 'm> {
         body.push(Statement::Set(by_leaving, all(vec![fell, any(causes)])));
         body.extend(notes);
     }
+}
+
+/// Whether the timer of an association says what the time of its step says: its input is true whenever the step is active, and no other's.
+pub(super) fn limits_by_step(model: &Model, id: AssociationId) -> bool {
+    let association = &model.associations[id];
+    let (qualifier, target) = (association.qualifier, what(association));
+    let shares = |(other, another): (AssociationId, &Association)| {
+        other != id && another.qualifier == qualifier && target != What::Own && what(another) == target
+    };
+    matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Ds)
+        && association.condition.is_none()
+        && !model.associations.iter().any(shares)
 }
 
 /// P1 and P0 have no part in Q, and R ends it.

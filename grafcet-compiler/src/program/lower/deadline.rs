@@ -1,33 +1,20 @@
 //! `next_deadline`: "the reading of the clock before which nothing changes unless an input does".
 
 use super::Lower;
-use crate::model::{Binary, Blinker, Effect, Expr as Written, Id, Name, Qualifier, Read, TimeRef, Tree};
-use crate::program::build::{add, all, any, below, choose, compare, not, sub, ticks};
-use crate::program::{Comparison, Deadline, Expr, PlaceId, Value};
-use crate::sorted::Set;
-
-/// At which times of a step or macro-step something changes.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Change {
-    /// At the time itself.
-    At(TimeRef),
-    /// One tick after it.
-    Behind(TimeRef),
-    /// At the ends of both parts of a period.
-    Blink(u32, u32),
-    /// At every tick: the time is used in another way than in a comparison.
-    Always,
-}
-
-type Changes = Set<(Blinker, Change)>;
+use super::changes::{Change, changes};
+use super::clocks::{Clock, literal};
+use crate::model::{Blinker, Expr as Written, Qualifier};
+use crate::program::build::{all, any, below, choose, compare, not, sub, ticks};
+use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value};
 
 impl<'m> Lower<'_, 'm> {
     /// Of a chart that uses time.
     pub(super) fn deadline(&self) -> Option<Deadline<'m>> {
         let settled = self.settled?;
         let mut waits = Vec::new();
-        for (of, change) in self.changes() {
-            self.wait(of, change, &mut waits);
+        let (reading, from) = (self.reading?, self.from());
+        for (of, change) in &changes(self.model) {
+            self.wait(*of, *change, from, &mut waits);
         }
         for id in self.model.delays.ids() {
             let (delay, places) = (&self.model.delays[id], self.delay(id));
@@ -41,7 +28,7 @@ impl<'m> Lower<'_, 'm> {
         }
         let mut at_once = self.restless();
         at_once.insert(0, not(Expr::Place(settled)));
-        Some(Deadline { at_once: any(at_once), waits })
+        Some(Deadline { at_once: any(at_once), reading, from: from.unwrap_or(reading), waits })
     }
 
     /// Where each cycle asks for a call that may have another value each time.
@@ -72,119 +59,61 @@ impl<'m> Lower<'_, 'm> {
         found
     }
 
-    fn wait(&self, of: Blinker, change: Change, waits: &mut Vec<(Expr<'m>, Expr<'m>)>) {
-        let (active, time) = match of {
-            Blinker::Step(step) => (self.is(step), self.time[self.regions.of_step(step)]),
-            Blinker::Macro(id) => {
-                let steps = &self.model.macros[id].steps;
-                (any(steps.iter().map(|step| self.is(*step)).collect()), self.macro_time[id.index()])
+    /// What something changes after, from the reading of the last cycle or, where that is known, from the beginning of the time.
+    fn wait(&self, of: Blinker, change: Change, from: Option<PlaceId>, waits: &mut Vec<(Expr<'m>, Expr<'m>)>) {
+        let active = match of {
+            Blinker::Step(step) => self.is(step),
+            Blinker::Macro(id) => any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).collect()),
+        };
+        match change {
+            Change::At(_) | Change::Behind(_) => {
+                let (Some(clock), Some(reading), Some(end)) = (self.clock(of), self.reading, self.end_of(change))
+                else {
+                    return;
+                };
+                if from.is_none() {
+                    let passed = clock.passed(Expr::Place(reading));
+                    waits.push((all(vec![active, below(passed.clone(), end.clone())]), sub(end, passed)));
+                    return;
+                }
+                let passed =
+                    self.passed.filter(|_| literal(change).is_some_and(|end| self.outlasted.contains(&(of, end))));
+                let open = passed.map(|passed| not(Expr::Place(passed)));
+                // What takes no time is never waited for.
+                if literal(change) != Some(0) {
+                    waits.push((all([active].into_iter().chain(open).collect()), end));
+                }
             }
-        };
-        let mut until = |time: PlaceId, end: Expr<'m>| {
-            let waiting = all(vec![active.clone(), below(Expr::Place(time), end.clone())]);
-            waits.push((waiting, sub(end, Expr::Place(time))));
-        };
-        match (change, time) {
-            (Change::At(end), Some(time)) => until(time, self.time_of(end)),
-            (Change::Behind(end), Some(time)) => until(time, add(self.time_of(end), ticks(1))),
-            (Change::Always, _) => waits.push((active, ticks(1))),
-            (Change::Blink(on, period), _) => {
+            Change::Always => waits.push((active, ticks(1))),
+            Change::Blink(on, period) => {
                 let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
                 let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };
                 let phase = Expr::Place(phases.phase);
                 let end = choose(below(phase.clone(), ticks(on)), ticks(on), ticks(period));
                 waits.push((active, sub(end, phase)));
             }
-            _ => {}
         }
     }
 
-    /// Every time that an expression or a qualifier looks at.
-    fn changes(&self) -> Changes {
-        let mut found = Set::new();
-        for transition in self.model.transitions.values() {
-            of_tree(&transition.condition.tree, &mut found);
-            transition.clearing.iter().for_each(|effect| of_effect(effect, &mut found));
+    /// The time whose beginning all that is waited for counts from: that of the only region, where nothing else counts. Of each step one
+    /// time at most can be over while it stays active.
+    fn from(&self) -> Option<PlaceId> {
+        let [Some(Clock::Began(began))] = self.time[..] else { return None };
+        let others = self.macro_time.iter().any(Option::is_some)
+            || !(self.phases.is_empty() && self.delays.is_empty() && self.timers.is_empty());
+        let mut steps = Vec::new();
+        for (of, _) in &self.outlasted {
+            steps.push(*of);
         }
-        for association in self.model.associations.values() {
-            association.condition.iter().chain(&association.event).for_each(|one| of_tree(&one.tree, &mut found));
-            of_effect(&association.effect, &mut found);
-            let compared = self.model.is_grafcet() && matches!(association.qualifier, Qualifier::L | Qualifier::D);
-            if let Some(time) = association.time.filter(|_| compared) {
-                found.insert((Blinker::Step(association.step), Change::At(time)));
-            }
+        let twice = steps.windows(2).any(|two| two[0] == two[1]);
+        (!others && !twice && !self.regions.are_flags()).then_some(began)
+    }
+
+    /// Whether a time of the active step is over has to be remembered where the reading of the last cycle does not tell.
+    pub(super) fn remember_passed(&mut self) {
+        if self.settled.is_some() && self.from().is_some() && !self.outlasted.is_empty() {
+            let no = Initial::Value(Value::Bool(false));
+            self.passed = Some(self.field("passed".to_owned(), Role::Passed, Type::Bool, no));
         }
-        self.model.edges.values().for_each(|edge| of_tree(&edge.of.tree, &mut found));
-        self.model.delays.values().for_each(|delay| of_tree(&delay.of.tree, &mut found));
-        found
-    }
-}
-
-fn of_effect(effect: &Effect, found: &mut Changes) {
-    let of_expr = |expr: &Written, found: &mut Changes| of_tree(&expr.tree, found);
-    match effect {
-        Effect::Control(_) => {}
-        Effect::Assign(_, value) => of_expr(value, found),
-        Effect::Call(_, args) => args.iter().for_each(|arg| of_expr(arg, found)),
-        Effect::Block(code) => code.reads.iter().for_each(|read| of_read(*read, found)),
-    }
-}
-
-fn of_tree(tree: &Tree, found: &mut Changes) {
-    match tree {
-        Tree::Binary(operator, a, b) => {
-            if !comparison(*operator, a, b, found) && !comparison(mirrored(*operator), b, a, found) {
-                of_tree(a, found);
-                of_tree(b, found);
-            }
-        }
-        Tree::Unary(_, inner) => of_tree(inner, found),
-        other => other.each_read(&mut |read| of_read(read, found)),
-    }
-}
-
-fn of_read(read: Read, found: &mut Changes) {
-    let Some(of) = read.about() else { return };
-    let change = match read {
-        Read::Since(_) | Read::MacroSince(_) => Change::Always,
-        Read::Elapsed(time, _) | Read::MacroElapsed(time, _) => Change::At(time),
-        Read::Blink(blink) => Change::Blink(blink.on, blink.period()),
-        _ => return,
-    };
-    found.insert((of, change));
-}
-
-/// `Step.T < 5s`: when its truth can change.
-fn comparison(operator: Binary, a: &Tree, b: &Tree, found: &mut Changes) -> bool {
-    let of = match a {
-        Tree::Read(read @ (Read::Since(_) | Read::MacroSince(_))) => read.about(),
-        _ => None,
-    };
-    let time = match b {
-        Tree::Read(Read::Ticks(ticks)) => TimeRef::Ticks(*ticks),
-        Tree::Read(Read::Name(Name::Param(id))) => TimeRef::Param(*id),
-        Tree::Read(Read::Name(Name::Var(id))) => TimeRef::Var(*id),
-        _ => return false,
-    };
-    let Some(of) = of else { return false };
-    match operator {
-        Binary::Lt | Binary::Ge => _ = found.insert((of, Change::At(time))),
-        Binary::Gt | Binary::Le => _ = found.insert((of, Change::Behind(time))),
-        Binary::Eq | Binary::Ne => {
-            found.insert((of, Change::At(time)));
-            found.insert((of, Change::Behind(time)));
-        }
-        _ => return false,
-    }
-    true
-}
-
-fn mirrored(operator: Binary) -> Binary {
-    match operator {
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        other => other,
     }
 }

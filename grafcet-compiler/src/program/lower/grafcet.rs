@@ -32,6 +32,8 @@ impl<'m> Lower<'_, 'm> {
         let rounds = self.bound().saturating_add(1);
         part(&mut cycle, "search for stability (A24, A25, A30)", vec![Statement::Loop { rounds, body }]);
         self.continuous(&mut cycle);
+        self.remember_passed();
+        part(&mut cycle, "times that are over", self.bound_times());
         part(&mut cycle, "whether the next cycle would do the same", self.settle_search(stable, &kept));
         let mut end = Vec::new();
         // An evolution that the bound stopped has not taken place: its edges are still to be seen.

@@ -3,6 +3,7 @@
 //! It copies the situation, decides every transition on the copy, and writes what follows. Nothing here thinks of cost.
 //!
 //! - `places`: what is stored
+//! - `clocks`, `changes`: which times are counted, which are readings of the clock; with what they are compared
 //! - `view`: what an expression reads, at each moment of the cycle
 //! - `time`, `sample`: times that pass and begin; edges, delays and combinational variables
 //! - `decide`: which transitions clear
@@ -10,6 +11,8 @@
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848, the search for stability
 //! - `deadline`: until when nothing changes
 
+mod changes;
+mod clocks;
 mod continuous;
 mod control;
 mod deadline;
@@ -28,10 +31,11 @@ use std::fmt;
 
 use super::{Expr, PlaceId, PlaceInfo, Program};
 use crate::analysis::{Facts, combinational, hierarchy::masters};
-use crate::model::{Effect, Model, PartialId, Place, Qualifier, StepId};
+use crate::model::{Blinker, Effect, Model, PartialId, Place, Qualifier, StepId};
 use crate::plan::Regions;
 use crate::sorted::Set;
 
+use clocks::Clock;
 use places::{Delays, Edges, Phases};
 
 /// How a situation is stored.
@@ -97,13 +101,19 @@ struct Lower<'r, 'm> {
     state: Vec<PlaceId>,
     was: Vec<PlaceId>,
     /// By region, where it counts: the time, and that reached before the evolution of an `sfc` (A34).
-    time: Vec<Option<PlaceId>>,
+    time: Vec<Option<Clock>>,
     reached: Vec<Option<PlaceId>>,
     /// The same by macro-step.
-    macro_time: Vec<Option<PlaceId>>,
+    macro_time: Vec<Option<Clock>>,
     macro_reached: Vec<Option<PlaceId>>,
     phases: Vec<Phases>,
-    /// Since the cycle before, where the chart uses time.
+    /// What can stay active when the longest time that it is compared with is over, and that time.
+    bounds: Vec<(Blinker, u32)>,
+    /// The times that can be over while their step stays active.
+    outlasted: Set<(Blinker, u32)>,
+    /// Whether such a time is over for the active step, where that is remembered.
+    passed: Option<PlaceId>,
+    /// Since the cycle before, where something counts it.
     elapsed: Option<PlaceId>,
     reading: Option<PlaceId>,
     settled: Option<PlaceId>,

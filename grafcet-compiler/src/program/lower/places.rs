@@ -2,9 +2,7 @@
 
 use super::{Lower, Set};
 use crate::analysis::{Facts, combinational};
-use crate::model::{
-    Blink, Blinker, DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty,
-};
+use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::plan::Regions;
 use crate::program::{Initial, PlaceId, PlaceInfo, Role, Type, Value};
 
@@ -51,6 +49,9 @@ impl<'r, 'm> Lower<'r, 'm> {
             macro_time: Vec::new(),
             macro_reached: Vec::new(),
             phases: Vec::new(),
+            bounds: Vec::new(),
+            outlasted: Set::new(),
+            passed: None,
             elapsed: None,
             reading: None,
             settled: None,
@@ -76,7 +77,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         lower.first = lower.field("first".to_owned(), Role::First, Type::Bool, truth(true));
         lower.situation();
         lower.declared();
-        lower.clocks();
+        lower.clocks(facts);
         lower.remembered();
         lower.transitions();
         lower
@@ -132,7 +133,7 @@ impl<'r, 'm> Lower<'r, 'm> {
     }
 
     /// `state`, or with the first step of the region where there are several.
-    fn region_name(&self, what: &str, region: usize) -> String {
+    pub(super) fn region_name(&self, what: &str, region: usize) -> String {
         match self.regions.all() {
             [_] => what.to_owned(),
             regions => format!("{what}.{}", self.step_name(regions[region].steps[0])),
@@ -172,95 +173,6 @@ impl<'r, 'm> Lower<'r, 'm> {
                     }
                 }
             }
-        }
-    }
-
-    /// Times that something asks for.
-    fn clocks(&mut self) {
-        let model = self.model;
-        self.time = vec![None; self.state.len()];
-        self.reached = self.time.clone();
-        self.macro_time = vec![None; model.macros.len()];
-        self.macro_reached = self.macro_time.clone();
-        if !model.uses_time() {
-            return;
-        }
-        self.reading = Some(self.field("reading".to_owned(), Role::Reading, Type::Ticks, time()));
-        self.settled = Some(self.field("settled".to_owned(), Role::Settled, Type::Bool, truth(false)));
-        self.elapsed = Some(self.local("elapsed".to_owned(), Type::Ticks));
-        let own = |association: &crate::model::Association| {
-            !matches!(association.effect, Effect::Control(_) | Effect::Call(..))
-        };
-        if !model.is_grafcet() && model.associations.values().any(own) {
-            self.turned = Some(self.truth("turned".to_owned()));
-        }
-        let opaque = |effect: &&Effect| match effect {
-            Effect::Block(code) => code.statements.is_none(),
-            Effect::Call(..) => true,
-            Effect::Assign(..) | Effect::Control(_) => false,
-        };
-        if model.effects().iter().any(opaque) {
-            self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
-        }
-        for read in model.expressions().concat() {
-            match read {
-                Read::Since(step) | Read::Elapsed(_, step) => self.count(step),
-                Read::MacroSince(id) | Read::MacroElapsed(_, id) if self.macro_time[id.index()].is_none() => {
-                    let name = plain(&model.macros[id].name);
-                    let place = self.field(format!("{name}.T"), Role::MacroTime(id), Type::Ticks, time());
-                    self.macro_time[id.index()] = Some(place);
-                    self.macro_reached[id.index()] = Some(self.local(format!("reached.{name}.T"), Type::Ticks));
-                }
-                Read::Blink(blink) => self.count_phase(blink),
-                _ => {}
-            }
-        }
-        // A32: these compare with the time of their step.
-        if model.is_grafcet() {
-            for association in model.associations.values() {
-                if association.time.is_some() {
-                    self.count(association.step);
-                }
-            }
-        }
-    }
-
-    /// The time of a step is that of its region.
-    fn count(&mut self, step: StepId) {
-        let region = self.regions.of_step(step);
-        if self.time[region].is_some() {
-            return;
-        }
-        let name = if self.regions.are_flags() {
-            format!("{}.T", self.step_name(step))
-        } else {
-            self.region_name("time", region)
-        };
-        let reached = format!("reached.{name}");
-        self.time[region] = Some(self.field(name, Role::Time(region), Type::Ticks, time()));
-        self.reached[region] = Some(self.local(reached, Type::Ticks));
-    }
-
-    fn count_phase(&mut self, blink: Blink) {
-        let (period, role) = (blink.period(), self.phase_role(blink));
-        if self.phases.iter().any(|phase| phase.role == role) {
-            return;
-        }
-        let name = match blink.of {
-            Blinker::Step(step) if self.regions.are_flags() => self.step_name(step),
-            Blinker::Step(step) => self.region_name("state", self.regions.of_step(step)),
-            Blinker::Macro(id) => plain(&self.model.macros[id].name),
-        };
-        let phase = self.field(format!("phase.{name}.{period}"), role, Type::Ticks, time());
-        let reached = self.local(format!("reached.phase.{name}.{period}"), Type::Ticks);
-        self.phases.push(Phases { role, period, phase, reached });
-    }
-
-    pub(super) fn phase_role(&self, blink: Blink) -> Role {
-        let period = blink.period();
-        match blink.of {
-            Blinker::Step(step) => Role::Phase { region: self.regions.of_step(step), period },
-            Blinker::Macro(of) => Role::MacroPhase { of, period },
         }
     }
 
@@ -381,11 +293,11 @@ pub(super) fn plain(name: &proc_macro2::Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 
-fn truth<'m>(value: bool) -> Initial<'m> {
+pub(super) fn truth<'m>(value: bool) -> Initial<'m> {
     Initial::Value(Value::Bool(value))
 }
 
-fn time<'m>() -> Initial<'m> {
+pub(super) fn time<'m>() -> Initial<'m> {
     Initial::Value(Value::Ticks(0))
 }
 

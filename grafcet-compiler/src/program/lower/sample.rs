@@ -2,9 +2,9 @@
 
 use super::Lower;
 use super::view::Moment;
-use crate::analysis::combinational;
+use crate::analysis::{combinational, edges_only_help};
 use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, VarId};
-use crate::program::build::{add, all, any, at_least, choose, compare, differ, not, when, zero};
+use crate::program::build::{add, all, any, at_least, choose, compare, differ, no, not, when, zero};
 use crate::program::{Comparison, Expr, Statement};
 use crate::sorted::Set;
 
@@ -78,8 +78,12 @@ impl<'m> Lower<'_, 'm> {
 
     /// Whether there is an edge that something asks for: it is gone in the next cycle.
     pub(super) fn has_edges(&self) -> Expr<'m> {
-        let reads = self.model.expressions().concat();
         let mut found = Vec::new();
+        // Where an edge can but let something clear, nothing happens because it is gone.
+        if edges_only_help(self.model) {
+            return no();
+        }
+        let reads = self.model.expressions().concat();
         for id in self.model.edges.ids() {
             for edges in [self.edges[id.index()], self.action_edges[id.index()]].into_iter().flatten() {
                 let (before, now) = (Expr::Place(edges.before), Expr::Place(edges.now));

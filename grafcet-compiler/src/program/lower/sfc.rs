@@ -24,6 +24,8 @@ impl<'m> Lower<'_, 'm> {
         part(&mut cycle, "the values before the actions (point 6)", values);
         part(&mut cycle, "edges for actions (point 8)", self.sample_for_actions());
         self.act(&mut cycle);
+        self.remember_passed();
+        part(&mut cycle, "times that are over", self.bound_times());
         part(&mut cycle, "whether the next cycle would do the same", self.settle(&kept));
         let mut end = self.use_up_edges();
         end.extend(self.use_up_action_edges());

@@ -1,24 +1,35 @@
-//! "The elapsed time since the previous cycle is a wrapping difference; step times add it up and saturate. The first cycle has no
-//! elapsed time."
+//! "The elapsed time since the previous cycle is a wrapping difference; step times add it up and saturate, or are the reading of the clock at
+//! which they began. The first cycle has no elapsed time."
 
 use super::Lower;
+use super::clocks::Clock;
 use super::view::Moment;
-use crate::model::{Id, MacroId};
-use crate::program::build::{add, all, any, choose, differ, not, when, zero};
-use crate::program::{Expr, PlaceId, Role, Statement};
+use crate::model::{Blinker, Id, MacroId};
+use crate::program::build::{add, all, any, at_least, choose, differ, no, not, ticks, when, zero};
+use crate::program::{Expr, Role, Statement};
 
 impl<'m> Lower<'_, 'm> {
     /// Time passes.
     pub(super) fn pass_time(&self) -> Vec<Statement<'m>> {
-        let (Some(elapsed), Some(reading)) = (self.elapsed, self.reading) else { return Vec::new() };
-        let since = Expr::Since(Box::new(Expr::Now), Box::new(Expr::Place(reading)));
-        let mut body = vec![
-            Statement::Set(elapsed, choose(Expr::Place(self.first), zero(), since)),
-            Statement::Set(reading, Expr::Now),
-        ];
-        for time in self.time.iter().chain(&self.macro_time).flatten() {
-            body.push(Statement::Set(*time, add(Expr::Place(*time), Expr::Place(elapsed))));
+        let Some(reading) = self.reading else { return Vec::new() };
+        let mut body = Vec::new();
+        if let Some(elapsed) = self.elapsed {
+            let since = Expr::Since(Box::new(Expr::Now), Box::new(Expr::Place(reading)));
+            body.push(Statement::Set(elapsed, choose(Expr::Place(self.first), zero(), since)));
         }
+        body.push(Statement::Set(reading, Expr::Now));
+        let mut begun = Vec::new();
+        for clock in self.time.iter().chain(&self.macro_time).flatten() {
+            match (*clock, self.elapsed) {
+                (Clock::Counted(time), Some(elapsed)) => {
+                    body.push(Statement::Set(time, add(Expr::Place(time), Expr::Place(elapsed))));
+                }
+                _ => begun.push(clock.begin()),
+            }
+        }
+        // `new` does not know the clock.
+        when(&mut body, Expr::Place(self.first), begun);
+        let Some(elapsed) = self.elapsed else { return body };
         for phases in &self.phases {
             let (phase, passed) = (Expr::Place(phases.phase), Expr::Place(elapsed));
             let on = Expr::Period(Box::new(phase), Box::new(passed), phases.period);
@@ -33,7 +44,7 @@ impl<'m> Lower<'_, 'm> {
         let steps = self.time.iter().zip(&self.reached);
         for (time, reached) in steps.chain(self.macro_time.iter().zip(&self.macro_reached)) {
             if let (Some(time), Some(reached)) = (time, reached) {
-                body.push(Statement::Set(*reached, Expr::Place(*time)));
+                body.push(Statement::Set(*reached, time.passed(Expr::Now)));
             }
         }
         for phases in &self.phases {
@@ -59,8 +70,8 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// The time and the phases of a region or macro-step, set to zero.
-    fn counters(&self, of: Role, time: Option<PlaceId>) -> Vec<Statement<'m>> {
-        let mut all: Vec<PlaceId> = time.into_iter().collect();
+    fn counters(&self, of: Role, time: Option<Clock>) -> Vec<Statement<'m>> {
+        let mut all: Vec<Statement<'m>> = time.into_iter().map(Clock::begin).collect();
         for phases in &self.phases {
             let same = match (of, phases.role) {
                 (Role::Time(region), Role::Phase { region: other, .. }) => region == other,
@@ -68,10 +79,36 @@ impl<'m> Lower<'_, 'm> {
                 _ => false,
             };
             if same {
-                all.push(phases.phase);
+                all.push(Statement::Set(phases.phase, zero()));
             }
         }
-        all.into_iter().map(|place| Statement::Set(place, zero())).collect()
+        all
+    }
+
+    /// What goes on beyond the longest time that something compares with stands still there: nobody can tell. So it never wraps. Beside
+    /// that, whether a time of the active step is over.
+    pub(super) fn bound_times(&self) -> Vec<Statement<'m>> {
+        let mut body = Vec::new();
+        if let Some(passed) = self.passed {
+            let over = self.outlasted.iter().map(|(of, end)| self.is_over(*of, *end));
+            body.push(Statement::Set(passed, any(over.collect())));
+        }
+        for (of, longest) in &self.bounds {
+            let Some(clock) = self.clock(*of) else { continue };
+            let back = Expr::Since(Box::new(Expr::Now), Box::new(ticks(*longest)));
+            when(&mut body, self.is_over(*of, *longest), vec![Statement::Set(clock.place(), back)]);
+        }
+        body
+    }
+
+    /// It has been active before the cycle, still is, and a time is over.
+    fn is_over(&self, of: Blinker, time: u32) -> Expr<'m> {
+        let Some(clock) = self.clock(of) else { return no() };
+        let (was, is) = match of {
+            Blinker::Step(step) => (self.was(step), self.is(step)),
+            Blinker::Macro(id) => (self.macro_active(id, Moment::Before), self.macro_active(id, Moment::After)),
+        };
+        all(vec![was, is, at_least(clock.passed(Expr::Now), ticks(time))])
     }
 
     /// Whether another step of the region is active now, or (A4s) the same one again. A4g: in a `grafcet` that one stays active.

@@ -123,21 +123,22 @@ impl<'m> Lower<'_, 'm> {
     fn since(&self, step: StepId, moment: Moment) -> Expr<'m> {
         let region = self.regions.of_step(step);
         let (Some(time), Some(reached)) = (self.time[region], self.reached[region]) else { return zero() };
+        let time = time.passed(Expr::Now);
         match moment {
             Moment::Start => zero(),
-            Moment::Before => choose(self.was(step), Expr::Place(time), zero()),
+            Moment::Before => choose(self.was(step), time, zero()),
             Moment::Leaving => choose(self.was(step), Expr::Place(reached), zero()),
             Moment::After => {
                 let left = choose(self.was(step), Expr::Place(reached), zero());
-                choose(self.is(step), Expr::Place(time), left)
+                choose(self.is(step), time, left)
             }
         }
     }
 
     /// The same where the step is active at that moment.
-    fn since_active(&self, step: StepId, moment: Moment) -> Expr<'m> {
+    pub(super) fn since_active(&self, step: StepId, moment: Moment) -> Expr<'m> {
         match (moment, self.time[self.regions.of_step(step)]) {
-            (Moment::Before | Moment::After, Some(time)) => Expr::Place(time),
+            (Moment::Before | Moment::After, Some(time)) => time.passed(Expr::Now),
             _ => self.since(step, moment),
         }
     }
@@ -147,14 +148,14 @@ impl<'m> Lower<'_, 'm> {
         let (Some(time), Some(reached)) = (self.macro_time[id.index()], self.macro_reached[id.index()]) else {
             return zero();
         };
-        let was = self.macro_active(id, Moment::Before);
+        let (was, time) = (self.macro_active(id, Moment::Before), time.passed(Expr::Now));
         match moment {
             Moment::Start => zero(),
-            Moment::Before => choose(was, Expr::Place(time), zero()),
+            Moment::Before => choose(was, time, zero()),
             Moment::Leaving => choose(was, Expr::Place(reached), zero()),
             Moment::After => {
                 let left = choose(was, Expr::Place(reached), zero());
-                choose(self.macro_active(id, moment), Expr::Place(time), left)
+                choose(self.macro_active(id, moment), time, left)
             }
         }
     }

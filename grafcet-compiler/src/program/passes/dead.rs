@@ -53,6 +53,8 @@ fn waits_for(deadline: Option<&Deadline<'_>>, place: PlaceId) -> bool {
 fn each_of_deadline(deadline: Option<&Deadline<'_>>, each: &mut dyn FnMut(PlaceId)) {
     let Some(deadline) = deadline else { return };
     each_read(&deadline.at_once, each);
+    each(deadline.reading);
+    each(deadline.from);
     for (condition, time) in &deadline.waits {
         each_read(condition, each);
         each_read(time, each);
@@ -290,6 +292,8 @@ fn drop_places(program: &mut Program<'_>) {
     renumber(&mut program.cycle, &new);
     if let Some(deadline) = &mut program.deadline {
         deadline.at_once = renumbered(&deadline.at_once, &new);
+        deadline.reading = new(deadline.reading);
+        deadline.from = new(deadline.from);
         for (condition, time) in &mut deadline.waits {
             *condition = renumbered(condition, &new);
             *time = renumbered(time, &new);

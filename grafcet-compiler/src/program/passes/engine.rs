@@ -19,6 +19,8 @@ pub(super) enum Fact {
     Copy(PlaceId),
     /// The state of a region: one of the list with this number.
     Among(usize),
+    /// The reading of the clock in this cycle.
+    Now,
 }
 
 /// States of which a region has one.
@@ -176,11 +178,12 @@ impl<'e, 'm> Engine<'e, 'm> {
             Fact::Copy(other) => Some(other),
             _ => None,
         };
+        let now = |place: PlaceId| self.env[place.0] == Fact::Now;
         let among = |place: PlaceId| match self.env[place.0] {
             Fact::Among(list) => Some(&self.lists[list]),
             _ => None,
         };
-        Known { places: self.places, value: &value, copy: &copy, among: &among }.fold(expr)
+        Known { places: self.places, value: &value, copy: &copy, among: &among, now: &now }.fold(expr)
     }
 
     /// The next statement that matters.
@@ -283,7 +286,7 @@ impl<'e, 'm> Engine<'e, 'm> {
         let mut facts = Vec::with_capacity(self.fields.len());
         for place in self.fields {
             facts.push(match self.env[place.0] {
-                Fact::Copy(_) => Fact::Nothing,
+                Fact::Copy(_) | Fact::Now => Fact::Nothing,
                 fact => fact,
             });
         }
@@ -400,6 +403,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             Expr::Initial(other) if *other == place => Fact::Initial,
             Expr::Value(value) if !is_user => Fact::Is(*value),
             Expr::Place(other) => Fact::Copy(*other),
+            Expr::Now => Fact::Now,
             _ => Fact::Nothing,
         };
         // A copy is made anew: other ways to the same state have to make it.

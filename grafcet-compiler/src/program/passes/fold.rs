@@ -14,6 +14,8 @@ pub(super) struct Known<'k, 'm> {
     pub(super) copy: &'k dyn Fn(PlaceId) -> Option<PlaceId>,
     /// The states of which a region has one.
     pub(super) among: &'k dyn Fn(PlaceId) -> Option<&'k Among>,
+    /// Whether it holds the reading of the clock.
+    pub(super) now: &'k dyn Fn(PlaceId) -> bool,
 }
 
 /// The value that a place begins with. Of what the user declares otherwise only Rust knows it.
@@ -43,6 +45,7 @@ impl Known<'_, '_> {
             Expr::Place(place) => match (self.get(*place), (self.copy)(*place)) {
                 (Some(value), _) => Expr::Value(value),
                 (None, Some(other)) => self.get(other).map_or(Expr::Place(other), Expr::Value),
+                (None, None) if (self.now)(*place) => Expr::Now,
                 (None, None) => expr.clone(),
             },
             Expr::Initial(place) => match (initial(&self.places[place.0]), self.places[place.0].ty) {
@@ -78,6 +81,7 @@ impl Known<'_, '_> {
             },
             Expr::Since(a, b) => match two(a, b) {
                 (Expr::Value(Value::Ticks(a)), Expr::Value(Value::Ticks(b))) => ticks(a.wrapping_sub(b)),
+                (Expr::Now, Expr::Now) => ticks(0),
                 (a, b) => Expr::Since(Box::new(a), Box::new(b)),
             },
             Expr::Period(a, b, period) => match two(a, b) {

@@ -5,6 +5,7 @@
 //! - `apart`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
 //! - `split`: one match on the state before, one on the state after; what fields hold in each state
+//! - `moved`: the state that the cycle began with tells whether it has moved
 //! - `search`: the same in the loop of a `grafcet`, and after it
 //! - `several`: of several regions, each looked at by itself as far as that is possible
 //! - `hoist`: what all arms do first
@@ -28,6 +29,7 @@ mod flat;
 mod fold;
 mod forward;
 mod hoist;
+mod moved;
 mod outputs;
 mod parts;
 mod records;
@@ -52,6 +54,8 @@ pub enum Pass {
     Known,
     /// What ways have in common, within `Split`.
     Join,
+    /// The state before tells whether the cycle has moved, within `Split`.
+    Moved,
     Search,
     Several,
     Hoist,
@@ -64,13 +68,14 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
         Self::Split,
         Self::Known,
         Self::Join,
+        Self::Moved,
         Self::Search,
         Self::Several,
         Self::Hoist,
@@ -95,7 +100,10 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
         outputs::pass(program);
     }
     if wants(Pass::Split) {
-        split::pass(program, &split::Options { known: wants(Pass::Known), join: wants(Pass::Join) });
+        split::pass(
+            program,
+            &split::Options { known: wants(Pass::Known), join: wants(Pass::Join), moved: wants(Pass::Moved) },
+        );
     }
     if wants(Pass::Search) {
         search::pass(program);

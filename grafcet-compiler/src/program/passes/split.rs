@@ -23,6 +23,7 @@ use super::dead::{Live, is_seen, needed};
 use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
 use super::flat::flat;
 use super::fold::initial;
+use super::moved;
 use super::share;
 use super::sparse::{Index, States};
 use super::uses::{Effects, mentions, same_block};
@@ -37,6 +38,8 @@ pub(super) struct Options {
     pub(super) known: bool,
     /// What ways to one state have in common is done after them.
     pub(super) join: bool,
+    /// The state that the cycle began with tells whether it has moved.
+    pub(super) moved: bool,
 }
 
 /// What the pass needs.
@@ -155,14 +158,23 @@ impl Split {
             tree.body.insert(0, Statement::Set(self.state, begin));
         }
         program.places[self.state.0].initial = Initial::Value(self.points.all[0]);
-        program.cycle = vec![self.evolution(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())];
+        let [front, behind] = if options.moved {
+            let (points, fields) = (&*self.points.all, &*self.fields);
+            moved::pass(program, &mut moved::Ways { state: self.state, points, fields, trees: &mut trees })
+        } else {
+            Default::default()
+        };
+        program.cycle = front.clone();
+        program.cycle.push(self.evolution(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect()));
+        program.cycle.extend(behind.iter().cloned());
         if !options.join {
             return;
         }
         sweep(program, &mut trees);
         let (mut acts, rest) = self.join(&mut trees);
-        let mut cycle = Vec::new();
+        let mut cycle = front;
         cycle.push(self.evolution(trees));
+        cycle.extend(behind);
         acts.retain(|(_, body)| !body.is_empty());
         if !acts.is_empty() {
             cycle.push(Statement::Match(self.state, merged(acts), Vec::new()));

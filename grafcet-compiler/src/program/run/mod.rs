@@ -143,13 +143,12 @@ impl<'p, 'm> Machine<'p, 'm> {
     /// # Errors
     /// As for [`Machine::cycle`].
     pub fn next_deadline(&self, foreign: &mut dyn Foreign) -> Result<Option<u32>, Error> {
-        let (Some(deadline), Some(reading)) = (&self.program.deadline, self.program.place(Role::Reading)) else {
-            return Ok(None);
+        let Some(deadline) = &self.program.deadline else { return Ok(None) };
+        let reading = |place: PlaceId| match self.values[place.0] {
+            Value::Ticks(now) => Ok(now),
+            other => Err(Error::Type(format!("{other:?} for a time"))),
         };
-        let now = match self.values[reading.0] {
-            Value::Ticks(now) => now,
-            other => return Err(Error::Type(format!("{other:?} for a time"))),
-        };
+        let (now, from) = (reading(deadline.reading)?, reading(deadline.from)?);
         let mut values = self.values.clone();
         let mut running = Running {
             program: self.program,
@@ -170,7 +169,7 @@ impl<'p, 'm> Machine<'p, 'm> {
                 soonest = Some(soonest.map_or(time, |other: u32| other.min(time)));
             }
         }
-        Ok(soonest.map(|time| now.wrapping_add(time)))
+        Ok(soonest.map(|time| from.wrapping_add(time)))
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod actions;
 pub mod agree;
+mod clock;
 mod expr;
 mod hierarchy;
 mod inside;

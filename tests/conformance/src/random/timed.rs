@@ -4,6 +4,7 @@
 
 use std::fmt::Write as _;
 
+use super::clock::Clock;
 use super::{Random, Rng};
 
 /// A chart of a dialect.
@@ -140,7 +141,9 @@ impl Sequence {
 
     /// What the transition out of a step waits for.
     fn condition(&mut self, step: usize) -> String {
-        let time = *self.rng.pick(&["0", "1", "2", "3", "5", "20", "70000"]);
+        // The longest times that are readings of the clock, and longer ones, which are counted.
+        let long = *self.rng.pick(&["2147483647", "2147483648", "2147483649", "4000000000"]);
+        let time = *self.rng.pick(&["0", "1", "2", "3", "5", "20", "70000", long]);
         let input = *self.rng.pick(&["a", "!a", "b", "!b", "a && !b", "a || b"]);
         if self.rng.chance(self.only_time) {
             return format!("{time}ms/S{step}");
@@ -168,15 +171,15 @@ fn list(steps: &[usize]) -> String {
 /// The clock is irregular, wraps, and sometimes leaps.
 fn timeline(rng: &mut Rng, cycles: usize) -> String {
     let mut text = String::new();
-    let (mut on, mut now) = ([false; 4], *rng.pick(&[0, 1000, u32::MAX - 20, 0x8000_0000_u32]));
+    let (mut on, mut clock) = ([false; 4], Clock::new(rng));
     for _ in 0..cycles {
-        for _ in 0..*rng.pick(&[0, 0, 1, 1, 2]) {
+        let changes = *rng.pick(&[0, 0, 1, 1, 2]);
+        for _ in 0..if clock.is_night() { 0 } else { changes } {
             let index = rng.below(4);
             on[index] = !on[index];
         }
         let pause = *rng.pick(&[0, 1, 1, 1, 2, 2, 3, 5]);
-        let leap = *rng.pick(&[20, 70_000, 0x4000_0000, u32::MAX - 1, u32::MAX]);
-        now = now.wrapping_add(if rng.chance(96) { pause } else { leap });
+        let now = clock.next(rng, pause);
         for (name, on) in ["a ", "b ", "c ", "d "].iter().zip(on) {
             text.push_str(if on { name } else { "" });
         }

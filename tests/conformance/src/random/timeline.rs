@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Gen;
+use super::clock::Clock;
 use super::names::{Role, Ty};
 
 impl Gen {
@@ -11,17 +12,17 @@ impl Gen {
         let ints = self.names.of(Role::Input, Ty::I16);
         let mut on = vec![false; bools.len()];
         let (mut byte, mut int, mut mode) = (0, 0, 0);
-        let mut now: u32 = *self.rng.pick(&[0, 0, 1000, u32::MAX - 20, 0x8000_0000]);
+        let mut clock = Clock::new(&mut self.rng);
         let mut text = String::new();
         for _ in 0..cycles {
             self.directive(&mut text);
             // A calm stretch lets timers elapse and searches settle; a storm finds the coincidences.
             let changes = *self.rng.pick(&[0, 0, 1, 1, 1, 2, 3]);
-            for _ in 0..changes {
+            for _ in 0..if clock.is_night() { 0 } else { changes } {
                 let index = self.rng.below(bools.len());
                 on[index] = !on[index];
             }
-            if self.rng.chance(20) {
+            if self.rng.chance(20) && !clock.is_night() {
                 byte = self.rng.below(9);
                 int = self.rng.between(0, 16);
             }
@@ -37,7 +38,8 @@ impl Gen {
                 mode = if self.rng.chance(20) { self.rng.below(3) } else { mode };
                 _ = write!(text, "mode={mode} ");
             }
-            now = now.wrapping_add(self.pause());
+            let pause = self.pause();
+            let now = clock.next(&mut self.rng, pause);
             _ = writeln!(text, "@{now} | |");
         }
         text
@@ -49,9 +51,8 @@ impl Gen {
             0..=9 => 0,
             10..=49 => 1,
             50..=79 => *self.rng.pick(&[2, 3, 4, 5]),
-            80..=96 => *self.rng.pick(&[6, 8, 10, 13, 20, 40]),
-            97 | 98 => 5000,
-            _ => *self.rng.pick(&[0x4000_0000, 0x8000_0000, u32::MAX, u32::MAX - 3]),
+            80..=97 => *self.rng.pick(&[6, 8, 10, 13, 20, 40]),
+            _ => 5000,
         }
     }
 

@@ -54,7 +54,7 @@ impl Dyer {
                     self.time = Ticks::ZERO;
                     self.settled = false;
                 } else {
-                    self.settled = !(!self.edge0_before && inputs.start);
+                    self.settled = true;
                 }
             }
             __DyerState::Fill => {
@@ -67,7 +67,7 @@ impl Dyer {
                         .drum(Phase::First, self.params.wash_rpm);
                     self.settled = false;
                 } else {
-                    self.settled = !(!self.edge0_before && inputs.start);
+                    self.settled = true;
                 }
             }
             __DyerState::Wash => {

@@ -3,26 +3,18 @@
 pub struct Crossing {
     state: __CrossingState,
     reading: Ticks,
-    settled: bool,
-    time: Ticks,
+    since: Ticks,
     edge0_before: bool,
-    l_tmr_chirp_held: Ticks,
-    l_tmr_chirp_in: bool,
-    d_tmr_hurry_held: Ticks,
-    d_tmr_hurry_in: bool,
+    before_state: __CrossingState,
 }
 impl Crossing {
     pub const fn new() -> Self {
         Self {
             state: __CrossingState::INIT,
             reading: Ticks::ZERO,
-            settled: false,
-            time: Ticks::ZERO,
+            since: Ticks::ZERO,
             edge0_before: false,
-            l_tmr_chirp_held: Ticks::ZERO,
-            l_tmr_chirp_in: false,
-            d_tmr_hurry_held: Ticks::ZERO,
-            d_tmr_hurry_in: false,
+            before_state: __CrossingState::Cars,
         }
     }
 }
@@ -46,81 +38,53 @@ impl Crossing {
                 hurry: false,
             }
         };
-        let elapsed: Ticks = now.since(self.reading);
+        let was_state: __CrossingState = self.state;
+        self.before_state = self.state;
         self.reading = now;
-        self.time = self.time + elapsed;
         match self.state {
             __CrossingState::INIT => {
-                self.time = Ticks::ZERO;
                 self.state = __CrossingState::Cars;
             }
             __CrossingState::Cars => {
                 if !self.edge0_before && inputs.button {
                     self.state = __CrossingState::Asked;
-                    self.time = Ticks::ZERO;
-                    self.settled = false;
-                } else {
-                    self.settled = !(!self.edge0_before && inputs.button);
                 }
             }
             __CrossingState::Asked => {
-                if self.time >= Ticks::new(5000u32) {
+                if now.since(self.since) >= Ticks::new(5000u32) {
                     self.state = __CrossingState::Yellow;
-                    self.time = Ticks::ZERO;
-                    self.settled = false;
-                } else {
-                    self.settled = !(!self.edge0_before && inputs.button);
                 }
             }
             __CrossingState::Yellow => {
-                if self.time >= Ticks::new(3000u32) {
+                if now.since(self.since) >= Ticks::new(3000u32) {
                     self.state = __CrossingState::Stop;
-                    self.time = Ticks::ZERO;
-                    self.settled = false;
-                } else {
-                    self.settled = !(!self.edge0_before && inputs.button);
                 }
             }
             __CrossingState::Stop => {
-                if self.time >= Ticks::new(2000u32) {
+                if now.since(self.since) >= Ticks::new(2000u32) {
                     self.state = __CrossingState::Walk;
-                    self.time = Ticks::ZERO;
-                    self.l_tmr_chirp_in = true;
-                    self.d_tmr_hurry_in = true;
                     outputs.chirp = true;
-                    self.settled = false;
-                } else {
-                    self.settled = !(!self.edge0_before && inputs.button);
                 }
             }
             __CrossingState::Walk => {
-                if self.time >= Ticks::new(8000u32) {
+                if now.since(self.since) >= Ticks::new(8000u32) {
                     self.state = __CrossingState::Clear;
-                    self.time = Ticks::ZERO;
-                    self.l_tmr_chirp_held = Ticks::ZERO;
-                    self.l_tmr_chirp_in = false;
-                    self.d_tmr_hurry_held = Ticks::ZERO;
-                    self.d_tmr_hurry_in = false;
-                    self.settled = false;
                 } else {
-                    self.l_tmr_chirp_held = self.l_tmr_chirp_held + elapsed;
-                    self.d_tmr_hurry_held = self.d_tmr_hurry_held + elapsed;
-                    outputs.chirp = self.l_tmr_chirp_held
+                    outputs.chirp = now.since(self.since)
                         < Ticks::new(1000u32);
-                    outputs.hurry = self.d_tmr_hurry_held
+                    outputs.hurry = now.since(self.since)
                         >= Ticks::new(6000u32);
-                    self.settled = !(!self.edge0_before && inputs.button);
                 }
             }
             __CrossingState::Clear => {
-                if self.time >= Ticks::new(4000u32) {
+                if now.since(self.since) >= Ticks::new(4000u32) {
                     self.state = __CrossingState::Cars;
-                    self.time = Ticks::ZERO;
-                    self.settled = false;
-                } else {
-                    self.settled = !(!self.edge0_before && inputs.button);
                 }
             }
+            _ => {}
+        }
+        if was_state != self.state {
+            self.since = now;
         }
         match self.state {
             __CrossingState::Cars => {
@@ -153,77 +117,84 @@ impl Crossing {
     pub fn next_deadline(
         &self,
     ) -> Option<Ticks> {
-        if !self.settled {
-            return Option::Some(self.reading);
+        if self.before_state != self.state {
+            return Option::Some(self.since);
         }
         let mut soonest = Option::None;
         if self.state == __CrossingState::Asked
-            && self.time < Ticks::new(5000u32)
+            && self.reading.since(self.since) < Ticks::new(5000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(5000u32) - self.time,
+                    Ticks::new(5000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Yellow
-            && self.time < Ticks::new(3000u32)
+            && self.reading.since(self.since) < Ticks::new(3000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(3000u32) - self.time,
+                    Ticks::new(3000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Stop
-            && self.time < Ticks::new(2000u32)
+            && self.reading.since(self.since) < Ticks::new(2000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(2000u32) - self.time,
+                    Ticks::new(2000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Walk
-            && self.time < Ticks::new(8000u32)
+            && self.reading.since(self.since) < Ticks::new(1000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(8000u32) - self.time,
+                    Ticks::new(1000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        if self.state == __CrossingState::Walk
+            && self.reading.since(self.since) < Ticks::new(6000u32)
+        {
+            soonest = sooner(
+                soonest,
+                Option::Some(
+                    Ticks::new(6000u32)
+                        - self.reading.since(self.since),
+                ),
+            );
+        }
+        if self.state == __CrossingState::Walk
+            && self.reading.since(self.since) < Ticks::new(8000u32)
+        {
+            soonest = sooner(
+                soonest,
+                Option::Some(
+                    Ticks::new(8000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }
         if self.state == __CrossingState::Clear
-            && self.time < Ticks::new(4000u32)
+            && self.reading.since(self.since) < Ticks::new(4000u32)
         {
             soonest = sooner(
                 soonest,
                 Option::Some(
-                    Ticks::new(4000u32) - self.time,
-                ),
-            );
-        }
-        if self.l_tmr_chirp_in
-            && self.l_tmr_chirp_held < Ticks::new(1000u32)
-        {
-            soonest = sooner(
-                soonest,
-                Option::Some(
-                    Ticks::new(1000u32) - self.l_tmr_chirp_held,
-                ),
-            );
-        }
-        if self.d_tmr_hurry_in
-            && self.d_tmr_hurry_held < Ticks::new(6000u32)
-        {
-            soonest = sooner(
-                soonest,
-                Option::Some(
-                    Ticks::new(6000u32) - self.d_tmr_hurry_held,
+                    Ticks::new(4000u32)
+                        - self.reading.since(self.since),
                 ),
             );
         }

@@ -9,6 +9,7 @@ mod words;
 
 use std::fmt::Write as _;
 
+use super::clock::Clock;
 use super::{Random, Rng};
 
 /// What such a chart is about.
@@ -112,25 +113,22 @@ impl Sketch {
 fn timeline(rng: &mut Rng, pace: Pace, modes: bool, cycles: usize) -> String {
     let mut text = String::new();
     let mut mode = 0;
-    let (mut on, mut now) = ([false; 3], *rng.pick(&[0, 0, 1000, u32::MAX - 20, 0x8000_0000_u32]));
+    let (mut on, mut clock) = ([false; 3], Clock::new(rng));
     for _ in 0..cycles {
         match rng.below(100) {
             0 => text.push_str("init\n"),
             1 => _ = writeln!(text, "params t={}", rng.pick(&[0, 1, 2, 5, 9, 40])),
             _ => {}
         }
-        for _ in 0..*rng.pick(&[0, 0, 1, 1, 2]) {
+        let changes = *rng.pick(&[0, 0, 1, 1, 2]);
+        for _ in 0..if clock.is_night() { 0 } else { changes } {
             let index = rng.below(3);
             on[index] = !on[index];
         }
         let short = *rng.pick(&[0, 1, 1, 1, 2, 2, 3, 4, 5, 7, 9, 13, 30]);
         let long = *rng.pick(&[1, 2, 535, 1000, 4464, 34_464, 65_400, 65_534, 65_535, 65_536, 65_537, 70_000, 131_072]);
-        let leap = *rng.pick(&[200, 70_000, 0x4000_0000, u32::MAX - 1, u32::MAX]);
-        now = now.wrapping_add(match pace {
-            _ if rng.chance(2) => leap,
-            Pace::Long if rng.chance(40) => long,
-            _ => short,
-        });
+        let pause = if pace == Pace::Long && rng.chance(40) { long } else { short };
+        let now = clock.next(rng, pause);
         for (name, on) in ["a ", "b ", "c "].iter().zip(on) {
             text.push_str(if on { name } else { "" });
         }

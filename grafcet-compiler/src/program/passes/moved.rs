@@ -1,0 +1,199 @@
+//! Whether the cycle has moved is told by the state that it began with, and what all ways to another state do is done behind them.
+//!
+//! ```text
+//! match state                                   was = state
+//!   Green:                                      before = state
+//!     if 10s are over:                          match state
+//!       state = Yellow                    ->      Green:
+//!       since = now                                 if 10s are over: state = Yellow
+//!       settled = false                           …
+//!     else: settled = true                      if was != state: since = now
+//! at reading if !settled                        at since if before != state
+//! ```
+//!
+//! So no way stores that nothing has happened, and no cycle the reading of its clock. What is over while its step stays active is marked there, by a
+//! value that no cycle begins with but the first.
+//!
+//! Needs: the deadline asks whether the last cycle has moved, and nothing else asks that; each way that has moved begins the time anew, and no other.
+
+use super::super::build::{all, compare, not};
+use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::engine::{End, Fact, Leaf, Tree};
+use super::split::each_leaf;
+use super::uses::{Effects, replaced};
+use crate::model::StepId;
+
+/// The ways of one cycle.
+pub(super) struct Ways<'w, 'm> {
+    pub(super) state: PlaceId,
+    /// By point: the state before, the first cycle first.
+    pub(super) points: &'w [Value],
+    pub(super) fields: &'w [PlaceId],
+    pub(super) trees: &'w mut [Option<Tree<'m>>],
+}
+
+/// What is done in front of the ways, and behind them.
+pub(super) type Around<'m> = [Vec<Statement<'m>>; 2];
+
+pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Around<'m> {
+    let nothing = [Vec::new(), Vec::new()];
+    let (Some(settled), Some(since)) = (program.place(Role::Settled), program.place(Role::Began(0))) else {
+        return nothing;
+    };
+    let passed = program.place(Role::Passed);
+    let Some(at) = ways.fields.iter().position(|field| *field == settled) else { return nothing };
+    let moved = Moved { state: ways.state, settled, since, passed, at, mark: ways.points[0] };
+    if !moved.is_told(ways) {
+        return nothing;
+    }
+    let begun = moved.begins(ways);
+    // A step that no cycle begins with and stays in: of the first cycle, and of a step that is left and entered at once.
+    let [one, other, ..] = program.regions[0][..] else { return nothing };
+    let apart = |from: StepId| Value::Step(Some(if from == one { other } else { one }));
+    let name = format!("before.{}", program.places[ways.state.0].name);
+    let initial = Initial::Value(Value::Step(Some(one)));
+    program.places.push(PlaceInfo { name, role: Role::Before, ty: Type::State(0), initial, is_field: true });
+    let before = PlaceId(program.places.len() - 1);
+    for (point, tree) in ways.trees.iter_mut().enumerate() {
+        let from = ways.points[point];
+        let Some(tree) = tree else { continue };
+        tree.each_leaf_mut(&mut |leaf| {
+            let same = leaf.state == from || point == 0 && passed.is_some();
+            let step = if let Value::Step(Some(step)) = leaf.state { step } else { one };
+            moved.tell(leaf, before, same.then(|| apart(step)), begun && leaf.state != from);
+        });
+    }
+    moved.ask(program, before, begun);
+    let (mut front, mut behind) = (vec![Statement::Set(before, Expr::Place(ways.state))], Vec::new());
+    if begun {
+        let name = format!("was.{}", program.places[ways.state.0].name);
+        let initial = Initial::Value(Value::Step(None));
+        program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
+        let begun_in = PlaceId(program.places.len() - 1);
+        front.insert(0, Statement::Set(begun_in, Expr::Place(ways.state)));
+        let goes = compare(Comparison::Differs, Expr::Place(begun_in), Expr::Place(ways.state));
+        behind.push(Statement::If(goes, vec![Statement::Set(since, Expr::Now)], Vec::new()));
+    }
+    [front, behind]
+}
+
+/// What the deadline remembers of the cycle.
+struct Moved {
+    state: PlaceId,
+    settled: PlaceId,
+    since: PlaceId,
+    passed: Option<PlaceId>,
+    /// Where the ways know whether they have settled.
+    at: usize,
+    /// What stands for a time that is over.
+    mark: Value,
+}
+
+impl Moved {
+    /// Whether each way to another state leaves something to the next cycle, and each other one tells whether it does; what is over is so
+    /// only where nothing has moved.
+    fn is_told(&self, ways: &Ways<'_, '_>) -> bool {
+        let passed = self.passed.and_then(|passed| ways.fields.iter().position(|field| *field == passed));
+        let mut told = true;
+        for (tree, from) in ways.trees.iter().zip(ways.points) {
+            let Some(tree) = tree else { continue };
+            told &= !self.is_written(tree);
+            each_leaf(tree, &mut |leaf| {
+                let (stays, goes) = (self.has(leaf, true), self.has(leaf, false));
+                let is_over = passed.is_some_and(|at| leaf.facts.get(at) != Some(&Fact::Is(Value::Bool(false))));
+                told &= if leaf.state == *from { stays || goes && !is_over } else { goes && !is_over };
+                let inner = leaf.body.iter().filter(|one| !self.is_own(one));
+                told &= inner.clone().all(|one| !self.writes(one));
+            });
+        }
+        told
+    }
+
+    /// Whether something of it is written before the end of the ways.
+    fn is_written(&self, tree: &Tree<'_>) -> bool {
+        tree.body.iter().any(|one| self.writes(one))
+            || match &tree.end {
+                End::Leaf(_) => false,
+                End::Fork(_, ways) => ways.iter().any(|way| self.is_written(way)),
+            }
+    }
+
+    fn writes(&self, statement: &Statement<'_>) -> bool {
+        let writes = Effects::of(statement).writes;
+        writes.contains(&self.settled) || self.passed.is_some_and(|passed| writes.contains(&passed))
+    }
+
+    fn is_own(&self, statement: &Statement<'_>) -> bool {
+        matches!(statement, Statement::Set(place, _) if *place == self.settled || Some(*place) == self.passed)
+    }
+
+    /// Whether each way to another state begins the time, and nothing on it asks for it after that; no way that stays does.
+    fn begins(&self, ways: &Ways<'_, '_>) -> bool {
+        let mut begins = true;
+        for (tree, from) in ways.trees.iter().zip(ways.points) {
+            let Some(tree) = tree else { continue };
+            each_leaf(tree, &mut |leaf| {
+                let at = leaf.body.iter().position(|one| self.is_begin(one));
+                begins &= at.is_some() == (leaf.state != *from || self.has(leaf, false));
+                let rest = &leaf.body[at.map_or(leaf.body.len(), |at| at + 1)..];
+                begins &= !Effects::of_all(rest).reads.contains(&self.since);
+            });
+        }
+        begins
+    }
+
+    /// Whether a way is known to end settled, or not.
+    fn has(&self, leaf: &Leaf<'_>, settled: bool) -> bool {
+        leaf.facts.get(self.at) == Some(&Fact::Is(Value::Bool(settled)))
+    }
+
+    fn is_begin(&self, statement: &Statement<'_>) -> bool {
+        matches!(statement, Statement::Set(place, Expr::Now) if *place == self.since)
+    }
+
+    /// At the end of a way: what stands for "the cycle has moved" where the state does not tell, and for a time that is over.
+    fn tell(&self, leaf: &mut Leaf<'_>, before: PlaceId, apart: Option<Value>, begun: bool) {
+        let goes = self.has(leaf, false);
+        let mut body = Vec::with_capacity(leaf.body.len());
+        for statement in leaf.body.drain(..) {
+            match statement {
+                Statement::Set(place, _) if place == self.settled => {}
+                Statement::Set(place, value) if Some(place) == self.passed => {
+                    if !matches!(value, Expr::Value(Value::Bool(false))) {
+                        let mark = Statement::Set(before, Expr::Value(self.mark));
+                        body.push(Statement::If(value, vec![mark], Vec::new()));
+                    }
+                }
+                statement if begun && self.is_begin(&statement) => {}
+                statement => body.push(statement),
+            }
+        }
+        if let (Some(apart), true) = (apart, goes) {
+            body.push(Statement::Set(before, Expr::Value(apart)));
+        }
+        leaf.body = body;
+    }
+
+    /// The deadline asks for the state that the cycle began with.
+    fn ask<'m>(&self, program: &mut Program<'m>, before: PlaceId, begun: bool) {
+        let Some(deadline) = &mut program.deadline else { return };
+        let is_over = compare(Comparison::Equal, Expr::Place(before), Expr::Value(self.mark));
+        let moved = compare(Comparison::Differs, Expr::Place(before), Expr::Place(self.state));
+        let moved = if self.passed.is_some() { all(vec![moved, not(is_over.clone())]) } else { moved };
+        let leaf = |expr: &Expr<'m>| match expr {
+            Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == self.settled) => Some(moved.clone()),
+            Expr::Place(place) if Some(*place) == self.passed => Some(is_over.clone()),
+            _ => None,
+        };
+        // Where nothing else is due at once, the last cycle has begun the time.
+        if begun
+            && matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == self.settled))
+        {
+            deadline.reading = self.since;
+        }
+        deadline.at_once = replaced(&deadline.at_once, &leaf);
+        for (condition, _) in &mut deadline.waits {
+            *condition = replaced(condition, &leaf);
+        }
+    }
+}
