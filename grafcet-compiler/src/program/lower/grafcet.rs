@@ -12,7 +12,7 @@ impl<'m> Lower<'_, 'm> {
     /// stable situation."
     pub(super) fn search_cycle(&mut self) -> Vec<Statement<'m>> {
         let on = Initial::Value(Value::Bool(true));
-        let stable = self.field("stable".to_owned(), Role::Stable, Type::Bool, on);
+        let stable = (!self.search_ends).then(|| self.field("stable".to_owned(), Role::Stable, Type::Bool, on));
         let mut stored = self.stored_places();
         let mut cycle = Vec::new();
         let (kept, values) = self.keep_read_outputs();
@@ -37,7 +37,7 @@ impl<'m> Lower<'_, 'm> {
         part(&mut cycle, "whether the next cycle would do the same", self.settle_search(stable, &kept));
         let mut end = Vec::new();
         // An evolution that the bound stopped has not taken place: its edges are still to be seen.
-        when(&mut end, Expr::Place(stable), self.use_up_edges());
+        when(&mut end, stable.map_or_else(yes, Expr::Place), self.use_up_edges());
         end.push(Statement::Set(self.first, no()));
         part(&mut cycle, "end", end);
         cycle
@@ -50,7 +50,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// One round of the search.
-    fn evolution(&mut self, stable: PlaceId, stored: &mut Stored<'m>) -> Vec<Statement<'m>> {
+    fn evolution(&mut self, stable: Option<PlaceId>, stored: &mut Stored<'m>) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         part(&mut body, "the situation before", self.copy_situation());
         let none_yet = compare(Comparison::Equal, Expr::Place(self.evolutions), number(0));
@@ -65,18 +65,24 @@ impl<'m> Lower<'_, 'm> {
             self.was.iter().zip(&self.state).map(|(was, state)| differ(*was, *state)).collect();
         changes.extend(stored.next.iter().map(|(place, next)| differ(*place, *next)));
         changes.extend(stored.due.iter().map(|due| Expr::Place(*due)));
-        let is_stable = vec![Statement::Set(stable, yes()), Statement::Break];
+        let mut is_stable: Vec<Statement<'m>> =
+            stable.map(|stable| Statement::Set(stable, yes())).into_iter().collect();
+        is_stable.push(Statement::Break);
         part(&mut body, "stable (A25)", vec![Statement::If(not(any(changes)), is_stable, Vec::new())]);
-        let mut stop = vec![Statement::Set(stable, no())];
-        stop.extend(self.take_back());
-        stop.push(Statement::Break);
-        let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound() as usize));
-        part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
+        if let Some(stable) = stable {
+            let mut stop = vec![Statement::Set(stable, no())];
+            stop.extend(self.take_back());
+            stop.push(Statement::Break);
+            let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound() as usize));
+            part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
+        }
         let mut commit = calls;
         commit.extend(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
         commit.extend(self.begin_times());
         commit.extend(self.use_up_edges());
-        commit.push(Statement::Set(self.evolutions, Expr::Next(self.evolutions)));
+        // Without a bound it is enough to know whether there has been one.
+        let count = if stable.is_some() { Expr::Next(self.evolutions) } else { number(1) };
+        commit.push(Statement::Set(self.evolutions, count));
         part(&mut body, "it takes place, all at once (A6)", commit);
         part(&mut body, "what observers are told", self.tell_evolution());
         body
@@ -107,9 +113,9 @@ impl<'m> Lower<'_, 'm> {
 
     /// Whether a search that begins again would find what this one has found: it was stable, no edge is gone, delays have seen the
     /// situation it has led to, and no output that is read has another value now.
-    fn settle_search(&self, stable: PlaceId, kept: &[(PlaceId, PlaceId)]) -> Vec<Statement<'m>> {
+    fn settle_search(&self, stable: Option<PlaceId>, kept: &[(PlaceId, PlaceId)]) -> Vec<Statement<'m>> {
         let Some(settled) = self.settled else { return Vec::new() };
-        let mut moves = vec![Expr::Place(self.first), not(Expr::Place(stable)), self.has_edges()];
+        let mut moves = vec![Expr::Place(self.first), not(stable.map_or_else(yes, Expr::Place)), self.has_edges()];
         if !self.delays.is_empty() {
             moves.push(compare(Comparison::Differs, Expr::Place(self.evolutions), number(0)));
         }

@@ -30,8 +30,8 @@ mod view;
 use std::fmt;
 
 use super::{Expr, PlaceId, PlaceInfo, Program};
-use crate::analysis::{Facts, combinational, hierarchy::masters};
-use crate::model::{Blinker, Effect, Model, PartialId, Place, Qualifier, StepId};
+use crate::analysis::{Facts, Stability, combinational, hierarchy::masters};
+use crate::model::{Blinker, Effect, Model, PartialId, Place, Qualifier, StepId, Ty};
 use crate::plan::Regions;
 use crate::sorted::Set;
 
@@ -147,6 +147,18 @@ struct Lower<'r, 'm> {
     free: Vec<Option<PlaceId>>,
     /// `grafcet`: how many evolutions have changed something.
     evolutions: PlaceId,
+    /// Each search is certain to end: no bound stops it (A30).
+    search_ends: bool,
+}
+
+/// Whether each search is certain to end, as far as the structure tells: no circle turns for ever, and no value that is stored says of itself that
+/// it is another one.
+fn ends(model: &Model, facts: &Facts<'_>) -> bool {
+    let compared = |ty: &Ty| matches!(ty, Ty::Other(_)) && !ty.is_float();
+    let opaque =
+        model.outputs.values().any(|output| compared(&output.ty)) || model.vars.values().any(|var| compared(&var.ty));
+    let free = !opaque && model.is_grafcet() && model.max_evolutions.is_none();
+    free && Stability::of(model, &facts.concurrency).is_certain()
 }
 
 /// What the rules of the dialect and of the hierarchy exclude.

@@ -73,6 +73,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             entered: Vec::new(),
             free: vec![None; model.partials.len()],
             evolutions: PlaceId(0),
+            search_ends: super::ends(model, facts),
         };
         lower.first = lower.field("first".to_owned(), Role::First, Type::Bool, truth(true));
         lower.situation();

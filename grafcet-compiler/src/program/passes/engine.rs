@@ -66,7 +66,7 @@ pub(super) struct Engine<'e, 'm> {
     /// What conditions on the way have told.
     pub(super) learned: Vec<PlaceId>,
     /// What has been a copy of what so far.
-    copies: Vec<(PlaceId, PlaceId)>,
+    pub(super) copies: Vec<(PlaceId, PlaceId)>,
     /// What [`Fact::Among`] stands for.
     pub(super) lists: Vec<Among>,
     ways: usize,
@@ -127,13 +127,15 @@ impl<'e, 'm> Engine<'e, 'm> {
     /// The ways from a point, with what is known there.
     pub(super) fn from(&mut self, point: usize, known: &[(PlaceId, Fact)], ways: usize) -> Result<Tree<'m>, Lost> {
         self.ways = ways;
+        // What was a copy in front of it still is one.
         for (place, fact) in known {
-            self.note(*place, *fact);
+            self.trail.push((*place, std::mem::replace(&mut self.env[place.0], *fact)));
         }
+        let given = self.copies.clone();
         let tree = self.go(point, Cursor::default());
         self.back(0);
         self.learned.clear();
-        self.copies.clear();
+        self.copies = given;
         tree
     }
 

@@ -198,6 +198,7 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut engine = Engine::new(self.places, (list, index), state, points, &[], &assumed, false);
         engine.env.clone_from(&env.facts);
         engine.lists.clone_from(&env.lists);
+        engine.copies = copies(&env.facts);
         engine
     }
 
@@ -291,6 +292,17 @@ fn join_wide(parts: &mut Vec<Part<'_>>, places: &[PlaceInfo<'_>]) {
         }
         at += 1;
     }
+}
+
+/// What is a copy of what.
+fn copies(facts: &[Fact]) -> Vec<(PlaceId, PlaceId)> {
+    let mut copies = Vec::new();
+    for (place, fact) in facts.iter().enumerate() {
+        if let Fact::Copy(of) = fact {
+            copies.push((PlaceId(place), *of));
+        }
+    }
+    copies
 }
 
 fn asks_first(program: &Program<'_>, cycle: &[Statement<'_>]) -> bool {
