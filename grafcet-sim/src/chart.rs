@@ -14,6 +14,7 @@ use crate::names::Names;
 pub struct Chart {
     model: Model,
     names: Names,
+    source: Option<TokenStream>,
 }
 
 /// Why a source is no chart that can be run.
@@ -68,6 +69,7 @@ impl Chart {
     /// As of [`Chart::parse`].
     pub fn of_tokens(tokens: TokenStream) -> Result<Self, Refused> {
         let mut sink = Sink::new();
+        let source = tokens.clone();
         let model = parse::chart(tokens, &mut sink).map(|chart| {
             let model = model::resolve(&chart, &mut sink);
             check::drawing(&model, &mut sink);
@@ -76,7 +78,7 @@ impl Chart {
         let wrong = sink.has_errors();
         let messages = sink.finish();
         match model {
-            Some(model) if !wrong => Ok(Self::of_model(model)),
+            Some(model) if !wrong => Ok(Self { source: Some(source), ..Self::of_model(model) }),
             _ => {
                 let errors = messages.iter().filter(|one| one.severity == Severity::Deny);
                 let errors = errors.filter_map(|one| one.notes.first());
@@ -88,13 +90,24 @@ impl Chart {
     /// From the compiler's model.
     #[must_use]
     pub fn of_model(model: Model) -> Self {
-        Self { names: Names::of(&model), model }
+        Self { names: Names::of(&model), model, source: None }
     }
 
     /// The compiler's model.
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
+    }
+
+    /// Tells charts apart, as the fingerprint that a recorder writes; none for a chart that was made of a model.
+    #[must_use]
+    pub fn fingerprint(&self) -> Option<u32> {
+        self.source.clone().map(grafcet_compiler::fingerprint::of)
+    }
+
+    /// The tokens it was made of.
+    pub(crate) fn source(&self) -> Option<&TokenStream> {
+        self.source.as_ref()
     }
 
     /// What everything in it is called.

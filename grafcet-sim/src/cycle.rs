@@ -12,6 +12,8 @@ pub struct Cycle {
     pub now: u32,
     /// What is not known of the time before it.
     pub gap: Option<Gap>,
+    /// So many cycles between the one before and this one did nothing of their own, with the inputs as they were; a record does not say when.
+    pub skipped: u32,
     pub inputs: Vec<Value>,
     /// The active steps at its end.
     pub steps: Vec<usize>,

@@ -162,6 +162,7 @@ impl<'c> Simulation<'c> {
         let cycle = Cycle {
             now,
             gap: None,
+            skipped: 0,
             inputs: self.inputs(),
             steps: self.steps(),
             outputs: self.outputs(),

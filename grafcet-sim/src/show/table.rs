@@ -20,6 +20,7 @@ pub fn table(trace: &Trace) -> String {
     let mut rows: Vec<Row> = vec![Row::Cells(headings.map(str::to_owned))];
     let mut same = 0;
     for (index, cycle) in trace.cycles.iter().enumerate() {
+        same += usize::try_from(cycle.skipped).unwrap_or(usize::MAX);
         let before = index.checked_sub(1).map(|before| &trace.cycles[before]);
         if before.is_some_and(|before| shows_nothing_new(before, cycle)) {
             same += 1;

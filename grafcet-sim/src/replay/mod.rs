@@ -1,0 +1,323 @@
+//! A record of the controller, run again from the chart's source alone.
+
+mod layout;
+
+use std::fmt;
+
+use grafcet_core::record::{Block, Damage, Happened, Key, Reader, Records};
+
+use self::layout::Layout;
+use crate::chart::Chart;
+use crate::cycle::Gap;
+use crate::names::{Kind, Signal};
+use crate::program::Program;
+use crate::simulation::{Error, Simulation};
+use crate::trace::Trace;
+use crate::value::Value;
+
+/// How a record is run again.
+#[derive(Clone, Default)]
+pub struct Replay<'p> {
+    program: Program<'p>,
+    is_other: bool,
+}
+
+/// Why a record cannot be run again.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ReplayError {
+    /// There is no record in these bytes, or nothing of it is whole.
+    NoRecord,
+    /// The record is of another chart, or of another version of this one.
+    OtherChart {
+        /// The fingerprint in the record.
+        recorded: u32,
+        /// That of the source; none where the chart was made of a model.
+        source: Option<u32>,
+    },
+    /// The bits of an input or parameter are no value: the record is of a chart with others.
+    Values(String),
+    /// A type of the program, of which the source does not tell how it is written down: list its variants in the chart.
+    Type(String),
+    /// A cycle cannot be run.
+    Chart(Error),
+}
+
+impl fmt::Display for ReplayError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoRecord => f.write_str("there is no record in these bytes, or nothing of it is whole"),
+            Self::OtherChart { recorded, source: Some(source) } => {
+                write!(
+                    f,
+                    "the record is of another chart or version: its fingerprint is {recorded:08x}, that of the source {source:08x}"
+                )
+            }
+            Self::OtherChart { recorded, source: None } => {
+                write!(f, "whether the record is of this chart is not known: its fingerprint is {recorded:08x}")
+            }
+            Self::Values(name) => write!(f, "what is recorded of `{name}` is no value of it"),
+            Self::Type(name) => {
+                write!(f, "how `{name}` is recorded does not follow from the source: list its variants")
+            }
+            Self::Chart(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for ReplayError {}
+
+impl From<Error> for ReplayError {
+    fn from(error: Error) -> Self {
+        Self::Chart(error)
+    }
+}
+
+impl<'p> Replay<'p> {
+    /// With nothing around the chart.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What the program around the chart contributes.
+    #[must_use]
+    pub fn beside(mut self, program: Program<'p>) -> Self {
+        self.program = program;
+        self
+    }
+
+    /// Also a record of another version of the chart with the same inputs and parameters: to see what a change of the chart changes. The
+    /// trace has a warning.
+    #[must_use]
+    pub fn even_if_changed(mut self) -> Self {
+        self.is_other = true;
+        self
+    }
+
+    /// Runs the record, which are the bytes of a recorder's memory.
+    ///
+    /// What is missing or not known is a gap in the trace, and what differs from the recorded states a warning.
+    ///
+    /// # Errors
+    /// As [`ReplayError`] says.
+    pub fn run(&self, chart: &Chart, record: &[u8]) -> Result<Trace, ReplayError> {
+        let records = Records::of(record).map_err(|_| ReplayError::NoRecord)?;
+        let (recorded, source) = (records.fingerprint(), chart.fingerprint());
+        let is_same = source == Some(recorded);
+        if !is_same && !self.is_other {
+            return Err(ReplayError::OtherChart { recorded, source });
+        }
+        let mut run = Run {
+            chart,
+            program: &self.program,
+            layout: is_same.then(|| chart.source().and_then(Layout::of)).flatten(),
+            simulation: None,
+            trace: None,
+            inputs: Vec::new(),
+            cycle: 0,
+            now: 0,
+            gap: None,
+        };
+        run.all(&records)?;
+        run.cover();
+        let mut trace = match run.trace {
+            Some(trace) => trace,
+            None => Trace::of(&Simulation::beside(chart, self.program.clone())?),
+        };
+        if let Some(gap) = run.gap {
+            trace.warnings.push(format!("the end of the record is missing: {}", gap.reason));
+        }
+        if !is_same {
+            trace.warnings.insert(0, ReplayError::OtherChart { recorded, source }.to_string());
+        } else if run.layout.is_none() {
+            trace.warnings.push("the recorded states could not be compared: the chart does not compile".to_owned());
+        }
+        Ok(trace)
+    }
+}
+
+/// A record that is being run.
+struct Run<'r> {
+    chart: &'r Chart,
+    program: &'r Program<'r>,
+    layout: Option<Layout>,
+    /// None where the state is not known.
+    simulation: Option<Simulation<'r>>,
+    trace: Option<Trace>,
+    /// As they are written down.
+    inputs: Vec<u8>,
+    cycle: u32,
+    now: u32,
+    /// What is to be said in front of the next cycle.
+    gap: Option<Gap>,
+}
+
+impl Run<'_> {
+    fn all(&mut self, records: &Records<'_>) -> Result<(), ReplayError> {
+        for block in records.blocks() {
+            let block = match block {
+                Ok(block) => block,
+                Err(damage) => {
+                    self.lose(&said(damage));
+                    continue;
+                }
+            };
+            if block.missing > 0 {
+                self.lose(&format!("{} blocks of the record were overwritten or are damaged", block.missing));
+            }
+            self.block(&block)?;
+        }
+        Ok(())
+    }
+
+    fn block(&mut self, block: &Block<'_>) -> Result<(), ReplayError> {
+        self.key(&block.key)?;
+        for entry in block.entries() {
+            let entry = match entry {
+                Ok(entry) => entry,
+                Err(damage) => {
+                    self.lose(&said(damage));
+                    return Ok(());
+                }
+            };
+            match entry.what {
+                Happened::Cycle { elapsed, change } => {
+                    if let Some(change) = change {
+                        change.apply(&mut self.inputs);
+                    }
+                    self.cycle = self.cycle.wrapping_add(entry.skipped);
+                    self.run(self.now.wrapping_add(elapsed), entry.skipped)?;
+                }
+                Happened::State(key) => self.key(&key)?,
+            }
+        }
+        if block.torn {
+            self.lose("the program ended while it wrote an entry, or a bit of it has changed since");
+        }
+        Ok(())
+    }
+
+    /// From here on nothing is known.
+    fn lose(&mut self, reason: &str) {
+        self.cover();
+        self.note(reason);
+    }
+
+    /// What the simulation so far has covered goes to the trace.
+    fn cover(&mut self) {
+        if let (Some(simulation), Some(trace)) = (self.simulation.take(), &mut self.trace) {
+            trace.coverage.add(&simulation.coverage());
+        }
+    }
+
+    fn note(&mut self, reason: &str) {
+        let before = self.gap.take();
+        if before.as_ref().is_some_and(|before| before.reason.ends_with(reason)) {
+            self.gap = before;
+            return;
+        }
+        let reason = before.map_or_else(|| reason.to_owned(), |before| format!("{}; {reason}", before.reason));
+        self.gap = Some(Gap { reason, cycles: None });
+    }
+
+    /// A cycle with the inputs as they are; `skipped` ones in front of it did nothing.
+    fn run(&mut self, now: u32, skipped: u32) -> Result<(), ReplayError> {
+        self.now = now;
+        self.cycle = self.cycle.wrapping_add(1);
+        let names = self.chart.names();
+        let values = read(&names.inputs, &self.inputs)?;
+        let Some(simulation) = &mut self.simulation else { return Ok(()) };
+        let trace = self.trace.get_or_insert_with(|| Trace::of(simulation));
+        let mut cycle = simulation.cycle_with(now, &values)?;
+        cycle.gap = self.gap.take();
+        cycle.skipped = skipped;
+        trace.cycles.push(cycle);
+        Ok(())
+    }
+
+    /// A state that is written down.
+    fn key(&mut self, key: &Key<'_>) -> Result<(), ReplayError> {
+        let params = read(&self.chart.names().params, key.params)?;
+        if self.simulation.is_some() && self.cycle != key.cycle {
+            // One cycle in place of all that did nothing.
+            let skipped = key.cycle.wrapping_sub(self.cycle).wrapping_sub(1);
+            self.run(key.reading, skipped)?;
+        }
+        self.inputs = key.inputs.to_vec();
+        (self.cycle, self.now) = (key.cycle, key.reading);
+        // A chart that goes on can be in a state that is also its first one.
+        if key.fresh && (key.replaced || self.simulation.is_none()) {
+            if self.trace.as_ref().is_some_and(|trace| !trace.cycles.is_empty()) {
+                self.note("the chart began anew here");
+            }
+            self.cover();
+            let mut simulation = Simulation::beside(self.chart, self.program.clone())?;
+            set_params(&mut simulation, &params)?;
+            self.simulation = Some(simulation);
+            return Ok(());
+        }
+        let Some(simulation) = &mut self.simulation else {
+            if self.gap.is_none() {
+                self.note("the record begins in a state that does not follow from the source alone");
+            }
+            return Ok(());
+        };
+        set_params(simulation, &params)?;
+        let difference = self.layout.as_ref().and_then(|layout| layout.difference(key.state, simulation));
+        if let Some(difference) = difference {
+            let what =
+                if key.replaced { "the chart was changed from outside" } else { "the replay differs from the record" };
+            let said = format!("{what} after {} cycles: {difference}", key.cycle);
+            if !key.replaced {
+                if let Some(trace) = &mut self.trace {
+                    trace.warnings.push(said.clone());
+                }
+            }
+            self.lose(&said);
+        }
+        Ok(())
+    }
+}
+
+fn said(damage: Damage) -> String {
+    match damage {
+        Damage::NoRecord => "nothing is whole".to_owned(),
+        Damage::OtherChart { fingerprint } => format!("a part of the record is of another chart ({fingerprint:08x})"),
+        Damage::OtherLayout => "a part of the record was made by another compiler".to_owned(),
+        Damage::Nonsense => "bytes that mean nothing".to_owned(),
+    }
+}
+
+fn set_params(simulation: &mut Simulation<'_>, params: &[Value]) -> Result<(), ReplayError> {
+    let names = simulation.names();
+    for (param, value) in names.params.iter().zip(params) {
+        simulation.set_param(&param.name, value.clone())?;
+    }
+    Ok(())
+}
+
+/// The values that are written in these bits.
+fn read(signals: &[Signal], bytes: &[u8]) -> Result<Vec<Value>, ReplayError> {
+    let mut bits = Reader::new(bytes);
+    signals.iter().map(|signal| value(&mut bits, signal)).collect()
+}
+
+fn value(bits: &mut Reader<'_>, signal: &Signal) -> Result<Value, ReplayError> {
+    let none = || ReplayError::Values(signal.name.clone());
+    Ok(match &signal.kind {
+        Kind::Bool => Value::Bool(bits.take(1).ok_or_else(none)? != 0),
+        Kind::Int { signed, bits: width } => Value::Int(layout::int(bits, *width, *signed).ok_or_else(none)?),
+        Kind::Time => Value::Ticks(bits.take(32).ok_or_else(none)?),
+        Kind::Float(32) => Value::Float(f32::from_bits(bits.take(32).ok_or_else(none)?).into()),
+        Kind::Float(_) => {
+            let (low, high) = (bits.take(32).ok_or_else(none)?, bits.take(32).ok_or_else(none)?);
+            Value::Float(f64::from_bits(u64::from(high) << 32 | u64::from(low)))
+        }
+        Kind::Listed(_, names) => {
+            let place = bits.take(grafcet_core::record::bits_for(names.len())).ok_or_else(none)?;
+            Value::Name(names.get(place as usize).ok_or_else(none)?.clone())
+        }
+        Kind::Other(_) => return Err(ReplayError::Type(signal.name.clone())),
+    })
+}

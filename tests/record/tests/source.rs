@@ -1,0 +1,193 @@
+//! A record that is run again with the chart's source alone shows what the compiled chart shows.
+
+use std::fmt::Debug;
+
+use grafcet::record::{Recordable, Recorder, Records, replay};
+use grafcet::{Phase, grafcet};
+use grafcet_record::Storm;
+use grafcet_record::branch_on_result::Sorter;
+use grafcet_record::cell::{Cell, CellInputs};
+use grafcet_record::line24v::Line24V;
+use grafcet_record::motor::Motor;
+use grafcet_record::recipe::{self, Dyer, DyerActions};
+use grafcet_record::tickless::Crossing;
+use grafcet_sim::{Asked, Chart, Program, Replay, ReplayError, Trace, Value, page, table};
+
+struct Nobody;
+
+impl DyerActions for Nobody {
+    fn heat(&mut self, _: Phase, _: i16) {}
+    fn drum(&mut self, _: Phase, _: u16) {}
+}
+
+fn none() -> &'static mut () {
+    Box::leak(Box::new(()))
+}
+
+fn source(file: &str, name: &str) -> Chart {
+    Chart::in_file(file, name).unwrap_or_else(|refused| panic!("{name}: {refused}"))
+}
+
+/// What a cycle of a trace shows, as `Debug` writes the outputs of a compiled chart.
+fn shown(trace: &Trace, cycle: usize) -> (u32, Vec<String>, String) {
+    let (names, cycle) = (&trace.names, &trace.cycles[cycle]);
+    let outputs = names.outputs.iter().zip(&cycle.outputs).map(|(output, value)| format!("{}: {value}", output.name));
+    let outputs: Vec<String> = outputs.collect();
+    let mut steps: Vec<String> = cycle.steps.iter().map(|step| names.steps[*step].name.clone()).collect();
+    steps.sort_unstable();
+    (cycle.now, steps, format!("{}Outputs {{ {} }}", names.chart, outputs.join(", ")))
+}
+
+/// Records a storm of inputs and runs the record both ways.
+fn agree<C>(chart: &C, actions: fn() -> &'static mut C::Actions<'static>, file: &str)
+where
+    C: Recordable<Outputs: Debug>,
+{
+    let source = source(file, C::NAME);
+    assert_eq!(source.fingerprint(), Some(C::FINGERPRINT), "{}", C::NAME);
+    for seed in 0..10 {
+        let mut recorder = Recorder::new(chart.clone(), vec![0; 100_000]).expect("enough memory");
+        let mut storm = Storm::<C::Inputs>::new(seed);
+        for cycle in 0..1_500 {
+            if cycle % 700 == 699 {
+                recorder.change(C::init);
+            }
+            let (inputs, now) = storm.cycle();
+            recorder.cycle(&inputs, now, actions());
+        }
+        recorder.flush();
+        let trace =
+            Replay::new().run(&source, recorder.record()).unwrap_or_else(|error| panic!("{}: {error}", C::NAME));
+        assert_eq!(trace.warnings, [] as [&str; 0], "{}: no warning", C::NAME);
+        let mut compiled = Vec::new();
+        let records = Records::of(recorder.record()).expect("a record");
+        let replayed = replay::<C>(&records, actions(), |moment| {
+            let active = C::STEPS.iter().filter(|step| moment.chart.is_active(**step));
+            let mut steps: Vec<String> = active.map(ToString::to_string).collect();
+            steps.sort_unstable();
+            compiled.push((moment.now.get(), steps, format!("{:?}", moment.outputs)));
+        });
+        assert_eq!(replayed, Ok(()));
+        assert_eq!(compiled.len(), trace.cycles.len(), "{} {seed}", C::NAME);
+        for (cycle, compiled) in compiled.into_iter().enumerate() {
+            assert_eq!(shown(&trace, cycle), compiled, "{} {seed}: cycle {cycle}", C::NAME);
+        }
+        let begun: Vec<&str> = trace.gaps().map(|(_, gap)| gap.reason.as_str()).collect();
+        assert_eq!(begun, ["the chart began anew here"; 2], "{}: `init` is told", C::NAME);
+    }
+}
+
+#[test]
+fn what_the_source_shows_is_what_the_compiled_chart_shows() {
+    agree(&Motor::new(), none, include_str!("../../../examples/charts/motor.rs"));
+    agree(&Cell::new(), none, include_str!("../../../examples/charts/cell.rs"));
+    agree(&Line24V::new(), none, include_str!("../../../examples/charts/line24v.rs"));
+    agree(&Sorter::new(), none, include_str!("../../../examples/charts/branch_on_result.rs"));
+    agree(&Crossing::new(), none, include_str!("../../../examples/charts/tickless.rs"));
+    let file = include_str!("../../../examples/charts/recipe.rs");
+    agree(&Dyer::with_params(recipe::WOOL), || Box::leak(Box::new(Nobody)), file);
+}
+
+const CELL: &str = include_str!("../../../examples/charts/cell.rs");
+
+/// A record of the cell with these inputs.
+fn recorded(memory: usize, inputs: impl IntoIterator<Item = CellInputs>) -> Vec<u8> {
+    let mut recorder = Recorder::new(Cell::new(), vec![0; memory]).expect("enough memory");
+    for inputs in inputs {
+        recorder.cycle(&inputs, 0_u32, &mut ());
+    }
+    recorder.flush();
+    recorder.record().to_vec()
+}
+
+fn storm(cycles: usize) -> impl Iterator<Item = CellInputs> {
+    let mut storm = Storm::<CellInputs>::new(3);
+    std::iter::repeat_with(move || storm.cycle().0).take(cycles)
+}
+
+#[test]
+fn another_version_is_no_silent_replay() {
+    let record = recorded(100_000, storm(3_000));
+    let changed = CELL.replace("Manual -[rising(auto)]-> Auto", "Manual -[auto]-> Auto");
+    assert_ne!(changed, CELL);
+    let changed = source(&changed, "Cell");
+    let refused = Replay::new().run(&changed, &record);
+    assert!(
+        matches!(refused, Err(ReplayError::OtherChart { recorded, .. }) if recorded == Cell::FINGERPRINT),
+        "{refused:?}"
+    );
+    let trace = Replay::new().even_if_changed().run(&changed, &record).expect("the same inputs");
+    assert!(trace.warnings[0].starts_with("the record is of another chart or version"), "{:?}", trace.warnings);
+    assert!(table(&trace).starts_with("! the record is of another chart or version"));
+    // The first cycle that differs, for a regression test.
+    let before = Replay::new().run(&source(CELL, "Cell"), &record).expect("a record");
+    let difference = before.first_difference(&trace).expect("a difference");
+    let (here, there) = (shown(&before, difference.cycle), shown(&trace, difference.cycle));
+    assert_ne!(here, there);
+    assert!((0..difference.cycle).all(|cycle| shown(&before, cycle) == shown(&trace, cycle)), "{difference}");
+    assert_eq!(Replay::new().run(&changed, &[0; 500]), Err(ReplayError::NoRecord));
+}
+
+#[test]
+fn a_wrapped_ring_says_what_is_missing() {
+    let record = recorded(600, storm(3_000));
+    let cell = source(CELL, "Cell");
+    let trace = Replay::new().run(&cell, &record).expect("a record");
+    assert!(trace.cycles.is_empty(), "the state at its begin is not known from the source");
+    assert!(trace.warnings.iter().any(|text| text.contains("overwritten")), "{:?}", trace.warnings);
+    assert!(page(&cell, &trace).contains("overwritten"), "the page says so");
+}
+
+#[test]
+fn a_state_from_outside_is_told() {
+    let mut recorder = Recorder::new(Cell::new(), vec![0; 5_000]).expect("enough memory");
+    recorder.cycle(&CellInputs::default(), 0_u32, &mut ());
+    // A state that no inputs of the record explain.
+    recorder.change(|cell| _ = cell.cycle(&CellInputs { auto: true, ..CellInputs::default() }));
+    recorder.cycle(&CellInputs { auto: true, ..CellInputs::default() }, 0_u32, &mut ());
+    recorder.flush();
+    let trace = Replay::new().run(&source(CELL, "Cell"), recorder.record()).expect("a record");
+    assert_eq!(trace.cycles.len(), 1);
+    let said = "the chart was changed from outside after 1 cycles: active are Auto, Feed, Ready in the record, Manual, Ready in the replay";
+    assert!(trace.warnings.iter().any(|text| text.ends_with(said)), "{:?}", trace.warnings);
+}
+
+const fn near(height: u8) -> bool {
+    height > 100
+}
+
+grafcet! {
+    /// Asks a function of the program.
+    sfc Lift {
+        input height: u8;
+        output stop: bool;
+        initial step Up;
+        step Down { N stop; }
+        Up -[near(height)]-> Down -[height == 0]-> Up;
+    }
+}
+
+#[test]
+fn a_function_that_is_not_the_same_is_found() {
+    let mut recorder = Recorder::new(Lift::new(), vec![0; 5_000]).expect("enough memory");
+    for height in [0, 50, 120, 120, 120, 0, 0, 60, 60, 60] {
+        recorder.cycle(&LiftInputs { height }, 0_u32, &mut ());
+    }
+    recorder.flush();
+    let lift = source(include_str!("source.rs"), "Lift");
+    let limit = |limit: i128| {
+        let near = move |asked: &Asked<'_>| match asked.value("height")? {
+            Value::Int(height) => Some(Value::Bool(height >= limit)),
+            _ => None,
+        };
+        Replay::new().beside(Program::new().function(near)).run(&lift, recorder.record())
+    };
+    assert!(
+        matches!(Replay::new().run(&lift, recorder.record()), Err(ReplayError::Chart(_))),
+        "nobody says what it is"
+    );
+    assert_eq!(limit(101).expect("a record").warnings, [] as [&str; 0]);
+    let other = limit(55).expect("a record");
+    let said = "the replay differs from the record after 10 cycles: active are Up in the record, Down in the replay";
+    assert!(other.warnings.iter().any(|text| text.contains(said)), "{:?}", other.warnings);
+}
