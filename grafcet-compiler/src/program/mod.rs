@@ -244,6 +244,8 @@ pub enum Expr<'m> {
     Compare(Comparison, Box<Expr<'m>>, Box<Expr<'m>>),
     /// The second where the first holds, else the third.
     Choose(Box<[Expr<'m>; 3]>),
+    /// What a table has for the state that a place holds; for one that it does not have, that state.
+    Table(PlaceId, Vec<(Value, Value)>),
     /// Of times: a sum or difference that saturates.
     Add(Box<Expr<'m>>, Box<Expr<'m>>),
     Sub(Box<Expr<'m>>, Box<Expr<'m>>),

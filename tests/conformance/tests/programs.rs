@@ -250,6 +250,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Forward, lamp),
         (Pass::Dead, lamp),
         (Pass::Store, lamp),
+        (Pass::Tables, &belt()),
         (Pass::Records, lamp),
         (Pass::Fences, pair),
     ] {
@@ -269,6 +270,33 @@ fn each_pass_is_as_recorded() {
             &format!("{before}\n\n---- {pass:?} ----\n\n{after}"),
         );
     }
+}
+
+/// Nine steps, two of which wait for the same as others.
+fn belt() -> String {
+    let mut text = "sfc Belt { input a, b: bool; output p: bool; ".to_owned();
+    for step in 0..9 {
+        let initial = if step == 0 { "initial " } else { "" };
+        let input = ["a", "!b"][usize::from(step % 4 == 2)];
+        let action = if step % 3 == 1 { " { p; }" } else { ";" };
+        _ = write!(text, "{initial}step S{step}{action} S{step} -[{input}]-> S{}; ", (step + 1) % 9);
+    }
+    text + "}"
+}
+
+/// A table leads from each step to its next one, and nowhere while its condition does not hold.
+#[test]
+fn a_table_says_which_step_is_next() {
+    let model = read(&belt());
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("table("), "{program}");
+    let mut text = "---\n---\n".to_owned();
+    for cycle in 0..80_u32 {
+        let inputs = ["", "a", "b", "a b", "a"][(cycle / 2 % 5) as usize];
+        _ = writeln!(text, "{inputs} @{cycle} | |");
+    }
+    let lines = reader::read(&text).expect("a timeline").lines;
+    assert!(matches!(compare(&model, &lines, Encoding::Regions, &Pass::ALL), Ok(Outcome::Same)));
 }
 
 fn recorded(path: &Path, now: &str) {

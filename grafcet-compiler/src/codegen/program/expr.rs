@@ -1,12 +1,13 @@
 //! Expressions.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 
 use super::Printer;
 use super::user::is_input;
 use crate::list::List;
 use crate::place::quote;
-use crate::program::{Comparison, Expr, PlaceId, Type};
+use crate::program::{Comparison, Expr, PlaceId, Type, Value};
+use crate::sorted::Map;
 
 /// How closely an expression binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -108,6 +109,7 @@ impl<'m> Printer<'_, 'm> {
             }
             Expr::Add(a, b) => (self.sum(a, &quote!(+), b), Binds::Sum),
             Expr::Sub(a, b) => (self.sum(a, &quote!(-), b), Binds::Sum),
+            Expr::Table(place, table) => (self.table(*place, table), Binds::Block),
             Expr::Next(place) => {
                 let place = self.get(*place);
                 (quote!(#place.wrapping_add(1)), Binds::Term)
@@ -134,6 +136,21 @@ impl<'m> Printer<'_, 'm> {
             part => matches!(part, Expr::Input(_)),
         };
         self.eager && parts.iter().all(is_input)
+    }
+
+    /// What a table has for the state of a place. None is out of its bounds, which LLVM knows.
+    fn table(&self, place: PlaceId, table: &[(Value, Value)]) -> TokenStream {
+        let (p, ty, state) = (&self.cx.p, self.program.places[place.0].ty, self.get(place));
+        let of_state: Map<Value, Value> = table.iter().copied().collect();
+        let mut values = Vec::new();
+        for from in self.layout.states(self.program, ty) {
+            values.push(self.constant(*of_state.get(&from).unwrap_or(&from), ty));
+        }
+        let (length, held) = (Literal::usize_suffixed(values.len()), self.ty(place));
+        quote!({
+            const TABLE: [#held; #length] = [#(#values),*];
+            match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => *found, #p::Option::None => #state }
+        })
     }
 
     fn sum(&self, a: &Expr<'m>, sign: &TokenStream, b: &Expr<'m>) -> TokenStream {

@@ -100,6 +100,19 @@ impl Layout {
         }
     }
 
+    /// All values of a state, in the order in which the enum of its region has them.
+    pub(super) fn states(&self, program: &Program<'_>, ty: Type<'_>) -> Vec<Value> {
+        let Type::State(region) = ty else { return Vec::new() };
+        let mut all = Vec::new();
+        for step in &program.regions[region] {
+            all.push(Value::Step(Some(*step)));
+        }
+        let states = self.regions[region];
+        all.extend(states.empty.then_some(Value::Step(None)));
+        all.extend(states.start.map(|Start(seen)| Value::Start(seen)));
+        all
+    }
+
     fn slot(&self, place: PlaceId) -> &Slot {
         &self.slots[place.0]
     }

@@ -38,7 +38,7 @@ struct Printer<'p, 'm> {
 pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
     let cycle = statement::unwatched(&program.cycle);
     let layout = Layout::of(cx, program, &cycle);
-    let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { .. }));
+    let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { rounds: 2.., .. }));
     let printer = Printer { cx, program, layout, eager };
     Machine {
         types: printer.types(),

@@ -85,7 +85,7 @@ pub(super) fn statement(statement: &Statement<'_>, note: &mut dyn FnMut(Seen)) {
 pub(super) fn expr(expr: &Expr<'_>, note: &mut dyn FnMut(Seen)) {
     match expr {
         Expr::Value(value) => note(Seen::Value(*value)),
-        Expr::Place(place) | Expr::Is(place, _) | Expr::Next(place) => note(Seen::Read(*place)),
+        Expr::Place(place) | Expr::Is(place, _) | Expr::Table(place, _) | Expr::Next(place) => note(Seen::Read(*place)),
         Expr::Initial(_) | Expr::Input(_) | Expr::Now => {}
         Expr::Not(inner) => self::expr(inner, note),
         Expr::All(parts) | Expr::Any(parts) => parts.iter().for_each(|part| self::expr(part, note)),

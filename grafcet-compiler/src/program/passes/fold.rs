@@ -41,7 +41,7 @@ impl Known<'_, '_> {
     pub(super) fn fold<'m>(&self, expr: &Expr<'m>) -> Expr<'m> {
         let two = |a: &Expr<'m>, b: &Expr<'m>| (self.fold(a), self.fold(b));
         match expr {
-            Expr::Value(_) | Expr::Input(_) | Expr::Now => expr.clone(),
+            Expr::Value(_) | Expr::Input(_) | Expr::Now | Expr::Table(..) => expr.clone(),
             Expr::Place(place) => match (self.get(*place), (self.copy)(*place)) {
                 (Some(value), _) => Expr::Value(value),
                 (None, Some(other)) => self.get(other).map_or(Expr::Place(other), Expr::Value),

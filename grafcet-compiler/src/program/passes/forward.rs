@@ -179,7 +179,7 @@ fn in_expr(place: PlaceId, expr: &Expr<'_>) -> Option<usize> {
     let (mut count, mut whole) = (0, true);
     each_leaf(expr, &mut |leaf| match leaf {
         Expr::Place(read) => count += usize::from(*read == place),
-        Expr::Is(read, _) | Expr::Next(read) => whole &= *read != place,
+        Expr::Is(read, _) | Expr::Table(read, _) | Expr::Next(read) => whole &= *read != place,
         _ => {}
     });
     whole.then_some(count)

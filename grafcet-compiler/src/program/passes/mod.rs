@@ -12,6 +12,7 @@
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at
 //! - `store`: the next state is stored once
+//! - `tables`: of a long sequence a test for each condition, and a table of the next states
 //! - `records`: few outputs are one constant in each state
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
@@ -39,6 +40,7 @@ mod share;
 mod sparse;
 mod split;
 mod store;
+mod tables;
 mod uses;
 
 use super::{Program, Statement};
@@ -62,13 +64,14 @@ pub enum Pass {
     Forward,
     Dead,
     Store,
+    Tables,
     Records,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -82,6 +85,7 @@ impl Pass {
         Self::Forward,
         Self::Dead,
         Self::Store,
+        Self::Tables,
         Self::Records,
         Self::Fences,
     ];
@@ -122,6 +126,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Store) {
         store::pass(program);
+    }
+    if wants(Pass::Tables) {
+        tables::pass(program);
     }
     if wants(Pass::Records) {
         records::pass(program);

@@ -8,7 +8,7 @@ use crate::sorted::Set;
 pub(super) fn each_read(expr: &Expr<'_>, each: &mut dyn FnMut(PlaceId)) {
     match expr {
         Expr::Value(_) | Expr::Initial(_) | Expr::Input(_) | Expr::Now => {}
-        Expr::Place(place) | Expr::Is(place, _) | Expr::Next(place) => each(*place),
+        Expr::Place(place) | Expr::Is(place, _) | Expr::Table(place, _) | Expr::Next(place) => each(*place),
         Expr::Not(inner) => each_read(inner, each),
         Expr::All(parts) | Expr::Any(parts) => {
             for part in parts {
@@ -48,6 +48,7 @@ pub(super) fn is_pure(expr: &Expr<'_>) -> bool {
         | Expr::Now
         | Expr::Place(_)
         | Expr::Is(..)
+        | Expr::Table(..)
         | Expr::Next(_) => true,
         Expr::Not(inner) => is_pure(inner),
         Expr::All(parts) | Expr::Any(parts) => parts.iter().all(is_pure),
@@ -178,6 +179,7 @@ pub(super) fn same(a: &Expr<'_>, b: &Expr<'_>) -> bool {
         }
         (Expr::Input(a), Expr::Input(b)) => a == b,
         (Expr::Now, Expr::Now) => true,
+        (Expr::Table(a, table), Expr::Table(b, other)) => a == b && table == other,
         (Expr::Is(a, steps), Expr::Is(b, others)) => a == b && steps == others,
         (Expr::Not(a), Expr::Not(b)) => same(a, b),
         (Expr::All(a), Expr::All(b)) | (Expr::Any(a), Expr::Any(b)) => all_same(a, b),

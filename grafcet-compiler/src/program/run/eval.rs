@@ -73,6 +73,11 @@ impl<'m> Running<'_, 'm> {
                 let [condition, then, otherwise] = &**parts;
                 if self.holds(condition)? { self.eval(then) } else { self.eval(otherwise) }
             }
+            Expr::Table(place, table) => {
+                let state = self.values[place.0];
+                let found = table.iter().find(|(from, _)| *from == state).map_or(state, |(_, to)| *to);
+                Ok(Term::of(found, None))
+            }
             Expr::Next(place) => match self.values[place.0] {
                 Value::Int(number) => Ok(Term::of(Value::Int(number.saturating_add(1)), None)),
                 other => Err(Error::Type(format!("{other:?} for a number"))),

@@ -1,0 +1,119 @@
+//! A long sequence asks by condition, and a table says which step is next.
+//!
+//! ```text
+//! match state                              after = state
+//!   start: after = S1                      once
+//!   S1:                                      match state
+//!     if a: after = S2                         S1|S3:
+//!     else: after = S1               ->          if !a: leave
+//!   S2: …                                      S2: …
+//! state = after                              after = table(state)
+//!                                            state = after
+//! ```
+//!
+//! Steps that wait for the same share an arm, and are a byte or two more. Needs: what `store` has left, in which each arm stays or goes on to one
+//! step; by the bytes of each, the table is the smaller one.
+
+use super::super::build::{not, yes};
+use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Value};
+use super::uses::{is_pure, same};
+
+/// About so many bytes take an arm with a condition, the same in front of a table, and a table beside its bytes, in code for Thumb.
+const ARM: usize = 7;
+const TEST: usize = 6;
+const TABLE: usize = 24;
+
+/// From so many states on one takes two bytes.
+const BYTE: usize = 256;
+
+/// Some states, what they wait for, and where each goes then.
+struct Wait<'m> {
+    from: Vec<Value>,
+    condition: Expr<'m>,
+}
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let found = program.cycle.windows(2).position(|pair| {
+        let [Statement::Match(state, _, otherwise), Statement::Set(set, Expr::Place(after))] = pair else {
+            return false;
+        };
+        let is_state = matches!(program.places[state.0].role, Role::State(_));
+        is_state && state == set && after != state && otherwise.is_empty()
+    });
+    let Some(at) = found else { return };
+    let [Statement::Match(state, arms, _), Statement::Set(_, Expr::Place(after)), ..] = &program.cycle[at..] else {
+        return;
+    };
+    let (state, after) = (*state, *after);
+    let Some((waits, table)) = waits(arms, after) else { return };
+    if !is_smaller(waits.len(), table.len()) {
+        return;
+    }
+    let mut tests: Vec<Arm<'_>> = Vec::with_capacity(waits.len());
+    for wait in waits {
+        let test = match not(wait.condition) {
+            Expr::Value(_) => Vec::new(),
+            stays => vec![Statement::If(stays, vec![Statement::Break], Vec::new())],
+        };
+        tests.push((wait.from, test));
+    }
+    let body = vec![
+        Statement::Match(state, tests, Vec::new()),
+        Statement::Set(after, Expr::Table(state, table)),
+        Statement::Set(state, Expr::Place(after)),
+        Statement::Break,
+    ];
+    let new = [Statement::Set(after, Expr::Place(state)), Statement::Loop { rounds: 1, body }];
+    program.cycle.splice(at..=at + 1, new);
+}
+
+/// What the states wait for, and which one is next after each.
+#[allow(clippy::type_complexity, reason = "two lists")]
+fn waits<'m>(arms: &[Arm<'m>], after: PlaceId) -> Option<(Vec<Wait<'m>>, Vec<(Value, Value)>)> {
+    let mut waits: Vec<Wait<'m>> = Vec::new();
+    let mut table = Vec::new();
+    for (values, body) in arms {
+        let (condition, to) = match &body[..] {
+            [Statement::Set(place, Expr::Value(to))] if *place == after => (yes(), *to),
+            [Statement::If(condition, then, otherwise)] if is_pure(condition) => {
+                let to = goes(then, after)?;
+                if !stays(otherwise, after, values) {
+                    return None;
+                }
+                (condition.clone(), to)
+            }
+            _ => return None,
+        };
+        for value in values {
+            table.push((*value, to));
+        }
+        match waits.iter_mut().find(|wait| same(&wait.condition, &condition)) {
+            Some(wait) => wait.from.extend(values),
+            None => waits.push(Wait { from: values.clone(), condition }),
+        }
+    }
+    Some((waits, table))
+}
+
+/// The one state to which a way goes.
+fn goes(body: &[Statement<'_>], after: PlaceId) -> Option<Value> {
+    match body {
+        [Statement::Set(place, Expr::Value(to))] if *place == after => Some(*to),
+        _ => None,
+    }
+}
+
+/// Whether a way stays where it is.
+fn stays(body: &[Statement<'_>], after: PlaceId, values: &[Value]) -> bool {
+    match (body, values) {
+        ([Statement::Set(place, Expr::Value(to))], [own]) => *place == after && to == own,
+        // Of several states: `store` leaves the place that it has matched on.
+        ([Statement::Set(place, Expr::Place(_))], _) => *place == after,
+        _ => false,
+    }
+}
+
+fn is_smaller(conditions: usize, states: usize) -> bool {
+    let bytes = if states > BYTE { 2 } else { 1 };
+    bytes * states + TEST * conditions + TABLE < ARM * states
+}
