@@ -26,6 +26,15 @@ pub(crate) fn brute(arguments: &[&str]) -> Result {
     run_command(cargo(&program).args(arguments))
 }
 
+/// What charts claim, proved or refuted; random ones beside a naive exploration and `abc`.
+///
+/// # Errors
+/// Something is not proved, or differs.
+pub(crate) fn prove(arguments: &[&str]) -> Result {
+    let program = ["run", "--quiet", "--release", "--package", "grafcet-conformance", "--bin", "prove", "--"];
+    run_command(cargo(&program).args(arguments))
+}
+
 /// What CI runs: always the same charts.
 ///
 /// # Errors

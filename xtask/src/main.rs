@@ -56,6 +56,10 @@ Usage: cargo xtask <task>
   plant [WORD]
             plants faults into the runtime and the code generator, one by one, and tells which test of CI finds each; only
             those whose name holds WORD. An hour, or more
+  prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE]
+            what the charts of a file claim, proved or refuted
+  prove --random N [--first N] [--cycles N] [--abc]
+            the same of random charts, beside a naive exploration, and beside abc (berkeley-abc)
   record    run a chart with the flight recorder in QEMU, reset the board in the middle, and show from its record what happened
   release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
             beside the last release (cargo-semver-checks)
@@ -89,6 +93,7 @@ fn main() -> ExitCode {
         ["packages"] => packages::run(),
         ["plant"] => plant::run(None),
         ["plant", word] => plant::run(Some(word)),
+        ["prove", ref rest @ ..] => conformance::prove(rest),
         ["record"] => record::run(),
         ["release"] => release::run(),
         ["screenshots"] => screenshots::run(),

@@ -24,7 +24,7 @@ use crate::model::{
 };
 use crate::sorted::Set;
 
-pub use lower::{Encoding, Refused, naive};
+pub use lower::{Encoding, Refused, counted, naive};
 
 /// What a chart does in one cycle.
 pub struct Program<'m> {

@@ -4,6 +4,7 @@
 //! - the corpus: the `.chart` files of this folder, run by `cargo test`
 //! - [`random`]: well-formed charts made from a number, run by `cargo xtask conformance`
 //! - [`program`]: the naive programs of both beside the interpreter, without rustc
+//! - [`circuit`]: the circuits made of these, beside them
 #![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 pub mod asleep;
@@ -11,12 +12,14 @@ pub mod batch;
 pub mod board;
 pub mod brute;
 pub mod chart;
+pub mod circuit;
 pub mod emit;
 pub mod fragments;
 pub mod generated;
 pub mod oracle;
 pub mod play;
 pub mod program;
+pub mod prove;
 pub mod random;
 #[path = "../reader.rs"]
 pub mod reader;

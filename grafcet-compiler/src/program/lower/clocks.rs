@@ -4,9 +4,9 @@
 //! two cycles lie less than 2^31 ticks apart. It cannot wrap, however long a step stays active: what can go on beyond the longest of its
 //! literals is kept there (`bounds`). Every other time is counted, and saturates.
 
-use super::Lower;
 use super::changes::{Change, Changes, changes, is_time_of_step};
 use super::places::{Phases, plain, time, truth};
+use super::{Clocks, Lower};
 use crate::analysis::{Condition, Facts, Logic};
 use crate::list::List;
 use crate::model::{Blink, Blinker, Effect, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
@@ -121,7 +121,8 @@ impl<'m> Lower<'_, 'm> {
             self.region_name("time", region)
         };
         let steps = &self.regions.all()[region].steps;
-        let began = are_literals(changes, &|of| matches!(of, Blinker::Step(step) if steps.contains(step)));
+        let began = self.clocks == Clocks::Read
+            && are_literals(changes, &|of| matches!(of, Blinker::Step(step) if steps.contains(step)));
         self.reached[region] = Some(self.local(format!("reached.{name}"), Type::Ticks));
         self.time[region] = Some(if began {
             let name = name.replacen("time", "since", 1).replace(".T", ".since");
@@ -136,7 +137,7 @@ impl<'m> Lower<'_, 'm> {
             return;
         }
         let name = plain(&self.model.macros[id].name);
-        let began = are_literals(changes, &|of| *of == Blinker::Macro(id));
+        let began = self.clocks == Clocks::Read && are_literals(changes, &|of| *of == Blinker::Macro(id));
         self.macro_reached[id.index()] = Some(self.local(format!("reached.{name}.T"), Type::Ticks));
         self.macro_time[id.index()] = Some(if began {
             Clock::Began(self.field(format!("{name}.since"), Role::MacroBegan(id), Type::Ticks, time()))

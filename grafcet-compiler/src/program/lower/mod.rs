@@ -70,12 +70,36 @@ impl fmt::Display for Refused {
 /// # Errors
 /// The chart has not passed them.
 pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Result<Program<'m>, Refused> {
+    program(model, facts, encoding, Clocks::Read)
+}
+
+/// The same for a reader that has no clock, such as a circuit: times are counted, and a bound stands at every search.
+///
+/// # Errors
+/// The chart has not passed the checks.
+pub fn counted<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Result<Program<'m>, Refused> {
+    program(model, facts, encoding, Clocks::Counted)
+}
+
+/// Whether a time may be the reading at which it began.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Clocks {
+    Read,
+    Counted,
+}
+
+fn program<'m>(
+    model: &'m Model,
+    facts: &Facts<'_>,
+    encoding: Encoding,
+    clocks: Clocks,
+) -> Result<Program<'m>, Refused> {
     possible(model, facts)?;
     let regions = match encoding {
         Encoding::Regions => Regions::of(model, &facts.concurrency, &facts.initial),
         Encoding::Flags => Regions::flags(model, &facts.initial),
     };
-    let mut lower = Lower::new(model, &regions, facts);
+    let mut lower = Lower::new(model, &regions, facts, clocks);
     let cycle = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
     let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).collect();
@@ -100,6 +124,7 @@ struct Lower<'r, 'm> {
     /// By region: its state, and that before the evolution.
     state: Vec<PlaceId>,
     was: Vec<PlaceId>,
+    clocks: Clocks,
     /// By region, where it counts: the time, and that reached before the evolution of an `sfc` (A34).
     time: Vec<Option<Clock>>,
     reached: Vec<Option<PlaceId>>,

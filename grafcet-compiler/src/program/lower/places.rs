@@ -1,6 +1,6 @@
 //! What is stored, and how it is called.
 
-use super::{Lower, Set};
+use super::{Clocks, Lower, Set};
 use crate::analysis::{Facts, combinational};
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::plan::Regions;
@@ -34,7 +34,7 @@ pub(super) struct Phases {
 }
 
 impl<'r, 'm> Lower<'r, 'm> {
-    pub(super) fn new(model: &'m Model, regions: &'r Regions, facts: &Facts<'_>) -> Self {
+    pub(super) fn new(model: &'m Model, regions: &'r Regions, facts: &Facts<'_>, clocks: Clocks) -> Self {
         let mut lower = Self {
             model,
             regions,
@@ -44,6 +44,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             first: PlaceId(0),
             state: Vec::new(),
             was: Vec::new(),
+            clocks,
             time: Vec::new(),
             reached: Vec::new(),
             macro_time: Vec::new(),
@@ -73,7 +74,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             entered: Vec::new(),
             free: vec![None; model.partials.len()],
             evolutions: PlaceId(0),
-            search_ends: super::ends(model, facts),
+            search_ends: clocks == Clocks::Read && super::ends(model, facts),
         };
         lower.first = lower.field("first".to_owned(), Role::First, Type::Bool, truth(true));
         lower.situation();

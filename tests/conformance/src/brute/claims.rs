@@ -99,7 +99,7 @@ fn length(message: &str) -> usize {
 }
 
 /// After how many cycles a property can be broken first.
-fn broken(
+pub(crate) fn broken(
     model: &Model,
     graph: &Graph,
     depths: &BTreeMap<usize, usize>,

@@ -12,7 +12,7 @@
 //! - `run`: one after the other, and the smallest form of one that differs
 
 mod circles;
-mod claims;
+pub(crate) mod claims;
 pub mod compare;
 mod draw;
 mod facts;

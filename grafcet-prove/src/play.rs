@@ -1,0 +1,100 @@
+//! A circuit run on values, cycle by cycle.
+
+use grafcet_compiler::program::{Program, Value};
+
+use crate::aig::{Lit, value};
+use crate::circuit::{Circuit, Field, Source, Wire};
+
+/// A circuit that is being run.
+pub struct Player<'c> {
+    circuit: &'c Circuit,
+    /// By latch.
+    state: Vec<bool>,
+    /// By node, in the last cycle.
+    values: Vec<bool>,
+}
+
+impl<'c> Player<'c> {
+    /// In its initial state; latches that begin with any value are false.
+    #[must_use]
+    pub fn new(circuit: &'c Circuit) -> Self {
+        let state = circuit.latches.iter().map(|latch| latch.initial.unwrap_or(false)).collect();
+        Self { circuit, state, values: Vec::new() }
+    }
+
+    /// One cycle, the inputs by what drives them.
+    pub fn cycle(&mut self, given: impl Fn(&Source) -> i128) {
+        let mut free = vec![false; self.circuit.aig.len()];
+        for (latch, now) in self.circuit.latches.iter().zip(&self.state) {
+            free[latch.now.node()] = *now;
+        }
+        for wire in &self.circuit.inputs {
+            let number = given(&wire.source);
+            for (index, bit) in wire.bits.iter().enumerate() {
+                free[bit.node()] = number >> index.min(127) & 1 == 1;
+            }
+        }
+        self.values = self.circuit.aig.simulate(|node| free[node]);
+        self.state = self.circuit.latches.iter().map(|latch| value(&self.values, latch.next)).collect();
+    }
+
+    /// The value of a wire in the last cycle.
+    #[must_use]
+    pub fn holds(&self, lit: Lit) -> bool {
+        value(&self.values, lit)
+    }
+
+    /// What a field holds after the last cycle.
+    #[must_use]
+    pub fn field(&self, field: &Field) -> i128 {
+        number(&self.state[field.first..field.first + field.width], field.signed)
+    }
+}
+
+/// The number of some bits, the lowest first.
+#[must_use]
+pub fn number(bits: &[bool], signed: bool) -> i128 {
+    let mut number = 0;
+    for (index, bit) in bits.iter().enumerate() {
+        if *bit {
+            number += 1 << index;
+        }
+    }
+    match bits.last() {
+        Some(true) if signed => number - (1 << bits.len()),
+        _ => number,
+    }
+}
+
+/// A value as the circuit stores it.
+#[must_use]
+pub fn stored(program: &Program<'_>, value: Value, time_bits: usize) -> Option<i128> {
+    Some(match value {
+        Value::Bool(value) => i128::from(value),
+        Value::Int(value) => value,
+        Value::Ticks(ticks) => clipped(ticks, time_bits),
+        Value::Step(None) => 0,
+        Value::Step(Some(step)) => {
+            let place = program.regions.iter().find_map(|steps| steps.iter().position(|other| *other == step))?;
+            i128::try_from(place).ok()? + 1
+        }
+        Value::Start(_) | Value::Phase(_) | Value::Other(_) => return None,
+    })
+}
+
+/// A time, or the highest value that stands for all that are longer.
+#[must_use]
+pub fn clipped(ticks: u32, time_bits: usize) -> i128 {
+    i128::from(ticks).min((1 << time_bits) - 1)
+}
+
+/// The names of the bits of a wire.
+#[must_use]
+pub fn wire_name(program: &Program<'_>, wire: &Wire) -> String {
+    match &wire.source {
+        Source::Input(id) => program.model.inputs[*id].name.to_string(),
+        Source::Param(id) => program.model.params[*id].name.to_string(),
+        Source::Elapsed => "elapsed".to_owned(),
+        Source::Rust(text) => text.clone(),
+    }
+}

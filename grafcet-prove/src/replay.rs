@@ -1,0 +1,130 @@
+//! A way is shown only where the interpreter of the model goes it, too.
+
+use grafcet_compiler::model::{Model, Tree, Ty};
+use grafcet_compiler::program::{Program, Role};
+use grafcet_sim::interp::{Interpreter, Value};
+
+use crate::circuit::{Circuit, Source, Wire};
+use crate::play::number;
+use crate::task::Way;
+
+/// What one cycle of a way was given, and what it showed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Shown {
+    /// The reading of the clock.
+    pub now: u32,
+    /// In the order of declaration.
+    pub inputs: Vec<Value>,
+    pub params: Vec<Value>,
+    pub outputs: Vec<Value>,
+    pub active: Vec<String>,
+    pub cleared: Vec<String>,
+}
+
+/// Why a way is not shown.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Why {
+    /// The interpreter does not understand something in the chart.
+    NotUnderstood(String),
+    /// It does something else: a mistake of the circuit, of the engine or of the interpreter.
+    Differs(String),
+}
+
+/// The way as the interpreter goes it.
+///
+/// # Errors
+/// It does not lead to where the violation holds.
+pub fn replay(program: &Program<'_>, circuit: &Circuit, violation: &Tree, way: &Way) -> Result<Vec<Shown>, Why> {
+    let model = program.model;
+    let not_understood = |error: grafcet_sim::interp::Error| Why::NotUnderstood(error.to_string());
+    if circuit.fields.iter().any(|field| {
+        let place = field.place.map(|place| program.places[place.0].role);
+        let latches = &circuit.latches[field.first..field.first + field.width];
+        latches.iter().any(|latch| latch.initial.is_none()) && matches!(place, Some(Role::Output(_) | Role::Var(_)))
+    }) {
+        return Err(Why::NotUnderstood("an initial value".to_owned()));
+    }
+    let mut machine = Interpreter::new(model).map_err(not_understood)?;
+    let (mut now, mut shown) = (0_u32, Vec::new());
+    for (index, on) in way.inputs.iter().enumerate() {
+        let given = |wire: &Wire, signed: bool| {
+            let bits: Vec<bool> = wire.bits.iter().map(|bit| on.binary_search(&bit.node()).is_ok()).collect();
+            number(&bits, signed)
+        };
+        let mut inputs = Vec::new();
+        for (id, input) in model.inputs.iter() {
+            inputs.push(read(circuit, &Source::Input(id), &input.ty, &given)?);
+        }
+        let mut params = Vec::new();
+        for (id, param) in model.params.iter() {
+            params.push(read(circuit, &Source::Param(id), &param.ty, &given)?);
+        }
+        if !params.is_empty() {
+            machine.set_params(&params).map_err(not_understood)?;
+        }
+        let elapsed = circuit.inputs.iter().find(|wire| wire.source == Source::Elapsed);
+        let elapsed = elapsed.map_or(0, |wire| given(wire, false));
+        if index > 0 {
+            now = now.wrapping_add(u32::try_from(elapsed).unwrap_or(0));
+        }
+        for assumption in &model.assumptions {
+            if machine.holds(&assumption.never.tree, &inputs).map_err(not_understood)? {
+                return Err(Why::Differs(format!("an assumption does not hold in cycle {}", index + 1)));
+            }
+        }
+        let cycle = match machine.cycle(&inputs, now) {
+            Ok(cycle) => cycle,
+            Err(grafcet_sim::interp::Error::Overflow(what)) => {
+                return Err(Why::Differs(format!("overflow in cycle {}: {what}", index + 1)));
+            }
+            Err(error) => return Err(not_understood(error)),
+        };
+        let name = |ident: &dyn std::fmt::Display| ident.to_string().trim_start_matches("r#").to_owned();
+        shown.push(Shown {
+            now,
+            params,
+            outputs: cycle.outputs.clone(),
+            active: cycle.active.iter().map(|step| name(&model.steps[*step].name)).collect(),
+            cleared: cleared(model, &cycle),
+            inputs,
+        });
+    }
+    let last = shown.last().map(|shown| shown.inputs.clone()).unwrap_or_default();
+    if machine.holds(violation, &last).map_err(not_understood)? {
+        Ok(shown)
+    } else {
+        Err(Why::Differs("the interpreter does not come to where it is broken".to_owned()))
+    }
+}
+
+fn cleared(model: &Model, cycle: &grafcet_sim::interp::Cycle) -> Vec<String> {
+    let mut all = Vec::new();
+    for (index, evolution) in cycle.seen.iter().enumerate() {
+        // Of a search the last one has not taken place.
+        if model.is_grafcet() && index >= cycle.evolutions as usize {
+            break;
+        }
+        for id in &evolution.cleared {
+            let steps = |steps: &[grafcet_compiler::model::StepId]| {
+                let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+                if names.len() == 1 { names.concat() } else { format!("({})", names.join(", ")) }
+            };
+            let transition = &model.transitions[*id];
+            all.push(format!("{} → {}", steps(&transition.sources), steps(&transition.targets)));
+        }
+    }
+    all
+}
+
+fn read(circuit: &Circuit, source: &Source, ty: &Ty, given: &dyn Fn(&Wire, bool) -> i128) -> Result<Value, Why> {
+    let Some(wire) = circuit.inputs.iter().find(|wire| wire.source == *source) else {
+        return Err(Why::NotUnderstood("an input of a type that is not looked into".to_owned()));
+    };
+    let signed = matches!(ty, Ty::Int { signed: true, .. });
+    let number = given(wire, signed);
+    Ok(match ty {
+        Ty::Bool(_) => Value::Bool(number != 0),
+        Ty::Time(_) => Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),
+        Ty::Int { .. } | Ty::Other(_) => Value::Int(number),
+    })
+}

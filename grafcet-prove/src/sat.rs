@@ -1,0 +1,159 @@
+//! The SAT solver behind a small interface, so that another one can take its place (docs/decisions/sat.md), and how a circuit's gates get
+//! there.
+
+use std::cell::Cell;
+use std::rc::Rc;
+use std::time::Instant;
+
+use batsat::{BasicCallbacks, Lit as Inner, Solver, SolverInterface, SolverOpts, Var, lbool};
+
+use crate::aig::{Aig, Lit, Node};
+
+/// Until when is searched.
+#[derive(Clone)]
+pub struct Limit {
+    until: Option<Instant>,
+    over: Rc<Cell<bool>>,
+}
+
+impl Limit {
+    #[must_use]
+    pub fn new(until: Option<Instant>) -> Self {
+        Self { until, over: Rc::new(Cell::new(false)) }
+    }
+
+    /// Whether it is reached, and stays so.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        if !self.over.get() && self.until.is_some_and(|until| Instant::now() >= until) {
+            self.over.set(true);
+        }
+        self.over.get()
+    }
+}
+
+/// The limit is reached.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Over;
+
+/// A variable of the solver, or its negation.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Term(Inner);
+
+impl std::ops::Not for Term {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        Self(!self.0)
+    }
+}
+
+pub(crate) struct Sat {
+    solver: Solver<BasicCallbacks>,
+    limit: Limit,
+}
+
+impl Sat {
+    pub(crate) fn new(limit: &Limit) -> Self {
+        let mut callbacks = BasicCallbacks::new();
+        let stop = limit.clone();
+        callbacks.set_stop(move || stop.is_over());
+        Self { solver: Solver::new(SolverOpts::default(), callbacks), limit: limit.clone() }
+    }
+
+    pub(crate) fn term(&mut self) -> Term {
+        Term(Inner::new(self.solver.new_var_default(), true))
+    }
+
+    pub(crate) fn clause(&mut self, terms: &[Term]) {
+        let mut clause: Vec<Inner> = terms.iter().map(|term| term.0).collect();
+        self.solver.add_clause_reuse(&mut clause);
+    }
+
+    /// Whether there is a model in which all of these hold.
+    pub(crate) fn solve(&mut self, assumed: &[Term]) -> Result<bool, Over> {
+        if self.limit.is_over() {
+            return Err(Over);
+        }
+        let assumed: Vec<Inner> = assumed.iter().map(|term| term.0).collect();
+        let found = self.solver.solve_limited(&assumed);
+        if found == lbool::TRUE {
+            Ok(true)
+        } else if found == lbool::FALSE {
+            Ok(false)
+        } else {
+            Err(Over)
+        }
+    }
+
+    /// In the last model; what it leaves open is false.
+    pub(crate) fn holds(&self, term: Term) -> bool {
+        self.solver.value_lit(term.0) == lbool::TRUE
+    }
+
+    /// Whether it was one of the assumptions that cannot hold together.
+    pub(crate) fn in_core(&self, term: Term) -> bool {
+        let var: Var = term.0.var();
+        self.solver.unsat_core_contains_var(var)
+    }
+}
+
+/// The wires of a circuit as terms, each made where it is first asked for.
+pub(crate) struct Wires {
+    terms: Vec<Option<Term>>,
+}
+
+impl Wires {
+    pub(crate) fn new(aig: &Aig) -> Self {
+        Self { terms: vec![None; aig.len()] }
+    }
+
+    /// The term of a free node is that of another circuit's wire.
+    pub(crate) fn bind(&mut self, lit: Lit, term: Term) {
+        self.terms[lit.node()] = Some(if lit.is_negated() { !term } else { term });
+    }
+
+    /// Whether the node of a wire has been made.
+    pub(crate) fn has(&self, lit: Lit) -> bool {
+        self.terms[lit.node()].is_some()
+    }
+
+    pub(crate) fn term(&mut self, sat: &mut Sat, aig: &Aig, lit: Lit) -> Term {
+        let mut open = vec![lit.node()];
+        while let Some(node) = open.last().copied() {
+            if self.terms[node].is_some() {
+                open.pop();
+                continue;
+            }
+            match aig.node(node) {
+                Node::False => {
+                    let term = sat.term();
+                    sat.clause(&[!term]);
+                    self.terms[node] = Some(term);
+                }
+                Node::Free => self.terms[node] = Some(sat.term()),
+                Node::And(a, b) => match (self.terms[a.node()], self.terms[b.node()]) {
+                    (Some(x), Some(y)) => {
+                        let (x, y) = (signed(x, a), signed(y, b));
+                        let term = sat.term();
+                        sat.clause(&[!term, x]);
+                        sat.clause(&[!term, y]);
+                        sat.clause(&[term, !x, !y]);
+                        self.terms[node] = Some(term);
+                    }
+                    (x, y) => {
+                        open.extend(x.is_none().then_some(a.node()));
+                        open.extend(y.is_none().then_some(b.node()));
+                    }
+                },
+            }
+        }
+        // It has been made above.
+        let term = self.terms[lit.node()].unwrap_or_else(|| sat.term());
+        signed(term, lit)
+    }
+}
+
+fn signed(term: Term, lit: Lit) -> Term {
+    if lit.is_negated() { !term } else { term }
+}

@@ -1,0 +1,118 @@
+//! From the properties of a chart to verdicts. None is given without its check: a proof goes to [`certificate`], a way to the interpreter.
+
+use std::time::{Duration, Instant};
+
+use grafcet_compiler::model::Tree;
+use grafcet_compiler::program::Program;
+
+use crate::aig::Lit;
+use crate::bmc;
+use crate::certificate;
+use crate::circuit::{Bad, Circuit};
+use crate::pdr::{Answer, Pdr};
+use crate::replay::{Shown, Why, replay};
+use crate::sat::{Limit, Over};
+use crate::task::{Invariant, Task, Way};
+
+/// What is found out about a property.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Verdict {
+    /// It holds at the end of every cycle.
+    Proved(Invariant),
+    /// The shortest way to where it does not, cycle by cycle.
+    Violated(Vec<Shown>),
+    /// And why.
+    Undecided(String),
+}
+
+/// A verdict that has failed its check: a mistake of this crate, and no verdict.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Internal(pub String);
+
+impl std::fmt::Display for Internal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "internal error of the prover: {}", self.0)
+    }
+}
+
+impl std::error::Error for Internal {}
+
+/// So many cycles are looked at one by one before anything else: most faults show there, and soon.
+const FIRST_CYCLES: usize = 8;
+
+/// Decides one property of a circuit, in so much time.
+///
+/// # Errors
+/// A verdict that fails its check.
+pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, time: Duration) -> Result<Verdict, Internal> {
+    let limit = Limit::new(Instant::now().checked_add(time));
+    let Some(violation) = program.model.properties[bad.property].claim.violation() else {
+        return Ok(Verdict::Undecided("it is not about the ends of cycles".to_owned()));
+    };
+    let over = |_: Over| Verdict::Undecided(format!("{} seconds were not enough", time.as_secs_f64()));
+    // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
+    match judge(circuit, bad.possible, &limit) {
+        Err(fault) => fault.map_or_else(|| Ok(over(Over)), Err),
+        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(invariant)),
+        Ok(Judged::Fails(way)) => shown(program, circuit, bad, &violation, &way, &limit),
+    }
+}
+
+/// What the engine says, checked as far as that goes without the chart.
+enum Judged {
+    Holds(Invariant),
+    Fails(Way),
+}
+
+/// None for the limit.
+fn judge(circuit: &Circuit, bad: Lit, limit: &Limit) -> Result<Judged, Option<Internal>> {
+    let over = |_: Over| None;
+    let task = Task::new(circuit, bad);
+    if let Some(way) = bmc::shortest(&task, FIRST_CYCLES, limit).map_err(over)? {
+        return Ok(Judged::Fails(way));
+    }
+    match Pdr::new(&task, limit).run().map_err(over)? {
+        Answer::Holds(invariant) => match certificate::fault(&task, &invariant, limit).map_err(over)? {
+            None => Ok(Judged::Holds(invariant)),
+            Some(fault) => Err(Some(Internal(format!("a proof that is none: {fault}")))),
+        },
+        Answer::Fails(way) => {
+            let length = way.inputs.len();
+            match bmc::shortest(&task, length, limit).map_err(over)? {
+                Some(way) => Ok(Judged::Fails(way)),
+                None => Err(Some(Internal(format!("a way of {length} cycles that is none")))),
+            }
+        }
+    }
+}
+
+/// A way that is real: no arithmetic has left its type on it, and the interpreter goes it.
+fn shown(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    bad: Bad,
+    violation: &Tree,
+    way: &Way,
+    limit: &Limit,
+) -> Result<Verdict, Internal> {
+    let certain = if bad.certain == bad.possible {
+        way.clone()
+    } else {
+        match judge(circuit, bad.certain, limit) {
+            Err(Some(fault)) => return Err(fault),
+            Err(None) => return Ok(Verdict::Undecided("the time was not enough".to_owned())),
+            Ok(Judged::Holds(_)) => {
+                let what = "it is only broken where arithmetic leaves its type, which panics with overflow checks";
+                return Ok(Verdict::Undecided(what.to_owned()));
+            }
+            Ok(Judged::Fails(way)) => way,
+        }
+    };
+    match replay(program, circuit, violation, &certain) {
+        Ok(shown) => Ok(Verdict::Violated(shown)),
+        Err(Why::NotUnderstood(what)) => {
+            Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))
+        }
+        Err(Why::Differs(what)) => Err(Internal(what)),
+    }
+}

@@ -1,0 +1,84 @@
+//! Proofs in the words of the chart: what a cube excludes, place by place.
+
+use grafcet_compiler::program::{Program, Type};
+
+use crate::circuit::{Circuit, Field};
+use crate::task::{Invariant, entry};
+
+/// A field of more bits is not gone through value by value.
+const FEW_BITS: usize = 12;
+
+/// One line for each cube: what never holds together.
+#[must_use]
+pub fn lines(program: &Program<'_>, circuit: &Circuit, invariant: &Invariant) -> Vec<String> {
+    let mut lines = Vec::new();
+    for cube in &invariant.excluded {
+        let mut parts = Vec::new();
+        for field in &circuit.fields {
+            let mut bits = vec![None; field.width];
+            for code in cube {
+                let (latch, value) = entry(*code);
+                if (field.first..field.first + field.width).contains(&latch) {
+                    bits[latch - field.first] = Some(value);
+                }
+            }
+            if bits.iter().any(Option::is_some) {
+                parts.push(part(program, field, &bits));
+            }
+        }
+        lines.push(format!("never {}", parts.join(" and ")));
+    }
+    lines
+}
+
+fn part(program: &Program<'_>, field: &Field, bits: &[Option<bool>]) -> String {
+    let ty = field.place.map(|place| program.places[place.0].ty);
+    if field.width == 1 && !matches!(ty, Some(Type::State(_))) {
+        let not = if bits[0] == Some(true) { "" } else { "not " };
+        return format!("{not}{}", field.name);
+    }
+    if field.width > FEW_BITS {
+        return of_bits(field, bits);
+    }
+    let mut values: Vec<i128> = Vec::new();
+    for number in 0..1_u32 << field.width {
+        if bits.iter().enumerate().all(|(index, bit)| bit.is_none_or(|bit| bit == (number >> index & 1 == 1))) {
+            let wraps = field.signed && number >> (field.width - 1) & 1 == 1;
+            values.push(i128::from(number) - if wraps { 1_i128 << field.width } else { 0 });
+        }
+    }
+    values.sort_unstable();
+    if let Some(Type::State(region)) = ty {
+        let steps = &program.regions[region];
+        let mut names = Vec::new();
+        for value in values {
+            match usize::try_from(value - 1).ok() {
+                None => names.push("none".to_owned()),
+                Some(index) => names.extend(steps.get(index).map(|step| program.model.steps[*step].name.to_string())),
+            }
+        }
+        return format!("{} in {{{}}}", field.name, names.join(", "));
+    }
+    let ranges = ranges(&values);
+    if ranges.len() > 4 { of_bits(field, bits) } else { format!("{} in {{{}}}", field.name, ranges.join(", ")) }
+}
+
+fn ranges(values: &[i128]) -> Vec<String> {
+    let (mut all, mut rest) = (Vec::new(), values);
+    while let Some(first) = rest.first() {
+        let count = (0..).zip(rest).take_while(|(index, value)| **value == first + index).count();
+        let last = rest[count - 1];
+        all.push(if count == 1 { first.to_string() } else { format!("{first}..={last}") });
+        rest = &rest[count..];
+    }
+    all
+}
+
+fn of_bits(field: &Field, bits: &[Option<bool>]) -> String {
+    let bits = bits.iter().rev().map(|bit| match bit {
+        None => '-',
+        Some(true) => '1',
+        Some(false) => '0',
+    });
+    format!("{} = 0b{}", field.name, bits.collect::<String>())
+}

@@ -1,0 +1,250 @@
+//! `cargo xtask prove`: what a chart claims, proved or refuted, and random charts beside brute force and beside `abc`.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::{Model, Ty};
+use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::{model, parse};
+use grafcet_conformance::prove::{Counts, Kind};
+use grafcet_prove::circuit::Circuit;
+use grafcet_prove::replay::Shown;
+use grafcet_prove::{Verdict, decide, export, words};
+use grafcet_sim::interp::Value;
+use proc_macro2::{TokenStream, TokenTree};
+
+const USAGE: &str = "\
+Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE]
+       cargo xtask prove --random N [--first N] [--cycles N] [--abc]
+
+  FILE       a chart, a file of Rust with calls of `grafcet!`, or a chart of the corpus
+  --why      what holds in every situation, from which each proof follows
+  --seconds  for each property (default 10)
+  --aiger    writes the circuit with its properties, as text where the name ends with .aag
+  --btor2    the same as BTOR2
+
+  --random   small random charts, so many of each kind, beside a naive exploration
+  --first    the number of the first (default 1)
+  --cycles   the most cycles of the exploration (default 20000)
+  --abc      and beside `berkeley-abc`";
+
+struct Options {
+    why: bool,
+    time: Duration,
+    aiger: Option<String>,
+    btor2: Option<String>,
+    random: Option<u64>,
+    first: u64,
+    cycles: usize,
+    abc: bool,
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Whether everything is proved.
+fn run() -> Result<bool, String> {
+    let mut file = None;
+    let mut options = Options {
+        why: false,
+        time: Duration::from_secs(10),
+        aiger: None,
+        btor2: None,
+        random: None,
+        first: 1,
+        cycles: 20_000,
+        abc: false,
+    };
+    let mut rest = std::env::args().skip(1);
+    while let Some(word) = rest.next() {
+        match word.as_str() {
+            "--why" => options.why = true,
+            "--seconds" => {
+                let seconds = rest.next().ok_or(USAGE)?;
+                options.time = Duration::from_secs(seconds.parse().map_err(|error| format!("{seconds}: {error}"))?);
+            }
+            "--aiger" => options.aiger = Some(rest.next().ok_or(USAGE)?),
+            "--btor2" => options.btor2 = Some(rest.next().ok_or(USAGE)?),
+            "--random" => options.random = Some(count(rest.next())?),
+            "--first" => options.first = count(rest.next())?,
+            "--cycles" => options.cycles = usize::try_from(count(rest.next())?).unwrap_or(usize::MAX),
+            "--abc" => options.abc = true,
+            _ if file.is_none() && !word.starts_with("--") => file = Some(word),
+            _ => return Err(USAGE.to_owned()),
+        }
+    }
+    if let Some(charts) = options.random {
+        return random(charts, &options);
+    }
+    let file = file.ok_or(USAGE)?;
+    let text = std::fs::read_to_string(&file).map_err(|error| format!("{file}: {error}"))?;
+    let text = text.split("\n---\n").next().unwrap_or(&text);
+    let tokens: TokenStream = text.parse().map_err(|error| format!("{file}: {error}"))?;
+    let (mut proved, mut charts) = (true, 0);
+    for chart in charts_in(tokens) {
+        charts += 1;
+        proved &= one(chart, &options)?;
+    }
+    if charts == 0 { Err(format!("{file}: there is no chart")) } else { Ok(proved) }
+}
+
+fn count(word: Option<String>) -> Result<u64, String> {
+    let word = word.ok_or(USAGE)?;
+    word.parse().map_err(|error| format!("{word}: {error}"))
+}
+
+/// So many charts of each kind.
+fn random(charts: u64, options: &Options) -> Result<bool, String> {
+    for (grafcet, timed) in [(false, false), (true, false), (false, true), (true, true)] {
+        let kind = Kind { grafcet, timed, cycles: options.cycles, abc: options.abc };
+        let (start, mut counts, mut number) = (Instant::now(), Counts::default(), options.first);
+        while (counts.charts as u64) < charts {
+            grafcet_conformance::prove::number(number, kind, &mut counts)?;
+            number += 1;
+        }
+        let name = if grafcet { "grafcet" } else { "sfc" };
+        let times = if timed { " with times" } else { "" };
+        let seconds = start.elapsed().as_secs_f64();
+        println!("{name}{times}: {counts:?}; {seconds:.0} s");
+    }
+    Ok(true)
+}
+
+/// The arguments of `grafcet!`, or all of it where there is no such call.
+fn charts_in(tokens: TokenStream) -> Vec<TokenStream> {
+    let mut found = Vec::new();
+    calls(tokens.clone(), &mut found);
+    if found.is_empty() { vec![tokens] } else { found }
+}
+
+fn calls(tokens: TokenStream, found: &mut Vec<TokenStream>) {
+    let all: Vec<TokenTree> = tokens.into_iter().collect();
+    for (index, tree) in all.iter().enumerate() {
+        let TokenTree::Group(group) = tree else { continue };
+        let called = match index.checked_sub(2).map(|at| (&all[at], &all[at + 1])) {
+            Some((TokenTree::Ident(name), TokenTree::Punct(mark))) => name == "grafcet" && mark.as_char() == '!',
+            _ => false,
+        };
+        if called { found.push(group.stream()) } else { calls(group.stream(), found) }
+    }
+}
+
+fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
+    let mut sink = Sink::new();
+    let model = parse::chart(chart, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
+    let messages = sink.finish();
+    let broken = messages.iter().filter(|message| message.rule.is_none()).flat_map(|message| &message.notes).next();
+    if let Some((_, message)) = broken {
+        return Err(message.clone());
+    }
+    let Some(model) = model.filter(|model| !model.incomplete) else {
+        return Err("the chart is not complete".to_owned());
+    };
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).map_err(|refused| refused.to_string())?;
+    let circuit = Circuit::of(&program).map_err(|refused| format!("{}: not modelled: {refused}", model.name))?;
+    println!("{}: {} latches, {} gates", model.name, circuit.latches.len(), circuit.aig.len());
+    if let Some(file) = &options.aiger {
+        let bytes = if std::path::Path::new(file).extension().is_some_and(|extension| extension == "aag") {
+            export::aiger_text(&program, &circuit).into_bytes()
+        } else {
+            export::aiger(&program, &circuit)
+        };
+        std::fs::write(file, bytes).map_err(|error| format!("{file}: {error}"))?;
+    }
+    if let Some(file) = &options.btor2 {
+        std::fs::write(file, export::btor2(&program, &circuit)).map_err(|error| format!("{file}: {error}"))?;
+    }
+    let mut proved = true;
+    for bad in &circuit.bad {
+        let start = Instant::now();
+        let verdict = decide(&program, &circuit, *bad, options.time).map_err(|error| error.to_string())?;
+        let seconds = start.elapsed().as_secs_f64();
+        let text = written(&model, bad.property);
+        proved &= matches!(verdict, Verdict::Proved(_));
+        match verdict {
+            Verdict::Proved(invariant) => {
+                println!("  proved in {seconds:.2} s: {text}");
+                if options.why {
+                    for line in words::lines(&program, &circuit, &invariant) {
+                        println!("    {line}");
+                    }
+                }
+            }
+            Verdict::Violated(way) => {
+                println!("  broken in {seconds:.2} s, in cycle {}: {text}", way.len());
+                print!("{}", table(&program, &way));
+            }
+            Verdict::Undecided(why) => println!("  undecided in {seconds:.2} s: {text}: {why}"),
+        }
+    }
+    Ok(proved)
+}
+
+fn written(model: &Model, property: usize) -> String {
+    use grafcet_compiler::model::Claim;
+    match &model.properties[property].claim {
+        Claim::Never(condition) => format!("never {}", condition.text),
+        Claim::Always { premise: None, condition } => format!("always {}", condition.text),
+        Claim::Always { premise: Some(premise), condition } => format!("always {} => {}", premise.text, condition.text),
+        Claim::Home(..) => "home".to_owned(),
+    }
+}
+
+fn table(program: &Program<'_>, way: &[Shown]) -> String {
+    let model = program.model;
+    let inputs = model.inputs.values().map(|input| (input.name.to_string(), &input.ty));
+    let params = model.params.values().map(|param| (param.name.to_string(), &param.ty));
+    let (inputs, params): (Vec<_>, Vec<_>) = (inputs.collect(), params.collect());
+    let outputs: Vec<_> = model.outputs.values().map(|output| (output.name.to_string(), &output.ty)).collect();
+    let mut rows = vec![["cycle", "time", "inputs", "cleared", "active", "outputs"].map(str::to_owned)];
+    for (index, shown) in way.iter().enumerate() {
+        let given = [values(&inputs, &shown.inputs), values(&params, &shown.params)].concat();
+        let time = if model.uses_time() { shown.now.to_string() } else { String::new() };
+        rows.push([
+            (index + 1).to_string(),
+            time,
+            given.join(", "),
+            shown.cleared.join(", "),
+            shown.active.join(", "),
+            values(&outputs, &shown.outputs).join(", "),
+        ]);
+    }
+    let mut text = String::new();
+    for row in &rows {
+        let mut line = "   ".to_owned();
+        for (column, cell) in row.iter().enumerate() {
+            let width = rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+            if width > 0 && (column != 1 || model.uses_time()) {
+                _ = write!(line, " {cell:<width$} |");
+            }
+        }
+        _ = writeln!(text, "{}", line.trim_end_matches([' ', '|']));
+    }
+    text
+}
+
+/// What is on, and numbers.
+fn values(names: &[(String, &Ty)], values: &[Value]) -> Vec<String> {
+    let mut all = Vec::new();
+    for ((name, _), value) in names.iter().zip(values) {
+        match value {
+            Value::Bool(true) => all.push(name.clone()),
+            Value::Bool(false) | Value::Int(0) => {}
+            Value::Int(number) => all.push(format!("{name} = {number}")),
+            Value::Ticks(ticks) => all.push(format!("{name} = {ticks}")),
+            Value::Real(_) | Value::Name(_) | Value::Unknown => all.push(format!("{name} = {value}")),
+        }
+    }
+    all
+}

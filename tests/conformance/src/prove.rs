@@ -1,0 +1,142 @@
+//! What the prover says about small random charts, beside a naive exploration of them, and beside `abc`.
+
+use std::process::Command;
+use std::time::Duration;
+
+use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::model::{Claim, Model, Property};
+use grafcet_compiler::program::{Encoding, counted};
+use grafcet_prove::circuit::{Bad, Circuit};
+use grafcet_prove::{Verdict, decide, export};
+
+use crate::brute::claims::broken;
+use crate::brute::graph::Graph;
+use crate::brute::{make, resolve};
+
+/// What is compared.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// The dialect.
+    pub grafcet: bool,
+    /// With times, of which brute force sees some behaviour only.
+    pub timed: bool,
+    /// The most cycles of brute force.
+    pub cycles: usize,
+    /// `abc` is asked, too.
+    pub abc: bool,
+}
+
+/// How many properties came out how.
+#[derive(Clone, Default, Debug)]
+pub struct Counts {
+    /// Charts with properties.
+    pub charts: usize,
+    /// Of properties.
+    pub proved: usize,
+    /// Of properties.
+    pub broken: usize,
+    /// The charts of these properties, and why.
+    pub undecided: Vec<(u64, String)>,
+    /// Charts without a circuit.
+    pub refused: usize,
+    /// Answers of `abc` that were compared.
+    pub asked: usize,
+}
+
+/// Compares the chart of a number; false where there is nothing to compare.
+///
+/// # Errors
+/// A difference, with the chart.
+pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, String> {
+    let text = make::chart(number, kind.grafcet, kind.timed);
+    let Ok(model) = resolve(&text) else { return Ok(false) };
+    if !model.properties.iter().any(is_of_ends) {
+        return Ok(false);
+    }
+    let Some(graph) = Graph::of(&model, kind.cycles).map_err(|error| format!("{error}\n{text}"))? else {
+        return Ok(false);
+    };
+    compare(&model, &graph, kind, number, counts).map_err(|error| format!("{number}: {error}\n{text}"))?;
+    Ok(true)
+}
+
+fn is_of_ends(property: &Property) -> bool {
+    !matches!(property.claim, Claim::Home(..))
+}
+
+fn compare(model: &Model, graph: &Graph, kind: Kind, number: u64, counts: &mut Counts) -> Result<(), String> {
+    let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
+    let program = counted(model, &Facts::of(model), encoding).map_err(|refused| refused.to_string())?;
+    counts.charts += 1;
+    let Ok(circuit) = Circuit::of(&program) else {
+        counts.refused += 1;
+        return Ok(());
+    };
+    let depths = graph.depths();
+    for bad in &circuit.bad {
+        let shortest = broken(model, graph, &depths, &model.properties[bad.property])?;
+        let verdict = decide(&program, &circuit, *bad, Duration::from_secs(20)).map_err(|error| error.to_string())?;
+        let wrong = match &verdict {
+            Verdict::Undecided(why) => {
+                counts.undecided.push((number, why.clone()));
+                false
+            }
+            Verdict::Proved(_) => {
+                counts.proved += 1;
+                shortest.is_some()
+            }
+            Verdict::Violated(way) => {
+                counts.broken += 1;
+                // With times brute force sees some behaviour only.
+                let longer = shortest.is_some_and(|shortest| way.len() > shortest);
+                longer || !kind.timed && shortest != Some(way.len())
+            }
+        };
+        if wrong {
+            return Err(format!("property {}: {verdict:?}, by brute force {shortest:?}", bad.property));
+        }
+        if kind.abc {
+            counts.asked += 1;
+            if let Some(difference) = differs(&program, &circuit, *bad, &verdict)? {
+                return Err(format!("property {}: {difference}", bad.property));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What `abc` says otherwise, by `pdr` and, of what is broken, by `bmc3`.
+///
+/// # Errors
+/// `abc` cannot be run.
+pub fn differs(
+    program: &grafcet_compiler::program::Program<'_>,
+    circuit: &Circuit,
+    bad: Bad,
+    verdict: &Verdict,
+) -> Result<Option<String>, String> {
+    let mut alone = circuit.clone();
+    alone.bad = vec![Bad { possible: bad.certain, ..bad }];
+    let file = std::env::temp_dir().join(format!("grafcet-prove-{}.aig", std::process::id()));
+    std::fs::write(&file, export::aiger(program, &alone)).map_err(|error| error.to_string())?;
+    let ask = |method: &str| abc(&format!("&read {}; &put; fold; {method}", file.display()));
+    let said = ask("pdr -T 60")?;
+    let difference = match verdict {
+        Verdict::Undecided(_) => None,
+        Verdict::Proved(_) if said.contains("Property proved") || said.contains("UNSATISFIABLE") => None,
+        Verdict::Proved(_) => Some(format!("proved, abc: {said}")),
+        Verdict::Violated(way) => {
+            let frames = ask(&format!("bmc3 -F {}", way.len() + 1))?;
+            let last = format!("in frame {}", way.len() - 1);
+            let same = said.contains("was asserted") && frames.contains("was asserted") && frames.contains(&last);
+            (!same).then(|| format!("broken in cycle {}, abc: {said} {frames}", way.len()))
+        }
+    };
+    Ok(difference)
+}
+
+fn abc(commands: &str) -> Result<String, String> {
+    let output = Command::new("berkeley-abc").args(["-c", commands]).output();
+    let output = output.map_err(|error| format!("berkeley-abc (apt-get install berkeley-abc): {error}"))?;
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}

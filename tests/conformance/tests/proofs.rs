@@ -1,0 +1,127 @@
+//! The prover beside a naive exploration, and the check of its proofs.
+
+use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::{self, Model};
+use grafcet_compiler::parse;
+use grafcet_compiler::program::{Encoding, counted};
+use grafcet_conformance::prove::{Counts, Kind, number};
+use grafcet_prove::circuit::Circuit;
+use grafcet_prove::task::{Invariant, Task};
+use grafcet_prove::{Limit, Verdict, certificate, decide};
+use std::time::Duration;
+
+fn read(text: &str) -> Model {
+    let mut sink = Sink::new();
+    let tokens = text.parse().expect("tokens");
+    let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink)).expect("a chart");
+    assert!(sink.finish().iter().all(|message| message.rule.is_some()), "it is understood");
+    model
+}
+
+fn verdicts(model: &Model) -> Vec<Verdict> {
+    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let decided = circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, Duration::from_secs(60)));
+    decided.collect::<Result<_, _>>().expect("no internal error")
+}
+
+/// Every verdict and every length as brute force finds them.
+#[test]
+fn random_charts_are_judged_as_brute_force_finds_them() {
+    let mut counts = Counts::default();
+    for (grafcet, timed) in [(false, false), (true, false), (false, true), (true, true)] {
+        let kind = Kind { grafcet, timed, cycles: 2_000, abc: false };
+        for chart in 700..712 {
+            number(chart, kind, &mut counts).expect("no difference");
+        }
+    }
+    assert!(
+        counts.proved > 5 && counts.broken > 10 && counts.undecided.is_empty() && counts.refused == 0,
+        "{counts:?}"
+    );
+}
+
+/// A counter that the explicit search does not follow: seven parts and no more.
+const COUNTER: &str = "
+    sfc Packer {
+        input part, full: bool;
+        output push, close: bool;
+        var parts: u8 = 0;
+
+        initial step Ready;
+        step Push { push; P1 parts = parts + 1; }
+        step Close { close; P1 parts = 0; }
+        step Jam;
+
+        Ready -[parts > 7]-> Jam -[full]-> Ready;
+        Ready -[part && parts < 7]-> Push -[!part]-> Ready;
+        Ready -[parts >= 7]-> Close -[full]-> Ready;
+
+        never Jam.X;
+        always Close.X => close && !push;
+    }";
+
+/// Which excludes the other one only as long as both keep to it.
+const INTERLOCKED: &str = "
+    grafcet Cell {
+        input left, right: bool;
+        partial L { initial step L0; step L1; L0 -[left && !R1.X]-> L1 -[!left]-> L0; }
+        partial R { initial step R0; step R1; R0 -[right && !left && !L1.X]-> R1 -[!right]-> R0; }
+        never L1.X && R1.X;
+    }";
+
+#[test]
+fn what_depends_on_a_count_is_proved() {
+    for verdict in verdicts(&read(COUNTER)) {
+        assert!(matches!(verdict, Verdict::Proved(_)), "{verdict:?}");
+    }
+}
+
+/// Eight branches of five steps are more situations than anybody goes through; the fault shows in cycle 2.
+#[test]
+fn interlocked_partial_grafcets_are_no_matter_of_situations() {
+    let list = |of: &dyn Fn(usize) -> String| (0..8).map(of).collect::<Vec<_>>().join(" ");
+    let branch = |index: usize| {
+        let other = (index + 1) % 8;
+        // The last one forgets its neighbour.
+        let free = if index == 7 { String::new() } else { format!(" && !B{other}.X") };
+        format!(
+            "partial P{index} {{ initial step A{index}; step B{index} {{ run{index}; }} step C{index};
+             A{index} -[go{index}{free}]-> B{index} -[end{index}]-> C{index} -[!go{index}]-> A{index}; }}"
+        )
+    };
+    let mut text = format!(
+        "grafcet Line {{ {} {} {}",
+        list(&|index| format!("input go{index}, end{index}: bool;")),
+        list(&|index| format!("output run{index}: bool;")),
+        list(&branch)
+    );
+    text += "never run7 && run0; never run6 && run7 && run5 && !go0 && go0; }";
+    match &verdicts(&read(&text))[..] {
+        [Verdict::Violated(way), Verdict::Proved(_)] => assert_eq!(way.len(), 1),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The checker of proofs refuses what is none.
+#[test]
+fn a_proof_that_is_none_is_refused() {
+    let model = read(INTERLOCKED);
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let task = Task::new(&circuit, circuit.bad[0].possible);
+    let limit = Limit::new(None);
+    let fault = |excluded: Vec<Vec<u32>>| certificate::fault(&task, &Invariant { excluded }, &limit).expect("no limit");
+    let Verdict::Proved(proof) = verdicts(&model).remove(0) else { panic!("it is proved") };
+    assert_eq!(fault(proof.excluded.clone()), None);
+    assert!(fault(Vec::new()).is_some(), "nothing is known, so something bad can happen");
+    // The initial state, and with it every chart.
+    let beginning =
+        circuit.latches.iter().zip(0_u32..).map(|(latch, index)| index * 2 + u32::from(latch.initial == Some(true)));
+    assert!(fault(vec![beginning.collect()]).is_some_and(|what| what.contains("begin")));
+    // One cycle leads out of it: the first one is over.
+    let first = circuit.fields.iter().find(|field| field.name == "first").expect("the first cycle");
+    let over = vec![u32::try_from(first.first).expect("small") * 2];
+    assert!(fault([proof.excluded, vec![over]].concat()).is_some_and(|what| what.contains("leads to")));
+}
