@@ -94,6 +94,7 @@ impl Scan<'_, '_> {
             | Expr::Now
             | Expr::Is(..)
             | Expr::Next(_)
+            | Expr::Table(..)
             | Expr::Since(..) => {}
         }
     }

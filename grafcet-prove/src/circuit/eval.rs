@@ -85,6 +85,7 @@ impl<'m> Lowering<'_, 'm> {
             Expr::Initial(place) => self.initial[place.0].clone(),
             Expr::Input(id) => self.given[id.index()].clone(),
             Expr::Now => return Err(Refused("the reading of the clock".to_owned())),
+            Expr::Table(..) => return Err(Refused("a table, which no naive program has".to_owned())),
             Expr::Is(..) | Expr::Not(_) | Expr::All(_) | Expr::Any(_) | Expr::Compare(..) => {
                 Sym::Bool(self.holds(expr, env)?)
             }
