@@ -47,7 +47,7 @@ pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
     fn reading(&self) -> Ticks;
 
     /// As `next_deadline` of the chart; `None` for one without time.
-    fn deadline(&self) -> Option<Ticks>;
+    fn wakes_at(&self) -> Option<Ticks>;
 }
 
 /// What the macro writes, in full.
@@ -79,7 +79,7 @@ macro_rules! __recorded {
                 }
             }
 
-            $(impl __r::Record for $params where $(for<'chart> $param_ty: __r::Record,)* {
+            $(impl __r::Record for $params where for<'chart> $params: __r::Copy, $(for<'chart> $param_ty: __r::Record,)* {
                 const BITS: __r::usize = 0 $(+ <$param_ty as __r::Record>::BITS)*;
                 fn write(&self, _to: &mut __r::Writer<'_>) { $(__r::Record::write(&self.$param, _to);)* }
                 fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
@@ -119,7 +119,7 @@ macro_rules! __recorded {
                         $(&& __r::Record::is_same(&self.$field, &_other.$field))*
                 }
                 fn reading(&self) -> __r::Ticks { $crate::__recorded_clock!(reading self $($clock)?) }
-                fn deadline(&self) -> __r::Option<__r::Ticks> { $crate::__recorded_clock!(deadline self $($clock)?) }
+                fn wakes_at(&self) -> __r::Option<__r::Ticks> { $crate::__recorded_clock!(deadline self $($clock)?) }
             }
         };
     };

@@ -26,6 +26,7 @@ pub use value::Record;
 /// What generated code names.
 #[doc(hidden)]
 pub mod names {
+    pub use core::marker::Copy;
     pub use core::option::Option;
     pub use core::primitive::{bool, u8, u32, usize};
 

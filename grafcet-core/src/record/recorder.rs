@@ -156,7 +156,7 @@ impl<C: Recordable, M: AsRef<[u8]> + AsMut<[u8]>> Recorder<C, M> {
             // What a chart without time does in a cycle that leaves it as it is, it does in all that follow.
             Some(before) if self.chart.is_same_state(before) => u32::MAX,
             Some(_) => 0,
-            None => self.chart.deadline().map_or(LONGEST, |deadline| deadline.since(now).get().min(LONGEST)),
+            None => self.chart.wakes_at().map_or(LONGEST, |deadline| deadline.since(now).get().min(LONGEST)),
         };
     }
 
