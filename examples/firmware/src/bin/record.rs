@@ -45,7 +45,11 @@ fn memory() -> &'static mut [u8; BYTES] {
 #[cortex_m_rt::entry]
 fn main() -> ! {
     let memory = memory();
-    let result = if Records::of(memory).is_ok_and(|records| records.check::<Cell>().is_ok()) { send(memory) } else { work(memory) };
+    let result = if Records::of(memory).is_ok_and(|records| records.check::<Cell>().is_ok()) {
+        send(memory)
+    } else {
+        work(memory)
+    };
     debug::exit(if result.is_ok() { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
     loop {
         cortex_m::asm::wfi();
