@@ -191,7 +191,10 @@ impl<C: Recordable, M: AsRef<[u8]> + AsMut<[u8]>> Recorder<C, M> {
         let skipped = core::mem::take(&mut self.skipped);
         self.cycles = self.cycles.wrapping_add(skipped);
         if C::TIMED {
-            self.at = self.chart.reading();
+            // The chart is due when it was due before.
+            let reading = self.chart.reading();
+            self.quiet = self.quiet.saturating_sub(reading.since(self.at).get());
+            self.at = reading;
         }
         skipped
     }

@@ -35,6 +35,10 @@ where
             let outputs = alone.scan(&inputs, now, actions());
             assert_eq!(recorder.cycle(&inputs, now, actions()), outputs);
             shown.push((outputs, alone.situation()));
+            // The program may send the record at any time.
+            if seed % 2 == 1 && cycle % 13 == 0 {
+                recorder.flush();
+            }
         }
         recorder.flush();
 
