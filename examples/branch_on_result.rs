@@ -15,7 +15,7 @@ use anstyle::{AnsiColor, Style};
 use branch_on_result::{Sorter, SorterInputs, SorterOutputs, SorterStep};
 use shared::{Example, Timeline};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "branch_on_result",
     about: "A sorter: an SFC in which a step computes a result and branches on it directly.",

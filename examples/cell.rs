@@ -16,7 +16,7 @@ use anstyle::{AnsiColor, Style};
 use cell::{Cell, CellInputs, CellOutputs, CellStep};
 use shared::{Example, Timeline};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "cell",
     about: "A machining cell: a GRAFCET with forcing, an enclosing step, a macro-step and\nparallel stations.",

@@ -20,7 +20,7 @@ use controller::{
 };
 use shared::{Example, Timeline};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "controller",
     about: "An oven, twice: an SFC that calls a PID controller, and one that sends\nmessages to an autonomous one.",

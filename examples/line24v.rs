@@ -16,7 +16,7 @@ use anstyle::{AnsiColor, Style};
 use line24v::{Line24V, Line24VInputs, Line24VOutputs};
 use shared::{Example, Timeline};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "line24v",
     about: "A production line of four steps: a GRAFCET with continuous, conditional and\nstored actions.",

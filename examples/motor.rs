@@ -15,7 +15,7 @@ use anstyle::{AnsiColor, Style};
 use motor::{Motor, MotorInputs, MotorOutputs, MotorStep};
 use shared::{Example, Timeline};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "motor",
     about: "A motor with an on and an off button, guarded against over-temperature: an SFC\nof two steps.",

@@ -16,7 +16,7 @@ use grafcet::Phase;
 use recipe::{COTTON, Dyer, DyerActions, DyerInputs, DyerStep, WOOL};
 use shared::{Example, Timeline};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "recipe",
     about: "A dyeing machine: an SFC whose steps call actions with the values of a recipe,\nexchanged while it runs.",

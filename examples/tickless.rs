@@ -16,7 +16,7 @@ use anstyle::{AnsiColor, Style};
 use shared::{Example, Timeline};
 use tickless::{Controllers, Crossing, CrossingInputs, CrossingOutputs};
 
-/// The example after the command line.
+/// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
     name: "tickless",
     about: "A pedestrian crossing: an SFC with time, whose controller sleeps until\nsomething can change.",

@@ -37,22 +37,22 @@ use plan::Plan;
 /// where the chart has mistakes, it holds their messages and the chart's types with empty bodies.
 #[must_use]
 pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
-    by(chart, root, &|model, plan| codegen::generate(model, plan, root))
+    by(chart, root, &|model, _, plan| codegen::generate(model, plan, root))
 }
 
 /// The same, with what the flight recorder needs to know of the chart: the macro's feature `record`.
 #[must_use]
 pub fn compile_recorded(root: &TokenStream, chart: TokenStream) -> TokenStream {
     let fingerprint = fingerprint::of(chart.clone());
-    by(chart, root, &|model, plan| codegen::generate_recorded(model, plan, root, fingerprint))
+    by(chart, root, &|model, facts, plan| codegen::generate_recorded((model, facts, plan), root, fingerprint))
 }
 
 /// The same by way of a program, which `lower` makes of the chart: a third opinion for tests and tools.
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, &|model, plan| {
-        let program = lower(model, &Facts::of(model));
+    by(chart, root, &|model, facts, plan| {
+        let program = lower(model, facts);
         match program {
             Ok(program) => codegen::print(&program, plan, root),
             Err(refused) => {
@@ -68,7 +68,11 @@ pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> 
 pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m>, program::Refused>;
 
 /// What both have in common; `generate` writes the items of a chart in which nothing is wrong.
-fn by(chart: TokenStream, root: &TokenStream, generate: &dyn Fn(&Model, &Plan) -> TokenStream) -> TokenStream {
+fn by(
+    chart: TokenStream,
+    root: &TokenStream,
+    generate: &dyn Fn(&Model, &Facts<'_>, &Plan) -> TokenStream,
+) -> TokenStream {
     let mut sink = Sink::new();
     let written = chart.clone();
     let Some(chart) = parse::chart(chart, &mut sink) else {
@@ -79,15 +83,16 @@ fn by(chart: TokenStream, root: &TokenStream, generate: &dyn Fn(&Model, &Plan) -
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     let facts = (complete && sink.leaves_evolution()).then(|| Facts::of(&model));
-    let plan = facts.and_then(|facts| {
+    let planned = facts.and_then(|facts| {
         let races = check::evolution(&model, &facts, &mut sink);
-        (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races))
+        let plan = (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races));
+        plan.map(|plan| (facts, plan))
     });
-    if let Some(plan) = &plan {
+    if let Some((_, plan)) = &planned {
         check::initial_values(&model, plan, &mut sink);
     }
-    let items = match plan {
-        Some(plan) if !sink.has_more_than_claims() => generate(&model, &plan),
+    let items = match planned {
+        Some((facts, plan)) if !sink.has_more_than_claims() => generate(&model, &facts, &plan),
         // What could not be read may be where the time is used.
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };

@@ -256,7 +256,7 @@ fn collect(tree: &Tree, found: &mut Set<(Clock, Threshold)>) {
             found.insert((Clock::Macro(*id), Threshold::At(*time)));
         }
         Tree::Binary(operator, a, b) => {
-            match comparison(*operator, a, b).or_else(|| comparison(mirrored(*operator), b, a)) {
+            match comparison(*operator, a, b).or_else(|| comparison(operator.mirrored(), b, a)) {
                 Some((clock, thresholds)) => found.extend(thresholds.into_iter().map(|threshold| (clock, threshold))),
                 None => {
                     collect(a, found);
@@ -306,14 +306,4 @@ fn comparison(operator: Binary, a: &Tree, b: &Tree) -> Option<(Clock, Vec<Thresh
         _ => return None,
     };
     Some((clock, thresholds))
-}
-
-fn mirrored(operator: Binary) -> Binary {
-    match operator {
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        other => other,
-    }
 }

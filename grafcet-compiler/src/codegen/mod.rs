@@ -43,6 +43,7 @@ use proc_macro2::TokenStream;
 
 use self::machine::Machine;
 use self::names::Names;
+use crate::analysis::{Facts, Together};
 use crate::model::Model;
 use crate::place::{self, quote};
 use crate::plan::Plan;
@@ -66,10 +67,17 @@ pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenS
 }
 
 /// The same, and what a recorder needs to know of the chart.
-pub(crate) fn generate_recorded(model: &Model, plan: &Plan, root: &TokenStream, fingerprint: u32) -> TokenStream {
+pub(crate) fn generate_recorded(
+    (model, facts, plan): (&Model, &Facts<'_>, &Plan),
+    root: &TokenStream,
+    fingerprint: u32,
+) -> TokenStream {
     let cx = Cx::new(model, plan, root);
     let machine = Machine::planned(&cx);
-    let (items, recorded) = (items(&cx, &machine), record::all(&cx, &machine, fingerprint));
+    // One region whose state is an enum has one active step, or none, by itself.
+    let by_itself = plan.regions.is_single() && !plan.shape.is_flags();
+    let together = if by_itself { Together::default() } else { Together::of(model, facts) };
+    let (items, recorded) = (items(&cx, &machine), record::all(&cx, &machine, &together, fingerprint));
     quote!(#items #recorded)
 }
 

@@ -5,13 +5,13 @@ use quote::ToTokens;
 
 use super::machine::{Field, Machine};
 use super::{Cx, state, types};
-use crate::analysis::{Concurrency, Nesting};
+use crate::analysis::Together;
 use crate::fingerprint::Hash;
 use crate::list::List;
-use crate::model::{Id, Model, Ty};
+use crate::model::{Model, Ty};
 use crate::place::quote;
 
-pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, fingerprint: u32) -> TokenStream {
+pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, together: &Together, fingerprint: u32) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (chart, inputs) = (&names.chart, &names.inputs);
     let input_fields = fields(model.inputs.values().map(|input| (&input.name, &input.ty)), p);
@@ -32,7 +32,7 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, fingerprint: u32) -> Token
         Literal::u32_suffixed(hash.finish())
     };
     let fingerprint = Literal::u32_suffixed(fingerprint);
-    let (whole, together) = together(model, cx.plan.regions.is_single() && !cx.plan.shape.is_flags());
+    let (whole, together) = (together.is_whole, Literal::byte_string(&together.table));
     quote! {
         #p::recorded! {
             chart #chart #fingerprint #layout
@@ -45,34 +45,6 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, fingerprint: u32) -> Token
             enums { #enums }
         }
     }
-}
-
-/// Charts with more steps have no table: it grows with the square of their number.
-const MOST_STEPS: usize = 256;
-
-/// With which others each step can be active, and whether as many as can be together always are: so it is in a chart that is well
-/// nested, whose branches exclude each other. One region whose state is an enum has one active step, or none, by itself.
-fn together(model: &Model, one_region: bool) -> (bool, Literal) {
-    if one_region || model.steps.len() > MOST_STEPS {
-        return (false, Literal::byte_string(&[]));
-    }
-    let concurrency = Concurrency::of(model);
-    let exclusive = Concurrency::of_exclusive_branches(model);
-    let is_nested = Nesting::of(model).is_some();
-    let concurrency = concurrency.across_partials(model);
-    let mut whole = is_nested;
-    let row = model.steps.len().div_ceil(8);
-    let mut table = vec![0; row * model.steps.len()];
-    for a in model.steps.ids() {
-        for b in model.steps.ids() {
-            let together = a != b && concurrency.together(a, b);
-            whole &= a == b || together == exclusive.together(a, b);
-            if together {
-                table[a.index() * row + b.index() / 8] |= 1_u8 << (b.index() % 8);
-            }
-        }
-    }
-    (whole, Literal::byte_string(&table))
 }
 
 fn fields<'m>(fields: impl Iterator<Item = (&'m proc_macro2::Ident, &'m Ty)>, p: &TokenStream) -> TokenStream {

@@ -298,6 +298,19 @@ pub enum Binary {
     Shr,
 }
 
+impl Binary {
+    /// What says the same with the sides exchanged: `a < b` is `b > a`.
+    pub(crate) fn mirrored(self) -> Self {
+        match self {
+            Self::Lt => Self::Gt,
+            Self::Le => Self::Ge,
+            Self::Gt => Self::Lt,
+            Self::Ge => Self::Le,
+            other => other,
+        }
+    }
+}
+
 /// A time: a literal in ticks, or a declared name of type `time`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum TimeRef {

@@ -1,13 +1,13 @@
 //! The circuit of a chart beside its program, cycle by cycle, without rustc.
 
 use grafcet_compiler::analysis::Facts;
-use grafcet_compiler::model::{Model, Ty};
+use grafcet_compiler::model::Model;
 use grafcet_compiler::program::run::{Machine, Nothing};
 use grafcet_compiler::program::{Encoding, Role, Value, counted};
 use grafcet_prove::circuit::{Circuit, Source};
 use grafcet_prove::play::{Player, clipped, stored};
 
-use crate::Values;
+use crate::program::{given, plain, value};
 use crate::reader::{Kind, Line};
 
 /// How a comparison ended.
@@ -52,7 +52,7 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outc
             Kind::Shows(_) | Kind::Wakes(_) => {}
             Kind::Cycle { inputs, now, .. } => {
                 let given: Vec<Value> =
-                    model.inputs.values().map(|i| value(named(inputs, &plain(&i.name)), &i.ty)).collect();
+                    model.inputs.values().map(|i| value(given(inputs, &plain(&i.name)), &i.ty)).collect();
                 let elapsed = now.wrapping_sub(last);
                 last = *now;
                 player.cycle(|source| match source {
@@ -91,22 +91,5 @@ fn number(value: &Value, time_bits: usize) -> i128 {
         Value::Int(value) => *value,
         Value::Ticks(ticks) => clipped(*ticks, time_bits),
         _ => 0,
-    }
-}
-
-fn plain(name: &proc_macro2::Ident) -> String {
-    name.to_string().trim_start_matches("r#").to_owned()
-}
-
-/// What a timeline does not name is false or zero.
-fn named(values: &Values, name: &str) -> i128 {
-    values.get(name).copied().unwrap_or_default()
-}
-
-fn value(number: i128, ty: &Ty) -> Value {
-    match ty {
-        Ty::Bool(_) => Value::Bool(number != 0),
-        Ty::Time(_) => Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),
-        _ => Value::Int(number),
     }
 }

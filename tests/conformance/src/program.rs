@@ -262,16 +262,16 @@ fn written(model: &Model, call: &Call) -> String {
     format!("{phase} {}({})", plain(&model.actions[call.action].name), args.join(","))
 }
 
-fn plain(name: &proc_macro2::Ident) -> String {
+pub(crate) fn plain(name: &proc_macro2::Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 
 /// What a timeline does not name is false or zero.
-fn given(values: &Values, name: &str) -> i128 {
+pub(crate) fn given(values: &Values, name: &str) -> i128 {
     values.get(name).copied().unwrap_or_default()
 }
 
-fn value(number: i128, ty: &Ty) -> Value {
+pub(crate) fn value(number: i128, ty: &Ty) -> Value {
     match ty {
         Ty::Bool(_) => Value::Bool(number != 0),
         Ty::Time(_) => Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),

@@ -1,31 +1,14 @@
 //! How many bytes the record of each example takes, in a storm of inputs of which one bit changes every fourth cycle: `cargo run -p grafcet-record --example bytes`.
 
-use grafcet::Phase;
 use grafcet::record::{Happened, Recordable, Recorder, Records};
-use grafcet_record::Storm;
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
-use grafcet_record::controller::{Called, CalledActions, Message, Remote, RemoteActions};
+use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
 use grafcet_record::motor::Motor;
-use grafcet_record::recipe::{Dyer, DyerActions};
+use grafcet_record::recipe::Dyer;
 use grafcet_record::tickless::Crossing;
-
-/// Carries out nothing.
-struct Nobody;
-
-impl CalledActions for Nobody {
-    fn control(&mut self, _: Phase, _: i16, _: i16) {}
-}
-
-impl RemoteActions for Nobody {
-    fn send(&mut self, _: Phase, _: Message) {}
-}
-
-impl DyerActions for Nobody {
-    fn heat(&mut self, _: Phase, _: i16) {}
-    fn drum(&mut self, _: Phase, _: u16) {}
-}
+use grafcet_record::{Nobody, Storm};
 
 const CYCLES: u32 = 4_000;
 

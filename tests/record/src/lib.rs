@@ -22,8 +22,27 @@ pub mod tickless;
 #[doc = include_str!("../../../docs/record.md")]
 struct Page;
 
-use grafcet::Ticks;
+use controller::{CalledActions, Message, RemoteActions};
 use grafcet::record::{Reader, Record};
+use grafcet::{Phase, Ticks};
+use recipe::DyerActions;
+
+/// Carries out no action of any chart.
+#[derive(Debug)]
+pub struct Nobody;
+
+impl CalledActions for Nobody {
+    fn control(&mut self, _: Phase, _: i16, _: i16) {}
+}
+
+impl RemoteActions for Nobody {
+    fn send(&mut self, _: Phase, _: Message) {}
+}
+
+impl DyerActions for Nobody {
+    fn heat(&mut self, _: Phase, _: i16) {}
+    fn drum(&mut self, _: Phase, _: u16) {}
+}
 
 /// Numbers that look like chance and are the same each time.
 #[derive(Debug)]

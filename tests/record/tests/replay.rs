@@ -3,15 +3,15 @@
 use std::fmt::Debug;
 
 use grafcet::record::{Damage, Recordable, Recorder, Records, ReplayError, replay};
-use grafcet::{Phase, Ticks, grafcet, recordable};
-use grafcet_record::Storm;
+use grafcet::{Ticks, grafcet, recordable};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
-use grafcet_record::controller::{Called, CalledActions, Message, Remote, RemoteActions};
+use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
 use grafcet_record::motor::{Motor, MotorInputs};
-use grafcet_record::recipe::{self, Dyer, DyerActions};
+use grafcet_record::recipe::{self, Dyer};
 use grafcet_record::tickless::Crossing;
+use grafcet_record::{Nobody, Storm};
 
 /// What a cycle has shown.
 type Shown<C> = (<C as grafcet::Chart>::Outputs, <C as grafcet::Chart>::Situation);
@@ -61,22 +61,6 @@ where
 
 fn none() -> &'static mut () {
     Box::leak(Box::new(()))
-}
-
-/// Carries out nothing.
-struct Nobody;
-
-impl CalledActions for Nobody {
-    fn control(&mut self, _: Phase, _: i16, _: i16) {}
-}
-
-impl RemoteActions for Nobody {
-    fn send(&mut self, _: Phase, _: Message) {}
-}
-
-impl DyerActions for Nobody {
-    fn heat(&mut self, _: Phase, _: i16) {}
-    fn drum(&mut self, _: Phase, _: u16) {}
 }
 
 #[test]

@@ -2,23 +2,16 @@
 
 use std::fmt::Debug;
 
+use grafcet::grafcet;
 use grafcet::record::{Recordable, Recorder, Records, replay};
-use grafcet::{Phase, grafcet};
-use grafcet_record::Storm;
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::{Cell, CellInputs};
 use grafcet_record::line24v::Line24V;
 use grafcet_record::motor::Motor;
-use grafcet_record::recipe::{self, Dyer, DyerActions};
+use grafcet_record::recipe::{self, Dyer};
 use grafcet_record::tickless::Crossing;
+use grafcet_record::{Nobody, Storm};
 use grafcet_sim::{Asked, Chart, Program, Replay, ReplayError, Trace, Value, page, table};
-
-struct Nobody;
-
-impl DyerActions for Nobody {
-    fn heat(&mut self, _: Phase, _: i16) {}
-    fn drum(&mut self, _: Phase, _: u16) {}
-}
 
 fn none() -> &'static mut () {
     Box::leak(Box::new(()))

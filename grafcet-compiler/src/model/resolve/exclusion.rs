@@ -78,7 +78,7 @@ fn bounds(model: &Model, tree: &Tree) -> Option<(Name, i128, i128)> {
     let Tree::Binary(operator, a, b) = tree else { return None };
     let (name, operator, value) = match (&**a, &**b) {
         (Tree::Read(Read::Name(name)), Tree::Int(value)) => (*name, *operator, *value),
-        (Tree::Int(value), Tree::Read(Read::Name(name))) => (*name, mirrored(*operator), *value),
+        (Tree::Int(value), Tree::Read(Read::Name(name))) => (*name, operator.mirrored(), *value),
         _ => return None,
     };
     // A type of the user's compares as it likes.
@@ -94,14 +94,4 @@ fn bounds(model: &Model, tree: &Tree) -> Option<(Name, i128, i128)> {
         _ => return None,
     };
     Some((name, low, high))
-}
-
-fn mirrored(operator: Binary) -> Binary {
-    match operator {
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        other => other,
-    }
 }

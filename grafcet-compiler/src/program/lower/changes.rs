@@ -62,7 +62,7 @@ fn of_effect(effect: &Effect, found: &mut Changes) {
 fn of_tree(tree: &Tree, found: &mut Changes) {
     match tree {
         Tree::Binary(operator, a, b) => {
-            if !comparison(*operator, a, b, found) && !comparison(mirrored(*operator), b, a, found) {
+            if !comparison(*operator, a, b, found) && !comparison(operator.mirrored(), b, a, found) {
                 of_tree(a, found);
                 of_tree(b, found);
             }
@@ -106,14 +106,4 @@ fn comparison(operator: Binary, a: &Tree, b: &Tree, found: &mut Changes) -> bool
         _ => return false,
     }
     true
-}
-
-fn mirrored(operator: Binary) -> Binary {
-    match operator {
-        Binary::Lt => Binary::Gt,
-        Binary::Le => Binary::Ge,
-        Binary::Gt => Binary::Lt,
-        Binary::Ge => Binary::Le,
-        other => other,
-    }
 }
