@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use serde_json::Value;
 
@@ -25,10 +26,11 @@ pub(crate) fn run() -> Result {
 /// A package lacks something, or does not build from what is in it.
 pub(crate) fn pack() -> Result {
     let packages = published()?;
-    // One folder for all, so that what several use is built once. Cargo takes packages of the same version for the same: what
-    // an earlier run left there would hide a change.
-    let folder = project::target("packages");
-    remove(&folder)?;
+    // One folder for all, so that what several use is built once, and another one in each run: cargo unpacks a package into its
+    // home under the folder's path and the package's version, and what it finds there from an earlier run it takes for this one.
+    let packed = project::target("packages");
+    remove(&packed)?;
+    let folder = packed.join(this_run()?);
     // What is tried is the working tree; cargo asks for a clean one where it publishes indeed.
     let mut command = cargo(&["package", "--locked", "--quiet", "--allow-dirty", "--target-dir"]);
     // Nobody runs it: without debug information a library and the macro that uses it are the same build.
@@ -43,6 +45,13 @@ pub(crate) fn pack() -> Result {
         }
     }
     Ok(())
+}
+
+/// A name that no earlier run has had.
+fn this_run() -> Result<String> {
+    let now =
+        SystemTime::now().duration_since(UNIX_EPOCH).map_err(|error| format!("the clock is before 1970: {error}"))?;
+    Ok(now.as_nanos().to_string())
 }
 
 /// Checks every crate that is published with sets of its features: none, each, each two and all, which CI has the time for.
