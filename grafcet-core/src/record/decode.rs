@@ -219,7 +219,7 @@ fn part(bytes: &[u8]) -> Option<(&[u8], &[u8])> {
     rest.split_at_checked(usize::try_from(len).ok()?)
 }
 
-fn entry(bytes: &[u8], inputs: usize) -> Option<(Entry<'_>, &[u8])> {
+pub(crate) fn entry(bytes: &[u8], inputs: usize) -> Option<(Entry<'_>, &[u8])> {
     let (control, rest) = bytes.split_first()?;
     let number = |short: u32, limit: u32, rest| {
         if short < limit {

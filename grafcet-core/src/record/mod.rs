@@ -8,16 +8,23 @@
 mod bits;
 mod chart;
 mod decode;
+mod encode;
+mod keep;
+mod memory;
 mod recorder;
 mod replay;
 mod ring;
 mod snapshot;
 mod value;
 mod varint;
+#[cfg(feature = "wire")]
+pub mod wire;
 
 pub use bits::{Reader, Writer, bits_for};
 pub use chart::Recordable;
 pub use decode::{Block, Change, Damage, Entry, Happened, Key, Records};
+pub use keep::Keep;
+pub use memory::Memory;
 pub use recorder::{Recorder, TooSmall};
 pub use replay::{Moment, ReplayError, replay};
 pub use snapshot::{RestoreError, restore, snapshot, snapshot_len};

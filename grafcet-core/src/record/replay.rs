@@ -40,7 +40,9 @@ impl From<Damage> for ReplayError {
     }
 }
 
-struct Replay<C: Recordable> {
+/// A chart that is run again.
+#[derive(Debug)]
+pub(crate) struct Replay<C: Recordable> {
     chart: C,
     inputs: C::Inputs,
     now: Ticks,
@@ -67,12 +69,8 @@ pub fn replay<C: Recordable>(
             let entry = entry?;
             match entry.what {
                 Happened::Cycle { elapsed, change } => {
-                    current.cycle = current.cycle.wrapping_add(entry.skipped);
-                    current.now = current.now.after(Ticks::new(elapsed));
-                    if let Some(change) = change {
-                        current.change(&change).ok_or(Damage::Nonsense)?;
-                    }
-                    current.run(actions, &mut each);
+                    let ran = current.step(entry.skipped, Ticks::new(elapsed), change, actions, &mut each);
+                    ran.ok_or(Damage::Nonsense)?;
                 }
                 Happened::State(key) => current = Replay::go_on(Some(current), &key, actions, &mut each)?,
             }
@@ -84,15 +82,40 @@ pub fn replay<C: Recordable>(
 }
 
 impl<C: Recordable> Replay<C> {
-    fn at(key: &Key<'_>) -> Option<Self> {
+    /// The chart in a state that was recorded.
+    pub(crate) fn at(key: &Key<'_>) -> Option<Self> {
         let now = Ticks::new(key.reading);
         let chart = C::read(&mut Reader::new(key.params), &mut Reader::new(key.state), now)?;
         let inputs = <C::Inputs as Record>::read(&mut Reader::new(key.inputs))?;
         Some(Self { chart, inputs, now, cycle: key.cycle })
     }
 
+    /// How many cycles there were, and the chart after them.
+    #[cfg(feature = "wire")]
+    pub(crate) const fn shown(&self) -> (u32, &C) {
+        (self.cycle, &self.chart)
+    }
+
+    /// A cycle after some that did nothing; `None` where its inputs are none.
+    pub(crate) fn step(
+        &mut self,
+        skipped: u32,
+        elapsed: Ticks,
+        change: Option<Change<'_>>,
+        actions: &mut C::Actions<'_>,
+        each: &mut impl FnMut(Moment<'_, C>),
+    ) -> Option<()> {
+        self.cycle = self.cycle.wrapping_add(skipped);
+        self.now = self.now.after(elapsed);
+        if let Some(change) = change {
+            self.change(&change)?;
+        }
+        self.run(actions, each);
+        Some(())
+    }
+
     /// What was recorded at this point, which has to be what the chart does.
-    fn go_on(
+    pub(crate) fn go_on(
         before: Option<Self>,
         key: &Key<'_>,
         actions: &mut C::Actions<'_>,

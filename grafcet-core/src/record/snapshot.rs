@@ -8,7 +8,8 @@ use super::bits::{Reader, Writer, bytes_for};
 use super::chart::Recordable;
 use crate::Ticks;
 
-const CHECK: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISCSI);
+/// The check sum of what leaves the controller.
+pub(crate) const CHECK: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISCSI);
 
 /// The first bytes, with the version of the format.
 const MAGIC: [u8; 4] = [b'G', b'S', 1, 0];

@@ -1,10 +1,11 @@
 //! A record of the controller, run again from the chart's source alone.
 
 mod layout;
+mod wire;
 
 use std::fmt;
 
-use grafcet_core::record::{Block, Damage, Happened, Key, Reader, Records};
+use grafcet_core::record::{Block, Change, Damage, Happened, Key, Reader, Records};
 
 use self::layout::Layout;
 use crate::chart::Chart;
@@ -103,7 +104,28 @@ impl<'p> Replay<'p> {
     /// As [`ReplayError`] says.
     pub fn run(&self, chart: &Chart, record: &[u8]) -> Result<Trace, ReplayError> {
         let records = Records::of(record).map_err(|_| ReplayError::NoRecord)?;
-        let (recorded, source) = (records.fingerprint(), chart.fingerprint());
+        self.all(chart, records.fingerprint(), |run| run.all(&records))
+    }
+
+    /// Runs what a recorder has sent over a wire: the bytes as they came, from the start of the controller on.
+    ///
+    /// What was lost or damaged is a gap in the trace up to where the controller starts anew; what differs from the states that it tells, a warning. The
+    /// hashes in between are those of the compiled chart, and are not looked at.
+    ///
+    /// # Errors
+    /// As [`ReplayError`] says; `NoRecord` where no state came.
+    pub fn frames(&self, chart: &Chart, bytes: &[u8]) -> Result<Trace, ReplayError> {
+        let recorded = wire::fingerprint(bytes).ok_or(ReplayError::NoRecord)?;
+        self.all(chart, recorded, |run| run.frames(bytes, recorded))
+    }
+
+    fn all(
+        &self,
+        chart: &Chart,
+        recorded: u32,
+        run_all: impl FnOnce(&mut Run<'_>) -> Result<(), ReplayError>,
+    ) -> Result<Trace, ReplayError> {
+        let source = chart.fingerprint();
         let is_same = source == Some(recorded);
         if !is_same && !self.is_other {
             return Err(ReplayError::OtherChart { recorded, source });
@@ -119,7 +141,7 @@ impl<'p> Replay<'p> {
             now: 0,
             gap: None,
         };
-        run.all(&records)?;
+        run_all(&mut run)?;
         run.cover();
         let mut trace = match run.trace {
             Some(trace) => trace,
@@ -182,13 +204,7 @@ impl Run<'_> {
                 }
             };
             match entry.what {
-                Happened::Cycle { elapsed, change } => {
-                    if let Some(change) = change {
-                        change.apply(&mut self.inputs);
-                    }
-                    self.cycle = self.cycle.wrapping_add(entry.skipped);
-                    self.run(self.now.wrapping_add(elapsed), entry.skipped)?;
-                }
+                Happened::Cycle { elapsed, change } => self.cycle(entry.skipped, elapsed, change)?,
                 Happened::State(key) => self.key(&key)?,
             }
         }
@@ -196,6 +212,14 @@ impl Run<'_> {
             self.lose("the program ended while it wrote an entry, or a bit of it has changed since");
         }
         Ok(())
+    }
+
+    fn cycle(&mut self, skipped: u32, elapsed: u32, change: Option<Change<'_>>) -> Result<(), ReplayError> {
+        if let Some(change) = change {
+            change.apply(&mut self.inputs);
+        }
+        self.cycle = self.cycle.wrapping_add(skipped);
+        self.run(self.now.wrapping_add(elapsed), skipped)
     }
 
     /// From here on nothing is known.
@@ -249,7 +273,8 @@ impl Run<'_> {
         // A chart that goes on can be in a state that is also its first one.
         if key.fresh && (key.replaced || self.simulation.is_none()) {
             if self.trace.as_ref().is_some_and(|trace| !trace.cycles.is_empty()) {
-                self.note("the chart began anew here");
+                let begun = if key.replaced { "the chart began anew here" } else { "here the chart is as it begins" };
+                self.note(begun);
             }
             self.cover();
             let mut simulation = Simulation::beside(self.chart, self.program.clone())?;

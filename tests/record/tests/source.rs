@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use grafcet::grafcet;
+use grafcet::record::wire::{Wire, wire_len};
 use grafcet::record::{Recordable, Recorder, Records, replay};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::{Cell, CellInputs};
@@ -183,4 +184,41 @@ fn a_function_that_is_not_the_same_is_found() {
     let other = limit(55).expect("a record");
     let said = "the replay differs from the record after 10 cycles: active are Up in the record, Down in the replay";
     assert!(other.warnings.iter().any(|text| text.contains(said)), "{:?}", other.warnings);
+}
+
+/// What came over a wire is run as a record in memory is.
+#[test]
+fn frames_show_what_the_record_shows() {
+    let wire = Wire::new(Vec::new(), vec![0; wire_len::<Cell>()]).every(8, 30);
+    let mut recorder = Recorder::both(Cell::new(), vec![0; 100_000], wire).expect("enough memory");
+    let mut ends = Vec::new();
+    for inputs in storm(1_000) {
+        recorder.cycle(&inputs, 0_u32, &mut ());
+        ends.push(recorder.keep().1.writer().len());
+    }
+    recorder.flush();
+    let (record, bytes) = (recorder.keep().0.bytes(), recorder.keep().1.writer());
+    let cell = source(CELL, "Cell");
+    let expected = Replay::new().run(&cell, record).expect("a record");
+    let trace = Replay::new().frames(&cell, bytes).expect("frames");
+    assert_eq!((trace.warnings.len(), trace.gaps().count()), (0, 0), "{:?}", trace.warnings);
+    assert_eq!(trace.first_difference(&expected), None);
+    assert_eq!(trace.cycles.len(), expected.cycles.len());
+
+    let motor = Motor::new();
+    let other = Recorder::over(motor, Wire::new(Vec::new(), vec![0; wire_len::<Motor>()])).expect("enough memory");
+    assert!(matches!(
+        Replay::new().frames(&cell, other.keep().writer()),
+        Err(ReplayError::OtherChart { recorded, .. }) if recorded == Motor::FINGERPRINT
+    ));
+    assert_eq!(Replay::new().frames(&cell, &bytes[..20]), Err(ReplayError::NoRecord));
+
+    // A damaged byte in the middle: what was shown before is left, and what follows is a gap until the chart is as it begins.
+    let mut damaged = [&bytes[..], bytes].concat();
+    damaged[ends[500] - 2] ^= 0x10;
+    let trace = Replay::new().frames(&cell, &damaged).expect("frames");
+    let reasons: Vec<&str> = trace.gaps().map(|(_, gap)| gap.reason.as_str()).collect();
+    let torn = "a frame was damaged; a frame was lost; here the chart is as it begins";
+    assert_eq!(reasons, [torn, "the chart began anew here"]);
+    assert!(trace.cycles.len() > expected.cycles.len() + 100 && trace.cycles.len() < 2 * expected.cycles.len());
 }
