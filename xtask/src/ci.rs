@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::command::{Result, run as run_command};
 use crate::project::{cargo, root};
-use crate::{bench, conformance, firmware, first_chart, msrv, packages, record};
+use crate::{bench, conformance, firmware, first_chart, msrv, packages, record, record_cost};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
 const RTIC: [&str; 2] = ["--manifest-path", "examples/rtic/Cargo.toml"];
@@ -30,7 +30,7 @@ const STEPS: [Step; 12] = [
     ("doc", doc),
     ("msrv", msrv::run),
     ("firmware", firmware::run),
-    ("record", record::run),
+    ("record", recorder),
     ("first chart", first_chart::run),
     ("cost", bench::pinned_on_one),
     ("packages", packages::run),
@@ -76,6 +76,11 @@ fn lock_files() -> Result {
 fn rustfmt() -> Result {
     run_command(&mut cargo(&["fmt", "--all", "--check"]))?;
     APART.iter().try_for_each(|manifest| run_command(cargo(&["fmt", "--all", "--check"]).args(manifest)))
+}
+
+fn recorder() -> Result {
+    record::run()?;
+    record_cost::check()
 }
 
 /// The command that the README tells the newcomer.

@@ -80,6 +80,17 @@ impl Image {
         u32::try_from(bytes).map_err(|error| format!("{bytes} bytes: {error}"))
     }
 
+    /// Code and constants, byte by byte.
+    ///
+    /// # Errors
+    /// It is no image.
+    pub(crate) fn code(&self) -> Result<Vec<u8>> {
+        let elf = self.elf()?;
+        let kept = |name: &str| [".text", ".rodata"].iter().any(|kept| name.starts_with(kept));
+        let sections = elf.sections().filter(|section| section.name().is_ok_and(kept));
+        Ok(sections.filter_map(|section| section.data().ok()).flatten().copied().collect())
+    }
+
     /// The first symbol of the panic machinery.
     ///
     /// # Errors

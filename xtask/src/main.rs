@@ -16,6 +16,7 @@ mod plant;
 mod processor;
 mod project;
 mod record;
+mod record_cost;
 mod release;
 mod screenshots;
 mod toolchain;
@@ -61,6 +62,8 @@ Usage: cargo xtask <task>
   prove --random N [--first N] [--cycles N] [--abc]
             the same of random charts, beside a naive exploration, and beside abc (berkeley-abc)
   record    run a chart with the flight recorder in QEMU, reset the board in the middle, and show from its record what happened
+  record cost
+            what the flight recorder costs in each example on both targets; writes the table of docs/record.md
   release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
             beside the last release (cargo-semver-checks)
   screenshots
@@ -95,6 +98,7 @@ fn main() -> ExitCode {
         ["plant", word] => plant::run(Some(word)),
         ["prove", ref rest @ ..] => conformance::prove(rest),
         ["record"] => record::run(),
+        ["record", "cost"] => record_cost::run(),
         ["release"] => release::run(),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {

@@ -17,8 +17,8 @@ pub mod line24v;
 pub mod motor;
 #[path = "../../charts/recipe.rs"]
 pub mod recipe;
-#[cfg(feature = "roots")]
-mod roots;
+#[cfg(any(feature = "roots", feature = "record"))]
+pub mod roots;
 #[path = "../../charts/script.rs"]
 pub mod script;
 #[path = "../../charts/tickless.rs"]

@@ -1,6 +1,7 @@
 //! The cycle functions of the examples as roots for the linker: `cargo xtask firmware` links each alone and looks for the
 //! machinery of a panic.
 
+#[cfg(feature = "roots")]
 use core::panic::PanicInfo;
 
 use grafcet::Phase;
@@ -48,9 +49,49 @@ roots! {
         fn(&mut controller::Called, &controller::CalledInputs, &mut Idle) -> controller::CalledOutputs,
         fn(&mut controller::Remote, &controller::RemoteInputs, &mut Idle) -> controller::RemoteOutputs,
     ) = (controller::Called::cycle, controller::Remote::cycle);
+    alone_controller: fn(&mut controller::Called, &controller::CalledInputs, &mut Idle) -> controller::CalledOutputs =
+        controller::Called::cycle;
     root_of_a_panic: fn(&[u8], usize) -> u8 = |bytes, place| bytes[place];
 }
 
+/// The same with the recorder, for what it costs.
+#[cfg(feature = "record")]
+mod recorded {
+    use grafcet::Ticks;
+    use grafcet::record::{Memory, Recordable, Recorder};
+
+    use super::{Idle, branch_on_result, cell, controller, line24v, motor, recipe, tickless};
+
+    type Recorded<C> = Recorder<C, Memory<&'static mut [u8]>>;
+
+    /// Begins a recording and runs a cycle of it.
+    type Both<C, A> = (
+        fn(C, &'static mut [u8]) -> Option<Recorded<C>>,
+        fn(&mut Recorded<C>, &<C as grafcet::Chart>::Inputs, u32, &mut A) -> <C as grafcet::Chart>::Outputs,
+    );
+
+    fn begin<C: Recordable>(chart: C, memory: &'static mut [u8]) -> Option<Recorded<C>> {
+        Recorder::new(chart, memory).ok()
+    }
+
+    const fn both<A, C: for<'a> Recordable<Actions<'a> = A>>() -> Both<C, A> {
+        (begin, |recorder, inputs, now, actions| recorder.cycle(inputs, Ticks::new(now), actions))
+    }
+
+    roots! {
+        recorded_motor: Both<motor::Motor, ()> = both();
+        recorded_line24v: Both<line24v::Line24V, ()> = both();
+        recorded_branch_on_result: Both<branch_on_result::Sorter, ()> = both();
+        recorded_cell: Both<cell::Cell, ()> = both();
+        recorded_tickless: Both<tickless::Crossing, ()> = both();
+        recorded_recipe: Both<recipe::Dyer, Idle> =
+            (begin, |recorder, inputs, now, actions| recorder.cycle(inputs, Ticks::new(now), actions));
+        recorded_controller: Both<controller::Called, Idle> =
+            (begin, |recorder, inputs, now, actions| recorder.cycle(inputs, Ticks::new(now), actions));
+    }
+}
+
+#[cfg(feature = "roots")]
 #[panic_handler]
 fn panicked(_: &PanicInfo<'_>) -> ! {
     loop {}

@@ -77,6 +77,18 @@ macro_rules! __recorded {
                 fn is_same(&self, _other: &Self) -> __r::bool {
                     true $(& __r::Record::is_same(&self.$input, &_other.$input))*
                 }
+                const IS_WORD: __r::bool = Self::BITS <= 32 $(&& <$input_ty as __r::Record>::IS_WORD)*;
+                #[inline]
+                fn word(&self) -> __r::u32 {
+                    // A shift of 32 bits and more is one of a chart whose inputs are no word.
+                    let mut _word: __r::u32 = 0;
+                    let mut _at: __r::u32 = 0;
+                    $(
+                        _word |= __r::Record::word(&self.$input).wrapping_shl(_at);
+                        _at += <$input_ty as __r::Record>::BITS as __r::u32;
+                    )*
+                    _word
+                }
             }
 
             $(impl __r::Record for $params where for<'chart> $params: __r::Copy, $(for<'chart> $param_ty: __r::Record,)* {

@@ -20,6 +20,8 @@ pub struct Recorder<C: Recordable, K> {
     chart: C,
     keep: K,
     inputs: C::Inputs,
+    /// The same as a word, where they are one.
+    word: u32,
     /// The time of the last entry.
     at: Ticks,
     /// For how long the chart does nothing as long as no input changes.
@@ -74,7 +76,7 @@ impl<C: Recordable, K: Keep> Recorder<C, K> {
     /// Begins a recording.
     pub(crate) fn begun(chart: C, keep: K) -> Self {
         let (inputs, at) = (C::Inputs::default(), chart.reading());
-        let mut recorder = Self { chart, keep, inputs, at, quiet: 0, skipped: 0, cycles: 0 };
+        let mut recorder = Self { chart, keep, inputs, word: inputs.word(), at, quiet: 0, skipped: 0, cycles: 0 };
         recorder.write_state(REPLACED);
         recorder
     }
@@ -83,7 +85,8 @@ impl<C: Recordable, K: Keep> Recorder<C, K> {
     #[inline]
     pub fn cycle(&mut self, inputs: &C::Inputs, now: impl Into<Ticks>, actions: &mut C::Actions<'_>) -> C::Outputs {
         let now = now.into();
-        let is_quiet = now.since(self.at).get() < self.quiet && inputs.is_same(&self.inputs) && self.skipped < LONGEST;
+        let is_same = if C::Inputs::IS_WORD { inputs.word() == self.word } else { inputs.is_same(&self.inputs) };
+        let is_quiet = now.since(self.at).get() < self.quiet && is_same && self.skipped < LONGEST;
         if is_quiet {
             self.skipped += 1;
         } else {
@@ -136,6 +139,7 @@ impl<C: Recordable, K: Keep> Recorder<C, K> {
         self.skipped = 0;
         self.at = now;
         self.inputs = *inputs;
+        self.word = inputs.word();
     }
 
     /// For how long nothing has to be written, after a cycle.

@@ -24,10 +24,26 @@ pub trait Record: Copy {
 
     /// Whether both values would be written down alike. A float that is no number is the same as itself.
     fn is_same(&self, other: &Self) -> bool;
+
+    /// Whether [`word`](Record::word) tells the value.
+    #[doc(hidden)]
+    const IS_WORD: bool = false;
+
+    /// All bits of the value: comparing it with a word that is kept takes half the instructions of comparing it with a value.
+    #[doc(hidden)]
+    fn word(&self) -> u32 {
+        0
+    }
 }
 
 impl Record for bool {
     const BITS: usize = 1;
+    const IS_WORD: bool = true;
+
+    #[inline]
+    fn word(&self) -> u32 {
+        u32::from(*self)
+    }
 
     fn write(&self, to: &mut Writer<'_>) {
         to.put(u32::from(*self), 1);
@@ -48,6 +64,15 @@ macro_rules! numbers {
     ($($number:ty as $bits:ty: $to:expr, $from:expr;)*) => {$(
         impl Record for $number {
             const BITS: usize = <$bits>::BITS as usize;
+            const IS_WORD: bool = <$bits>::BITS <= 32;
+
+            #[inline]
+            #[allow(clippy::cast_possible_truncation, reason = "it is asked for where it fits")]
+            #[allow(clippy::cast_lossless, clippy::unnecessary_cast, reason = "of all widths")]
+            fn word(&self) -> u32 {
+                let bits: $bits = $to(*self);
+                bits as u32
+            }
 
             fn write(&self, to: &mut Writer<'_>) {
                 let bits: $bits = $to(*self);
