@@ -54,6 +54,13 @@ pub struct Derive {
     pub mark: Mark,
 }
 
+/// Whether a derive is this trait of `serde`: `Serialize`, `serde::Serialize`; but no other crate's.
+pub(crate) fn is_of_serde(path: &Path, name: &str) -> bool {
+    let mut names = path.segments.iter().map(|segment| &segment.ident);
+    let (first, last) = (names.next(), names.next_back());
+    last.or(first).is_some_and(|last| last == name) && (last.is_none() || first.is_some_and(|first| first == "serde"))
+}
+
 /// How loud a broken rule is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, PartialOrd, Ord)]
 pub enum Severity {

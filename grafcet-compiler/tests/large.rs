@@ -89,8 +89,9 @@ fn flags_of_more_than_32_bytes_do_not_go_with_serde() {
         let code = expanded(&chart);
         code.matches("go together with serde").count()
     };
-    let both = "#[derive(serde::Serialize)] #[cfg_attr(feature = \"store\", derive(Hash, Deserialize))]";
+    let both = "#[derive(serde::Serialize)] #[cfg_attr(feature = \"store\", derive(Hash, Serialize, Deserialize))]";
     assert_eq!(marked(255, both, "encoding flags;"), 2);
+    assert_eq!(marked(255, "#[derive(Deserialize)]", "encoding flags;"), 0);
     assert_eq!(marked(254, both, "encoding flags;"), 0);
     assert_eq!(marked(255, both, ""), 0);
     assert_eq!(marked(255, "#[derive(Hash, rkyv::Serialize)]", "encoding flags;"), 0);

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use grafcet::record::{RestoreError, Stored, snapshot_len};
 use grafcet::{Ticks, grafcet};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 grafcet! {
@@ -65,27 +67,81 @@ fn derives_reach_every_type() {
 
 #[test]
 fn a_stored_chart_goes_on_where_it_was() {
+    type StoredLamp = Stored<{ snapshot_len::<Lamp>() }>;
     let mut lamp = Lamp::new();
     let push = LampInputs { push: true };
-    lamp.cycle(&push, Ticks::new(0));
-    lamp.cycle(&push, Ticks::new(10));
-    lamp.cycle(&LampInputs::default(), Ticks::new(20_000));
+    lamp.cycle(&push, Ticks::new(1_000_000));
+    lamp.cycle(&push, Ticks::new(1_000_010));
+    lamp.cycle(&LampInputs::default(), Ticks::new(1_020_000));
 
-    let stored = serde_json::to_string(&lamp).expect("a chart is plain data");
-    let mut again: Lamp = serde_json::from_str(&stored).expect("what was stored");
-    assert_eq!(again, lamp);
-    for now in [26_000, 30_009, 30_010, 31_000] {
-        let (one, other) = (lamp.cycle(&push, Ticks::new(now)), again.cycle(&push, Ticks::new(now)));
-        assert_eq!(one, other);
+    let stored = serde_json::to_string(&Stored::<{ snapshot_len::<Lamp>() }>::of(&lamp)).expect("bytes");
+    let read: StoredLamp = serde_json::from_str(&stored).expect("what was stored");
+    assert_eq!(read, Stored::of(&lamp));
+    // The clock begins anew: lit for 19.99 s, and for 30 s in all.
+    let mut again: Lamp = read.restore(7).expect("what was stored");
+    for elapsed in [0, 5_009, 10_009, 10_010] {
+        let (one, other) = (lamp.cycle(&push, 1_020_000 + elapsed), again.cycle(&push, 7 + elapsed));
+        assert_eq!(one, other, "{elapsed}");
+        assert_eq!(one.lamp, elapsed < 10_010, "{elapsed}");
         assert_eq!(serde_json::to_string(&one).expect("outputs"), serde_json::to_string(&other).expect("outputs"));
     }
 
     let mut stirrer = Stirrer::new();
     stirrer.cycle(&StirrerInputs { go: true, fast: true, done: false }, Ticks::new(1));
-    let stored = serde_json::to_string(&stirrer).expect("a chart is plain data");
-    let again: Stirrer = serde_json::from_str(&stored).expect("what was stored");
+    let again: Stirrer = Stored::<{ snapshot_len::<Stirrer>() }>::of(&stirrer).restore(0).expect("what was stored");
     assert!(again.is_active(StirrerStep::Stir) && again.is_active(StirrerStep::Heat));
     assert_eq!(serde_json::to_string(&StirrerStep::Heat).expect("a name"), "\"Heat\"");
+    assert!(serde_json::to_string(&stirrer).expect("a chart is plain data").contains("Heat"));
+}
+
+/// What `serde` reads back is checked, not believed.
+#[test]
+fn what_is_read_back_is_checked() {
+    type StoredStirrer = Stored<{ snapshot_len::<Stirrer>() }>;
+    let mut stirrer = Stirrer::new();
+    stirrer.cycle(&StirrerInputs { go: true, fast: true, done: false }, Ticks::new(1));
+    let bytes = StoredStirrer::of(&stirrer).as_bytes().to_vec();
+    let read = |bytes: &[u8]| serde_json::from_str::<StoredStirrer>(&format!("{bytes:?}"));
+    assert!(read(&bytes).expect("bytes").restore::<Stirrer>(0).is_ok());
+    for bit in 0..bytes.len() * 8 {
+        let mut bytes = bytes.clone();
+        bytes[bit / 8] ^= 1 << (bit % 8);
+        assert!(read(&bytes).expect("bytes").restore::<Stirrer>(0).is_err(), "bit {bit}");
+    }
+    for len in 0..bytes.len() {
+        assert!(read(&bytes[..len]).is_err(), "{len} bytes");
+    }
+    assert!(read(&[&bytes[..], &[0]].concat()).is_err());
+    let lamp = Stored::<{ snapshot_len::<Lamp>() }>::of(&Lamp::new());
+    assert!(matches!(lamp.restore::<Stirrer>(0), Err(RestoreError::OtherChart { .. })));
+}
+
+/// Asks whether a type can be read back by itself.
+struct Asked<T>(std::marker::PhantomData<T>);
+
+impl<T: DeserializeOwned> Asked<T> {
+    #[expect(clippy::unused_self, reason = "a method of the type goes before one of a trait")]
+    fn is_read(&self) -> bool {
+        true
+    }
+}
+
+trait Otherwise {
+    fn is_read(&self) -> bool {
+        false
+    }
+}
+
+impl<T> Otherwise for Asked<T> {}
+
+/// A chart that derives `Deserialize` is read back through [`Stored`] alone; what surrounds it, as any data.
+#[test]
+fn no_chart_is_read_back_by_itself() {
+    macro_rules! is_read {
+        ($($ty:ty),*) => {[$(Asked::<$ty>(std::marker::PhantomData).is_read()),*]};
+    }
+    assert_eq!(is_read!(Lamp, Stirrer), [false; 2]);
+    assert_eq!(is_read!(LampInputs, LampOutputs, LampParams, LampStep, StirrerInputs), [true; 5]);
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! What the types of a chart are to derive, beside how its situation is stored.
 
-use syn::Path;
-
+use crate::ast::is_of_serde;
 use crate::diagnostic::{Mark, Sink};
 use crate::model::Model;
 
@@ -15,19 +14,11 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     if !model.flags || steps <= MOST {
         return;
     }
-    for path in model.derives.iter().flat_map(|derive| &derive.traits).filter(|path| is_of_serde(path)) {
+    for path in model.derives.iter().flat_map(|derive| &derive.traits).filter(|path| is_of_serde(path, "Serialize")) {
         let message = format!(
             "serde stores arrays of up to 32 bytes, and with `encoding flags;` {steps} steps take more: up to {MOST} steps \
              go together with serde; leave out `encoding flags;`, or this derive"
         );
         sink.notation(Mark::of(path), message);
     }
-}
-
-/// `Serialize`, `serde::Deserialize`; but no other crate's.
-fn is_of_serde(path: &Path) -> bool {
-    let mut names = path.segments.iter().map(|segment| segment.ident.to_string());
-    let (first, last) = (names.next(), names.next_back());
-    let name = last.as_ref().or(first.as_ref()).is_some_and(|name| name == "Serialize" || name == "Deserialize");
-    name && (last.is_none() || first.is_some_and(|name| name == "serde"))
 }

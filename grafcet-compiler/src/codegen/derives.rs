@@ -5,6 +5,7 @@ use quote::{ToTokens, format_ident};
 use syn::{Path, Type};
 
 use super::requirements;
+use crate::ast::is_of_serde;
 use crate::list::List;
 use crate::model::{Model, Ty};
 use crate::place::quote;
@@ -17,6 +18,8 @@ pub(super) struct Derives {
     /// Types of fields of which nobody knows whether they are `Copy`. A derive would report that at the whole chart, so `Clone`
     /// and `Copy` are written out under the condition that they are; [`requirements`](super::requirements) asks for it.
     foreign: Vec<Type>,
+    /// Whether it is the chart itself.
+    is_chart: bool,
 }
 
 /// Of a struct with fields of these types. Of a user's own type only what a chart needs is asked for.
@@ -30,7 +33,7 @@ pub(super) fn of<'t>(types: impl Iterator<Item = &'t Ty>) -> Derives {
             derives.push("Eq");
         }
     }
-    Derives { names: derives, by_hand: None, foreign }
+    Derives { names: derives, by_hand: None, foreign, is_chart: false }
 }
 
 /// Of an enum of names, which writes its `Debug`.
@@ -44,10 +47,16 @@ pub(super) fn of_states() -> Derives {
 }
 
 fn plain(names: Vec<&'static str>) -> Derives {
-    Derives { names, by_hand: Some("Debug"), foreign: Vec::new() }
+    Derives { names, by_hand: Some("Debug"), foreign: Vec::new(), is_chart: false }
 }
 
 impl Derives {
+    /// The chart itself, which nobody reads back unchecked: `Deserialize` does not reach it.
+    pub(super) fn of_chart(mut self) -> Self {
+        self.is_chart = true;
+        self
+    }
+
     /// With another one.
     pub(super) fn and(mut self, name: &'static str) -> Self {
         self.by_hand = self.by_hand.filter(|written| *written != name);
@@ -93,8 +102,9 @@ impl Derives {
             !standard(path)
                 .is_some_and(|name| self.names.iter().chain(&self.by_hand).chain(others).any(|own| name == *own))
         };
+        let is_believed = |path: &&Path| self.is_chart && is_of_serde(path, "Deserialize");
         let attributes = model.derives.iter().map(|derive| {
-            let traits: Vec<&Path> = derive.traits.iter().filter(has).list();
+            let traits: Vec<&Path> = derive.traits.iter().filter(|path| has(path) && !is_believed(path)).list();
             match &derive.when {
                 _ if traits.is_empty() => TokenStream::new(),
                 None => quote!(#[derive(#(#traits),*)]),

@@ -346,7 +346,7 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let declared = fields.iter().map(|Field { name, ty, .. }| quote!(#name: #ty,));
     let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
     let stored = machine.stored.iter().copied();
-    let derives = derives::of(stored.chain(model.params.values().map(|param| &param.ty)));
+    let derives = derives::of(stored.chain(model.params.values().map(|param| &param.ty))).of_chart();
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));

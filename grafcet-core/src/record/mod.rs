@@ -15,6 +15,8 @@ mod recorder;
 mod replay;
 mod ring;
 mod snapshot;
+#[cfg(feature = "serde")]
+mod stored;
 mod value;
 mod varint;
 #[cfg(feature = "wire")]
@@ -28,6 +30,8 @@ pub use memory::Memory;
 pub use recorder::{Recorder, TooSmall};
 pub use replay::{Moment, ReplayError, replay};
 pub use snapshot::{RestoreError, restore, snapshot, snapshot_len};
+#[cfg(feature = "serde")]
+pub use stored::Stored;
 pub use value::Record;
 
 /// What generated code names.
