@@ -245,7 +245,10 @@ impl Program<'_> {
                 let parts = [condition, then, otherwise].map(|part| self.expr(part, 0));
                 (format!("if {} then {} else {}", parts[0], parts[1], parts[2]), 0)
             }
-            Expr::Table(place, _) => (format!("table({})", self.name(*place)), 9),
+            Expr::Table(place, table) => {
+                let name = if let Some((_, Value::Ticks(_))) = table.first() { "times" } else { "table" };
+                (format!("{name}({})", self.name(*place)), 9)
+            }
             Expr::Next(place) => (format!("{} + 1", self.name(*place)), 4),
             Expr::Add(a, b) => (two(a, "+", b), 4),
             Expr::Sub(a, b) => (two(a, "-", b), 4),

@@ -251,6 +251,8 @@ fn each_pass_is_as_recorded() {
         (Pass::Dead, lamp),
         (Pass::Store, lamp),
         (Pass::Tables, &belt()),
+        (Pass::Next, &wash()),
+        (Pass::Passed, &wash()),
         (Pass::Records, lamp),
         (Pass::Fences, pair),
     ] {
@@ -282,6 +284,62 @@ fn belt() -> String {
         _ = write!(text, "{initial}step S{step}{action} S{step} -[{input}]-> S{}; ", (step + 1) % 9);
     }
     text + "}"
+}
+
+/// Ten steps of a sequence by time, some of which wait for the same, one with two ways and one that stays beyond its time.
+fn wash() -> String {
+    let mut text = "sfc Wash { input a, b: bool; output p, q: bool; var n: bool; ".to_owned();
+    for step in 0..10 {
+        let action = ["", "p; ", "S q; ", "R q; P1 n = !n; ", "p if a; "][step % 5];
+        _ = write!(text, "{}step S{step} {{ {action}}} ", if step == 0 { "initial " } else { "" });
+    }
+    for (step, condition) in
+        ["a", "5ms/S1", "5ms/S2", "5ms/S3", "a", "a && 3ms/S5", "5ms/S6", "5ms/S7"].iter().enumerate()
+    {
+        _ = write!(text, "S{step} -[{condition}]-> S{}; ", step + 1);
+    }
+    text + "S8 -[b]-> S9; S8 -[!b && 5ms/S8]-> S2; S9 -[5ms/S9 && n]-> S1; S9 -[5ms/S9 && !n]-> S0; }"
+}
+
+/// A sequence by time that only `5ms` and a button keep apart: most of it is a table of times.
+#[test]
+fn a_table_says_how_long_each_step_takes() {
+    let model = read(
+        "sfc Lights { input a: bool; output r, y, g: bool; initial step A { g; } step B { y; } step C { r; } step D { r; y; } step E { y; } \
+         A -[a && 5ms/A]-> B -[3ms/B]-> C -[70000ms/C]-> D -[2ms/D]-> E -[4ms/E]-> A; }",
+    );
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("times(state)"), "{program}");
+    let mut text = "---\n---\n".to_owned();
+    let mut now = 0;
+    for cycle in 0..200_u32 {
+        now += [1, 1, 2, 1, 30_000][(cycle % 5) as usize];
+        _ = writeln!(text, "{} @{now} | |", ["a", "", ""][(cycle / 4 % 3) as usize]);
+    }
+    let lines = reader::read(&text).expect("a timeline").lines;
+    assert!(matches!(compare(&model, &lines, Encoding::Regions, &Pass::ALL), Ok(Outcome::Same)));
+    assert_eq!(sleeps(&model, &lines[..60], Encoding::Regions, &Pass::ALL), Ok(()));
+}
+
+/// Steps that wait for the same, each of which leads elsewhere, at the times at which they do.
+#[test]
+fn steps_that_wait_for_the_same_lead_elsewhere() {
+    let model = read(&wash());
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("if goes:"), "{program}");
+    let mut text = "---\n---\n".to_owned();
+    for cycle in 0..400_u32 {
+        let inputs = ["", "a", "b", "a b", "a"][(cycle / 3 % 5) as usize];
+        _ = writeln!(text, "{inputs} @{} | |", cycle * 2 - cycle % 3);
+    }
+    let lines = reader::read(&text).expect("a timeline").lines;
+    for left_out in Pass::ALL.map(Some).into_iter().chain([None]) {
+        let mut passes = Pass::ALL.to_vec();
+        passes.retain(|pass| Some(*pass) != left_out);
+        let outcome = compare(&model, &lines, Encoding::Regions, &passes);
+        assert!(matches!(outcome, Ok(Outcome::Same)), "{left_out:?}: {:?}", outcome.err());
+        assert_eq!(sleeps(&model, &lines[..80], Encoding::Regions, &passes), Ok(()), "{left_out:?}");
+    }
 }
 
 /// A table leads from each step to its next one, and nowhere while its condition does not hold.

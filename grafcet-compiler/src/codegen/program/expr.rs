@@ -139,14 +139,32 @@ impl<'m> Printer<'_, 'm> {
     }
 
     /// What a table has for the state of a place. None is out of its bounds, which LLVM knows.
+    /// What it does not have is the state itself, or no time.
     fn table(&self, place: PlaceId, table: &[(Value, Value)]) -> TokenStream {
         let (p, ty, state) = (&self.cx.p, self.program.places[place.0].ty, self.get(place));
         let of_state: Map<Value, Value> = table.iter().copied().collect();
+        let states = self.layout.states(self.program, ty);
+        let length = Literal::usize_suffixed(states.len());
+        let longest =
+            of_state.values().filter_map(|value| if let Value::Ticks(time) = value { Some(*time) } else { None }).max();
+        if let Some(longest) = longest {
+            let is_short = u16::try_from(longest).is_ok();
+            let held = if is_short { quote!(#p::u16) } else { quote!(#p::u32) };
+            let mut times = Vec::new();
+            for state in states {
+                let time = if let Some(Value::Ticks(time)) = of_state.get(&state) { *time } else { 0 };
+                times.push(Literal::u32_unsuffixed(time));
+            }
+            return quote!(#p::Ticks::new({
+                const TABLE: [#held; #length] = [#(#times),*];
+                match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => #p::u32::from(*found), #p::Option::None => 0 }
+            }));
+        }
         let mut values = Vec::new();
-        for from in self.layout.states(self.program, ty) {
+        for from in states {
             values.push(self.constant(*of_state.get(&from).unwrap_or(&from), ty));
         }
-        let (length, held) = (Literal::usize_suffixed(values.len()), self.ty(place));
+        let held = self.ty(place);
         quote!({
             const TABLE: [#held; #length] = [#(#values),*];
             match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => *found, #p::Option::None => #state }

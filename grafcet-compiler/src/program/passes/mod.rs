@@ -13,13 +13,16 @@
 //! - `dead`: what nobody looks at
 //! - `store`: the next state is stored once
 //! - `tables`: of a long sequence a test for each condition, and a table of the next states
+//! - `next`: steps that wait for the same share an arm, and a table says which step is next
+//! - `passed`: a time is computed once for all states that ask for it
 //! - `records`: few outputs are one constant in each state
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
-//! `share` (what lists have in common), `several` also on `parts` (another order, in which those of one region stand together) and `among` (which
+//! `share` (what lists have in common, `alike` what only looks different), `several` also on `parts` (another order, in which those of one region stand together) and `among` (which
 //! states of a region are possible); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
 
+mod alike;
 mod among;
 mod apart;
 mod branches;
@@ -31,8 +34,10 @@ mod fold;
 mod forward;
 mod hoist;
 mod moved;
+mod next;
 mod outputs;
 mod parts;
+mod passed;
 mod records;
 mod search;
 mod several;
@@ -65,13 +70,15 @@ pub enum Pass {
     Dead,
     Store,
     Tables,
+    Next,
+    Passed,
     Records,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -86,6 +93,8 @@ impl Pass {
         Self::Dead,
         Self::Store,
         Self::Tables,
+        Self::Next,
+        Self::Passed,
         Self::Records,
         Self::Fences,
     ];
@@ -129,6 +138,12 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Tables) {
         tables::pass(program);
+    }
+    if wants(Pass::Next) {
+        next::pass(program);
+    }
+    if wants(Pass::Passed) {
+        passed::pass(program);
     }
     if wants(Pass::Records) {
         records::pass(program);

@@ -42,10 +42,20 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
     };
     let passed = program.place(Role::Passed);
     let Some(at) = ways.fields.iter().position(|field| *field == settled) else { return nothing };
-    let moved = Moved { state: ways.state, settled, since, passed, at, mark: ways.points[0] };
+    let mut moved = Moved {
+        state: ways.state,
+        settled,
+        since,
+        passed,
+        at,
+        mark: ways.points[0],
+        over: Vec::new(),
+        is_first_apart: false,
+    };
     if !moved.is_told(ways) {
         return nothing;
     }
+    moved.over = moved.outlasted(ways);
     let begun = moved.begins(ways);
     // A step that no cycle begins with and stays in: of the first cycle, and of a step that is left and entered at once.
     let [one, other, ..] = program.regions[0][..] else { return nothing };
@@ -58,8 +68,10 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
         let from = ways.points[point];
         let Some(tree) = tree else { continue };
         tree.each_leaf_mut(&mut |leaf| {
-            let same = leaf.state == from || point == 0 && passed.is_some();
             let step = if let Value::Step(Some(step)) = leaf.state { step } else { one };
+            let is_over = moved.over.contains(&step);
+            moved.is_first_apart |= point == 0 && !is_over;
+            let same = leaf.state == from || point == 0 && is_over;
             moved.tell(leaf, before, same.then(|| apart(step)), begun && leaf.state != from);
         });
     }
@@ -67,7 +79,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
     let (mut front, mut behind) = (vec![Statement::Set(before, Expr::Place(ways.state))], Vec::new());
     if begun {
         let name = format!("was.{}", program.places[ways.state.0].name);
-        let initial = Initial::Value(Value::Step(None));
+        let initial = Initial::Value(Value::Step(Some(one)));
         program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
         let begun_in = PlaceId(program.places.len() - 1);
         front.insert(0, Statement::Set(begun_in, Expr::Place(ways.state)));
@@ -87,6 +99,10 @@ struct Moved {
     at: usize,
     /// What stands for a time that is over.
     mark: Value,
+    /// The steps that stay active then.
+    over: Vec<StepId>,
+    /// The first cycle has the same mark, and ends in another step.
+    is_first_apart: bool,
 }
 
 impl Moved {
@@ -107,6 +123,27 @@ impl Moved {
             });
         }
         told
+    }
+
+    /// The steps in which a time can be over.
+    fn outlasted(&self, ways: &mut Ways<'_, '_>) -> Vec<StepId> {
+        let mut steps = Vec::new();
+        for tree in ways.trees.iter_mut().flatten() {
+            tree.each_leaf_mut(&mut |leaf| {
+                let is_over = leaf.body.iter().any(|one| self.is_over(one));
+                if let (Value::Step(Some(step)), true) = (leaf.state, is_over) {
+                    if !steps.contains(&step) {
+                        steps.push(step);
+                    }
+                }
+            });
+        }
+        steps
+    }
+
+    fn is_over(&self, statement: &Statement<'_>) -> bool {
+        matches!(statement, Statement::Set(place, value)
+            if Some(*place) == self.passed && !matches!(value, Expr::Value(Value::Bool(false))))
     }
 
     /// Whether something of it is written before the end of the ways.
@@ -177,7 +214,10 @@ impl Moved {
     /// The deadline asks for the state that the cycle began with.
     fn ask<'m>(&self, program: &mut Program<'m>, before: PlaceId, begun: bool) {
         let Some(deadline) = &mut program.deadline else { return };
-        let is_over = compare(Comparison::Equal, Expr::Place(before), Expr::Value(self.mark));
+        let mut is_over = compare(Comparison::Equal, Expr::Place(before), Expr::Value(self.mark));
+        if self.is_first_apart {
+            is_over = all(vec![is_over, Expr::Is(self.state, self.over.clone())]);
+        }
         let moved = compare(Comparison::Differs, Expr::Place(before), Expr::Place(self.state));
         let moved = if self.passed.is_some() { all(vec![moved, not(is_over.clone())]) } else { moved };
         let leaf = |expr: &Expr<'m>| match expr {

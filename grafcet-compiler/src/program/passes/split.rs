@@ -19,6 +19,7 @@
 
 use super::super::build::not;
 use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::alike;
 use super::dead::{Live, is_seen, needed};
 use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
 use super::flat::flat;
@@ -171,6 +172,7 @@ impl Split {
             return;
         }
         sweep(program, &mut trees);
+        alike::pass(program, &self.points, &self.fields, &mut trees);
         let (mut acts, rest) = self.join(&mut trees);
         let mut cycle = front;
         cycle.push(self.evolution(trees));

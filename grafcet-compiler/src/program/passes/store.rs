@@ -49,7 +49,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
 }
 
 /// A match on the state of a region that decides which one is next.
-fn writes_state(program: &Program<'_>, statement: &Statement<'_>) -> bool {
+pub(super) fn writes_state(program: &Program<'_>, statement: &Statement<'_>) -> bool {
     let Statement::Match(place, arms, otherwise) = statement else { return false };
     let is_state = matches!(program.places[place.0].role, Role::State(_));
     let mut effects = Effects::default();

@@ -126,7 +126,7 @@ fn play(grafcet: bool, next: &Next, cycles: usize) -> Result<Part, String> {
 fn differs(model: &Model, lines: &[Line], number: u64) -> Result<bool, String> {
     let encoding = if (number / 16) % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
     let mut passes = Pass::ALL.to_vec();
-    if let Some(left_out) = Pass::ALL.get(usize::try_from(number / 3).unwrap_or(0) % 16) {
+    if let Some(left_out) = Pass::ALL.get(usize::try_from(number / 3).unwrap_or(0) % (Pass::ALL.len() + 1)) {
         passes.retain(|pass| pass != left_out);
     }
     if number % 5 == 0 {

@@ -38,52 +38,64 @@ impl Crossing {
                 hurry: false,
             }
         };
-        let was_state: __CrossingState = self.state;
         self.before_state = self.state;
         self.reading = now;
+        let passed: Ticks = now.since(self.since);
+        let mut goes: bool = false;
         match self.state {
             __CrossingState::INIT => {
-                self.state = __CrossingState::Cars;
+                goes = true;
             }
             __CrossingState::Cars => {
-                if !self.edge0_before && inputs.button {
-                    self.state = __CrossingState::Asked;
-                }
-            }
-            __CrossingState::Asked => {
-                if now.since(self.since) >= Ticks::new(5000u32) {
-                    self.state = __CrossingState::Yellow;
-                }
-            }
-            __CrossingState::Yellow => {
-                if now.since(self.since) >= Ticks::new(3000u32) {
-                    self.state = __CrossingState::Stop;
-                }
+                goes = !self.edge0_before && inputs.button;
             }
             __CrossingState::Stop => {
-                if now.since(self.since) >= Ticks::new(2000u32) {
-                    self.state = __CrossingState::Walk;
+                if passed >= Ticks::new(2000u32) {
                     outputs.chirp = true;
+                    goes = true;
                 }
             }
             __CrossingState::Walk => {
-                if now.since(self.since) >= Ticks::new(8000u32) {
-                    self.state = __CrossingState::Clear;
+                if passed >= Ticks::new(8000u32) {
+                    goes = true;
                 } else {
-                    outputs.chirp = now.since(self.since)
-                        < Ticks::new(1000u32);
-                    outputs.hurry = now.since(self.since)
-                        >= Ticks::new(6000u32);
+                    outputs.chirp = passed < Ticks::new(1000u32);
+                    outputs.hurry = passed >= Ticks::new(6000u32);
                 }
             }
-            __CrossingState::Clear => {
-                if now.since(self.since) >= Ticks::new(4000u32) {
-                    self.state = __CrossingState::Cars;
-                }
+            __CrossingState::Asked
+            | __CrossingState::Yellow
+            | __CrossingState::Clear => {
+                goes = passed
+                    >= (Ticks::new({
+                        const TABLE: [u16; 7usize] = [
+                            0, 5000, 3000, 0, 0, 4000, 0,
+                        ];
+                        match TABLE.get(self.state as usize) {
+                            Option::Some(found) => {
+                                u32::from(*found)
+                            }
+                            Option::None => 0,
+                        }
+                    }));
             }
-            _ => {}
         }
-        if was_state != self.state {
+        if goes {
+            self.state = {
+                const TABLE: [__CrossingState; 7usize] = [
+                    __CrossingState::Asked,
+                    __CrossingState::Yellow,
+                    __CrossingState::Stop,
+                    __CrossingState::Walk,
+                    __CrossingState::Clear,
+                    __CrossingState::Cars,
+                    __CrossingState::Cars,
+                ];
+                match TABLE.get(self.state as usize) {
+                    Option::Some(found) => *found,
+                    Option::None => self.state,
+                }
+            };
             self.since = now;
         }
         match self.state {
@@ -109,7 +121,7 @@ impl Crossing {
             __CrossingState::Clear => {
                 outputs.red = true;
             }
-            _ => {}
+            __CrossingState::INIT => {}
         }
         self.edge0_before = inputs.button;
         outputs

@@ -1,0 +1,230 @@
+//! Steps that wait for the same share an arm, and a table says which step each of them leads to.
+//!
+//! ```text
+//! match state                              match state
+//!   Fill:                                    Fill:
+//!     if full: state = Heat                    if full:
+//!     else if 10s: state = Alarm                 state = Heat
+//!   Rest:                                        since = now
+//!     if 1s: state = Turn                      else if 10s: goes = true
+//!   Ramp:                        ->          Rest|Ramp: goes = 1s
+//!     if 1s: state = Spin                  if goes:
+//! if was != state: since = now               state = table(state)
+//! match state                                since = now
+//!   …                                      match state
+//!                                            …
+//! ```
+//!
+//! Behind a state from a table LLVM cannot go on by itself to what that state does: there is one dispatch more, and what is done behind the ways
+//! is there once. A step with several ways has the last one in the table, as those before it are taken more often.
+//!
+//! Needs: the match stands in no loop, and each way through it ends in one state at most.
+
+use super::super::build::{compare, yes};
+use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::split::merged;
+use super::store::writes_state;
+use super::uses::{Effects, is_pure, same};
+use crate::list::List;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
+    let [Statement::Match(state, arms, _), behind @ ..] = &program.cycle[at..] else { return };
+    let (state, goes) = (*state, PlaceId(program.places.len()));
+    let (was, begins) = match begins(behind, state) {
+        Some((was, begins)) => (Some(was), begins.to_vec()),
+        None => (None, Vec::new()),
+    };
+    let mut next = Next { state, goes, begins, table: Vec::new() };
+    let mut new: Vec<Arm<'_>> = Vec::with_capacity(arms.len());
+    for (values, body) in arms {
+        let [own] = values[..] else { return };
+        let Some(body) = next.arm(own, body) else { return };
+        new.push((values.clone(), body));
+    }
+    let before = new.len();
+    let new = timed(merged(new), state, goes);
+    if !is_smaller(before, new.len()) {
+        return;
+    }
+    let mut then = vec![Statement::Set(state, Expr::Table(state, next.table))];
+    then.extend(next.begins);
+    let new = [Statement::Match(state, new, Vec::new()), Statement::If(Expr::Place(goes), then, Vec::new())];
+    program.cycle.splice(at..=at + usize::from(was.is_some()), new);
+    program.places.push(PlaceInfo {
+        name: "goes".to_owned(),
+        role: Role::Local,
+        ty: Type::Bool,
+        initial: Initial::Value(Value::Bool(false)),
+        is_field: false,
+    });
+    if let Some(was) = was {
+        without(&mut program.cycle, was);
+    }
+    let mut cycle = std::mem::take(&mut program.cycle);
+    for statement in &mut cycle {
+        complete(program, state, statement);
+    }
+    program.cycle = cycle;
+}
+
+/// What is done behind the ways where the state differs from what it was: the local that says what it was, and what is done.
+fn begins<'s, 'm>(behind: &'s [Statement<'m>], state: PlaceId) -> Option<(PlaceId, &'s [Statement<'m>])> {
+    let Some(Statement::If(Expr::Compare(Comparison::Differs, was, now), begins, otherwise)) = behind.first() else {
+        return None;
+    };
+    match (&**was, &**now) {
+        (Expr::Place(was), Expr::Place(now)) if *now == state && otherwise.is_empty() => {
+            (!Effects::of_all(begins).writes.contains(&state)).then_some((*was, begins))
+        }
+        _ => None,
+    }
+}
+
+/// What the ways become.
+struct Next<'m> {
+    state: PlaceId,
+    /// Whether the table says what is next.
+    goes: PlaceId,
+    /// What each way to another state does.
+    begins: Vec<Statement<'m>>,
+    table: Vec<(Value, Value)>,
+}
+
+impl<'m> Next<'m> {
+    fn arm(&mut self, own: Value, body: &[Statement<'m>]) -> Option<Vec<Statement<'m>>> {
+        let mut ends = Vec::new();
+        self.ends(body, &mut ends)?;
+        let Some(to) = ends.into_iter().rfind(|to| *to != own) else { return Some(body.to_vec()) };
+        self.table.push((own, to));
+        let mut body = body.to_vec();
+        self.lead(&mut body, own, to);
+        if let [Statement::If(condition, then, otherwise)] = &body[..] {
+            let alone =
+                matches!(&then[..], [Statement::Set(place, Expr::Value(Value::Bool(true)))] if *place == self.goes);
+            if alone && otherwise.is_empty() && is_pure(condition) {
+                body = vec![Statement::Set(self.goes, condition.clone())];
+            }
+        }
+        Some(body)
+    }
+
+    /// The states in which the ways end that set one, in their order.
+    fn ends(&self, body: &[Statement<'m>], ends: &mut Vec<Value>) -> Option<()> {
+        let (before, last) = match body.split_last() {
+            Some((Statement::If(_, then, otherwise), before)) => (before, Some([then, otherwise])),
+            _ => (body, None),
+        };
+        let mut to = None;
+        for statement in before {
+            match statement {
+                Statement::Set(place, Expr::Value(value)) if *place == self.state && to.is_none() => to = Some(*value),
+                other if Effects::of(other).writes.contains(&self.state) => return None,
+                _ => {}
+            }
+        }
+        match (last, to) {
+            (None, to) => ends.extend(to),
+            (Some(ways), None) => {
+                for way in ways {
+                    self.ends(way, ends)?;
+                }
+            }
+            (Some(_), Some(_)) => return None,
+        }
+        Some(())
+    }
+
+    /// Ways to one state take it from the table; all others to another one begin what begins there.
+    fn lead(&self, body: &mut Vec<Statement<'m>>, own: Value, next: Value) {
+        if let Some(Statement::If(_, then, otherwise)) = body.last_mut() {
+            self.lead(then, own, next);
+            self.lead(otherwise, own, next);
+            return;
+        }
+        let is_end = |one: &Statement<'m>| matches!(one, Statement::Set(place, _) if *place == self.state);
+        let Some(at) = body.iter().position(is_end) else { return };
+        let Statement::Set(_, Expr::Value(to)) = body[at] else { return };
+        if to == next {
+            body.remove(at);
+            body.push(Statement::Set(self.goes, yes()));
+        } else if to != own {
+            body.extend(self.begins.iter().cloned());
+        }
+    }
+}
+
+/// A local that nothing looks at any more.
+fn without(cycle: &mut Vec<Statement<'_>>, was: PlaceId) {
+    if !Effects::of_all(cycle).reads.contains(&was) {
+        cycle.retain(|statement| !matches!(statement, Statement::Set(place, _) if *place == was));
+    }
+}
+
+/// LLVM looks whether a state is in range of a match that does not name it.
+fn complete(program: &Program<'_>, state: PlaceId, statement: &mut Statement<'_>) {
+    let Statement::Match(place, arms, otherwise) = statement else { return };
+    let Type::State(region) = program.places[state.0].ty else { return };
+    if *place != state || !otherwise.is_empty() {
+        return;
+    }
+    let mut missing = Vec::new();
+    for step in &program.regions[region] {
+        missing.push(Value::Step(Some(*step)));
+    }
+    if let Initial::Value(start @ Value::Start(_)) = program.places[state.0].initial {
+        missing.push(start);
+    }
+    missing.retain(|value| !arms.iter().any(|(values, _)| values.contains(value)));
+    if !missing.is_empty() {
+        arms.push((missing, Vec::new()));
+    }
+}
+
+/// Where few arms become one, LLVM does better with states that it knows.
+fn is_smaller(before: usize, arms: usize) -> bool {
+    4 * arms <= 3 * before
+}
+
+/// About so many bytes takes an arm that waits for a time alone, and a table of times beside what is in it.
+const ARM: usize = 10;
+const TABLE: usize = 14;
+
+/// Arms that wait for times alone are one, if a table of the times is smaller.
+fn timed<'m>(arms: Vec<Arm<'m>>, state: PlaceId, goes: PlaceId) -> Vec<Arm<'m>> {
+    let (mut rest, mut waits, mut times) = (Vec::with_capacity(arms.len()), Vec::new(), Vec::new());
+    let states: usize = arms.iter().map(|(values, _)| values.len()).sum();
+    let mut asked: Option<&Expr<'m>> = None;
+    for (index, (values, body)) in arms.iter().enumerate() {
+        let Some((passed, time)) = waits_for(body, goes) else { continue };
+        if same(passed, asked.get_or_insert(passed)) {
+            waits.push(index);
+            times.extend(values.iter().map(|value| (*value, time)));
+        }
+    }
+    let highest = times.iter().map(|(_, time)| *time).max().unwrap_or_default();
+    let bytes = if u16::try_from(highest).is_ok() { 2 } else { 4 };
+    let Some(passed) = asked.filter(|_| bytes * states + TABLE < ARM * waits.len()) else { return arms };
+    let table = times.iter().map(|(value, time)| (*value, Value::Ticks(*time))).list();
+    let over = compare(Comparison::AtLeast, passed.clone(), Expr::Table(state, table));
+    let all = times.iter().map(|(value, _)| *value).list();
+    let one = (all, vec![Statement::Set(goes, over)]);
+    for (index, arm) in arms.into_iter().enumerate() {
+        if waits.binary_search(&index).is_err() {
+            rest.push(arm);
+        }
+    }
+    rest.push(one);
+    rest
+}
+
+/// The time that has passed and the one that it is compared with, where an arm waits for nothing else.
+fn waits_for<'s, 'm>(body: &'s [Statement<'m>], goes: PlaceId) -> Option<(&'s Expr<'m>, u32)> {
+    match body {
+        [Statement::Set(place, Expr::Compare(Comparison::AtLeast, passed, time))] if *place == goes => match **time {
+            Expr::Value(Value::Ticks(time)) => Some((passed, time)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
