@@ -216,7 +216,16 @@ pub struct Step {
     /// `exit` of a macro-step's expansion.
     pub exit: Option<Span>,
     pub name: Ident,
+    pub within: Option<Within>,
     pub kind: StepKind,
+}
+
+/// `within 10s`: how long a step may be active before it is late.
+#[derive(Clone)]
+pub struct Within {
+    pub keyword: Span,
+    /// None where it could not be read, as has been said.
+    pub time: Option<TimeArg>,
 }
 
 /// What is between the braces of a step.
@@ -250,7 +259,8 @@ pub struct Association {
     pub condition: Option<Expr>,
 }
 
-/// The time of a qualifier.
+/// The time of a qualifier or after `within`.
+#[derive(Clone)]
 pub enum TimeArg {
     Literal(Time),
     /// A `param` or `var` of type `time`.

@@ -20,6 +20,7 @@ pub fn with_description<R>(model: &Model, f: impl FnOnce(&Description<'_>) -> R)
             partial: step.partial.index(),
             expansion: step.macro_step.map(Id::index),
             actions,
+            within: &texts.within,
             forces,
         })
         .list();
@@ -107,6 +108,7 @@ struct TransitionTexts {
 
 struct StepTexts {
     name: String,
+    within: String,
     actions: Vec<ActionTexts>,
     forces: Vec<String>,
 }
@@ -167,7 +169,8 @@ fn step_texts(model: &Model, id: StepId) -> StepTexts {
         let force = &model.forces[*id];
         format!("{} {{{}}}", partial(model, force.target), order(model, &force.order))
     });
-    StepTexts { name: plain(&step.name), actions: actions.list(), forces: forces.list() }
+    let within = step.within().map(|at| time(model, at)).unwrap_or_default();
+    StepTexts { name: plain(&step.name), within, actions: actions.list(), forces: forces.list() }
 }
 
 /// `relay`, `count = count + 1`, `heat(80)`, `count += 1;`

@@ -83,6 +83,9 @@ fn label(step: &Step<'_>) -> String {
             let _ = write!(text, " if {}", escape(action.condition));
         }
     }
+    if !step.within.is_empty() {
+        let _ = write!(text, "<br>within {}", escape(step.within));
+    }
     for force in step.forces {
         let _ = write!(text, "<br>force {}", escape(force));
     }

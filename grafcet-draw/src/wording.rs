@@ -79,6 +79,9 @@ impl Wording<'_> {
         for action in step.map_or(&[][..], |step| step.actions) {
             boxes.push(self.action(action));
         }
+        if let Some(within) = step.map(|step| step.within).filter(|within| !within.is_empty()) {
+            boxes.push(self.boxed(String::new(), "within".to_owned(), within, Frame::Action));
+        }
         for force in step.map_or(&[][..], |step| step.forces) {
             boxes.push(self.boxed(String::new(), String::new(), force, Frame::Force));
         }

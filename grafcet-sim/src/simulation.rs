@@ -210,6 +210,13 @@ impl<'c> Simulation<'c> {
         self.names().step_named(step).is_some_and(|step| self.steps().contains(&step))
     }
 
+    /// The names of the steps that are late: active for longer than `within` lets them.
+    #[must_use]
+    pub fn late_steps(&self) -> Vec<&'c str> {
+        let late = self.machine.late_steps();
+        late.iter().map(|step| &*self.chart.names().steps[Names::step(*step)].name).collect()
+    }
+
     /// The outputs of the last cycle.
     #[must_use]
     pub fn outputs(&self) -> Vec<Value> {

@@ -82,6 +82,7 @@ impl Usage {
             association.condition.iter().chain(&association.event).for_each(|expr| usage.expr(expr));
             usage.times(association.time);
         }
+        model.steps.values().for_each(|step| usage.times(step.within()));
         for delay in model.delays.values() {
             usage.expr(&delay.of);
             usage.times([delay.on, delay.off]);

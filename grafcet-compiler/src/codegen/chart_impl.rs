@@ -6,7 +6,7 @@ use super::bind::Moment;
 use super::machine::Machine;
 use super::situation::{At, shown_in};
 use super::state::step_name;
-use super::{Cx, deadline, derives, names, requirements, types};
+use super::{Cx, deadline, derives, late, names, requirements, types};
 use crate::list::List;
 use crate::model::{Id, StepId};
 use crate::place::quote;
@@ -19,7 +19,7 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let (capacity, active_steps) = active_steps(cx, machine);
     let is_active = is_active(cx, machine);
     let (situation_type, situation) = (situation_type(cx), &machine.situation);
-    let (stable, deadline) = (is_stable(cx, machine), deadline::method(cx, machine));
+    let (stable, deadline, late) = (is_stable(cx, machine), deadline::method(cx, machine), late::method(cx, machine));
     let (ticks, assumptions) = (ticks(cx), assumptions_hold(cx));
     let (situation_struct, levels) = (situation_struct(cx), types::levels(model));
     quote! {
@@ -57,6 +57,7 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
 
             #stable
             #deadline
+            #late
             #ticks
             #assumptions
         }

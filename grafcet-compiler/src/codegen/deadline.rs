@@ -231,6 +231,7 @@ impl Cx<'_> {
                 found.insert((Clock::Step(association.step), Threshold::At(time)));
             }
         }
+        self.model.steps.values().filter_map(|step| step.late).for_each(|late| always(late, &mut found));
         self.model.edges.values().for_each(|edge| collect(&edge.of.tree, &mut found));
         self.model.delays.values().for_each(|delay| collect(&delay.of.tree, &mut found));
         found

@@ -57,9 +57,13 @@ fn description(chart: &Description<'_>) -> TokenStream {
     };
     let (partials, macros) = (partials.iter().map(partial), macros.iter().map(macro_step));
     let forces = or_empty(!steps.iter().all(|step| step.forces.is_empty()), "FORCES");
+    let times = times(steps);
     let (step_count, steps) = (number(steps.len()), step_tables(steps));
     let (tables, transitions) = (transition_tables(transitions), all_transitions(transitions));
     let lets = lets.iter().map(named);
+    let all_steps = quote!(d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, #forces));
+    let all_steps =
+        if let Some(times) = times { quote!(d::table::with_times(#all_steps, &[#times])) } else { all_steps };
     quote! {
         #steps
         #tables
@@ -68,7 +72,7 @@ fn description(chart: &Description<'_>) -> TokenStream {
             dialect: #dialect,
             partials: &[#(#partials),*],
             macros: &[#(#macros),*],
-            steps: &d::table::steps::<#step_count>(&STEPS, &STEP_NUMBERS, Actions::ALL, #forces),
+            steps: &#all_steps,
             transitions: &#transitions,
             lets: &[#(#lets),*],
         }
@@ -88,6 +92,16 @@ fn all_transitions(transitions: &[Transition<'_>]) -> TokenStream {
     });
     let anys: Vec<TokenStream> = anys.list();
     if anys.is_empty() { all } else { quote!(d::table::with_any(#all, &[#(#anys),*])) }
+}
+
+/// Of the steps that have one, the time after which they are late.
+fn times(steps: &[Step<'_>]) -> Option<TokenStream> {
+    let mut times = TokenStream::new();
+    for (at, step) in steps.iter().enumerate().filter(|(_, step)| !step.within.is_empty()) {
+        let (at, within) = (number(at), step.within);
+        times.extend(quote!((#at, #within),));
+    }
+    (!times.is_empty()).then_some(times)
 }
 
 fn named(Let { name, text, doc }: &Let<'_>) -> TokenStream {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 
 use super::{Cx, chart_impl, names, state};
 use crate::list::List;
-use crate::model::Ty;
+use crate::model::{StepId, Ty};
 use crate::place::quote;
 use crate::plan::RegionId;
 
@@ -30,6 +30,8 @@ pub(super) struct Machine<'m> {
     /// Whether the last search became stable.
     pub(super) stable: TokenStream,
     pub(super) deadline: Option<Deadline>,
+    /// The steps that have a time, and what tells that it is over, where they are active.
+    pub(super) late: Vec<(StepId, TokenStream)>,
     /// The values of the stored variables.
     pub(super) vars: Vec<TokenStream>,
 }
@@ -75,6 +77,7 @@ impl<'m> Machine<'m> {
             situation: chart_impl::situation(cx),
             stable: if plan.may_be_unstable { cx.is_unmarked() } else { quote!(true) },
             deadline: cx.deadline(),
+            late: cx.late(),
             vars: values.list(),
         }
     }

@@ -15,6 +15,7 @@ mod encoding;
 mod evolution;
 mod grafcet;
 mod hierarchy;
+mod late;
 mod long;
 mod machine;
 mod names;

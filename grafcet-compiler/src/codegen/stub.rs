@@ -121,6 +121,14 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
         let name = outside::vars_name(model);
         quote!(#vis fn vars(&self) -> #name { loop {} })
     });
+    let has_time = model.steps.values().any(|step| step.late.is_some());
+    let late = has_time.then(|| {
+        quote! {
+            #vis fn late_steps(&self) -> impl #p::core::iter::Iterator<Item = #step> + '_ {
+                #p::core::iter::empty()
+            }
+        }
+    });
     let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
     let methods = model.actions.values().map(|action| {
         let (docs, name) = (docs(&action.attrs), &action.name);
@@ -149,6 +157,7 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             #vis fn situation(&self) -> #step { loop {} }
             #vis fn is_exactly(&self, steps: &[#step]) -> #p::bool { loop {} }
             #vars
+            #late
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
             #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool { loop {} }

@@ -239,6 +239,8 @@ pub struct Step {
     pub macro_step: Option<MacroId>,
     /// The enclosures of this step, if it is an enclosing step.
     pub encloses: Vec<PartialId>,
+    /// `within 10s`: what says that this is over, a [`Read::Elapsed`] of the step itself.
+    pub late: Option<Read>,
     /// A chain of the source touches it, also one that could not be resolved.
     pub drawn: bool,
     /// In source order.

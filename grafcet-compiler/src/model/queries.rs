@@ -4,14 +4,15 @@ use std::slice;
 
 use super::ids::EdgeId;
 use super::{
-    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, StepId, Transition, TransitionId,
-    Tree, Ty, Unary, Variants,
+    Association, Binary, Claim, Effect, Expr, LevelAttr, Model, Name, Place, Read, Step, StepId, TimeRef, Transition,
+    TransitionId, Tree, Ty, Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
 use crate::list::List;
 
 impl Model {
-    /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays.
+    /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays; and what
+    /// tells that a step is late, which is asked from outside.
     #[must_use]
     pub fn expressions(&self) -> Vec<&[Read]> {
         let mut all: Vec<&[Read]> = Vec::new();
@@ -24,6 +25,7 @@ impl Model {
         }
         all.extend(self.edges.values().map(|edge| &edge.of.reads[..]));
         all.extend(self.delays.values().map(|delay| &delay.of.reads[..]));
+        all.extend(self.steps.values().filter_map(|step| step.late.as_ref()).map(slice::from_ref));
         all
     }
 
@@ -171,6 +173,17 @@ impl Model {
         match place {
             Place::Output(id) => &self.outputs[id].ty,
             Place::Var(id) => &self.vars[id].ty,
+        }
+    }
+}
+
+impl Step {
+    /// How long it may be active before it is late.
+    #[must_use]
+    pub fn within(&self) -> Option<TimeRef> {
+        match self.late {
+            Some(Read::Elapsed(time, _)) => Some(time),
+            _ => None,
         }
     }
 }

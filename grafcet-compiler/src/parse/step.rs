@@ -4,8 +4,8 @@ use proc_macro2::{Delimiter, Ident, Span};
 
 use super::input::Turns;
 use super::recover::{self, Items};
-use super::{Error, Input, Result, association, attrs, body, force, partial, words};
-use crate::ast::{Attrs, Partial, Step, StepBody, StepKind};
+use super::{Error, Input, Result, association, attrs, body, force, partial, time, words};
+use crate::ast::{Attrs, Partial, Step, StepBody, StepKind, TimeArg, Within};
 use crate::diagnostic::Sink;
 
 /// The words in front of `step`, each where it stands.
@@ -45,6 +45,7 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
         );
     }
     let name = input.step_name("the name of the step")?;
+    let within = within(input, &name, sink)?;
     let kind = match (words.macro_step, words.enclosing) {
         (Some(span), None) => StepKind::Macro(span, body::parse(braces(input, &name, "macro-step")?, sink)),
         (None, Some(span)) => {
@@ -57,7 +58,29 @@ pub(super) fn parse(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<
         (None, None) => StepKind::Plain(plain(input, &name, sink)?),
     };
     let Words { initial, is_final, linked, entry, exit, .. } = words;
-    Ok(Step { attrs, initial, is_final, linked, entry, exit, name, kind })
+    Ok(Step { attrs, initial, is_final, linked, entry, exit, name, within, kind })
+}
+
+/// `within 10s`, if that is next.
+fn within(input: &mut Input, name: &Ident, sink: &mut Sink) -> Result<Option<Within>> {
+    let mut found = None;
+    let mut turns = Turns::default();
+    while turns.more(input) && input.eat_word("within") {
+        let keyword = input.last();
+        let time = match input.literal() {
+            Some(literal) => time::parse(input, literal, sink).map(TimeArg::Literal),
+            None if input.at_name() => input.eat_ident().map(TimeArg::Name),
+            None => {
+                let message = format!("after `within` stands how long `{name}` may take: `step {name} within 10s`");
+                return Err(Error::new(keyword, message));
+            }
+        };
+        if found.is_some() {
+            sink.notation(keyword, format!("`{name}` has one time that it may take; keep one `within`"));
+        }
+        found = Some(Within { keyword, time });
+    }
+    Ok(found)
 }
 
 /// Everything up to the name.

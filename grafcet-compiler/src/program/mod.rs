@@ -286,6 +286,8 @@ pub struct Deadline<'m> {
     pub from: PlaceId,
     /// Where the first holds, something may change after the second. The soonest counts.
     pub waits: Vec<(Expr<'m>, Expr<'m>)>,
+    /// Steps that have a time, and what tells behind a cycle that it is over, where they are active.
+    pub late: Vec<(StepId, Expr<'m>)>,
 }
 
 impl Program<'_> {

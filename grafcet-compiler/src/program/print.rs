@@ -26,6 +26,9 @@ impl Display for Program<'_> {
             let (from, time) = (name(deadline.from), self.expr(time, 0));
             writeln!(f, "  {time} after {from} if {}", self.expr(condition, 0))?;
         }
+        for (step, over) in &deadline.late {
+            writeln!(f, "  {} late if {}", self.model.steps[*step].name, self.expr(over, 0))?;
+        }
         Ok(())
     }
 }

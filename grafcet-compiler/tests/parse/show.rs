@@ -116,7 +116,12 @@ fn step(step: &Step) -> String {
             ("enclosing ", parts.join("; "))
         }
     };
-    format!("{}{words}{kind}step {} {{{inside}}}", attrs(&step.attrs), step.name)
+    let within = match step.within.as_ref().map(|within| &within.time) {
+        Some(Some(TimeArg::Literal(it))) => format!(" within {}", time(it)),
+        Some(Some(TimeArg::Name(name))) => format!(" within <{name}>"),
+        Some(None) | None => String::new(),
+    };
+    format!("{}{words}{kind}step {}{within} {{{inside}}}", attrs(&step.attrs), step.name)
 }
 
 fn step_body(body: &StepBody) -> String {

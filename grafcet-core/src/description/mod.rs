@@ -76,6 +76,8 @@ pub struct Step<'a> {
     pub expansion: Option<usize>,
     /// In source order.
     pub actions: &'a [Action<'a>],
+    /// How long it may be active before it is late, `10s`; empty where nothing is said.
+    pub within: &'a str,
     /// Forcing orders, e.g. `Modes {INIT}`, in source order.
     pub forces: &'a [&'a str],
 }
@@ -174,7 +176,13 @@ impl<'a> Step<'a> {
     /// One that is neither initial nor linked, and stands in no expansion.
     #[must_use]
     pub const fn new(name: &'a str, partial: usize, actions: &'a [Action<'a>], forces: &'a [&'a str]) -> Self {
-        Self { name, initial: false, linked: false, partial, expansion: None, actions, forces }
+        Self { name, initial: false, linked: false, partial, expansion: None, actions, within: "", forces }
+    }
+
+    /// The same with a time after which it is late.
+    #[must_use]
+    pub const fn within(self, within: &'a str) -> Self {
+        Self { within, ..self }
     }
 
     /// The same as an initial step.

@@ -60,6 +60,18 @@ pub const fn steps<'a, const N: usize>(
     all
 }
 
+/// The same steps, of which some, by their numbers, have a time after which they are late.
+#[must_use]
+pub const fn with_times<'a, const N: usize>(mut all: [Step<'a>; N], times: &[(usize, &'a str)]) -> [Step<'a>; N] {
+    let mut number = 0;
+    while number < times.len() {
+        let (step, within) = times[number];
+        all[step] = all[step].within(within);
+        number += 1;
+    }
+    all
+}
+
 /// So many transitions: name and condition, three numbers of each, see `TRANSITION`, and what belongs to them, one after the
 /// other: the steps before and after, and the actions.
 #[must_use]

@@ -44,7 +44,7 @@ pub use self::view::Situation;
 use self::view::View;
 use self::world::Given;
 pub use self::world::{Nothing, World};
-use grafcet_compiler::model::{ActionId, AssociationId, Dialect, Expr, Model, StepId, TransitionId, Tree, Ty};
+use grafcet_compiler::model::{ActionId, AssociationId, Blinker, Dialect, Expr, Model, StepId, TransitionId, Tree, Ty};
 
 /// Which call of a code action this is.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -242,6 +242,17 @@ impl<'m> Interpreter<'m> {
         let state = &self.memory.state;
         let delays = state.delays.iter().map(|(id, delayed)| (*id, delayed.output)).collect();
         Look { model: self.model, state, given: Given { inputs, params: &self.params, world }, delays }
+    }
+
+    /// The steps that have a time (`within`) which is over, as the last cycle has seen it.
+    #[must_use]
+    pub fn late_steps(&self) -> Vec<StepId> {
+        let look = self.look(&Nothing, &[]);
+        let is_late = |id: &StepId| {
+            let over = |time| look.ticks(time).is_ok_and(|time| look.since(Blinker::Step(*id)) >= time);
+            self.model.steps[*id].within().is_some_and(over)
+        };
+        self.situation().iter().copied().filter(is_late).collect()
     }
 
     /// What the chart remembers now.

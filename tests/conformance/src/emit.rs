@@ -23,6 +23,7 @@ pub fn module(text: &str, by: &str) -> Result<String, String> {
     let outputs: String = outputs.iter().map(|o| format!("(\"{}\", number(o.{o})), ", plain(o))).collect();
     let (calls, no_calls) =
         if model.actions.is_empty() { (String::new(), "()") } else { (actions(&model), "Calls::default()") };
+    let late = if model.steps.values().any(|step| step.late.is_some()) { "chart.late_steps()" } else { "[]" };
     let called = if model.actions.is_empty() { "Vec::new()" } else { "calls.0" };
     let (declare, params) = params(&model);
     Ok(format!(
@@ -32,7 +33,7 @@ pub fn module(text: &str, by: &str) -> Result<String, String> {
 pub(super) struct Compiled {{ chart: {name}, shown: Shown, {declare} }}
 fn shown(chart: &{name}, o: &{name}Outputs, calls: Vec<String>) -> Shown {{
     let _ = o;
-    Shown {{ steps: steps(chart, &chart.active_steps()), stable: chart.is_stable(), outputs: outputs([{outputs}]), calls }}
+    Shown {{ steps: steps(chart, &chart.active_steps()), stable: chart.is_stable(), outputs: outputs([{outputs}], late(chart, {late})), calls }}
 }}
 impl Default for Compiled {{
     fn default() -> Self {{

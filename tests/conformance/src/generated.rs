@@ -111,10 +111,16 @@ pub fn call(phase: Phase, action: &str, args: &[i128]) -> String {
     format!("{} {action}({})", format!("{phase:?}").to_lowercase(), args.join(","))
 }
 
-/// The outputs that are not zero.
+/// The outputs that are not zero, and the steps that are late.
 #[must_use]
-pub fn outputs<const N: usize>(outputs: [(&str, i128); N]) -> Values {
-    outputs.into_iter().filter(|(_, value)| *value != 0).map(|(name, value)| (name.to_owned(), value)).collect()
+pub fn outputs<const N: usize>(outputs: [(&str, i128); N], late: Vec<String>) -> Values {
+    let outputs = outputs.into_iter().filter(|(_, value)| *value != 0);
+    outputs.map(|(name, value)| (name.to_owned(), value)).chain(late.into_iter().map(|step| (step, 1))).collect()
+}
+
+/// What a chart says of late steps.
+pub fn late<C: Chart>(_: &C, late: impl IntoIterator<Item = C::Step>) -> Vec<String> {
+    late.into_iter().map(|step| format!("late({step:?})")).collect()
 }
 
 /// The active steps, by all ways the chart has to say it; where these disagree, a name says so.

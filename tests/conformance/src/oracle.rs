@@ -25,10 +25,12 @@ impl<'m> Interpreted<'m> {
     fn show(&self, situation: &Situation, outputs: &[Value]) -> Shown {
         let names = self.model.outputs.values().map(|output| plain(&output.name));
         let outputs = names.zip(outputs.iter().copied().map(number));
+        let late = self.machine.late_steps();
+        let late = late.into_iter().map(|step| (format!("late({})", plain(&self.model.steps[step].name)), 1));
         Shown {
             steps: situation.iter().map(|step| plain(&self.model.steps[*step].name)).collect(),
             stable: true,
-            outputs: outputs.filter(|(_, value)| *value != 0).collect(),
+            outputs: outputs.filter(|(_, value)| *value != 0).chain(late).collect(),
             calls: Vec::new(),
         }
     }

@@ -88,6 +88,9 @@ impl Subject for Programmed<'_, '_> {
             outputs.insert(plain(&output.name), number(self.output(id)));
         }
         outputs.retain(|_, value| *value != 0);
+        for step in self.machine.late_steps(&mut Nothing).unwrap_or_default() {
+            outputs.insert(format!("late({})", plain(&model.steps[step].name)), 1);
+        }
         let steps = self.machine.active().iter().map(|step| plain(&model.steps[*step].name)).collect();
         Shown { steps, stable: true, outputs, calls: Vec::new() }
     }

@@ -64,11 +64,13 @@ fn run(text: &str) -> Result<(), String> {
                 let declared = model.params.values().map(|p| (p.name.to_string(), &p.ty));
                 machine.set_params(&values(declared, &params)?).map(|()| None)
             }
-            Kind::Shows(expected) => Ok(Some((shown(&model, machine.situation(), machine.outputs()), expected))),
+            Kind::Shows(expected) => {
+                Ok(Some((shown(&model, &machine, machine.situation(), machine.outputs()), expected)))
+            }
             Kind::Cycle { inputs, now, expected } => {
                 let declared = model.inputs.values().map(|i| (i.name.to_string(), &i.ty));
                 machine.cycle(&values(declared, inputs)?, *now).map(|cycle| {
-                    let mut found = shown(&model, &cycle.active, &cycle.outputs);
+                    let mut found = shown(&model, &machine, &cycle.active, &cycle.outputs);
                     found.stable = cycle.stable;
                     found.calls = cycle.calls.iter().map(|call| written(&model, call)).collect();
                     Some((found, expected))
@@ -119,12 +121,14 @@ fn values<'m>(
     Ok(declared.iter().map(value).collect())
 }
 
-fn shown(model: &Model, situation: &Situation, outputs: &[Value]) -> Expected {
+fn shown(model: &Model, machine: &Interpreter<'_>, situation: &Situation, outputs: &[Value]) -> Expected {
+    let late = machine.late_steps();
+    let late = late.into_iter().map(|step| (format!("late({})", model.steps[step].name), 1));
     let outputs = model.outputs.values().zip(outputs).map(|(output, value)| (output.name.to_string(), number(*value)));
     Expected {
         steps: situation.iter().map(|step| model.steps[*step].name.to_string()).collect(),
         stable: true,
-        outputs: outputs.filter(|(_, value)| *value != 0).collect(),
+        outputs: outputs.filter(|(_, value)| *value != 0).chain(late).collect(),
         calls: Vec::new(),
     }
 }

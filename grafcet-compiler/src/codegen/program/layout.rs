@@ -223,6 +223,9 @@ impl Used {
                 visit::expr(condition, &mut note);
                 visit::expr(time, &mut note);
             }
+            for (_, over) in &deadline.late {
+                visit::expr(over, &mut note);
+            }
         }
         used
     }

@@ -20,7 +20,7 @@ use self::scope::Scope;
 use super::machine::{Deadline, Machine};
 use super::{Cx, chart_impl, names, state, types};
 use crate::list::List;
-use crate::model::Ty;
+use crate::model::{StepId, Ty};
 use crate::place::quote;
 use crate::plan::RegionId;
 use crate::program::{self, Program, Role, Statement};
@@ -52,6 +52,7 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
         situation: printer.situation(),
         stable: program.place(Role::Stable).map_or_else(|| quote!(true), |stable| printer.get(stable)),
         deadline: program.deadline.as_ref().map(|deadline| printer.deadline(deadline)),
+        late: printer.late(),
         vars: printer.vars(),
     }
 }
@@ -99,6 +100,11 @@ impl<'m> Printer<'_, 'm> {
         Deadline { at_once: self.condition(&deadline.at_once), waits, reading, from }
     }
 
+    fn late(&self) -> Vec<(StepId, TokenStream)> {
+        let late = self.program.deadline.iter().flat_map(|deadline| &deadline.late);
+        late.map(|(step, over)| (*step, self.condition(over))).list()
+    }
+
     /// The private enums of the regions.
     fn types(&self) -> TokenStream {
         let regions = self.regions().into_iter();
@@ -110,7 +116,7 @@ impl<'m> Printer<'_, 'm> {
         regions.map(|(region, states)| (region, states.empty, states.start.is_some())).list()
     }
 
-    fn is_active(&self, step: crate::model::StepId) -> TokenStream {
+    fn is_active(&self, step: StepId) -> TokenStream {
         let region = self.cx.plan.regions.of_step(step);
         let place = self.program.place(Role::Bit(step)).or_else(|| self.program.place(Role::State(region)));
         let Some(place) = place else { return quote!(false) };

@@ -5,12 +5,12 @@ use syn::Type;
 
 use super::scope::{Meaning, refuse_reserved, spelled};
 use super::{Resolver, expr};
-use crate::ast::{self, DeclKind, Item, StepKind};
+use crate::ast::{self, DeclKind, Item, StepKind, Time};
 use crate::diagnostic::{Mark, rules};
 use crate::list::List;
 use crate::model::{
-    Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, Tree, Ty,
-    Unary, Var,
+    Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, TimeRef,
+    Tree, Ty, Unary, Var,
 };
 
 impl Resolver<'_> {
@@ -157,12 +157,14 @@ impl Resolver<'_> {
             linked: step.linked.is_some(),
             macro_step: place.expansion(),
             encloses: Vec::new(),
+            late: None,
             drawn: false,
             associations: Vec::new(),
             forces: Vec::new(),
         });
         self.steps.push(id);
         self.model.partials[partial].steps.push(id);
+        self.withins.extend(step.within.clone().map(|within| (id, within)));
         // A second step of a name is not on its own: what is drawn to it cannot be told from the first, nor what is drawn
         // from a step `any` from what is drawn from all.
         let told_apart = self.scope.declare(&step.name, Meaning::Step(id), self.sink) && step.name != "any";
@@ -175,8 +177,27 @@ impl Resolver<'_> {
         }
     }
 
+    /// The times after `within`, of names that are known by now.
+    pub(super) fn resolve_withins(&mut self) {
+        for (step, within) in std::mem::take(&mut self.withins) {
+            if let Some(ast::TimeArg::Literal(Time { span, nanos: 0 })) = within.time {
+                let message = "a step that may take no time at all is late at once; write how long it may take";
+                self.sink.rule(&rules::BAD_TIME, &[], vec![(span.into(), message.to_owned())]);
+            }
+            let time = within.time.map_or(TimeRef::Ticks(0), |time| self.time_arg(&time, None));
+            self.model.steps[step].late = Some(Read::Elapsed(time, step));
+        }
+    }
+
     /// A macro-step: its expansion's steps stand in the partial grafcet around it.
     fn declare_macro(&mut self, step: &ast::Step, body: &ast::Body, partial: PartialId, place: Where) {
+        if let Some(within) = &step.within {
+            let message = format!(
+                "`{name}` is a macro-step, and `within` watches one step: write it in the expansion, or `10s/{name}` in a condition",
+                name = step.name
+            );
+            self.sink.notation(within.keyword, message);
+        }
         let unknown = StepId::new(0);
         let first = self.model.steps.len();
         let (name, outer) = (spelled(&step.name), place.expansion());

@@ -4,6 +4,7 @@ use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 
 use super::expr::{Lower, Seen};
+use super::names::is_of_step;
 use super::scope::Meaning;
 use crate::model::{Read, Tree};
 use crate::visit::{self, Locals, Visit};
@@ -72,12 +73,14 @@ impl Lower<'_, '_> {
 
     /// Appends `name`, or the placeholder of `Step.X` when `name` is its `X`.
     fn macro_ident(&mut self, name: &Ident, out: &mut Vec<TokenTree>) {
-        if name == "X" || name == "T" {
+        if is_of_step(name) {
             if let [.., TokenTree::Ident(step), TokenTree::Punct(dot)] = &out[..] {
                 if dot.as_char() == '.' {
                     let mut field: syn::Expr = syn::parse_quote_spanned!(step.span()=> #step.#name);
                     let local = self.locals.contains(step);
-                    if !local && !matches!(self.resolver.scope.get(step), Some(Meaning::Value(_))) {
+                    let meaning = self.resolver.scope.get(step);
+                    let is_step = matches!(meaning, Some(Meaning::Step(_) | Meaning::Macro(_)));
+                    if !local && (is_step || name != "late" && !matches!(meaning, Some(Meaning::Value(_)))) {
                         self.lower(&mut field);
                         out.truncate(out.len() - 2);
                         out.extend(field.into_token_stream());

@@ -46,6 +46,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         sink,
         steps: Vec::new(),
         partials: Vec::new(),
+        withins: Vec::new(),
         broken_macros: Vec::new(),
         settings: Vec::new(),
         owner: Owner::Chart,
@@ -61,6 +62,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         scale: Scale::default(),
     };
     resolver.declare_chart(&chart.body);
+    resolver.resolve_withins();
     resolver.check_lets();
     chains::drawn(&chart.body, &mut resolver.drawn);
     let mut cursor = Cursor::default();
@@ -81,6 +83,8 @@ pub(super) struct Resolver<'s> {
     /// The ids given while declaring, in source order; resolving meets the items in the same order.
     steps: Vec<StepId>,
     partials: Vec<PartialId>,
+    /// What stands after `within`, by step.
+    withins: Vec<(StepId, ast::Within)>,
     /// Macro-steps without exactly one entry and one exit step: no transition can be drawn to them.
     broken_macros: Vec<MacroId>,
     /// `clock` and its like, where they stand first.

@@ -75,12 +75,15 @@ impl Lower<'_, '_> {
     pub(super) fn field(&mut self, expr: &mut syn::Expr) -> Tree {
         let syn::Expr::Field(field) = &*expr else { return self.opaque(expr) };
         let member = match &field.member {
-            Member::Named(name) if name == "X" || name == "T" => name.clone(),
+            Member::Named(name) if is_of_step(name) => name.clone(),
             _ => return self.opaque(expr),
         };
         let Some(step) = step_path(&field.base) else { return self.opaque(expr) };
         if matches!(&step[..], [name] if self.locals.contains(name)) {
             return self.opaque(expr);
+        }
+        if member == "late" {
+            return self.late(expr, &step);
         }
         let Some(meaning) = self.step(&step) else {
             return if member == "X" { Tree::Bool(true) } else { Tree::Int(0) };
@@ -101,6 +104,31 @@ impl Lower<'_, '_> {
         self.replace(expr, read)
     }
 
+    /// `Fill.late` is `10s/Fill`, where that is the time of `Fill`. A constant of Rust may have such a field.
+    fn late(&mut self, expr: &mut syn::Expr, path: &[Ident]) -> Tree {
+        let is_constant = |name: &Ident| !name.to_string().contains(char::is_lowercase);
+        let may_be = |name: &&Ident| {
+            self.resolver.scope.get(name).is_some() || !looks_like_a_variable(name) && !is_constant(name)
+        };
+        let Some(name) = path.last().filter(may_be) else { return self.opaque(expr) };
+        let message = match self.step(path) {
+            Some(Meaning::Step(id)) => match self.resolver.model.steps[id].late {
+                Some(late) => return self.replace(expr, late),
+                None => format!(
+                    "nothing says how long `{name}` may take; write it at the step, `step {name} within 10s`, or `10s/{name}` here"
+                ),
+            },
+            Some(Meaning::Macro(_)) => format!("`{name}` is a macro-step, which is never late; write `10s/{name}`"),
+            Some(Meaning::Value(value)) if self.resolver.is_plain(value) => {
+                format!("`{name}` is no step; only a step that has a time, `step Fill within 10s`, can be late")
+            }
+            None => return Tree::Bool(true),
+            Some(_) => return self.opaque(expr),
+        };
+        self.resolver.sink.notation(name, message);
+        Tree::Bool(true)
+    }
+
     /// The step a path names; `None` is reported. A declared value with a field `X` is Rust.
     pub(super) fn step(&mut self, path: &[Ident]) -> Option<Meaning> {
         let name = path.last()?;
@@ -118,4 +146,9 @@ impl Lower<'_, '_> {
             _ => self.resolver.scope.step(name, self.resolver.sink),
         }
     }
+}
+
+/// What stands behind the `.` of a step.
+pub(super) fn is_of_step(name: &Ident) -> bool {
+    name == "X" || name == "T" || name == "late"
 }

@@ -35,6 +35,7 @@ pub(super) fn changes(model: &Model) -> Changes {
             found.insert((Blinker::Step(association.step), Change::At(time)));
         }
     }
+    model.steps.values().filter_map(|step| step.late).for_each(|late| of_read(late, &mut found));
     model.edges.values().for_each(|edge| of_tree(&edge.of.tree, &mut found));
     model.delays.values().for_each(|delay| of_tree(&delay.of.tree, &mut found));
     found

@@ -3,8 +3,8 @@
 use super::Lower;
 use super::changes::{Change, changes};
 use super::clocks::{Clock, literal};
-use crate::model::{Blinker, Expr as Written, Qualifier};
-use crate::program::build::{all, any, below, choose, compare, not, sub, ticks};
+use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
+use crate::program::build::{all, any, at_least, below, choose, compare, not, sub, ticks};
 use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value};
 
 impl<'m> Lower<'_, 'm> {
@@ -28,7 +28,20 @@ impl<'m> Lower<'_, 'm> {
         }
         let mut at_once = self.restless();
         at_once.insert(0, not(Expr::Place(settled)));
-        Some(Deadline { at_once: any(at_once), reading, from: from.unwrap_or(reading), waits })
+        Some(Deadline { at_once: any(at_once), reading, from: from.unwrap_or(reading), waits, late: self.late() })
+    }
+
+    /// What tells at the reading of the last cycle that a step is late.
+    fn late(&self) -> Vec<(StepId, Expr<'m>)> {
+        let mut late = Vec::new();
+        for (id, step) in self.model.steps.iter() {
+            let (Some(time), Some(clock), Some(reading)) = (step.within(), self.clock(Blinker::Step(id)), self.reading)
+            else {
+                continue;
+            };
+            late.push((id, at_least(clock.passed(Expr::Place(reading)), self.time_of(time))));
+        }
+        late
     }
 
     /// Where each cycle asks for a call that may have another value each time.

@@ -59,6 +59,9 @@ fn each_of_deadline(deadline: Option<&Deadline<'_>>, each: &mut dyn FnMut(PlaceI
         each_read(condition, each);
         each_read(time, each);
     }
+    for (_, over) in &deadline.late {
+        each_read(over, each);
+    }
 }
 
 /// By place: what is seen, or is needed to find out what is seen.
@@ -297,6 +300,9 @@ fn drop_places(program: &mut Program<'_>) {
         for (condition, time) in &mut deadline.waits {
             *condition = renumbered(condition, &new);
             *time = renumbered(time, &new);
+        }
+        for (_, over) in &mut deadline.late {
+            *over = renumbered(over, &new);
         }
     }
 }

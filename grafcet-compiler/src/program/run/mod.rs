@@ -138,6 +138,30 @@ impl<'p, 'm> Machine<'p, 'm> {
         Ok(running.done)
     }
 
+    /// The steps whose times were over at the end of the last cycle.
+    ///
+    /// # Errors
+    /// As for [`Machine::cycle`].
+    pub fn late_steps(&self, foreign: &mut dyn Foreign) -> Result<Vec<StepId>, Error> {
+        let (mut values, active) = (self.values.clone(), self.program.active(&self.values));
+        let mut running = Running {
+            program: self.program,
+            values: &mut values,
+            initial: &self.initial,
+            inputs: &[],
+            now: 0,
+            foreign,
+            done: Cycle::default(),
+        };
+        let mut late = Vec::new();
+        for (step, over) in self.program.deadline.iter().flat_map(|deadline| &deadline.late) {
+            if active.contains(step) && running.holds(over)? {
+                late.push(*step);
+            }
+        }
+        Ok(late)
+    }
+
     /// The reading of the clock before which nothing changes unless an input does; none where only an input can change anything.
     ///
     /// # Errors

@@ -163,6 +163,12 @@ impl Gen {
         self.note("t/Step");
         let time = if self.rng.chance(5) { self.ticks(0) } else { self.time() };
         let step = self.step_name();
+        let name = step.rsplit("::").next().unwrap_or(&step);
+        if self.real.contains(name) && self.rng.chance(25) {
+            self.note("late");
+            self.late.entry(name.to_owned()).or_insert(time);
+            return format!("{step}.late");
+        }
         self.whole(format!("{time}/{step}"))
     }
 

@@ -55,6 +55,8 @@ pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
         crowded: false,
         fragments: false,
         of_one: false,
+        real: BTreeSet::new(),
+        late: BTreeMap::new(),
         writers: BTreeMap::new(),
         features: BTreeSet::new(),
     };
@@ -76,7 +78,7 @@ fn small_turn(seed: u64) -> Option<u64> {
 /// What has to be compared in a dialect, by name: all kinds of small charts, and of the large ones the words of the language that
 /// are not in every second chart.
 pub fn kinds(grafcet: bool) -> impl Iterator<Item = &'static str> {
-    const BOTH: [&str; 15] = [
+    const BOTH: [&str; 16] = [
         "AND-convergence into AND-divergence",
         "AND-convergence with alternatives",
         "any",
@@ -87,6 +89,7 @@ pub fn kinds(grafcet: bool) -> impl Iterator<Item = &'static str> {
         "else",
         "encoding flags",
         "enum read",
+        "late",
         "named condition read",
         "named condition with a delay",
         "named condition with an edge",
@@ -123,6 +126,10 @@ struct Gen {
     fragments: bool,
     /// What is written belongs to one step, since whose activation something may blink.
     of_one: bool,
+    /// The names of all steps but macro-steps.
+    real: BTreeSet<String>,
+    /// Those of them that have a time, which a condition asks for.
+    late: BTreeMap<String, String>,
     /// How many stored actions of a `grafcet` write a place.
     writers: BTreeMap<String, usize>,
     features: BTreeSet<&'static str>,

@@ -61,7 +61,11 @@ impl Gen {
         lines.push("}".to_owned());
         let mut text = String::new();
         for line in lines {
-            _ = writeln!(text, "{line}");
+            let name = line.strip_suffix(" {").and_then(|line| line.rsplit_once("step ")).map(|(_, name)| name);
+            match name.and_then(|name| self.late.get(name)) {
+                Some(time) => _ = writeln!(text, "{} within {time} {{", line.trim_end_matches(" {")),
+                None => _ = writeln!(text, "{line}"),
+            }
         }
         text
     }
@@ -79,6 +83,9 @@ impl Gen {
     fn collect(&mut self, part: &Part, partial: Option<&str>) {
         for step in &part.steps {
             self.steps.push((partial.map(str::to_owned), step.name.clone()));
+            if !matches!(step.inner, Inner::Macro(_)) {
+                self.real.insert(step.name.clone());
+            }
             match &step.inner {
                 Inner::Nothing => {}
                 Inner::Macro(body) => self.collect(body, partial),
