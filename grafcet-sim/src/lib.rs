@@ -17,7 +17,7 @@ mod value;
 
 pub use blocked::{Blocked, Part, Wait, Waiting, Why};
 pub use chart::{Chart, Refused};
-pub use coverage::{Coverage, Missing};
+pub use coverage::{Coverage, Criterion, Missing};
 pub use cycle::{Call, Cycle, Evolution, Forced, Gap, Phase, Ran};
 pub use names::{Kind, Names, Signal, Step, Transition};
 pub use program::{Asked, Program};

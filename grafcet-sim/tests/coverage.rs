@@ -1,6 +1,6 @@
 //! What runs have covered.
 
-use grafcet_sim::{Chart, Missing, Simulation, Trace, Value};
+use grafcet_sim::{Chart, Coverage, Missing, Simulation, Trace, Value, assert_covered};
 
 const SOURCE: &str = "sfc C {
     input a, b: bool;
@@ -127,4 +127,36 @@ fn an_exception_that_is_none_ends_a_test() {
         run.cycle(0, &[("a", a.into())]).expect("understood");
     }
     run.coverage().assert_covered(&["step `A`"]);
+}
+
+#[test]
+fn one_can_ask_for_less() {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    let mut run = Simulation::new(&chart).expect("understood");
+    for (a, b) in [(false, false), (false, false), (true, true), (true, false)] {
+        run.cycle(0, &[("a", a.into()), ("b", b.into())]).expect("understood");
+    }
+    assert_covered!(run.coverage(), steps);
+    assert_covered!(&run.coverage(), transitions; except "transition `B → A`");
+    let coverage = run.coverage();
+    assert_covered!(coverage, steps, transitions; except "transition `B → A` never cleared");
+    assert_covered!(coverage, conditions; except "`a` never decided as true in the condition of `B", "`a` never decided as false in the condition of `B");
+}
+
+#[test]
+#[should_panic(expected = "not covered of C:\n  transition `B → A` never cleared")]
+fn a_list_tells_what_was_not_covered() {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    let mut run = Simulation::new(&chart).expect("understood");
+    for a in [false, false, true] {
+        run.cycle(0, &[("a", a.into()), ("b", false.into())]).expect("understood");
+    }
+    assert_covered!(run.coverage(), steps, transitions);
+}
+
+#[test]
+#[should_panic(expected = "excepted, but covered of C: `a` never")]
+fn what_is_not_asked_for_needs_no_exception() {
+    let chart = Chart::parse(SOURCE).expect("a chart");
+    assert_covered!(Coverage::of(&chart), steps; except "step", "`a` never");
 }

@@ -51,6 +51,17 @@ pub enum Missing {
     Part { transition: String, part: String, value: bool },
 }
 
+/// By what a chart can be covered.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Criterion {
+    /// Each step was active.
+    Steps,
+    /// Each transition cleared.
+    Transitions,
+    /// Each part of a condition decided once as true and once as false (masking MC/DC).
+    Conditions,
+}
+
 impl Coverage {
     /// Nothing of this chart is covered yet.
     #[must_use]

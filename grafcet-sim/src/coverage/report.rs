@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 
-use super::{Coverage, Missing};
+use super::{Coverage, Criterion, Missing};
 
 impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -90,13 +90,21 @@ impl Coverage {
     }
 
     /// Ends the test where something is not covered that is not among `except`: each is a line as [`Coverage`] shows it, or the
-    /// beginning of one.
+    /// beginning of one. [`assert_covered!`](crate::assert_covered) can ask for less.
     ///
     /// # Panics
     /// Something is missing, or something excepted is covered after all.
     #[track_caller]
     pub fn assert_covered(&self, except: &[&str]) {
-        let missing: Vec<String> = self.missing().iter().map(ToString::to_string).collect();
+        self.assert_all(&[], except);
+    }
+
+    /// What [`assert_covered!`](crate::assert_covered) does: no criterion means all of them.
+    #[doc(hidden)]
+    #[track_caller]
+    pub fn assert_all(&self, criteria: &[Criterion], except: &[&str]) {
+        let asked = |missing: &&Missing| criteria.is_empty() || criteria.contains(&missing.criterion());
+        let missing: Vec<String> = self.missing().iter().filter(asked).map(ToString::to_string).collect();
         let is_excepted = |line: &&String| except.iter().any(|except| line.starts_with(except));
         let open: Vec<&String> = missing.iter().filter(|line| !is_excepted(line)).collect();
         let lines: Vec<String> = open.iter().map(|line| format!("\n  {line}")).collect();
@@ -104,4 +112,58 @@ impl Coverage {
         let covered = except.iter().find(|except| !missing.iter().any(|line| line.starts_with(**except)));
         assert!(covered.is_none(), "excepted, but covered of {}: {}", self.names.chart, covered.unwrap_or(&""));
     }
+}
+
+impl Missing {
+    /// What asks for it.
+    #[must_use]
+    pub fn criterion(&self) -> Criterion {
+        match self {
+            Self::Step(_) => Criterion::Steps,
+            Self::Transition(_) => Criterion::Transitions,
+            Self::Part { .. } => Criterion::Conditions,
+        }
+    }
+}
+
+/// Ends the test with a list of what its runs have not covered.
+///
+/// ```
+/// use grafcet_sim::{Chart, Simulation, assert_covered};
+///
+/// let chart = Chart::parse("sfc Motor { input on, hot: bool; initial step Off; step On; Off -[on && !hot]-> On -[!on]-> Off; }")?;
+/// let mut motor = Simulation::new(&chart)?;
+/// for on in [false, true, false] {
+///     motor.cycle(0, &[("on", on.into())])?;
+/// }
+/// let coverage = motor.coverage();
+/// assert_covered!(coverage, steps, transitions);                  // not what the conditions are made of
+/// assert_covered!(coverage, conditions; except
+///     "`hot` never decided as true",
+///     "`on` never decided as false in the condition of `Off",
+///     "`on` never decided as true in the condition of `On",
+/// );
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// What is asked for are `steps` (each was active), `transitions` (each cleared) and `conditions` (each part decided both ways, masking MC/DC); all three where none is named. After
+/// `except` stand lines that may be missing, or their beginnings; one that is covered after all ends the test, too. The first argument is a [`Coverage`] or a reference to one.
+#[macro_export]
+macro_rules! assert_covered {
+    (@ steps) => { $crate::Criterion::Steps };
+    (@ transitions) => { $crate::Criterion::Transitions };
+    (@ conditions) => { $crate::Criterion::Conditions };
+    (@ $other:ident) => {
+        ::core::compile_error!(::core::concat!("`", ::core::stringify!($other), "` is none of `steps`, `transitions` and `conditions`"))
+    };
+    ($coverage:expr $(, $criterion:ident)* $(,)?) => {
+        $crate::assert_covered!($coverage $(, $criterion)*; except)
+    };
+    ($coverage:expr $(, $criterion:ident)*; except $($except:expr),* $(,)?) => {
+        $crate::Coverage::assert_all(
+            ::core::borrow::Borrow::borrow(&$coverage),
+            &[$($crate::assert_covered!(@ $criterion)),*],
+            &[$($except),*],
+        )
+    };
 }
