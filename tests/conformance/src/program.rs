@@ -104,6 +104,7 @@ impl Subject for Programmed<'_, '_> {
 #[derive(PartialEq, Eq, Debug)]
 struct Seen {
     active: Vec<StepId>,
+    late: Vec<StepId>,
     outputs: Vec<i128>,
     vars: Vec<i128>,
     calls: Vec<String>,
@@ -167,7 +168,7 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass
                     Err(error) => return Ok(Outcome::NotUnderstood(error.to_string())),
                 };
                 let found = subject.step(inputs, *now).map_err(at)?;
-                let mut expected = of_oracle(model, &expected, &held, oracle.vars());
+                let mut expected = of_oracle(model, &expected, &held, &oracle);
                 if !tells {
                     expected.evolutions.clear();
                 }
@@ -208,7 +209,8 @@ pub fn rests(model: &Model, lines: &[Line], encoding: Encoding, passes: &[Pass])
     }
 }
 
-fn of_oracle(model: &Model, cycle: &interp::Cycle, held: &[VarId], vars: &[interp::Value]) -> Seen {
+fn of_oracle(model: &Model, cycle: &interp::Cycle, held: &[VarId], oracle: &Interpreter<'_>) -> Seen {
+    let vars = oracle.vars();
     let mut evolutions: Vec<_> = cycle.seen.iter().map(|evolution| evolution.cleared.clone()).collect();
     // Of a search the last one has not taken place, of an `sfc` one that clears nothing.
     if model.is_grafcet() {
@@ -227,6 +229,7 @@ fn of_oracle(model: &Model, cycle: &interp::Cycle, held: &[VarId], vars: &[inter
     });
     Seen {
         active: cycle.active.iter().copied().collect(),
+        late: oracle.late_steps(),
         outputs: cycle.outputs.iter().map(|value| number(back(*value))).collect(),
         vars: held.iter().map(|id| number(back(vars[id.index()]))).collect(),
         calls: calls.collect(),
@@ -247,6 +250,7 @@ fn of_program(subject: &Programmed<'_, '_>, cycle: &Cycle, held: &[VarId]) -> Se
     let model = subject.program.model;
     Seen {
         active: subject.machine.active(),
+        late: subject.machine.late_steps(&mut Nothing).unwrap_or_default(),
         outputs: model.outputs.ids().map(|id| number(subject.output(id))).collect(),
         vars: held.iter().map(|id| number(subject.var(*id))).collect(),
         calls: cycle.calls.iter().map(|call| written(model, call)).collect(),
