@@ -2,10 +2,11 @@
 //!
 //! What follows from the steps that exclude each other is proved without looking at situations; the rest on all of them.
 
-use super::explore::{Answer, Exploration, Limits, Stay, alone};
+use super::combinational::written_out;
+use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
 use super::{Logic, Nesting, visible};
 use crate::list::List;
-use crate::model::{Claim, Expr, Model, Name, Place, Property, Read, StepId, Tree};
+use crate::model::{Claim, Expr, Model, Name, Place, Property, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
 /// The properties of a chart that are not proved.
@@ -30,16 +31,34 @@ impl<'m> Claims<'m> {
         never: &'m [&'m Tree],
         mixed: &Set<Place>,
     ) -> Self {
-        let claimed: Vec<(&Property, Tree)> = model
+        let mut open = Vec::new();
+        let mut claimed: Vec<(&Property, Tree)> = Vec::new();
+        let stated = model
             .properties
             .iter()
             .filter(|property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed)))
             .filter_map(|property| Some((property, property.claim.violation()?)))
-            .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))))
-            .list();
+            .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))));
+        for (property, violation) in stated {
+            // A combinational variable is what it stands for at the end of the cycle.
+            let (violation, unfollowed) = match written_out(model, &violation) {
+                Some(written) => {
+                    let unfollowed = unfollowed(model, &written);
+                    (written, unfollowed)
+                }
+                None => {
+                    let unfollowed = vec![violation.clone()];
+                    (violation, unfollowed)
+                }
+            };
+            if unfollowed.is_empty() {
+                claimed.push((property, violation));
+            } else {
+                open.push((property, Answer::Unknown(Doubt::Unfollowed(unfollowed))));
+            }
+        }
         let watched: Vec<&Tree> = claimed.iter().map(|(_, violation)| violation).list();
         let exploration = Exploration::assuming(model, &limits, &watched, never);
-        let mut open = Vec::new();
         for (index, (property, violation)) in claimed.iter().enumerate() {
             let answer = exploration.watched(index);
             let alone = matches!(answer, Answer::Unknown(_))
@@ -85,6 +104,23 @@ impl<'m> Claims<'m> {
             again.then(|| alone(false)).flatten().unwrap_or(answer)
         })
     }
+}
+
+/// What the exploration does not follow from cycle to cycle: numbers, enums and times.
+fn unfollowed(model: &Model, violation: &Tree) -> Vec<Tree> {
+    let mut all: Vec<Tree> = Vec::new();
+    violation.each_read(&mut |read| {
+        let followed = match read {
+            Read::Name(Name::Input(_) | Name::Param(_)) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => true,
+            Read::Name(name) => matches!(model.ty(name), Ty::Bool(_)),
+            _ => false,
+        };
+        let tree = Tree::Read(read);
+        if !followed && !all.contains(&tree) {
+            all.push(tree);
+        }
+    });
+    all
 }
 
 fn reads_any(expr: &Expr, places: &Set<Place>) -> bool {

@@ -1,12 +1,28 @@
 //! What is assumed of the inputs, and what is claimed of the ends of cycles.
 
-use grafcet_compiler::model::{Id, Name, Read, StepId, Tree};
+use grafcet_compiler::analysis::combinational::written_out;
+use grafcet_compiler::model::{Blinker, Id, MacroId, Model, Name, Property, Read, StepId, TimeRef, Tree};
 use grafcet_compiler::program::Role;
 
 use super::sym::Sym;
 use super::{Bad, Env, Lowering, Refused};
 use crate::aig::Lit;
-use crate::bits;
+use crate::bits::{self, Bits};
+
+/// The properties of a circuit.
+#[derive(Default)]
+pub(super) struct Claims {
+    pub(super) bad: Vec<Bad>,
+    /// By property: what in it is not modelled.
+    pub(super) refused: Vec<(usize, Refused)>,
+}
+
+/// Where a property is broken at the end of a cycle; a combinational variable stands for what it is then. None for a home situation.
+pub(super) fn violation(model: &Model, property: &Property) -> Option<Result<Tree, Refused>> {
+    let violation = property.claim.violation()?;
+    let written = written_out(model, &violation);
+    Some(written.ok_or_else(|| Refused("a property over variables that stand for too much".to_owned())))
+}
 
 impl Lowering<'_, '_> {
     pub(super) fn assumptions(&mut self) -> Result<Lit, Refused> {
@@ -32,20 +48,24 @@ impl Lowering<'_, '_> {
     }
 
     /// `broken`: arithmetic has left its type in this cycle or before. What a property itself computes counts as well.
-    pub(super) fn claims(&mut self, end: &Env, broken: Lit) -> Result<Vec<Bad>, Refused> {
-        let mut all = Vec::new();
-        let (overflow, panics) = (self.overflow, self.panics);
+    pub(super) fn claims(&mut self, end: &Env, broken: Lit) -> Claims {
+        let mut claims = Claims::default();
+        let (overflow, panics, path) = (self.overflow, self.panics, self.path);
         for (property, one) in self.program.model.properties.iter().enumerate() {
-            let Some(violation) = one.claim.violation() else { continue };
-            (self.overflow, self.panics) = (Lit::FALSE, Lit::FALSE);
-            let holds = self.at_end(&violation, end)?;
-            let possible = self.aig.and(holds, !self.panics);
-            let in_type = self.aig.and(!broken, !self.overflow);
-            let certain = self.aig.and(possible, in_type);
-            all.push(Bad { property, possible, certain });
+            let Some(violation) = violation(self.program.model, one) else { continue };
+            (self.overflow, self.panics, self.path) = (Lit::FALSE, Lit::FALSE, path);
+            match violation.and_then(|violation| self.at_end(&violation, end)) {
+                Ok(holds) => {
+                    let possible = self.aig.and(holds, !self.panics);
+                    let in_type = self.aig.and(!broken, !self.overflow);
+                    let certain = self.aig.and(possible, in_type);
+                    claims.bad.push(Bad { property, possible, certain });
+                }
+                Err(refused) => claims.refused.push((property, refused)),
+            }
         }
-        (self.overflow, self.panics) = (overflow, panics);
-        Ok(all)
+        (self.overflow, self.panics, self.path) = (overflow, panics, path);
+        claims
     }
 
     /// Whether a condition holds at the end of the cycle.
@@ -70,18 +90,63 @@ impl Lowering<'_, '_> {
             Read::Name(Name::Param(id)) => Role::Param(id),
             Read::Ticks(ticks) => return Ok(self.ticks(ticks)),
             Read::Active(step) => return Ok(Sym::Bool(self.is_active(step, end)?)),
-            Read::MacroActive(id) => {
-                let mut any = Lit::FALSE;
-                for step in &self.program.model.macros[id].steps {
-                    let is = self.is_active(*step, end)?;
-                    any = self.aig.or(any, is);
-                }
-                return Ok(Sym::Bool(any));
+            Read::MacroActive(id) => return Ok(Sym::Bool(self.is_macro_active(id, end)?)),
+            Read::Since(_) | Read::MacroSince(_) => return Ok(Sym::Ticks(self.time_at_end(read, end)?)),
+            Read::Elapsed(time, _) | Read::MacroElapsed(time, _) => {
+                let (active, passed) = (self.about(read, end)?, self.time_at_end(read, end)?);
+                let whole = match time {
+                    TimeRef::Ticks(ticks) => self.ticks(ticks),
+                    TimeRef::Param(id) => self.at(Role::Param(id), end)?,
+                    TimeRef::Var(id) => self.at(Role::Var(id), end)?,
+                };
+                let Sym::Ticks(whole) = whole else { return Err(Refused("a time that is none".to_owned())) };
+                let over = !bits::below(&mut self.aig, &passed, &whole);
+                return Ok(Sym::Bool(self.aig.and(active, over)));
             }
-            _ => return Err(Refused("a property over an edge or a time".to_owned())),
+            Read::Rising(_) | Read::Falling(_) | Read::Delay(_) | Read::Blink(_) => {
+                return Err(Refused("a property over more than the end of a cycle".to_owned()));
+            }
         };
+        self.at(role, end)
+    }
+
+    fn at(&self, role: Role, end: &Env) -> Result<Sym, Refused> {
         let place = self.program.place(role).ok_or_else(|| Refused("a property over what is not stored".to_owned()))?;
         Ok(end[place.0].clone())
+    }
+
+    /// For how long a step or macro-step has been active at the end of the cycle; zero where it is not.
+    fn time_at_end(&mut self, read: Read, end: &Env) -> Result<Bits, Refused> {
+        let role = match read.about() {
+            Some(Blinker::Step(step)) => {
+                let region = self.program.regions.iter().position(|steps| steps.contains(&step));
+                region.map(Role::Time)
+            }
+            Some(Blinker::Macro(id)) => Some(Role::MacroTime(id)),
+            None => None,
+        };
+        let counted = role.map(|role| self.at(role, end)).transpose()?;
+        let Some(Sym::Ticks(time)) = counted else { return Err(Refused("a time that is not counted".to_owned())) };
+        let active = self.about(read, end)?;
+        Ok(bits::mux(&mut self.aig, active, &time, &bits::constant(0)))
+    }
+
+    /// Whether the step or macro-step that something is about is active.
+    fn about(&mut self, read: Read, end: &Env) -> Result<Lit, Refused> {
+        match read.about() {
+            Some(Blinker::Step(step)) => self.is_active(step, end),
+            Some(Blinker::Macro(id)) => self.is_macro_active(id, end),
+            None => Err(Refused("it is about no step".to_owned())),
+        }
+    }
+
+    fn is_macro_active(&mut self, id: MacroId, end: &Env) -> Result<Lit, Refused> {
+        let mut any = Lit::FALSE;
+        for step in &self.program.model.macros[id].steps {
+            let is = self.is_active(*step, end)?;
+            any = self.aig.or(any, is);
+        }
+        Ok(any)
     }
 
     fn is_active(&mut self, step: StepId, end: &Env) -> Result<Lit, Refused> {

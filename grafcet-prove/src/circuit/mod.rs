@@ -24,6 +24,7 @@ use grafcet_compiler::program::{Initial, PlaceId, Program, Role, Type, Value};
 
 use crate::aig::{Aig, Lit};
 use crate::bits::{self, Bits};
+use claims::Claims;
 use clock::Clock;
 use free::Origin;
 use sym::{FreeId, Sym, Width};
@@ -105,6 +106,8 @@ pub struct Circuit {
     /// In this cycle arithmetic leaves its type.
     pub overflow: Lit,
     pub bad: Vec<Bad>,
+    /// By property: what in it is not modelled.
+    pub refused: Vec<(usize, Refused)>,
     /// The bits of a time.
     pub time_bits: usize,
 }
@@ -140,7 +143,8 @@ impl Circuit {
     /// # Errors
     /// Something in the chart is not modelled.
     pub fn of(program: &Program<'_>) -> Result<Self, Refused> {
-        let claims: Vec<Tree> = program.model.properties.iter().filter_map(|one| one.claim.violation()).collect();
+        let violations = program.model.properties.iter().filter_map(|one| claims::violation(program.model, one)?.ok());
+        let claims: Vec<Tree> = violations.collect();
         let clock = Clock::of(program, &claims);
         let lowering = Lowering {
             program,
@@ -188,9 +192,9 @@ impl Lowering<'_, '_> {
         self.constraint = self.aig.and(self.constraint, constraint);
         let overflow = self.overflow;
         let broken = self.aig.or(so_far, overflow);
-        let bad = self.claims(&end, broken)?;
+        let claims = self.claims(&end, broken);
         self.constraint = self.aig.and(self.constraint, !self.panics);
-        self.finish(kept, &end, (so_far, broken), bad)
+        self.finish(kept, &end, (so_far, broken), claims)
     }
 
     fn finish(
@@ -198,7 +202,7 @@ impl Lowering<'_, '_> {
         kept: Vec<Kept>,
         end: &Env,
         (so_far, broken): (Lit, Lit),
-        bad: Vec<Bad>,
+        claims: Claims,
     ) -> Result<Circuit, Refused> {
         let (mut latches, mut fields) = (Vec::new(), Vec::new());
         for one in kept {
@@ -231,7 +235,8 @@ impl Lowering<'_, '_> {
             fields,
             constraint: self.constraint,
             overflow: self.overflow,
-            bad,
+            bad: claims.bad,
+            refused: claims.refused,
             time_bits: self.clock.width,
         })
     }

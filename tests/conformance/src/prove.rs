@@ -48,7 +48,7 @@ pub struct Counts {
 /// # Errors
 /// A difference, with the chart.
 pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, String> {
-    let text = make::chart(number, kind.grafcet, kind.timed);
+    let text = make::counting(number, kind.grafcet, kind.timed);
     let Ok(model) = resolve(&text) else { return Ok(false) };
     if !model.properties.iter().any(is_of_ends) {
         return Ok(false);

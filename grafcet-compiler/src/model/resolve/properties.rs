@@ -7,7 +7,7 @@ use super::scope::Meaning;
 use super::{Resolver, expr};
 use crate::ast;
 use crate::diagnostic::Mark;
-use crate::model::{Assumption, Claim, Expr, LetId, Name, Property, Read, StepId, Ty};
+use crate::model::{Assumption, Claim, Expr, LetId, Name, Property, Read, StepId};
 
 impl Resolver<'_> {
     /// `assume never b1 && b3;` It is about one snapshot of the inputs: nothing else can be excluded by the plant, and
@@ -76,29 +76,22 @@ impl Resolver<'_> {
     /// A condition of a property: what can be seen at the end of a cycle.
     fn claimed(&mut self, condition: &syn::Expr) -> Expr {
         let (condition, places) = expr::resolve_with_places(condition, self);
-        let why = "a property is about steps, inputs and boolean outputs at the end of a cycle";
+        let why = "a property is about the end of a cycle";
         for Seen { read, mark, within } in places {
             let this = self.subject(within);
             let what = match read {
-                Read::Name(Name::Output(id)) if !matches!(self.model.outputs[id].ty, Ty::Bool(_)) => {
-                    let name = &self.model.outputs[id].name;
-                    format!(
-                        "the values of `{name}`, which is no `bool`, are not followed; name the steps that give them"
-                    )
-                }
-                Read::Name(Name::Var(id)) => {
-                    format!("`{}` is a variable; name the steps or outputs that matter", self.model.vars[id].name)
-                }
                 Read::Rising(_) | Read::Falling(_) => "an edge takes two; name what holds at the end of one".to_owned(),
-                Read::Since(_)
-                | Read::MacroSince(_)
-                | Read::Delay(_)
-                | Read::Elapsed(..)
-                | Read::MacroElapsed(..)
-                | Read::Blink(_) => {
-                    format!("{this} a time, which counts as unknown; name the steps or outputs that matter")
+                Read::Delay(_) | Read::Blink(_) => {
+                    format!("{this} a time with a memory of its own; name the step or output that matters, or a step's time")
                 }
-                Read::Name(_) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => continue,
+                Read::Name(_)
+                | Read::Active(_)
+                | Read::Since(_)
+                | Read::Elapsed(..)
+                | Read::MacroActive(_)
+                | Read::MacroSince(_)
+                | Read::MacroElapsed(..)
+                | Read::Ticks(_) => continue,
             };
             self.sink.notation(mark, format!("{why}; {what}"));
         }

@@ -57,7 +57,8 @@ impl<'m> Lower<'_, 'm> {
         self.reached = vec![None; self.state.len()];
         self.macro_time = vec![None; model.macros.len()];
         self.macro_reached = vec![None; model.macros.len()];
-        if !model.uses_time() {
+        let asked = self.asked();
+        if !model.uses_time() && !asked.iter().any(|read| read.about().is_some()) {
             return;
         }
         self.reading = Some(self.field("reading".to_owned(), Role::Reading, Type::Ticks, time()));
@@ -77,7 +78,7 @@ impl<'m> Lower<'_, 'm> {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));
         }
         let changes = changes(model);
-        for read in model.expressions().concat() {
+        for read in asked {
             match read {
                 Read::Since(step) | Read::Elapsed(_, step) => self.count(step, &changes),
                 Read::MacroSince(id) | Read::MacroElapsed(_, id) => self.count_macro(id, &changes),
@@ -94,6 +95,18 @@ impl<'m> Lower<'_, 'm> {
             self.elapsed = Some(self.local("elapsed".to_owned(), Type::Ticks));
         }
         self.find_bounds(&changes, facts);
+    }
+
+    /// What asks for times. A program that has a clock knows nothing of properties.
+    fn asked(&self) -> Vec<Read> {
+        let mut all = self.model.expressions().concat();
+        if self.clocks == Clocks::Counted {
+            for property in &self.model.properties {
+                all.extend(property.claim.expressions().iter().flat_map(|expr| &expr.reads));
+            }
+        }
+        all.retain(|read| !matches!(read, Read::Active(_) | Read::MacroActive(_)));
+        all
     }
 
     /// Whether something has to know how long it is since the cycle before.

@@ -55,6 +55,45 @@ pub fn chart(number: u64, grafcet: bool, timed: bool) -> String {
     if timed && number % 2 == 1 { text.replace("1s", "5s").replace("1m", "5s") } else { text }
 }
 
+/// The same chart, which counts, and claims something of the count, of its variables and, where it is timed, of the times of its steps.
+#[must_use]
+pub fn counting(number: u64, grafcet: bool, timed: bool) -> String {
+    let mut rng = Rng::new(number ^ 0xc0_047);
+    let (mut lines, mut steps, mut vars) = (Vec::new(), Vec::new(), Vec::new());
+    for line in chart(number, grafcet, timed).lines() {
+        lines.push(line.to_owned());
+        if let Some(name) = line.strip_prefix("var ").and_then(|rest| rest.split(':').next()) {
+            vars.push(name.to_owned());
+        }
+        let named = line.strip_suffix(" {").and_then(|line| line.split_once("step ")).filter(|_| !line.contains("macro"));
+        if let Some((_, name)) = named {
+            steps.push(name.to_owned());
+            if rng.chance(50) {
+                lines.push((*rng.pick(&["P1 n = (n + 1) % 4;", "P1 n = n / 2;", "P1 n = 3;"])).to_owned());
+            }
+        }
+    }
+    lines.insert(2, "var n: u8 = 0;".to_owned());
+    let end = lines.len() - 1;
+    for _ in 0..3 {
+        let step = rng.pick(&steps).clone();
+        let mut some = vec![format!("n == {}", rng.below(5)), format!("n < {} && {step}.X", rng.between(1, 4))];
+        some.extend(vars.iter().map(|var| format!("{var} && {step}.X")));
+        if timed {
+            some.push(format!("{step}.T {} {}s", rng.pick(&["<", ">=", ">", "=="]), rng.pick(&[1, 5, 7])));
+            some.push(format!("{}s/{step}", rng.pick(&[1, 5])));
+        }
+        let (what, other) = (rng.pick(&some).clone(), rng.pick(&some).clone());
+        let claim = match rng.below(3) {
+            0 => format!("never {what};"),
+            1 => format!("always {what} => {other};"),
+            _ => format!("always {what} || {other};"),
+        };
+        lines.insert(end, claim);
+    }
+    lines.join("\n") + "\n"
+}
+
 impl Maker {
     fn write(&mut self, body: &Body, words: &mut Words, lines: &mut Vec<String>) {
         if let Some(name) = &body.name {

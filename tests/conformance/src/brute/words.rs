@@ -277,18 +277,18 @@ impl Words {
         format!("{not}{}", maker.rng.pick(&self.inputs))
     }
 
-    /// A condition over inputs, outputs and steps.
+    /// A condition over inputs, outputs, variables and steps.
     fn claimed(&self, maker: &mut Maker, depth: usize) -> String {
         if depth > 0 {
             let (left, right) = (self.claimed(maker, depth - 1), self.claimed(maker, depth - 1));
             return format!("({left} {} {right})", maker.rng.pick(&["&&", "&&", "||", "=="]));
         }
         let not = if maker.rng.chance(35) { "!" } else { "" };
-        let outputs = self.vars.iter().filter(|var| var.output).map(|var| &var.name);
-        let outputs: Vec<&String> = outputs.chain(self.shown.iter().map(|(name, _)| name)).collect();
+        let values = self.vars.iter().map(|var| &var.name);
+        let values: Vec<&String> = values.chain(self.shown.iter().map(|(name, _)| name)).collect();
         match maker.rng.below(10) {
             0 | 1 => self.excluded(maker),
-            2..=5 if !outputs.is_empty() => format!("{not}{}", maker.rng.pick(&outputs)),
+            2..=5 if !values.is_empty() => format!("{not}{}", maker.rng.pick(&values)),
             _ => format!("{not}{}.X", maker.rng.pick(&self.steps)),
         }
     }
