@@ -78,7 +78,7 @@ fn shape(chart: TokenStream) -> Result<(Form, Search), Vec<String>> {
     let shape = parse::chart(chart, &mut sink).map(|chart| {
         let model = model::resolve(&chart, &mut sink);
         let facts = Facts::of(&model);
-        let races = check::evolution(&model, &facts, &mut sink);
+        let races = check::evolution(&model, &facts, None, &mut sink);
         let shape = Plan::of(&model, &facts, &races).shape;
         (shape.form, shape.search)
     });

@@ -26,10 +26,19 @@ mod visit;
 
 use proc_macro2::TokenStream;
 
-use analysis::Facts;
+use analysis::{Facts, Prover};
 use diagnostic::Sink;
 use model::Model;
 use plan::Plan;
+
+/// What is wanted of a compilation beside the usual.
+#[derive(Clone, Copy, Default)]
+pub struct Wanted<'p> {
+    /// What the flight recorder needs to know of the chart: the macro's feature `record`.
+    pub recorded: bool,
+    /// Who decides the properties that the checker leaves open: the macro's feature `prove`.
+    pub prover: Option<&'p Prover>,
+}
 
 /// Compiles the tokens of one macro call.
 ///
@@ -37,21 +46,25 @@ use plan::Plan;
 /// where the chart has mistakes, it holds their messages and the chart's types with empty bodies.
 #[must_use]
 pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
-    by(chart, root, &|model, _, plan| codegen::generate(model, plan, root))
+    compile_with(root, chart, Wanted::default())
 }
 
-/// The same, with what the flight recorder needs to know of the chart: the macro's feature `record`.
+/// The same with more than the usual.
 #[must_use]
-pub fn compile_recorded(root: &TokenStream, chart: TokenStream) -> TokenStream {
+pub fn compile_with(root: &TokenStream, chart: TokenStream, wanted: Wanted<'_>) -> TokenStream {
+    let prover = wanted.prover;
+    if !wanted.recorded {
+        return by(chart, root, prover, &|model, _, plan| codegen::generate(model, plan, root));
+    }
     let fingerprint = fingerprint::of(chart.clone());
-    by(chart, root, &|model, facts, plan| codegen::generate_recorded((model, facts, plan), root, fingerprint))
+    by(chart, root, prover, &|model, facts, plan| codegen::generate_recorded((model, facts, plan), root, fingerprint))
 }
 
 /// The same by way of a program, which `lower` makes of the chart: a third opinion for tests and tools.
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, &|model, facts, plan| {
+    by(chart, root, None, &|model, facts, plan| {
         let program = lower(model, facts);
         match program {
             Ok(program) => codegen::print(&program, plan, root),
@@ -71,6 +84,7 @@ pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m
 fn by(
     chart: TokenStream,
     root: &TokenStream,
+    prover: Option<&Prover>,
     generate: &dyn Fn(&Model, &Facts<'_>, &Plan) -> TokenStream,
 ) -> TokenStream {
     let mut sink = Sink::new();
@@ -84,7 +98,7 @@ fn by(
     let complete = !chart.incomplete && !model.incomplete;
     let facts = (complete && sink.leaves_evolution()).then(|| Facts::of(&model));
     let planned = facts.and_then(|facts| {
-        let races = check::evolution(&model, &facts, &mut sink);
+        let races = check::evolution(&model, &facts, prover, &mut sink);
         let plan = (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races));
         plan.map(|plan| (facts, plan))
     });

@@ -11,6 +11,10 @@ pub fn chart(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
         Some(TokenTree::Group(path)) => path.stream(),
         _ => TokenStream::new(),
     };
-    let compile = if cfg!(feature = "record") { grafcet_compiler::compile_recorded } else { grafcet_compiler::compile };
-    compile(&root, tokens.collect()).into()
+    #[cfg(feature = "prove")]
+    let prover: Option<&grafcet_compiler::analysis::Prover> = Some(&grafcet_prove::rule);
+    #[cfg(not(feature = "prove"))]
+    let prover = None;
+    let wanted = grafcet_compiler::Wanted { recorded: cfg!(feature = "record"), prover };
+    grafcet_compiler::compile_with(&root, tokens.collect(), wanted).into()
 }

@@ -10,10 +10,15 @@ pub mod export;
 mod pdr;
 pub mod play;
 pub mod replay;
+mod ruling;
 mod sat;
+mod simplest;
+mod table;
 pub mod task;
 mod verdict;
 pub mod words;
 
+pub use ruling::rule;
 pub use sat::{Limit, Over};
+pub use table::table;
 pub use verdict::{Internal, Verdict, decide};

@@ -17,6 +17,8 @@ pub struct Shown {
     pub inputs: Vec<Value>,
     pub params: Vec<Value>,
     pub outputs: Vec<Value>,
+    /// None for a combinational one.
+    pub vars: Vec<Value>,
     pub active: Vec<String>,
     pub cleared: Vec<String>,
 }
@@ -84,6 +86,7 @@ pub fn replay(program: &Program<'_>, circuit: &Circuit, violation: &Tree, way: &
             now,
             params,
             outputs: cycle.outputs.clone(),
+            vars: machine.vars().to_vec(),
             active: cycle.active.iter().map(|step| name(&model.steps[*step].name)).collect(),
             cleared: cleared(model, &cycle),
             inputs,

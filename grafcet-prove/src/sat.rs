@@ -3,32 +3,55 @@
 
 use std::cell::Cell;
 use std::rc::Rc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use batsat::{BasicCallbacks, Lit as Inner, Solver, SolverInterface, SolverOpts, Var, lbool};
 
 use crate::aig::{Aig, Lit, Node};
 
-/// Until when is searched.
+/// How long is searched.
 #[derive(Clone)]
-pub struct Limit {
-    until: Option<Instant>,
-    over: Rc<Cell<bool>>,
+pub struct Limit(Rc<Bound>);
+
+enum Bound {
+    None,
+    Until(Instant, Cell<bool>),
+    Work(Cell<u64>),
 }
 
 impl Limit {
     #[must_use]
-    pub fn new(until: Option<Instant>) -> Self {
-        Self { until, over: Rc::new(Cell::new(false)) }
+    pub fn none() -> Self {
+        Self(Rc::new(Bound::None))
     }
 
-    /// Whether it is reached, and stays so.
+    /// For so long.
+    #[must_use]
+    pub fn time(time: Duration) -> Self {
+        let until = Instant::now().checked_add(time);
+        Self(Rc::new(until.map_or(Bound::None, |until| Bound::Until(until, Cell::new(false)))))
+    }
+
+    /// So many steps of the solver: the same on every machine.
+    #[must_use]
+    pub fn work(steps: u64) -> Self {
+        Self(Rc::new(Bound::Work(Cell::new(steps))))
+    }
+
+    /// Whether it is reached, and stays so. Asking is a step.
     #[must_use]
     pub fn is_over(&self) -> bool {
-        if !self.over.get() && self.until.is_some_and(|until| Instant::now() >= until) {
-            self.over.set(true);
+        match &*self.0 {
+            Bound::None => false,
+            Bound::Until(until, over) => {
+                over.set(over.get() || Instant::now() >= *until);
+                over.get()
+            }
+            Bound::Work(left) => {
+                left.set(left.get().saturating_sub(1));
+                left.get() == 0
+            }
         }
-        self.over.get()
     }
 }
 

@@ -1,7 +1,5 @@
 //! From the properties of a chart to verdicts. None is given without its check: a proof goes to [`certificate`], a way to the interpreter.
 
-use std::time::{Duration, Instant};
-
 use grafcet_compiler::model::Tree;
 use grafcet_compiler::program::Program;
 
@@ -10,8 +8,9 @@ use crate::bmc;
 use crate::certificate;
 use crate::circuit::{Bad, Circuit};
 use crate::pdr::{Answer, Pdr};
-use crate::replay::{Shown, Why, replay};
+use crate::replay::{Shown, Why};
 use crate::sat::{Limit, Over};
+use crate::simplest::simplest;
 use crate::task::{Invariant, Task, Way};
 
 /// What is found out about a property.
@@ -40,21 +39,23 @@ impl std::error::Error for Internal {}
 /// So many cycles are looked at one by one before anything else: most faults show there, and soon.
 const FIRST_CYCLES: usize = 8;
 
-/// Decides one property of a circuit, in so much time.
+/// What is said where the limit is reached.
+const OVER: &str = "the solver was stopped at its limit";
+
+/// Decides one property of a circuit, within a limit.
 ///
 /// # Errors
 /// A verdict that fails its check.
-pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, time: Duration) -> Result<Verdict, Internal> {
-    let limit = Limit::new(Instant::now().checked_add(time));
+pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit) -> Result<Verdict, Internal> {
     let Some(violation) = program.model.properties[bad.property].claim.violation() else {
         return Ok(Verdict::Undecided("it is not about the ends of cycles".to_owned()));
     };
-    let over = |_: Over| Verdict::Undecided(format!("{} seconds were not enough", time.as_secs_f64()));
+    let over = |_: Over| Verdict::Undecided(OVER.to_owned());
     // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
-    match judge(circuit, bad.possible, &limit) {
+    match judge(circuit, bad.possible, limit) {
         Err(fault) => fault.map_or_else(|| Ok(over(Over)), Err),
         Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(invariant)),
-        Ok(Judged::Fails(way)) => shown(program, circuit, bad, &violation, &way, &limit),
+        Ok(Judged::Fails(way)) => shown(program, circuit, bad, &violation, &way, limit),
     }
 }
 
@@ -100,7 +101,7 @@ fn shown(
     } else {
         match judge(circuit, bad.certain, limit) {
             Err(Some(fault)) => return Err(fault),
-            Err(None) => return Ok(Verdict::Undecided("the time was not enough".to_owned())),
+            Err(None) => return Ok(Verdict::Undecided(OVER.to_owned())),
             Ok(Judged::Holds(_)) => {
                 let what = "it is only broken where arithmetic leaves its type, which panics with overflow checks";
                 return Ok(Verdict::Undecided(what.to_owned()));
@@ -108,7 +109,7 @@ fn shown(
             Ok(Judged::Fails(way)) => way,
         }
     };
-    match replay(program, circuit, violation, &certain) {
+    match simplest(program, circuit, violation, &certain) {
         Ok(shown) => Ok(Verdict::Violated(shown)),
         Err(Why::NotUnderstood(what)) => {
             Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))

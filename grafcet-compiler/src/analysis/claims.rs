@@ -4,10 +4,29 @@
 
 use super::combinational::written_out;
 use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
-use super::{Logic, Nesting, visible};
+use super::{Facts, Logic, Nesting, visible};
 use crate::list::List;
 use crate::model::{Claim, Expr, Model, Name, Place, Property, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
+
+/// Who decides what the exploration leaves open, such as a solver: of the properties with these numbers, an answer for each.
+pub type Prover = dyn Fn(&Model, &Facts<'_>, &[usize]) -> Vec<Ruling>;
+
+/// What it says about a property.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Ruling {
+    /// It holds at the end of every cycle.
+    Holds,
+    /// It does not.
+    Broken {
+        /// So many cycles lead there, and fewer do not.
+        cycles: usize,
+        /// These, as a table.
+        way: String,
+    },
+    /// It is not decided, and why.
+    Open(String),
+}
 
 /// The properties of a chart that are not proved.
 pub(crate) struct Claims<'m> {
@@ -111,7 +130,9 @@ fn unfollowed(model: &Model, violation: &Tree) -> Vec<Tree> {
     let mut all: Vec<Tree> = Vec::new();
     violation.each_read(&mut |read| {
         let followed = match read {
-            Read::Name(Name::Input(_) | Name::Param(_)) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => true,
+            Read::Name(Name::Input(_) | Name::Param(_)) | Read::Active(_) | Read::MacroActive(_) | Read::Ticks(_) => {
+                true
+            }
             Read::Name(name) => matches!(model.ty(name), Ty::Bool(_)),
             _ => false,
         };

@@ -26,7 +26,7 @@ mod waits;
 pub use initial::initial_values;
 
 use crate::analysis::explore::{Exploration, Limits};
-use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Races, mixed};
+use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races, mixed};
 use crate::diagnostic::{Sink, rules};
 use crate::list::List;
 use crate::model::{Model, Name, Read, TransitionId, Tree};
@@ -49,8 +49,8 @@ pub fn drawing(model: &Model, sink: &mut Sink) {
 }
 
 /// The rules that look at how the chart evolves; only for charts whose drawing is in order. Returned are the races that were
-/// found, whatever the chart says of them: they are facts for the plan too.
-pub fn evolution(model: &Model, facts: &Facts<'_>, sink: &mut Sink) -> Races {
+/// found, whatever the chart says of them: they are facts for the plan too. `prover` is asked for properties that are left open.
+pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink: &mut Sink) -> Races {
     let (never, structure) = (&facts.never[..], &facts.assumed);
     let limits = model.budget.map_or_else(Limits::default, Limits::situations);
     let concurrency = structure.across_partials(model);
@@ -74,7 +74,8 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, sink: &mut Sink) -> Races {
     let never_clear: Set<TransitionId> = dead.idle.iter().chain(&said).copied().collect();
     let presumed = branches.presumed_exclusive();
 
-    properties::check(model, &claims, limits, sink);
+    let asked = prover.map(|prover| (prover, facts));
+    properties::check(model, &claims, limits, asked, sink);
     let always = conditions::check(model, &logic, &conditions, &constants, sink);
     branches::check(model, &rivalry, &always, sink);
     let mut told = Explained::default();

@@ -2,25 +2,53 @@
 
 use super::rivals;
 use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay, situation};
-use crate::analysis::{Claims, unlisted_of};
+use crate::analysis::{Claims, Facts, Prover, Ruling, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
 use crate::model::{Claim, How, LevelAttr, Model, Name, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
-/// Reports what is violated, and what is not decided.
-pub(super) fn check(model: &Model, claims: &Claims<'_>, limits: Limits, sink: &mut Sink) {
+/// Reports what is violated, and what is not decided, by the prover either, where there is one.
+pub(super) fn check(
+    model: &Model,
+    claims: &Claims<'_>,
+    limits: Limits,
+    prover: Option<(&Prover, &Facts<'_>)>,
+    sink: &mut Sink,
+) {
     let report = Report { model, limits };
+    let is_open = |answer: &Answer| matches!(answer, Answer::Unknown(_));
+    let mut left_open = Vec::new();
+    for (number, property) in model.properties.iter().enumerate() {
+        if claims.open.iter().any(|(open, answer)| std::ptr::eq(*open, property) && is_open(answer)) {
+            left_open.push(number);
+        }
+    }
+    let asked = prover.filter(|_| !left_open.is_empty());
+    let rulings = asked.map(|(prover, facts)| prover(model, facts, &left_open)).unwrap_or_default();
     for (property, answer) in &claims.open {
-        match answer {
-            Answer::Never => {}
-            Answer::Possible(path) => report.violated(property, path, sink),
-            Answer::Unknown(doubt) => report.undecided(property, doubt, sink),
+        let number = left_open.iter().position(|number| std::ptr::eq(&model.properties[*number], *property));
+        let ruling = number.and_then(|number| rulings.get(number));
+        match (answer, ruling) {
+            (Answer::Never, _) | (Answer::Unknown(_), Some(Ruling::Holds)) => {}
+            (Answer::Possible(path), _) => {
+                let cycles = path.cycles.len() + usize::from(path.skips_first);
+                report.violated(property, cycles, &path.table(model), sink);
+            }
+            (Answer::Unknown(_), Some(Ruling::Broken { cycles, way })) => {
+                report.violated(property, *cycles, way.trim_end(), sink);
+            }
+            (Answer::Unknown(doubt), Some(Ruling::Open(why))) => {
+                report.undecided(property, doubt, &format!("; a solver was asked, too: {why}"), sink);
+            }
+            (Answer::Unknown(doubt), None) => {
+                report.undecided(property, doubt, "; grafcet's feature `prove` has a solver decide it", sink);
+            }
         }
     }
     for (property, answer) in &claims.away {
         if let Answer::Unknown(doubt) = answer {
-            report.undecided(property, doubt, sink);
+            report.undecided(property, doubt, "", sink);
         }
     }
 }
@@ -69,8 +97,7 @@ impl Report<'_> {
         sink.rule(rule, &scopes, notes);
     }
 
-    fn violated(&self, property: &Property, path: &Path, sink: &mut Sink) {
-        let count = path.cycles.len() + usize::from(path.skips_first);
+    fn violated(&self, property: &Property, count: usize, table: &str, sink: &mut Sink) {
         let what = match &property.claim {
             Claim::Always { premise: Some(premise), condition } => {
                 format!("`{}` holds and `{}` does not", premise.text, condition.text)
@@ -82,14 +109,14 @@ impl Report<'_> {
         let when = if count == 1 { "the first cycle".to_owned() } else { format!("cycle {count}") };
         let message = format!(
             "at the end of {when} {what}: mend the chart on this way, exclude its inputs by `assume never …;`, or correct \
-             the property\n{}",
-            path.table(self.model)
+             the property\n{table}"
         );
         self.say(&rules::PROPERTY_VIOLATED, property, vec![(property.mark, message)], sink);
     }
 
-    fn undecided(&self, property: &Property, doubt: &Doubt, sink: &mut Sink) {
-        let message = match doubt {
+    /// `solver` tells what one says of it, or would.
+    fn undecided(&self, property: &Property, doubt: &Doubt, solver: &str, sink: &mut Sink) {
+        let mut message = match doubt {
             Doubt::Budget(situations) => format!(
                 "whether this holds is not decided: the budget ran out after {situations} situations; let more be explored, \
                  `budget {};`, or divide the chart",
@@ -108,7 +135,7 @@ impl Report<'_> {
                     let message = format!(
                         "whether this holds is not decided: no values were found for {what} with which every result fits into \
                          its type, nor that there are none; compute in a wider type, or say what happens at its ends, as \
-                         `saturating_sub` does, or allow this"
+                         `saturating_sub` does, or allow this{solver}"
                     );
                     return self.say(&rules::PROPERTY_UNDECIDED, property, vec![(property.mark, message)], sink);
                 }
@@ -126,6 +153,7 @@ impl Report<'_> {
                 )
             }
         };
+        message.push_str(solver);
         self.say(&rules::PROPERTY_UNDECIDED, property, vec![(property.mark, message)], sink);
     }
 

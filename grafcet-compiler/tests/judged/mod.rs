@@ -31,7 +31,7 @@ pub(crate) fn diagnostics(chart: &str) -> Vec<Diagnostic> {
         let model = model::resolve(&chart, &mut sink);
         check::drawing(&model, &mut sink);
         if !sink.has_errors() {
-            check::evolution(&model, &Facts::of(&model), &mut sink);
+            check::evolution(&model, &Facts::of(&model), None, &mut sink);
         }
     }
     sink.finish()

@@ -118,6 +118,8 @@ type Env = Rc<Vec<Sym>>;
 /// What is made for one program, and what is known about it meanwhile.
 pub(crate) struct Lowering<'p, 'm> {
     program: &'p Program<'m>,
+    /// So many gates and no more.
+    largest: usize,
     aig: Aig,
     clock: Clock,
     inputs: Vec<Wire>,
@@ -143,11 +145,20 @@ impl Circuit {
     /// # Errors
     /// Something in the chart is not modelled.
     pub fn of(program: &Program<'_>) -> Result<Self, Refused> {
+        Self::within(program, LARGEST)
+    }
+
+    /// The same with so many gates at most.
+    ///
+    /// # Errors
+    /// It takes more, or something in the chart is not modelled.
+    pub fn within(program: &Program<'_>, largest: usize) -> Result<Self, Refused> {
         let violations = program.model.properties.iter().filter_map(|one| claims::violation(program.model, one)?.ok());
         let claims: Vec<Tree> = violations.collect();
         let clock = Clock::of(program, &claims);
         let lowering = Lowering {
             program,
+            largest,
             aig: Aig::default(),
             clock,
             inputs: Vec::new(),

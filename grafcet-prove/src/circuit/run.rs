@@ -125,7 +125,7 @@ impl<'m> Lowering<'_, 'm> {
             if self.path == Lit::FALSE {
                 break;
             }
-            if self.aig.len() > super::LARGEST {
+            if self.aig.len() > self.largest {
                 return Err(Refused("a search whose circuit is too large".to_owned()));
             }
         }

@@ -1,6 +1,6 @@
 //! What the bits of a recorded state mean: the compiler says it where it hands the chart to the runtime.
 
-use grafcet_compiler::compile_recorded;
+use grafcet_compiler::{Wanted, compile_with};
 use grafcet_core::record::{Reader, bits_for};
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
@@ -26,7 +26,7 @@ enum Width {
 impl Layout {
     /// Of the tokens of a chart that compiles.
     pub(super) fn of(chart: &TokenStream) -> Option<Self> {
-        let code = compile_recorded(&quote!(::grafcet), chart.clone());
+        let code = compile_with(&quote!(::grafcet), chart.clone(), Wanted { recorded: true, prover: None });
         let parts: Vec<TokenTree> = recorded(code)?.stream().into_iter().collect();
         let enums = enums(&part(&parts, "enums")?);
         let state: Vec<TokenTree> = part(&parts, "state")?.stream().into_iter().collect();

@@ -27,7 +27,8 @@ pub fn resolve(text: &str) -> Result<Model, String> {
 }
 
 /// The messages in generated code: it is the only way to see exactly what the macro refuses.
-fn errors(generated: &str) -> Vec<String> {
+#[must_use]
+pub fn errors(generated: &str) -> Vec<String> {
     let parts = generated.split("compile_error").skip(1);
     parts.map(|part| part.split('"').nth(1).unwrap_or("refused").to_owned()).collect()
 }

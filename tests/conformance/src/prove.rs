@@ -7,7 +7,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{Claim, Model, Property};
 use grafcet_compiler::program::{Encoding, counted};
 use grafcet_prove::circuit::{Bad, Circuit};
-use grafcet_prove::{Verdict, decide, export};
+use grafcet_prove::{Limit, Verdict, decide, export};
 
 use crate::brute::claims::broken;
 use crate::brute::graph::Graph;
@@ -75,7 +75,8 @@ fn compare(model: &Model, graph: &Graph, kind: Kind, number: u64, counts: &mut C
     let depths = graph.depths();
     for bad in &circuit.bad {
         let shortest = broken(model, graph, &depths, &model.properties[bad.property])?;
-        let verdict = decide(&program, &circuit, *bad, Duration::from_secs(20)).map_err(|error| error.to_string())?;
+        let verdict = decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(20)))
+            .map_err(|error| error.to_string())?;
         let wrong = match &verdict {
             Verdict::Undecided(why) => {
                 counts.undecided.push((number, why.clone()));

@@ -1,14 +1,16 @@
 //! The prover beside a naive exploration, and the check of its proofs.
 
-use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::analysis::{Facts, Prover};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::parse;
 use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::{Wanted, compile_with};
 use grafcet_conformance::prove::{Counts, Kind, number};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::{Invariant, Task};
 use grafcet_prove::{Limit, Verdict, certificate, decide};
+use quote::quote;
 use std::time::Duration;
 
 fn read(text: &str) -> Model {
@@ -22,7 +24,7 @@ fn read(text: &str) -> Model {
 fn verdicts(model: &Model) -> Vec<Verdict> {
     let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let decided = circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, Duration::from_secs(60)));
+    let decided = circuit.bad.iter().map(|bad| decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(60))));
     decided.collect::<Result<_, _>>().expect("no internal error")
 }
 
@@ -111,7 +113,7 @@ fn a_proof_that_is_none_is_refused() {
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let task = Task::new(&circuit, circuit.bad[0].possible);
-    let limit = Limit::new(None);
+    let limit = Limit::none();
     let fault = |excluded: Vec<Vec<u32>>| certificate::fault(&task, &Invariant { excluded }, &limit).expect("no limit");
     let Verdict::Proved(proof) = verdicts(&model).remove(0) else { panic!("it is proved") };
     assert_eq!(fault(proof.excluded.clone()), None);
@@ -124,4 +126,37 @@ fn a_proof_that_is_none_is_refused() {
     let first = circuit.fields.iter().find(|field| field.name == "first").expect("the first cycle");
     let over = vec![u32::try_from(first.first).expect("small") * 2];
     assert!(fault([proof.excluded, vec![over]].concat()).is_some_and(|what| what.contains("leads to")));
+}
+
+/// What the exploration leaves open, the macro's feature `prove` decides: numbers and times, proved, or refuted by a way that is as short
+/// as can be and shows no more than it needs.
+#[test]
+fn the_compiler_asks_for_what_is_left_open() {
+    let chart = |property: &str| {
+        format!(
+            "sfc Press {{ input start, down: bool; output lower: bool; var parts: u8 = 0; \
+             initial step Rest; step Press {{ lower; P1 parts = parts + 1; }} step Full {{ P1 parts = 0; }} \
+             Rest -[start && parts < 3]-> Press -[10s/Press || down]-> Rest; Rest -[parts >= 3]-> Full -[!start]-> Rest; {property} }}"
+        )
+    };
+    let said = |property: &str, prover: Option<&Prover>| {
+        let wanted = Wanted { recorded: false, prover };
+        let tokens = chart(property).parse().expect("tokens");
+        grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens, wanted).to_string())
+    };
+    let prover: Option<&Prover> = Some(&grafcet_prove::rule);
+    for property in
+        ["always parts <= 3;", "never Press.T > 10s;", "always Full.X => parts == 0;", "never 1s/Full && parts > 0;"]
+    {
+        assert_eq!(said(property, prover), Vec::<String>::new(), "{property}");
+        let open = said(property, None);
+        assert!(matches!(&open[..], [one] if one.contains("grafcet's feature `prove`")), "{property}: {open:?}");
+    }
+    let broken = said("never parts > 2;", prover);
+    let [message] = &broken[..] else { panic!("{broken:?}") };
+    assert!(message.contains("at the end of cycle 6 `parts > 2` holds"), "{message}");
+    assert!(message.contains("Rest → Press | Press"), "{message}");
+    assert!(!message.contains("start, down"), "one of them is enough: {message}");
+    let unknown = said("never near(parts);", prover);
+    assert!(matches!(&unknown[..], [one] if one.contains("a solver was asked, too")), "{unknown:?}");
 }

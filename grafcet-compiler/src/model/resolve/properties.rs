@@ -82,7 +82,9 @@ impl Resolver<'_> {
             let what = match read {
                 Read::Rising(_) | Read::Falling(_) => "an edge takes two; name what holds at the end of one".to_owned(),
                 Read::Delay(_) | Read::Blink(_) => {
-                    format!("{this} a time with a memory of its own; name the step or output that matters, or a step's time")
+                    format!(
+                        "{this} a time with a memory of its own; name the step or output that matters, or a step's time"
+                    )
                 }
                 Read::Name(_)
                 | Read::Active(_)

@@ -1,19 +1,16 @@
 //! `cargo xtask prove`: what a chart claims, proved or refuted, and random charts beside brute force and beside `abc`.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::model::{Model, Ty};
-use grafcet_compiler::program::{Encoding, Program, counted};
+use grafcet_compiler::model::Model;
+use grafcet_compiler::program::{Encoding, counted};
 use grafcet_compiler::{model, parse};
 use grafcet_conformance::prove::{Counts, Kind};
 use grafcet_prove::circuit::Circuit;
-use grafcet_prove::replay::Shown;
-use grafcet_prove::{Verdict, decide, export, words};
-use grafcet_sim::interp::Value;
+use grafcet_prove::{Limit, Verdict, decide, export, table, words};
 use proc_macro2::{TokenStream, TokenTree};
 
 const USAGE: &str = "\
@@ -165,10 +162,14 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
     if let Some(file) = &options.btor2 {
         std::fs::write(file, export::btor2(&program, &circuit)).map_err(|error| format!("{file}: {error}"))?;
     }
-    let mut proved = true;
+    let mut proved = circuit.refused.is_empty();
+    for (property, refused) in &circuit.refused {
+        println!("  not modelled: {}: {refused}", written(&model, *property));
+    }
     for bad in &circuit.bad {
         let start = Instant::now();
-        let verdict = decide(&program, &circuit, *bad, options.time).map_err(|error| error.to_string())?;
+        let verdict =
+            decide(&program, &circuit, *bad, &Limit::time(options.time)).map_err(|error| error.to_string())?;
         let seconds = start.elapsed().as_secs_f64();
         let text = written(&model, bad.property);
         proved &= matches!(verdict, Verdict::Proved(_));
@@ -183,7 +184,7 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
             }
             Verdict::Violated(way) => {
                 println!("  broken in {seconds:.2} s, in cycle {}: {text}", way.len());
-                print!("{}", table(&program, &way));
+                print!("{}", indented(&table(&model, &way)));
             }
             Verdict::Undecided(why) => println!("  undecided in {seconds:.2} s: {text}: {why}"),
         }
@@ -201,50 +202,6 @@ fn written(model: &Model, property: usize) -> String {
     }
 }
 
-fn table(program: &Program<'_>, way: &[Shown]) -> String {
-    let model = program.model;
-    let inputs = model.inputs.values().map(|input| (input.name.to_string(), &input.ty));
-    let params = model.params.values().map(|param| (param.name.to_string(), &param.ty));
-    let (inputs, params): (Vec<_>, Vec<_>) = (inputs.collect(), params.collect());
-    let outputs: Vec<_> = model.outputs.values().map(|output| (output.name.to_string(), &output.ty)).collect();
-    let mut rows = vec![["cycle", "time", "inputs", "cleared", "active", "outputs"].map(str::to_owned)];
-    for (index, shown) in way.iter().enumerate() {
-        let given = [values(&inputs, &shown.inputs), values(&params, &shown.params)].concat();
-        let time = if model.uses_time() { shown.now.to_string() } else { String::new() };
-        rows.push([
-            (index + 1).to_string(),
-            time,
-            given.join(", "),
-            shown.cleared.join(", "),
-            shown.active.join(", "),
-            values(&outputs, &shown.outputs).join(", "),
-        ]);
-    }
-    let mut text = String::new();
-    for row in &rows {
-        let mut line = "   ".to_owned();
-        for (column, cell) in row.iter().enumerate() {
-            let width = rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-            if width > 0 && (column != 1 || model.uses_time()) {
-                _ = write!(line, " {cell:<width$} |");
-            }
-        }
-        _ = writeln!(text, "{}", line.trim_end_matches([' ', '|']));
-    }
-    text
-}
-
-/// What is on, and numbers.
-fn values(names: &[(String, &Ty)], values: &[Value]) -> Vec<String> {
-    let mut all = Vec::new();
-    for ((name, _), value) in names.iter().zip(values) {
-        match value {
-            Value::Bool(true) => all.push(name.clone()),
-            Value::Bool(false) | Value::Int(0) => {}
-            Value::Int(number) => all.push(format!("{name} = {number}")),
-            Value::Ticks(ticks) => all.push(format!("{name} = {ticks}")),
-            Value::Real(_) | Value::Name(_) | Value::Unknown => all.push(format!("{name} = {value}")),
-        }
-    }
-    all
+fn indented(text: &str) -> String {
+    text.lines().map(|line| format!("    {line}\n")).collect()
 }

@@ -65,7 +65,8 @@ pub fn counting(number: u64, grafcet: bool, timed: bool) -> String {
         if let Some(name) = line.strip_prefix("var ").and_then(|rest| rest.split(':').next()) {
             vars.push(name.to_owned());
         }
-        let named = line.strip_suffix(" {").and_then(|line| line.split_once("step ")).filter(|_| !line.contains("macro"));
+        let named =
+            line.strip_suffix(" {").and_then(|line| line.split_once("step ")).filter(|_| !line.contains("macro"));
         if let Some((_, name)) = named {
             steps.push(name.to_owned());
             if rng.chance(50) {

@@ -72,7 +72,7 @@ fn look(text: &str) -> (Option<Model>, Vec<Diagnostic>) {
     check::drawing(&model, &mut sink);
     let complete = !chart.incomplete && !model.incomplete;
     if complete && !sink.has_errors() {
-        check::evolution(&model, &Facts::of(&model), &mut sink);
+        check::evolution(&model, &Facts::of(&model), None, &mut sink);
     }
     (complete.then_some(model), sink.finish())
 }
