@@ -27,7 +27,10 @@ pub(super) fn check(
     let asked = prover.filter(|_| !left_open.is_empty());
     let rulings = asked.map(|(prover, facts)| prover(model, facts, &left_open)).unwrap_or_default();
     for (property, answer) in &claims.open {
-        let number = left_open.iter().position(|number| std::ptr::eq(&model.properties[*number], *property));
+        let number = left_open.iter().position(|number| {
+            let open: &Property = &model.properties[*number];
+            std::ptr::eq(open, *property)
+        });
         let ruling = number.and_then(|number| rulings.get(number));
         match (answer, ruling) {
             (Answer::Never, _) | (Answer::Unknown(_), Some(Ruling::Holds)) => {}
@@ -42,7 +45,7 @@ pub(super) fn check(
                 report.undecided(property, doubt, &format!("; a solver was asked, too: {why}"), sink);
             }
             (Answer::Unknown(doubt), None) => {
-                report.undecided(property, doubt, "; grafcet's feature `prove` has a solver decide it", sink);
+                report.undecided(property, doubt, "; grafcet's feature `prove` asks a solver, too", sink);
             }
         }
     }

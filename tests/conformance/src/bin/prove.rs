@@ -203,5 +203,11 @@ fn written(model: &Model, property: usize) -> String {
 }
 
 fn indented(text: &str) -> String {
-    text.lines().map(|line| format!("    {line}\n")).collect()
+    let mut all = String::new();
+    for line in text.lines() {
+        all += "    ";
+        all += line;
+        all.push('\n');
+    }
+    all
 }
