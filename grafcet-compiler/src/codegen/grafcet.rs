@@ -18,13 +18,14 @@ impl Cx<'_> {
         let time = self.pass_time();
         let start = self.start_cycle();
         let search = self.search();
+        let left = self.left_by_start();
         let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
         let second = self.declare_second(&continuous);
         let stable = self.stable_situation(&quote!(#continuous #calls #result));
         let outputs = self.declare_outputs();
         let forget = self.forget_instability();
         // The outputs come first: after the search, the compiler would clear them again in every arm.
-        quote!(#outputs #forget #time #start #search #stable #second #continuous #calls #result)
+        quote!(#outputs #forget #time #start #search #left #stable #second #continuous #calls #result)
     }
 
     /// A37: the activation of the initial situation is an evolution of its own. Delays are sampled on the initial situation
@@ -50,6 +51,13 @@ impl Cx<'_> {
             #delays
             if first { #stored }
         }
+    }
+
+    /// The actions of the initial situation may have changed what a delay looks at: the next cycle samples it.
+    fn left_by_start(&self) -> Option<TokenStream> {
+        let acts = self.plan.has_start && !self.model.delays.is_empty() && !self.initial_stored().is_empty();
+        let unsettle = acts.then(|| self.unsettle()).flatten()?;
+        Some(quote!(if first { #unsettle }))
     }
 
     /// The delays, on the situation the cycle starts from.
