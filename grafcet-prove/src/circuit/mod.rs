@@ -325,7 +325,8 @@ impl Lowering<'_, '_> {
             let sym = self.declared(&input.ty, Name::Input(id), Source::Input(id), &input.name.to_string())?;
             self.given.push(sym);
         }
-        if self.program.model.uses_time() {
+        // Not only where the chart uses time: a property may be all that asks for it.
+        if self.program.place(Role::Reading).is_some() {
             let bits: Vec<Lit> = (0..self.clock.width).map(|_| self.aig.free()).collect();
             self.elapsed = bits::unsigned(&bits);
             self.inputs.push(Wire { source: Source::Elapsed, bits });

@@ -160,3 +160,20 @@ fn the_compiler_asks_for_what_is_left_open() {
     let unknown = said("never near(parts);", prover);
     assert!(matches!(&unknown[..], [one] if one.contains("a solver was asked, too")), "{unknown:?}");
 }
+
+/// Time passes also where nothing but a property asks for it.
+#[test]
+fn a_property_may_be_all_that_asks_for_time() {
+    for (dialect, property) in
+        [("sfc", "never Off.T > 5s;"), ("grafcet", "never 5s/Off;"), ("sfc", "always On.T < 5s || Off.X;")]
+    {
+        let text = format!(
+            "{dialect} Lamp {{ input on: bool; output lamp: bool; initial step Off; step On {{ lamp; }} \
+             Off -[on]-> On -[!on]-> Off; {property} }}"
+        );
+        assert!(matches!(&verdicts(&read(&text))[..], [Verdict::Violated(_)]), "{dialect}: {property}");
+    }
+    let text = "grafcet M { input a: bool; initial step A; macro step M { entry step E; exit step F; E -[a]-> F; } \
+                A -[a]-> M -[!a]-> A; never M.T > 5s; never A.T > 5s && !A.X; }";
+    assert!(matches!(&verdicts(&read(text))[..], [Verdict::Violated(_), Verdict::Proved(_)]));
+}
