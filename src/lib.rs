@@ -111,7 +111,7 @@ pub use grafcet_draw as draw;
 pub use grafcet_core::record;
 #[cfg(feature = "record")]
 pub use grafcet_core::recordable;
-pub use grafcet_core::{ActiveSteps, Chart, Phase, Ticks, description};
+pub use grafcet_core::{ActiveSteps, Chart, ForceError, Forceable, Phase, Ticks, description};
 pub use heapless;
 
 /// Turns a chart into a state enum and a cycle function.
@@ -161,14 +161,15 @@ pub mod __private {
     pub extern crate core;
     pub use core::option::Option;
     pub use core::primitive::{bool, str, u8, u16, u32, usize};
+    pub use core::result::Result;
 
     pub use __by_edition as by_edition;
     #[cfg(feature = "record")]
     pub use grafcet_core::__recorded as recorded;
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
-        ActiveSteps, Chart, Delay, OnDelay, Phase, ShortTime, Ticks, description, phase, situation, sooner, until,
-        until_change,
+        ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, Phase, Possible, ShortTime, Ticks, description,
+        phase, situation, sooner, until, until_change,
     };
     pub use grafcet_macros::chart;
     pub use heapless;

@@ -1,11 +1,11 @@
 //! The recorded expansions are ordinary Rust: they compile as modules and behave like the macro's charts.
 
-#[allow(unreachable_pub, dead_code, clippy::all, clippy::pedantic, reason = "generated code")]
+#[allow(unreachable_pub, dead_code, unused_assignments, clippy::all, clippy::pedantic, reason = "generated code")]
 #[rustfmt::skip]
 #[path = "golden/motor.rs"]
 mod motor;
 
-#[allow(unreachable_pub, dead_code, clippy::all, clippy::pedantic, reason = "generated code")]
+#[allow(unreachable_pub, dead_code, unused_assignments, clippy::all, clippy::pedantic, reason = "generated code")]
 #[rustfmt::skip]
 #[path = "golden/line24v.rs"]
 mod line24v;

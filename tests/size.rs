@@ -149,7 +149,7 @@ fn memory_follows_from_use() {
     assert_eq!(size_of::<Combinational>(), 1, "what follows from the situation is not remembered");
     assert_eq!(size_of::<Recipe>(), 2 + 2);
     assert_eq!(size_of::<Call>(), 1);
-    assert_eq!(size_of::<Calls>(), 1 + 1, "whether the next call is a first one");
+    assert_eq!(size_of::<Calls>(), 1, "whether the next call is a first one the state tells");
 }
 
 chart! { sfc Timed { step Second; Second -[5s/Second]-> First; } }

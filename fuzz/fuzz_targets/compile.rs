@@ -1,7 +1,7 @@
 //! Any tokens into the compiler: no panic, no hang, and what comes out is Rust, the same each time.
 //!
 //! ```sh
-//! cargo +nightly fuzz run -s none compile -- -len_control=0 -max_len=1024 -timeout=10 -max_total_time=600
+//! cargo xtask fuzz compile 600
 //! ```
 //!
 //! Without a sanitizer: the compiler has no `unsafe`, and it is three times as fast.

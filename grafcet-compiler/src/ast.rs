@@ -176,8 +176,14 @@ pub enum Setting {
     Budget { keyword: Span, count: LitInt },
     /// `assume never b1 && b3;`
     AssumeNever { keyword: Span, condition: Expr },
+    /// `assume cycle within 100ms;`
+    AssumeCycle { keyword: Span, longest: Time },
+    /// `assume often door_closed;`
+    AssumeOften { keyword: Span, condition: Expr },
     /// `assume pure level_ok, sensors::valid;`
     AssumePure { keyword: Span, paths: Vec<Path> },
+    /// `forceable;`
+    Forceable { keyword: Span },
     /// `optimize size;`
     OptimizeSize { keyword: Span },
     /// `encoding flags;`
@@ -192,6 +198,10 @@ pub enum Property {
     Always { attrs: Attrs, keyword: Span, premise: Option<Expr>, condition: Expr },
     /// `home (A, B);`
     Home { attrs: Attrs, keyword: Span, steps: Vec<Ident> },
+    /// `start leads_to Done within 30s;`
+    LeadsTo { attrs: Attrs, keyword: Span, from: Expr, to: Expr, within: Option<Time> },
+    /// `Clamp before Drill;`
+    Before { attrs: Attrs, keyword: Span, first: Expr, then: Expr },
 }
 
 /// A duration as it stands in the source.

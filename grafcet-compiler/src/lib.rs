@@ -17,7 +17,6 @@ pub mod model;
 pub mod parse;
 mod place;
 pub mod plan;
-#[cfg(feature = "program")]
 pub mod program;
 mod qualifier;
 mod similar;
@@ -52,28 +51,15 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
 /// The same with more than the usual.
 #[must_use]
 pub fn compile_with(root: &TokenStream, chart: TokenStream, wanted: Wanted<'_>) -> TokenStream {
-    let prover = wanted.prover;
-    if !wanted.recorded {
-        return by(chart, root, prover, &|model, _, plan| codegen::generate(model, plan, root));
-    }
-    let fingerprint = fingerprint::of(chart.clone());
-    by(chart, root, prover, &|model, facts, plan| codegen::generate_recorded((model, facts, plan), root, fingerprint))
+    let fingerprint = wanted.recorded.then(|| fingerprint::of(chart.clone()));
+    by(chart, root, wanted.prover, &|model, facts, plan| codegen::generate((model, facts, plan), root, fingerprint))
 }
 
 /// The same by way of a program, which `lower` makes of the chart: a third opinion for tests and tools.
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, None, &|model, facts, plan| {
-        let program = lower(model, facts);
-        match program {
-            Ok(program) => codegen::print(&program, plan, root),
-            Err(refused) => {
-                let refused = refused.to_string();
-                quote::quote!(::core::compile_error!(#refused);)
-            }
-        }
-    })
+    by(chart, root, None, &|model, facts, plan| codegen::print(lower(model, facts), plan, root))
 }
 
 /// From the model to a program, such as the naive one.

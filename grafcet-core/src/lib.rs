@@ -8,6 +8,7 @@ pub mod description;
 #[cfg(any(feature = "fugit", feature = "embassy-time"))]
 mod instants;
 mod phase;
+mod possible;
 #[cfg(feature = "record")]
 pub mod record;
 #[doc(hidden)]
@@ -20,5 +21,8 @@ pub mod values;
 pub use chart::Chart;
 pub use description::ActiveSteps;
 pub use phase::Phase;
+#[doc(hidden)]
+pub use possible::Possible;
+pub use possible::{ForceError, Forceable};
 pub use ticks::Ticks;
 pub use time::{Delay, OnDelay, ShortTime, phase, sooner, until, until_change};

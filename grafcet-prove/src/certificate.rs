@@ -2,7 +2,9 @@
 //!
 //! An invariant is one if every chart begins in it, if no cycle leads out of it, and if nothing bad can happen in it.
 
-use crate::aig::{Lit, Node};
+use crate::aig::{Aig, Lit, Node};
+use crate::circuit::Circuit;
+use crate::lemmas::Lemma;
 use crate::sat::{Limit, Over, Sat, Term};
 use crate::task::{Invariant, Task, entry};
 
@@ -21,7 +23,7 @@ pub fn fault(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Op
         }
     }
     let mut sat = Sat::new(limit);
-    let nodes = nodes(&mut sat, task);
+    let nodes = nodes(&mut sat, &task.circuit.aig);
     let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
     sat.clause(&[term(task.circuit.constraint)]);
     for cube in &invariant.excluded {
@@ -42,14 +44,39 @@ pub fn fault(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Op
     Ok(None)
 }
 
+/// Whether these hold wherever a chart begins, and after each cycle before which they do.
+///
+/// # Errors
+/// The limit is reached.
+pub fn is_inductive(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Result<bool, Over> {
+    let mut sat = Sat::new(limit);
+    let nodes = nodes(&mut sat, &circuit.aig);
+    let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
+    let (begins, goes_on) = (sat.term(), sat.term());
+    for latch in &circuit.latches {
+        if let Some(initial) = latch.initial {
+            sat.clause(&[!begins, term(latch.now.xor(!initial))]);
+        }
+    }
+    sat.clause(&[!goes_on, term(circuit.constraint)]);
+    for lemma in lemmas {
+        sat.clause(&[!goes_on, term(lemma.now)]);
+    }
+    for lemma in lemmas {
+        if sat.solve(&[begins, !term(lemma.now)])? || sat.solve(&[goes_on, !term(lemma.next)])? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
 fn of(code: u32, term: impl Fn(usize) -> Term) -> Term {
     let (latch, value) = entry(code);
     if value { term(latch) } else { !term(latch) }
 }
 
 /// Every gate of the circuit as clauses, whether it matters or not.
-fn nodes(sat: &mut Sat, task: &Task<'_>) -> Vec<Term> {
-    let aig = &task.circuit.aig;
+fn nodes(sat: &mut Sat, aig: &Aig) -> Vec<Term> {
     let mut terms: Vec<Term> = Vec::with_capacity(aig.len());
     for index in 0..aig.len() {
         let term = sat.term();

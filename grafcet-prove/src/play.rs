@@ -96,5 +96,6 @@ pub fn wire_name(program: &Program<'_>, wire: &Wire) -> String {
         Source::Param(id) => program.model.params[*id].name.to_string(),
         Source::Elapsed => "elapsed".to_owned(),
         Source::Rust(text) => text.clone(),
+        Source::Again => "again".to_owned(),
     }
 }

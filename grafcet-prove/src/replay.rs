@@ -1,10 +1,11 @@
 //! A way is shown only where the interpreter of the model goes it, too.
 
-use grafcet_compiler::model::{Model, Tree, Ty};
+use grafcet_compiler::model::{Model, Ty};
 use grafcet_compiler::program::{Program, Role};
 use grafcet_sim::interp::{Interpreter, Value};
 
 use crate::circuit::{Circuit, Source, Wire};
+use crate::goal::{Goal, Watch};
 use crate::play::number;
 use crate::task::Way;
 
@@ -35,68 +36,132 @@ pub enum Why {
 /// The way as the interpreter goes it.
 ///
 /// # Errors
-/// It does not lead to where the violation holds.
-pub fn replay(program: &Program<'_>, circuit: &Circuit, violation: &Tree, way: &Way) -> Result<Vec<Shown>, Why> {
+/// It does not lead to where the property is broken.
+pub(crate) fn replay(program: &Program<'_>, circuit: &Circuit, goal: &Goal<'_>, way: &Way) -> Result<Vec<Shown>, Why> {
+    let mut watch = Watch::new(goal);
+    let shown = goes(program, circuit, &mut watch, way, 0..way.inputs.len())?;
+    if watch.is_broken() {
+        Ok(shown)
+    } else {
+        Err(Why::Differs("the interpreter does not come to where it is broken".to_owned()))
+    }
+}
+
+/// So many times the interpreter goes the cycles that come again and again.
+const AGAIN: usize = 3;
+
+/// The way, as the interpreter goes it, whose cycles from `again` on come again and again.
+///
+/// # Errors
+/// What is waited for comes in them, or they show something else when they come again.
+pub(crate) fn endless(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    goal: &Goal<'_>,
+    way: &Way,
+    again: usize,
+) -> Result<Vec<Shown>, Why> {
+    let (mut watch, length) = (Watch::new(goal), way.inputs.len());
+    let turns = (1..AGAIN).flat_map(|_| again..length);
+    let mut shown = goes(program, circuit, &mut watch, way, (0..length).chain(turns))?;
+    let turn = length - again;
+    let same = |one: &Shown, other: &Shown| {
+        (&one.active, &one.cleared, &one.outputs) == (&other.active, &other.cleared, &other.outputs)
+    };
+    let repeats = (length..shown.len()).all(|cycle| same(&shown[cycle], &shown[cycle - turn]));
+    if !repeats || !watch.waits_since_before(again) {
+        return Err(Why::Differs("cycles that do not come again and again for the interpreter".to_owned()));
+    }
+    shown.truncate(length);
+    Ok(shown)
+}
+
+/// These cycles of a way.
+fn goes(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    watch: &mut Watch<'_>,
+    way: &Way,
+    cycles: impl Iterator<Item = usize>,
+) -> Result<Vec<Shown>, Why> {
     let model = program.model;
     let not_understood = |error: grafcet_sim::interp::Error| Why::NotUnderstood(error.to_string());
-    if circuit.fields.iter().any(|field| {
-        let place = field.place.map(|place| program.places[place.0].role);
-        let latches = &circuit.latches[field.first..field.first + field.width];
-        latches.iter().any(|latch| latch.initial.is_none()) && matches!(place, Some(Role::Output(_) | Role::Var(_)))
-    }) {
-        return Err(Why::NotUnderstood("an initial value".to_owned()));
-    }
+    begins(program, circuit)?;
     let mut machine = Interpreter::new(model).map_err(not_understood)?;
     let (mut now, mut shown) = (0_u32, Vec::new());
-    for (index, on) in way.inputs.iter().enumerate() {
-        let given = |wire: &Wire, signed: bool| {
-            let bits: Vec<bool> = wire.bits.iter().map(|bit| on.binary_search(&bit.node()).is_ok()).collect();
-            number(&bits, signed)
-        };
-        let mut inputs = Vec::new();
-        for (id, input) in model.inputs.iter() {
-            inputs.push(read(circuit, &Source::Input(id), &input.ty, &given)?);
+    for index in cycles {
+        let given = Given::of(circuit, model, &way.inputs[index])?;
+        if !given.params.is_empty() {
+            machine.set_params(&given.params).map_err(not_understood)?;
         }
-        let mut params = Vec::new();
-        for (id, param) in model.params.iter() {
-            params.push(read(circuit, &Source::Param(id), &param.ty, &given)?);
-        }
-        if !params.is_empty() {
-            machine.set_params(&params).map_err(not_understood)?;
-        }
-        let elapsed = circuit.inputs.iter().find(|wire| wire.source == Source::Elapsed);
-        let elapsed = elapsed.map_or(0, |wire| given(wire, false));
-        if index > 0 {
-            now = now.wrapping_add(u32::try_from(elapsed).unwrap_or(0));
-        }
-        for assumption in &model.assumptions {
-            if machine.holds(&assumption.never.tree, &inputs).map_err(not_understood)? {
-                return Err(Why::Differs(format!("an assumption does not hold in cycle {}", index + 1)));
+        let cycle_number = shown.len() + 1;
+        if cycle_number > 1 {
+            now = now.wrapping_add(given.elapsed);
+            if model.longest_cycle.is_some_and(|longest| given.elapsed > longest) {
+                return Err(Why::Differs(format!("cycle {cycle_number} comes later than is assumed")));
             }
         }
-        let cycle = match machine.cycle(&inputs, now) {
+        for assumption in &model.assumptions {
+            if machine.holds(&assumption.never.tree, &given.inputs).map_err(not_understood)? {
+                return Err(Why::Differs(format!("an assumption does not hold in cycle {cycle_number}")));
+            }
+        }
+        let cycle = match machine.cycle(&given.inputs, now) {
             Ok(cycle) => cycle,
             Err(grafcet_sim::interp::Error::Overflow(what)) => {
-                return Err(Why::Differs(format!("overflow in cycle {}: {what}", index + 1)));
+                return Err(Why::Differs(format!("overflow in cycle {cycle_number}: {what}")));
             }
             Err(error) => return Err(not_understood(error)),
         };
+        watch.cycle(&machine, &given.inputs, now).map_err(not_understood)?;
         let name = |ident: &dyn std::fmt::Display| ident.to_string().trim_start_matches("r#").to_owned();
         shown.push(Shown {
             now,
-            params,
+            params: given.params,
             outputs: cycle.outputs.clone(),
             vars: machine.vars().to_vec(),
             active: cycle.active.iter().map(|step| name(&model.steps[*step].name)).collect(),
             cleared: cleared(model, &cycle),
-            inputs,
+            inputs: given.inputs,
         });
     }
-    let last = shown.last().map(|shown| shown.inputs.clone()).unwrap_or_default();
-    if machine.holds(violation, &last).map_err(not_understood)? {
-        Ok(shown)
-    } else {
-        Err(Why::Differs("the interpreter does not come to where it is broken".to_owned()))
+    Ok(shown)
+}
+
+/// What is stored begins with values that the interpreter knows, too.
+fn begins(program: &Program<'_>, circuit: &Circuit) -> Result<(), Why> {
+    let open = circuit.fields.iter().any(|field| {
+        let place = field.place.map(|place| program.places[place.0].role);
+        let latches = &circuit.latches[field.first..field.first + field.width];
+        latches.iter().any(|latch| latch.initial.is_none()) && matches!(place, Some(Role::Output(_) | Role::Var(_)))
+    });
+    if open { Err(Why::NotUnderstood("an initial value".to_owned())) } else { Ok(()) }
+}
+
+/// What a cycle is given.
+struct Given {
+    inputs: Vec<Value>,
+    params: Vec<Value>,
+    elapsed: u32,
+}
+
+impl Given {
+    /// By the nodes that are on.
+    fn of(circuit: &Circuit, model: &Model, on: &[usize]) -> Result<Self, Why> {
+        let given = |wire: &Wire, signed: bool| {
+            let bits: Vec<bool> = wire.bits.iter().map(|bit| on.binary_search(&bit.node()).is_ok()).collect();
+            number(&bits, signed)
+        };
+        let (mut inputs, mut params) = (Vec::new(), Vec::new());
+        for (id, input) in model.inputs.iter() {
+            inputs.push(read(circuit, &Source::Input(id), &input.ty, &given)?);
+        }
+        for (id, param) in model.params.iter() {
+            params.push(read(circuit, &Source::Param(id), &param.ty, &given)?);
+        }
+        let elapsed = circuit.inputs.iter().find(|wire| wire.source == Source::Elapsed);
+        let elapsed = elapsed.map_or(0, |wire| given(wire, false));
+        Ok(Self { inputs, params, elapsed: u32::try_from(elapsed).unwrap_or(0) })
     }
 }
 

@@ -5,6 +5,7 @@ use grafcet_compiler::model::Model;
 use grafcet_compiler::program::{Encoding, counted};
 
 use crate::circuit::Circuit;
+use crate::live::decide_live;
 use crate::sat::Limit;
 use crate::table::table;
 use crate::verdict::{Verdict, decide};
@@ -34,12 +35,20 @@ pub fn rule(model: &Model, facts: &Facts<'_>, open: &[usize]) -> Vec<Ruling> {
         if let Some((_, refused)) = refused {
             return Ruling::Open(format!("the solver does not model {refused}"));
         }
-        let Some(bad) = circuit.bad.iter().find(|bad| bad.property == *property) else {
-            return Ruling::Open("it is not about the ends of cycles".to_owned());
+        let limit = Limit::work(STEPS);
+        let bad = circuit.bad.iter().find(|bad| bad.property == *property);
+        let live = circuit.live.iter().find(|live| live.property == *property);
+        let verdict = match (bad, live) {
+            (Some(bad), _) => decide(&program, &circuit, *bad, &limit),
+            (None, Some(live)) => decide_live(&program, &circuit, *live, &limit),
+            (None, None) => return Ruling::Open("it is not about the ends of cycles".to_owned()),
         };
-        match decide(&program, &circuit, *bad, &Limit::work(STEPS)) {
+        match verdict {
             Ok(Verdict::Proved(_)) => Ruling::Holds,
-            Ok(Verdict::Violated(way)) => Ruling::Broken { cycles: way.len(), way: table(model, &way) },
+            Ok(Verdict::Violated(way)) => Ruling::Broken { cycles: way.len(), again: None, way: table(model, &way) },
+            Ok(Verdict::Endless { way, again }) => {
+                Ruling::Broken { cycles: way.len(), again: Some(again + 1), way: table(model, &way) }
+            }
             Ok(Verdict::Undecided(why)) => Ruling::Open(why),
             Err(internal) => Ruling::Open(internal.to_string()),
         }

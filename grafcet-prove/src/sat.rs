@@ -17,6 +17,7 @@ enum Bound {
     None,
     Until(Instant, Cell<bool>),
     Work(Cell<u64>),
+    Part(Limit, Cell<u64>),
 }
 
 impl Limit {
@@ -38,6 +39,12 @@ impl Limit {
         Self(Rc::new(Bound::Work(Cell::new(steps))))
     }
 
+    /// So many steps at most of what is left.
+    #[must_use]
+    pub fn part(&self, steps: u64) -> Self {
+        Self(Rc::new(Bound::Part(self.clone(), Cell::new(steps))))
+    }
+
     /// Whether it is reached, and stays so. Asking is a step.
     #[must_use]
     pub fn is_over(&self) -> bool {
@@ -47,11 +54,14 @@ impl Limit {
                 over.set(over.get() || Instant::now() >= *until);
                 over.get()
             }
-            Bound::Work(left) => {
-                left.set(left.get().saturating_sub(1));
-                left.get() == 0
-            }
+            Bound::Work(left) => Self::step(left),
+            Bound::Part(whole, left) => Self::step(left) || whole.is_over(),
         }
+    }
+
+    fn step(left: &Cell<u64>) -> bool {
+        left.set(left.get().saturating_sub(1));
+        left.get() == 0
     }
 }
 

@@ -1,9 +1,9 @@
 //! A way without what it does not need.
 
-use grafcet_compiler::model::Tree;
 use grafcet_compiler::program::Program;
 
 use crate::circuit::Circuit;
+use crate::goal::Goal;
 use crate::replay::{Shown, Why, replay};
 use crate::task::Way;
 
@@ -17,10 +17,10 @@ const TRIES: usize = 500;
 pub(crate) fn simplest(
     program: &Program<'_>,
     circuit: &Circuit,
-    violation: &Tree,
+    goal: &Goal<'_>,
     way: &Way,
 ) -> Result<Vec<Shown>, Why> {
-    let (mut way, mut shown) = (way.clone(), replay(program, circuit, violation, way)?);
+    let (mut way, mut shown) = (way.clone(), replay(program, circuit, goal, way)?);
     let mut tries = 0;
     for cycle in 0..way.inputs.len() {
         // From the highest bit downwards, so that a number gets small.
@@ -30,7 +30,7 @@ pub(crate) fn simplest(
             }
             tries += 1;
             let node = way.inputs[cycle].remove(index);
-            match replay(program, circuit, violation, &way) {
+            match replay(program, circuit, goal, &way) {
                 Ok(less) => shown = less,
                 Err(_) => way.inputs[cycle].insert(index, node),
             }

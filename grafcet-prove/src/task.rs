@@ -36,30 +36,34 @@ pub fn entry(code: u32) -> (usize, bool) {
     ((code >> 1) as usize, code & 1 == 1)
 }
 
+/// The latches on which these wires depend, in this cycle and in all before, by their numbers.
+pub(crate) fn cone(circuit: &Circuit, mut roots: Vec<Lit>) -> Vec<usize> {
+    let mut of_node = vec![usize::MAX; circuit.aig.len()];
+    for (index, latch) in circuit.latches.iter().enumerate() {
+        of_node[latch.now.node()] = index;
+    }
+    let mut latches: Vec<usize> = Vec::new();
+    loop {
+        let mut found = Vec::new();
+        for node in circuit.aig.cone(&roots) {
+            if of_node[node] != usize::MAX && !latches.contains(&of_node[node]) {
+                found.push(of_node[node]);
+            }
+        }
+        if found.is_empty() {
+            break;
+        }
+        roots.extend(found.iter().map(|latch| circuit.latches[*latch].next));
+        latches.extend(found);
+    }
+    latches.sort_unstable();
+    latches
+}
+
 impl<'c> Task<'c> {
     #[must_use]
     pub fn new(circuit: &'c Circuit, bad: Lit) -> Self {
-        let mut of_node = vec![usize::MAX; circuit.aig.len()];
-        for (index, latch) in circuit.latches.iter().enumerate() {
-            of_node[latch.now.node()] = index;
-        }
-        let mut latches: Vec<usize> = Vec::new();
-        let mut roots = vec![bad, circuit.constraint];
-        loop {
-            let mut found = Vec::new();
-            for node in circuit.aig.cone(&roots) {
-                if of_node[node] != usize::MAX && !latches.contains(&of_node[node]) {
-                    found.push(of_node[node]);
-                }
-            }
-            if found.is_empty() {
-                break;
-            }
-            roots.extend(found.iter().map(|latch| circuit.latches[*latch].next));
-            latches.extend(found);
-        }
-        latches.sort_unstable();
-        Self { circuit, bad, latches }
+        Self { circuit, bad, latches: cone(circuit, vec![bad, circuit.constraint]) }
     }
 
     pub(crate) fn latch(&self, number: usize) -> Latch {

@@ -1,25 +1,36 @@
 //! From the properties of a chart to verdicts. None is given without its check: a proof goes to [`certificate`], a way to the interpreter.
 
-use grafcet_compiler::model::Tree;
 use grafcet_compiler::program::Program;
 
 use crate::aig::Lit;
 use crate::bmc;
 use crate::certificate;
-use crate::circuit::{Bad, Circuit};
+use crate::circuit::{Bad, Circuit, Deadline};
+use crate::goal::Goal;
+use crate::lemmas::strengthened;
 use crate::pdr::{Answer, Pdr};
 use crate::replay::{Shown, Why};
 use crate::sat::{Limit, Over};
 use crate::simplest::simplest;
 use crate::task::{Invariant, Task, Way};
 
+/// A proof that has been checked.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    pub invariant: Invariant,
+    /// The circuit whose invariant it is, where that is not the chart's own.
+    pub beside: Option<Box<Circuit>>,
+}
+
 /// What is found out about a property.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Debug)]
 pub enum Verdict {
-    /// It holds at the end of every cycle.
-    Proved(Invariant),
+    /// It always holds.
+    Proved(Proof),
     /// The shortest way to where it does not, cycle by cycle.
     Violated(Vec<Shown>),
+    /// A way of which the cycles from `again` on, counted from zero, come again and again, and what has to come does not.
+    Endless { way: Vec<Shown>, again: usize },
     /// And why.
     Undecided(String),
 }
@@ -40,22 +51,58 @@ impl std::error::Error for Internal {}
 const FIRST_CYCLES: usize = 8;
 
 /// What is said where the limit is reached.
-const OVER: &str = "the solver was stopped at its limit";
+pub(crate) const OVER: &str = "the solver was stopped at its limit";
 
 /// Decides one property of a circuit, within a limit.
 ///
 /// # Errors
 /// A verdict that fails its check.
 pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit) -> Result<Verdict, Internal> {
-    let Some(violation) = program.model.properties[bad.property].claim.violation() else {
+    let Some(goal) = Goal::of(&program.model.properties[bad.property].claim) else {
         return Ok(Verdict::Undecided("it is not about the ends of cycles".to_owned()));
     };
+    let deadline = circuit.deadlines.iter().find(|deadline| deadline.property == bad.property);
+    if let Some(deadline) = deadline {
+        return in_time(program, circuit, (bad, *deadline), &goal, limit);
+    }
+    decide_on(program, circuit, bad, &goal, limit)
+}
+
+/// With what is known of its clock, where the limit allows it.
+fn in_time(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    (bad, deadline): (Bad, Deadline),
+    goal: &Goal<'_>,
+    limit: &Limit,
+) -> Result<Verdict, Internal> {
+    match strengthened(program, circuit, deadline, limit) {
+        Ok(known) => {
+            let verdict = decide_on(program, &known, bad, goal, limit)?;
+            Ok(match verdict {
+                Verdict::Proved(Proof { invariant, .. }) => {
+                    Verdict::Proved(Proof { invariant, beside: Some(Box::new(known)) })
+                }
+                verdict => verdict,
+            })
+        }
+        Err(Over) => Ok(Verdict::Undecided(OVER.to_owned())),
+    }
+}
+
+fn decide_on(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    bad: Bad,
+    goal: &Goal<'_>,
+    limit: &Limit,
+) -> Result<Verdict, Internal> {
     let over = |_: Over| Verdict::Undecided(OVER.to_owned());
     // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
     match judge(circuit, bad.possible, limit) {
         Err(fault) => fault.map_or_else(|| Ok(over(Over)), Err),
-        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(invariant)),
-        Ok(Judged::Fails(way)) => shown(program, circuit, bad, &violation, &way, limit),
+        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(Proof { invariant, beside: None })),
+        Ok(Judged::Fails(way)) => shown(program, circuit, bad, goal, &way, limit),
     }
 }
 
@@ -92,7 +139,7 @@ fn shown(
     program: &Program<'_>,
     circuit: &Circuit,
     bad: Bad,
-    violation: &Tree,
+    goal: &Goal<'_>,
     way: &Way,
     limit: &Limit,
 ) -> Result<Verdict, Internal> {
@@ -109,7 +156,7 @@ fn shown(
             Ok(Judged::Fails(way)) => way,
         }
     };
-    match simplest(program, circuit, violation, &certain) {
+    match simplest(program, circuit, goal, &certain) {
         Ok(shown) => Ok(Verdict::Violated(shown)),
         Err(Why::NotUnderstood(what)) => {
             Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))

@@ -46,6 +46,8 @@ pub struct Simulation<'c> {
 pub enum Error {
     /// The chart has no input or parameter of that name.
     NoSuchName(String),
+    /// The chart has no step of that name; a macro-step is none.
+    NoSuchStep(String),
     /// The chart's own: a function that nobody supplied ([`Program`]), arithmetic that would panic, a value that does not fit its type.
     Chart(interp::Error),
 }
@@ -54,6 +56,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSuchName(name) => write!(f, "the chart has no input or parameter `{name}`"),
+            Self::NoSuchStep(name) => write!(f, "the chart has no step `{name}`"),
             Self::Chart(error) => error.fmt(f),
         }
     }
@@ -130,12 +133,33 @@ impl<'c> Simulation<'c> {
     /// There is no such input, a value does not fit, or the chart's own arithmetic fails; the simulation is then somewhere within the
     /// cycle and of no further use.
     pub fn cycle(&mut self, now: u32, inputs: &[(&str, Value)]) -> Result<Cycle, Error> {
+        self.set(inputs)?;
+        self.run(now, None)
+    }
+
+    /// One cycle that leads into the situation of these steps by hand (A38). Unlike the compiled chart, which needs `forceable;` for it, it takes any
+    /// steps: nobody asks whether the chart can ever be in them.
+    ///
+    /// # Errors
+    /// As of [`Simulation::cycle`], or there is no step of that name.
+    pub fn force(&mut self, now: u32, steps: &[&str], inputs: &[(&str, Value)]) -> Result<Cycle, Error> {
+        let step = |name: &&str| {
+            let steps = &self.chart.model().steps;
+            let named = steps.iter().find(|(_, step)| plain_name(&step.name) == *name);
+            named.map(|(id, _)| id).ok_or_else(|| Error::NoSuchStep((*name).to_owned()))
+        };
+        let situation = steps.iter().map(step).collect::<Result<interp::Situation, _>>()?;
+        self.set(inputs)?;
+        self.run(now, Some(&situation))
+    }
+
+    fn set(&mut self, inputs: &[(&str, Value)]) -> Result<(), Error> {
         for (name, value) in inputs {
             let found = self.chart.model().inputs.iter().find(|(_, input)| input.name == *name);
             let (id, input) = found.ok_or_else(|| Error::NoSuchName((*name).to_owned()))?;
             self.inputs[id.index()] = inside(value, &input.ty);
         }
-        self.run(now)
+        Ok(())
     }
 
     /// The same with a value for every input, in the order of declaration.
@@ -148,13 +172,16 @@ impl<'c> Simulation<'c> {
             return Err(interp::Error::Count { expected: declared.len(), found: inputs.len() }.into());
         }
         self.inputs = declared.values().zip(inputs).map(|(input, value)| inside(value, &input.ty)).collect();
-        self.run(now)
+        self.run(now, None)
     }
 
-    fn run(&mut self, now: u32) -> Result<Cycle, Error> {
+    fn run(&mut self, now: u32, by_hand: Option<&interp::Situation>) -> Result<Cycle, Error> {
         let model = self.chart.model();
         let world = Beside { model, program: &self.program, coverage: Some(&self.coverage) };
-        let done = self.machine.cycle_in(&world, &self.inputs, now)?;
+        let done = match by_hand {
+            Some(situation) => self.machine.force_in(&world, situation, &self.inputs, now)?,
+            None => self.machine.cycle_in(&world, &self.inputs, now)?,
+        };
         let evolutions =
             done.seen.iter().filter(|seen| took_place(seen)).map(|seen| evolution(seen, model, self.names()));
         let evolutions: Vec<Evolution> = evolutions.collect();

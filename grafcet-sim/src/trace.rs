@@ -101,7 +101,7 @@ impl Trace {
     }
 
     /// What a cycle showed, in words that can be compared.
-    fn seen(&self, cycle: &Cycle) -> [String; 3] {
+    pub(crate) fn seen(&self, cycle: &Cycle) -> [String; 3] {
         let mut steps: Vec<&str> = cycle.steps.iter().map(|step| self.names.steps[*step].name.as_str()).collect();
         steps.sort_unstable();
         let outputs = self.names.outputs.iter().zip(&cycle.outputs);

@@ -132,3 +132,25 @@ fn examples_run_from_their_files() {
     sorter.cycle(0, &[]).expect("understood");
     assert!(sorter.is_active("Keep"), "|502 - 500| <= 3");
 }
+
+#[test]
+fn a_simulation_is_put_into_a_situation_by_hand() {
+    let chart = chart(
+        "sfc Press { input start, at_top, at_bottom: bool; output lower, lift: bool; var n: u8 = 0;
+           initial step Ready; step Lower { lower; } step Hold { P1 n = n + 1; } step Lift { lift; P0 n = n + 10; }
+           Ready -[start && at_top]-> Lower -[at_bottom]-> Hold -[2s/Hold]-> Lift -[at_top]-> Ready; }",
+    );
+    let mut press = Simulation::new(&chart).expect("understood");
+    press.cycle(0, &[]).expect("a cycle");
+    let cycle = press.force(10, &["Lift"], &[("at_top", true.into())]).expect("a cycle by hand");
+    assert!(press.is_active("Lift") && cycle.evolutions.len() == 1 && cycle.evolutions[0].cleared.is_empty());
+    assert_eq!(press.output("lift"), Some(Value::Bool(true)));
+    press.force(20, &["Hold"], &[]).expect("a cycle by hand");
+    assert_eq!(press.variable("n"), Some(Value::Int(11)));
+    // The time of the step begins with the cycle by hand.
+    press.cycle(2_019, &[]).expect("a cycle");
+    assert!(press.is_active("Hold"));
+    press.cycle(2_020, &[]).expect("a cycle");
+    assert!(press.is_active("Lift"));
+    assert_eq!(press.force(2_030, &["Hode"], &[]).unwrap_err().to_string(), "the chart has no step `Hode`");
+}

@@ -32,6 +32,8 @@ impl Line {
         };
         match &self.kind {
             Kind::Cycle { inputs, now, .. } => format!("{}@{now}", named(inputs)),
+            Kind::Force { asked, inputs, now, .. } => format!("{asked} {}@{now}", named(inputs)),
+            Kind::Refuses(asked) => format!("refuses {asked}"),
             Kind::Shows(_) => "shows".to_owned(),
             Kind::Init => "init".to_owned(),
             Kind::Params(changed) => format!("params {}", named(changed)),
@@ -52,6 +54,19 @@ pub enum Kind {
         /// What it has to show.
         expected: Expected,
     },
+    /// A cycle that leads into a situation by hand.
+    Force {
+        /// Which one.
+        asked: Asked,
+        /// By name.
+        inputs: BTreeMap<String, i128>,
+        /// In the unit of the chart's clock.
+        now: u32,
+        /// What it has to show.
+        expected: Expected,
+    },
+    /// A situation that the chart does not let itself be put into; nothing happens.
+    Refuses(Asked),
     /// What the chart shows without a cycle, calls excepted.
     Shows(Expected),
     /// The classic *Init*.
@@ -60,6 +75,53 @@ pub enum Kind {
     Params(BTreeMap<String, i128>),
     /// What `next_deadline` says now.
     Wakes(Option<u32>),
+}
+
+/// A situation that is asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// By the names of its steps.
+    Steps(BTreeSet<String>),
+    /// The steps of situations that the timeline has shown before, by their numbers; which these are is known while it is played.
+    Seen(Vec<usize>),
+}
+
+impl fmt::Display for Asked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let list: Vec<String> = match self {
+            Self::Steps(steps) => steps.iter().cloned().collect(),
+            Self::Seen(seen) => seen.iter().map(|number| format!("~{number}")).collect(),
+        };
+        write!(f, "force({})", list.join(","))
+    }
+}
+
+impl Asked {
+    /// `Fill,Heat`, `~3,~12`
+    fn read(list: &str) -> Result<Self, String> {
+        let words = || list.split(',').filter(|word| !word.is_empty());
+        if !list.contains('~') {
+            return Ok(Self::Steps(words().map(str::to_owned).collect()));
+        }
+        let number = |word: &str| {
+            let number = word.strip_prefix('~').and_then(|number| number.parse().ok());
+            number.ok_or_else(|| format!("`{word}` is no number of a situation"))
+        };
+        Ok(Self::Seen(words().map(number).collect::<Result<_, _>>()?))
+    }
+
+    /// The steps, and whether the chart has been in them.
+    #[must_use]
+    #[allow(dead_code, reason = "the board knows all steps by name")]
+    pub fn steps(&self, seen: &[BTreeSet<String>]) -> (BTreeSet<String>, bool) {
+        match self {
+            Self::Steps(steps) => (steps.clone(), false),
+            Self::Seen(numbers) => {
+                let chosen = numbers.iter().filter_map(|number| seen.get(number % seen.len().max(1)));
+                (chosen.flatten().cloned().collect(), numbers.len() == 1)
+            }
+        }
+    }
 }
 
 /// What a cycle has to show. Values are numbers; `true` is 1, times are in ticks.
@@ -125,7 +187,11 @@ fn kind(line: &str, now: &mut u32) -> Result<Kind, String> {
                     Ok(Kind::Wakes(Some(number.ok_or_else(|| format!("`{directive}`: `wakes @20` or `wakes -`"))?)))
                 }
             },
-            _ => Err(format!("`{directive}` is neither a cycle nor `init` nor `params` nor `wakes`")),
+            Some("refuses") => {
+                let asked = words.next().and_then(|word| word.strip_prefix("force(")?.strip_suffix(')'));
+                Ok(Kind::Refuses(Asked::read(asked.ok_or_else(|| format!("`{directive}`: `refuses force(A,B)`"))?)?))
+            }
+            _ => Err(format!("`{directive}` is neither a cycle nor `init`, `params`, `wakes` nor `refuses`")),
         };
     }
     let (steps, outputs, calls) = match columns[1..] {
@@ -142,11 +208,16 @@ fn kind(line: &str, now: &mut u32) -> Result<Kind, String> {
     if columns[0] == "shows" {
         return Ok(Kind::Shows(expected));
     }
-    let (times, inputs): (Vec<&str>, Vec<&str>) = columns[0].split_whitespace().partition(|word| word.starts_with('@'));
+    let (forced, words): (Vec<&str>, Vec<&str>) =
+        columns[0].split_whitespace().partition(|word| word.starts_with("force("));
+    let (times, inputs): (Vec<&str>, Vec<&str>) = words.into_iter().partition(|word| word.starts_with('@'));
     if let Some(time) = times.first() {
         *now = time[1..].parse().map_err(|error| format!("`{time}`: {error}"))?;
     }
-    Ok(Kind::Cycle { inputs: values(inputs.into_iter())?, now: *now, expected })
+    let inputs = values(inputs.into_iter())?;
+    let Some(forced) = forced.first() else { return Ok(Kind::Cycle { inputs, now: *now, expected }) };
+    let list = forced["force(".len()..].strip_suffix(')').ok_or_else(|| format!("`{forced}`: `force(A,B)`"))?;
+    Ok(Kind::Force { asked: Asked::read(list)?, inputs, now: *now, expected })
 }
 
 /// `on level=5`; `-` stands for nothing. What is zero is as good as not named.

@@ -987,6 +987,8 @@ impl ::grafcet::__private::ActiveSteps for BatchSituation {
 const _: () = {
     #[cfg(rust_analyzer)]
     fn mentions<A: BatchActions + ?::grafcet::__private::core::marker::Sized>(
+        inputs: &BatchInputs,
+        params: &BatchParams,
         outputs: &BatchOutputs,
     ) {
         let _ = [
@@ -1001,6 +1003,14 @@ const _: () = {
             BatchStep::Heat,
             BatchStep::Stir,
         ];
+        let _ = (
+            &inputs.level,
+            &inputs.start,
+            &inputs.full,
+            &inputs.empty,
+            &inputs.level,
+        );
+        let _ = (&params.hot,);
         let _ = (
             &outputs.lamp,
             &outputs.valve,
@@ -1017,7 +1027,13 @@ const _: () = {
                 count: ::grafcet::__private::core::primitive::u16,
             }
             fn mentions(variables: &Variables) {
-                let _ = (&variables.count,);
+                let _ = (
+                    &variables.count,
+                    &variables.count,
+                    &variables.count,
+                    &variables.count,
+                    &variables.count,
+                );
             }
         }
     }

@@ -817,7 +817,7 @@ impl ::grafcet::__private::ActiveSteps for CellSituation {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(outputs: &CellOutputs) {
+    fn mentions(inputs: &CellInputs, outputs: &CellOutputs) {
         let _ = [
             CellStep::Ready,
             CellStep::Stopped,
@@ -832,6 +832,18 @@ const _: () = {
             CellStep::Auto,
             CellStep::Idle,
         ];
+        let _ = (
+            &inputs.estop,
+            &inputs.estop,
+            &inputs.clamped,
+            &inputs.part,
+            &inputs.start,
+            &inputs.full,
+            &inputs.clamped,
+            &inputs.auto,
+            &inputs.start,
+            &inputs.part,
+        );
         let _ = (
             &outputs.lamp,
             &outputs.belt,
@@ -858,7 +870,7 @@ const _: () = {
                 n: ::grafcet::__private::core::primitive::u16,
             }
             fn mentions(variables: &Variables) {
-                let _ = (&variables.n, &variables.n);
+                let _ = (&variables.n, &variables.n, &variables.n, &variables.n);
             }
         }
     }

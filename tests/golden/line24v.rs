@@ -455,7 +455,7 @@ impl ::grafcet::__private::ActiveSteps for Line24VStep {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(outputs: &Line24VOutputs) {
+    fn mentions(inputs: &Line24VInputs, outputs: &Line24VOutputs) {
         let _ = [
             Line24VStep::S1,
             Line24VStep::S2,
@@ -463,6 +463,7 @@ const _: () = {
             Line24VStep::S4,
             Line24VStep::S1,
         ];
+        let _ = (&inputs.b5, &inputs.b1, &inputs.b2, &inputs.b3, &inputs.b4);
         let _ = (&outputs.q1, &outputs.q2, &outputs.q3, &outputs.q2);
     }
 };

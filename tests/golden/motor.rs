@@ -188,40 +188,63 @@ impl Motor {
     /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
     /// situation.
     pub fn cycle(&mut self, inputs: &MotorInputs) -> MotorOutputs {
-        let mut outputs = MotorOutputs {
-            relay: false,
-            green: false,
-            red: false,
+        let mut outputs = const {
+            MotorOutputs {
+                relay: false,
+                green: false,
+                red: false,
+            }
         };
-        let before = self.situation;
-        let after = match before {
+        let after: __MotorState;
+        match self.situation {
+            __MotorState::INIT => {
+                after = __MotorState::Off;
+            }
             __MotorState::Off => {
-                if {
-                    let value = inputs.on & !inputs.over_temp;
-                    value
-                } {
-                    __MotorState::On
+                if inputs.on & !inputs.over_temp {
+                    after = __MotorState::On;
                 } else {
-                    __MotorState::Off
+                    after = __MotorState::Off;
                 }
             }
             __MotorState::On => {
-                if {
-                    let value = inputs.off | inputs.over_temp;
-                    value
-                } {
-                    __MotorState::Off
+                if inputs.off | inputs.over_temp {
+                    after = __MotorState::Off;
                 } else {
-                    __MotorState::On
+                    after = __MotorState::On;
                 }
             }
-            __MotorState::INIT => __MotorState::Off,
-        };
+        }
         self.situation = after;
-        let in_second = after == __MotorState::On;
-        outputs.red |= !in_second;
-        outputs.relay |= in_second;
-        outputs.green |= in_second;
+        match after {
+            __MotorState::Off => {
+                outputs = const {
+                    MotorOutputs {
+                        relay: false,
+                        green: false,
+                        red: true,
+                    }
+                };
+            }
+            __MotorState::On => {
+                outputs = const {
+                    MotorOutputs {
+                        relay: true,
+                        green: true,
+                        red: false,
+                    }
+                };
+            }
+            _ => {
+                outputs = const {
+                    MotorOutputs {
+                        relay: false,
+                        green: false,
+                        red: false,
+                    }
+                };
+            }
+        }
         outputs
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
@@ -350,8 +373,9 @@ impl ::grafcet::__private::ActiveSteps for MotorStep {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(outputs: &MotorOutputs) {
+    fn mentions(inputs: &MotorInputs, outputs: &MotorOutputs) {
         let _ = [MotorStep::Off, MotorStep::On, MotorStep::Off];
+        let _ = (&inputs.on, &inputs.over_temp, &inputs.off, &inputs.over_temp);
         let _ = (&outputs.red, &outputs.relay, &outputs.green);
     }
 };

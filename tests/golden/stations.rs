@@ -568,7 +568,7 @@ impl ::grafcet::__private::ActiveSteps for StationsSituation {
 #[allow(unexpected_cfgs)]
 const _: () = {
     #[cfg(rust_analyzer)]
-    fn mentions(outputs: &StationsOutputs) {
+    fn mentions(inputs: &StationsInputs, outputs: &StationsOutputs) {
         let _ = [
             StationsStep::Wait,
             StationsStep::Drill,
@@ -583,6 +583,7 @@ const _: () = {
             StationsStep::Wait,
             StationsStep::Out,
         ];
+        let _ = (&inputs.part, &inputs.drilled, &inputs.tested, &inputs.part);
         let _ = (&outputs.motor, &outputs.drill, &outputs.test, &outputs.motor);
     }
 };

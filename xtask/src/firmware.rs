@@ -1,6 +1,7 @@
 //! The example charts on bare metal: built or checked for every target, run on an emulated board, compared with the host.
 
 use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;
 
@@ -82,11 +83,11 @@ pub(crate) fn run() -> Result {
     corpus()
 }
 
-/// What the image prints that records the cell, fails, and sends its record after the reset.
+/// What the image prints that records the cell, fails, and sends its record after the reset; and the file of what it has sent over its serial line.
 ///
 /// # Errors
 /// A toolchain or QEMU is missing, the build fails, or the image fails or hangs.
-pub(crate) fn recorded() -> Result<String> {
+pub(crate) fn recorded() -> Result<(String, PathBuf)> {
     let mut command = BareMetal::find(BOARD)?.cargo("build", BOARD);
     command.args([
         "--quiet",
@@ -99,7 +100,9 @@ pub(crate) fn recorded() -> Result<String> {
         "record",
     ]);
     run_command(command.arg("--target-dir").arg(project::target(FOLDER)))?;
-    board_lines("record", RUNNER)
+    let line = project::target(FOLDER).join("record.frames");
+    let lines = emulated("record", RUNNER, &["-serial", &format!("file:{}", line.display())])?;
+    Ok((lines, line))
 }
 
 /// The examples with interrupts, and as tasks.
@@ -178,13 +181,18 @@ fn host_lines() -> Result<String> {
 
 /// What an image prints, run as `cargo run` does in this folder.
 fn board_lines(image: &str, folder: &str) -> Result<String> {
+    emulated(image, folder, &[])
+}
+
+/// The same with other words for the emulator.
+fn emulated(image: &str, folder: &str, more: &[&str]) -> Result<String> {
     let image = project::target(FOLDER).join(BOARD).join("release").join(image);
     let config = format!("{folder}/.cargo/config.toml");
     let text = read(&config)?;
     let mut words = runner(&text).ok_or_else(|| format!("{config} names no runner"))?;
     let emulator = words.next().ok_or_else(|| format!("{config} names an empty runner"))?;
     let mut command = Command::new(tool(emulator, emulator)?);
-    command.args(words).arg(image);
+    command.args(words).arg(image).args(more);
     capture_within(&mut command, LIMIT)
 }
 

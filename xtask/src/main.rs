@@ -8,6 +8,7 @@ mod conformance;
 mod debian;
 mod firmware;
 mod first_chart;
+mod fuzz;
 mod image;
 mod interface;
 mod msrv;
@@ -44,13 +45,15 @@ Usage: cargo xtask <task>
             what the checker says about random charts, beside a naive exploration
   bless     record the expansions and messages anew that the tests compare with
   ci        every check that CI runs, with a summary
-  conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N]
-            random charts, compiled through the macro, beside the interpreter
+  conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N] [--recorded N]
+            random charts, compiled through the macro, beside the interpreter; one in N also in a recorder, and restored at random moments
   conformance --program [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N]
             their programs beside the interpreter, without rustc
   firmware  build or check the example charts for all bare-metal targets, run them in QEMU, compare with the host
   first-chart
             follow docs/first-chart.md in a clean folder, command by command
+  fuzz TARGET SECONDS [merge]
+            the fuzzer of the folder `fuzz`, on stable Rust; with `merge` what it has found goes to the corpus
   interface [record]
             the public interfaces beside those in tests/interface (cargo-public-api), or records them anew
   packages  pack and build what is published, check sets of features and the oldest dependencies allowed
@@ -62,12 +65,16 @@ Usage: cargo xtask <task>
   prove --random N [--first N] [--cycles N] [--abc]
             the same of random charts, beside a naive exploration, and beside abc (berkeley-abc)
   record    run a chart with the flight recorder in QEMU, reset the board in the middle, and show from its record what happened
+  record test RECORD SOURCE CHART FOLDER
+            writes FOLDER/RECORD.rs, a test that replays this record of the chart CHART in the Rust file SOURCE
   record cost
             what the flight recorder costs in each example on both targets; writes the table of docs/record.md
   release   before a release: licences and advisories (cargo-deny), all sets of features, the interfaces as `interface` does and
             beside the last release (cargo-semver-checks)
   screenshots
             what rustdoc shows of the example charts, light and dark, for tests/screenshots (Chromium)
+  soak CYCLES [--charts N] [--seconds N] [--seed N] [--dialect sfc|grafcet]
+            random charts for a long time, with clocks that wrap around, beside the interpreter where anything can change
   msrv      check the crates that ship with the oldest supported Rust
 ";
 
@@ -90,6 +97,8 @@ fn main() -> ExitCode {
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
         ["first-chart"] => first_chart::run(),
+        ["fuzz", target, seconds] => fuzz::run(target, seconds, false),
+        ["fuzz", target, seconds, "merge"] => fuzz::run(target, seconds, true),
         ["interface"] => interface::compare(),
         ["interface", "record"] => interface::record(),
         ["msrv"] => msrv::run(),
@@ -98,8 +107,10 @@ fn main() -> ExitCode {
         ["plant", word] => plant::run(Some(word)),
         ["prove", ref rest @ ..] => conformance::prove(rest),
         ["record"] => record::run(),
+        ["record", "test", record, source, chart, folder] => record::test(&[record, source, chart, folder]),
         ["record", "cost"] => record_cost::run(),
         ["release"] => release::run(),
+        ["soak", cycles, ref rest @ ..] => conformance::run(&[&["--soak", cycles, "--shrink", "0"], rest].concat()),
         ["screenshots"] => screenshots::run(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{USAGE}");

@@ -21,6 +21,8 @@ pub enum Ruling {
     Broken {
         /// So many cycles lead there, and fewer do not.
         cycles: usize,
+        /// The first of the cycles that go on for ever, where what has to come never does.
+        again: Option<usize>,
         /// These, as a table.
         way: String,
     },
@@ -52,10 +54,16 @@ impl<'m> Claims<'m> {
     ) -> Self {
         let mut open = Vec::new();
         let mut claimed: Vec<(&Property, Tree)> = Vec::new();
+        let known = |property: &&Property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed));
+        for property in model.properties.iter().filter(known) {
+            if matches!(property.claim, Claim::LeadsTo { .. } | Claim::Before { .. }) {
+                open.push((property, Answer::Unknown(Doubt::Cycles)));
+            }
+        }
         let stated = model
             .properties
             .iter()
-            .filter(|property| !property.claim.expressions().iter().any(|expr| reads_any(expr, mixed)))
+            .filter(known)
             .filter_map(|property| Some((property, property.claim.violation()?)))
             .filter(|(_, violation)| !logic.never(&logic.condition(&visible::resolved(model, violation))));
         for (property, violation) in stated {

@@ -41,6 +41,6 @@ pub use nesting::Nesting;
 pub use races::{Meet, Races, Writer};
 pub use relation::Relation;
 pub use stability::{Ends, Stability, is_constant_read};
-pub(crate) use together::Together;
+pub(crate) use together::Situations;
 pub use union::Union;
 pub(crate) use unlisted::{Unlisted, unlisted, unlisted_of};

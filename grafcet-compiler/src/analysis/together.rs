@@ -1,39 +1,71 @@
-//! Which steps can be active together, as a table by which a stored situation is looked at.
+//! Which situations a chart can be in, as a table by which one that comes from outside is looked at: a stored one, or one that is asked for by hand.
 
-use super::{Concurrency, Facts, Nesting};
-use crate::model::{Id, Model};
+use super::{Concurrency, Facts, Nesting, explore};
+use crate::model::{Id, Model, StepId};
 
-/// Charts with more steps have no table: it grows with the square of their number.
+/// Of charts with more steps a stored situation is not looked at: a table of pairs grows with the square of their number.
 const MOST_STEPS: usize = 256;
 
-/// With which others each step can be active.
-#[derive(Default)]
-pub(crate) struct Together {
-    /// A row of bits for each step, in whole bytes. Empty where it says nothing.
-    pub(crate) table: Vec<u8>,
-    /// Whether as many as can be together always are: so it is in a chart that is well nested, whose branches exclude each other.
-    pub(crate) is_whole: bool,
+/// Up to so many situations are listed.
+const MOST_SITUATIONS: usize = 128;
+
+/// In so many bytes.
+const MOST_BYTES: usize = 1024;
+
+/// How many units of work it is worth to find them.
+const WORK: u64 = 20_000;
+
+/// What is known of the situations; in each table, a row has a bit for each step, in whole bytes.
+pub(crate) enum Situations {
+    /// Nothing.
+    Unknown,
+    /// Each has one step, or none.
+    Alone,
+    /// A row for each.
+    Listed(Vec<u8>),
+    /// A row for each step: with which others it can be active.
+    Pairs(Vec<u8>),
+    /// The same, and as many as can be together always are: so it is in a chart that is well nested, whose branches exclude each other.
+    Whole(Vec<u8>),
 }
 
-impl Together {
+impl Situations {
+    /// For a situation that was stored.
+    pub(crate) fn stored(model: &Model, facts: &Facts<'_>) -> Self {
+        if model.steps.len() > MOST_STEPS { Self::Unknown } else { Self::of(model, facts) }
+    }
+
+    /// For one that is asked for, whatever the table takes.
     pub(crate) fn of(model: &Model, facts: &Facts<'_>) -> Self {
-        if model.steps.len() > MOST_STEPS {
-            return Self::default();
+        let row = model.steps.len().div_ceil(8);
+        let most = MOST_SITUATIONS.min(MOST_BYTES / row.max(1));
+        if let Some(found) = explore::situations(model, WORK, most) {
+            return Self::Listed(found.iter().flat_map(|steps| bits(steps, row)).collect());
         }
         let exclusive = Concurrency::of_exclusive_branches(model);
         let concurrency = facts.concurrency.across_partials(model);
         let mut is_whole = Nesting::of(model).is_some();
-        let row = model.steps.len().div_ceil(8);
-        let mut table = vec![0; row * model.steps.len()];
+        let mut table = Vec::with_capacity(row * model.steps.len());
         for a in model.steps.ids() {
+            let mut others = Vec::new();
             for b in model.steps.ids() {
                 let together = a != b && concurrency.together(a, b);
                 is_whole &= a == b || together == exclusive.together(a, b);
                 if together {
-                    table[a.index() * row + b.index() / 8] |= 1_u8 << (b.index() % 8);
+                    others.push(b);
                 }
             }
+            table.extend(bits(&others, row));
         }
-        Self { table, is_whole }
+        if is_whole { Self::Whole(table) } else { Self::Pairs(table) }
     }
+}
+
+/// A row with the bits of these steps.
+fn bits(steps: &[StepId], row: usize) -> Vec<u8> {
+    let mut bytes = vec![0; row];
+    for step in steps {
+        bytes[step.index() / 8] |= 1_u8 << (step.index() % 8);
+    }
+    bytes
 }

@@ -36,10 +36,10 @@ pub(super) fn check(
             (Answer::Never, _) | (Answer::Unknown(_), Some(Ruling::Holds)) => {}
             (Answer::Possible(path), _) => {
                 let cycles = path.cycles.len() + usize::from(path.skips_first);
-                report.violated(property, cycles, &path.table(model), sink);
+                report.violated(property, (cycles, None), &path.table(model), sink);
             }
-            (Answer::Unknown(_), Some(Ruling::Broken { cycles, way })) => {
-                report.violated(property, *cycles, way.trim_end(), sink);
+            (Answer::Unknown(_), Some(Ruling::Broken { cycles, again, way })) => {
+                report.violated(property, (*cycles, *again), way.trim_end(), sink);
             }
             (Answer::Unknown(doubt), Some(Ruling::Open(why))) => {
                 report.undecided(property, doubt, &format!("; a solver was asked, too: {why}"), sink);
@@ -100,19 +100,41 @@ impl Report<'_> {
         sink.rule(rule, &scopes, notes);
     }
 
-    fn violated(&self, property: &Property, count: usize, table: &str, sink: &mut Sink) {
+    /// `count` cycles lead there; from the cycle `again` on they go on for ever.
+    fn violated(&self, property: &Property, (count, again): (usize, Option<usize>), table: &str, sink: &mut Sink) {
+        let when = if count == 1 { "the first cycle".to_owned() } else { format!("cycle {count}") };
         let what = match &property.claim {
             Claim::Always { premise: Some(premise), condition } => {
-                format!("`{}` holds and `{}` does not", premise.text, condition.text)
+                format!("at the end of {when} `{}` holds and `{}` does not", premise.text, condition.text)
             }
-            Claim::Always { premise: None, condition } => format!("`{}` does not hold", condition.text),
-            Claim::Never(condition) => format!("`{}` holds", condition.text),
+            Claim::Always { premise: None, condition } => {
+                format!("at the end of {when} `{}` does not hold", condition.text)
+            }
+            Claim::Never(condition) => format!("at the end of {when} `{}` holds", condition.text),
+            Claim::LeadsTo { from, to, .. } => match again {
+                None => format!(
+                    "at the end of {when} it is too late: `{}` has held, and `{}` not since",
+                    from.text, to.text
+                ),
+                Some(again) if again == count => {
+                    format!(
+                        "`{}` has held, and `{}` never follows where {when} comes again and again",
+                        from.text, to.text
+                    )
+                }
+                Some(again) => format!(
+                    "`{}` has held, and `{}` never follows where the cycles {again} to {count} come again and again",
+                    from.text, to.text
+                ),
+            },
+            Claim::Before { first, then } => {
+                format!("at the end of {when} `{}` holds, and `{}` has not held yet", then.text, first.text)
+            }
             Claim::Home(..) => return,
         };
-        let when = if count == 1 { "the first cycle".to_owned() } else { format!("cycle {count}") };
+        let often = if again.is_some() { "say what comes again and again, `assume often …;`, " } else { "" };
         let message = format!(
-            "at the end of {when} {what}: mend the chart on this way, exclude its inputs by `assume never …;`, or correct \
-             the property\n{table}"
+            "{what}: mend the chart on this way, exclude its inputs by `assume never …;`, {often}or correct the property\n{table}"
         );
         self.say(&rules::PROPERTY_VIOLATED, property, vec![(property.mark, message)], sink);
     }
@@ -126,6 +148,10 @@ impl Report<'_> {
                 grouped(self.limits.more())
             ),
             Doubt::Inputs { at, inputs } => self.too_many(at, inputs),
+            Doubt::Cycles => {
+                "whether this holds is not decided: it is about more than one cycle, which only a solver looks at"
+                    .to_owned()
+            }
             Doubt::Unfollowed(values) => {
                 let mut texts: Vec<String> = Vec::new();
                 for text in values.iter().map(|tree| format!("`{}`", self.model.tree_text(tree))) {

@@ -91,6 +91,7 @@ impl Usage {
         // As in rustc, what is only mentioned in what is unused itself is one warning, not two.
         model.lets.values().for_each(|named| usage.read.extend(&named.mentions));
         model.assumptions.iter().for_each(|assumption| usage.expr(&assumption.never));
+        model.often.iter().for_each(|often| usage.expr(often));
         model.properties.iter().flat_map(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
         for effect in model.effects() {
             match effect {

@@ -1,5 +1,6 @@
 //! What editors find at names that the code does not repeat where they stand: steps in chains, outputs and code actions
-//! after qualifiers, macro-steps, partial grafcets, variables that actions write, named conditions.
+//! after qualifiers, macro-steps, partial grafcets, variables that actions write, named conditions. What expressions read is mentioned, too:
+//! a program takes conditions apart, and has one for all steps that wait for the same.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
@@ -12,9 +13,12 @@ use crate::place::{self, quote};
 /// A function that mentions each of them at the user's tokens, for rust-analyzer alone, which sets this `cfg`.
 pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let [mut steps, mut outputs, mut calls, mut vars, mut macros, mut partials, mut lets] = [const { Vec::new() }; 7];
+    let [mut inputs, mut params] = [const { Vec::new() }; 2];
     for (mention, span) in &model.mentions {
         let (mentioned, name) = match mention {
             Mention::Step(id) => (&mut steps, Some(&model.steps[*id].name)),
+            Mention::Input(id) => (&mut inputs, Some(&model.inputs[*id].name)),
+            Mention::Param(id) => (&mut params, Some(&model.params[*id].name)),
             Mention::Output(id) => (&mut outputs, Some(&model.outputs[*id].name)),
             Mention::Action(id) => (&mut calls, Some(&model.actions[*id].name)),
             Mention::Var(id) => (&mut vars, Some(&model.vars[*id].name)),
@@ -25,9 +29,14 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
         mentioned.extend(name.map(|name| at(name, *span)));
     }
     // The types are called by the chart's name, but not what is mentioned.
-    let [step, record, actions] = [&names.step, &names.outputs, &names.actions].map(|name| at(name, place::here()));
+    let [step, read, record, actions] =
+        [&names.step, &names.inputs, &names.outputs, &names.actions].map(|name| at(name, place::here()));
+    let recipe = at(&names.params, place::here());
     let actions = (!calls.is_empty()).then(|| quote!(<A: #actions + ?#p::core::marker::Sized>));
     let steps = (!steps.is_empty()).then(|| quote!(let _ = [#(#step::#steps),*];));
+    let recipe = (!params.is_empty()).then(|| quote!(params: &#recipe,));
+    let inputs = (!inputs.is_empty()).then(|| quote!(let _ = (#(&inputs.#inputs,)*);));
+    let params = (!params.is_empty()).then(|| quote!(let _ = (#(&params.#params,)*);));
     let outputs = (!outputs.is_empty()).then(|| quote!(let _ = (#(&outputs.#outputs,)*);));
     let calls = (!calls.is_empty()).then(|| quote!(let _ = (#(A::#calls,)*);));
     let macros = named("MacroStep", model.macros.values().map(|macro_step| &macro_step.name), &macros);
@@ -37,8 +46,10 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
         #[allow(unexpected_cfgs)]
         const _: () = {
             #[cfg(rust_analyzer)]
-            fn mentions #actions (outputs: &#record) {
+            fn mentions #actions (inputs: &#read, #recipe outputs: &#record) {
                 #steps
+                #inputs
+                #params
                 #outputs
                 #calls
                 #macros

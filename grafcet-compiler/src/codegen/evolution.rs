@@ -65,6 +65,7 @@ impl Cx<'_> {
             Form::Sequence | Form::LongSequence => self.one_match(),
             Form::InPlace => self.under_masters(partial, &self.evolve_in_place(partial)),
             Form::Flags | Form::Compared => self.evolve_compared(partial),
+            Form::Program => TokenStream::new(),
         }
     }
 

@@ -30,7 +30,7 @@ impl Cx<'_> {
 
     /// A37: the activation of the initial situation is an evolution of its own. Delays are sampled on the initial situation
     /// with the values from before its actions (A36).
-    fn start_cycle(&self) -> TokenStream {
+    pub(super) fn start_cycle(&self) -> TokenStream {
         let delays = self.sample_on_start();
         if !self.plan.has_start {
             return delays;
@@ -207,12 +207,12 @@ impl Cx<'_> {
     }
 
     /// The mark of an unstable search is taken away at the begin of the next cycle.
-    fn forget_instability(&self) -> Option<TokenStream> {
+    pub(super) fn forget_instability(&self) -> Option<TokenStream> {
         (self.is_marked(0) && !self.plan.shape.walks()).then(|| self.mark(false))
     }
 
     /// The situation the search has reached, for the continuous actions.
-    fn stable_situation(&self, rest: &TokenStream) -> TokenStream {
+    pub(super) fn stable_situation(&self, rest: &TokenStream) -> TokenStream {
         let continuous = self.model.associations.values().any(|a| !crate::plan::is_stored(a));
         if !continuous {
             return TokenStream::new();
@@ -256,7 +256,7 @@ impl Cx<'_> {
     }
 
     /// The continuous outputs, on the stable situation (A9, A10).
-    fn continuous(&self) -> TokenStream {
+    pub(super) fn continuous(&self) -> TokenStream {
         let items = source_order(self.model).map(|id| {
             let association = &self.model.associations[id];
             let act = match &association.effect {
@@ -301,7 +301,7 @@ impl Cx<'_> {
     }
 
     /// `N heat(80)`: called once per cycle, after all others, and told its phase (A33).
-    fn continuous_calls(&self) -> TokenStream {
+    pub(super) fn continuous_calls(&self) -> TokenStream {
         let mut actions: Vec<ActionId> = Vec::new();
         for association in source_order(self.model).map(|id| &self.model.associations[id]) {
             if let (Effect::Call(action, _), false) = (&association.effect, crate::plan::is_stored(association)) {

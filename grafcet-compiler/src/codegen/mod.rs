@@ -13,6 +13,7 @@ mod description;
 mod editor;
 mod encoding;
 mod evolution;
+mod force;
 mod grafcet;
 mod hierarchy;
 mod late;
@@ -22,7 +23,6 @@ mod names;
 mod nest;
 mod outputs;
 mod outside;
-#[cfg(feature = "program")]
 mod program;
 mod recipe;
 mod record;
@@ -44,12 +44,13 @@ use proc_macro2::TokenStream;
 
 use self::machine::Machine;
 use self::names::Names;
-use crate::analysis::{Facts, Together};
+use crate::analysis::{Facts, Situations};
 use crate::model::Model;
 use crate::place::{self, quote};
-use crate::plan::Plan;
+use crate::plan::{Form, Plan};
 #[cfg(feature = "program")]
 use crate::program::Program;
+use crate::program::Refused;
 pub(crate) use stub::stub;
 
 /// Everything the artefacts are written from.
@@ -61,38 +62,55 @@ struct Cx<'m> {
     p: TokenStream,
 }
 
-/// The items of a chart.
-pub(crate) fn generate(model: &Model, plan: &Plan, root: &TokenStream) -> TokenStream {
-    let cx = Cx::new(model, plan, root);
-    items(&cx, &Machine::planned(&cx))
-}
-
-/// The same, and what a recorder needs to know of the chart.
-pub(crate) fn generate_recorded(
+/// The items of a chart; with its number also what a recorder needs to know of it.
+pub(crate) fn generate(
     (model, facts, plan): (&Model, &Facts<'_>, &Plan),
     root: &TokenStream,
-    fingerprint: u32,
+    fingerprint: Option<u32>,
 ) -> TokenStream {
     let cx = Cx::new(model, plan, root);
-    let machine = Machine::planned(&cx);
-    // One region whose state is an enum has one active step, or none, by itself.
-    let by_itself = plan.regions.is_single() && !plan.shape.is_flags();
-    let together = if by_itself { Together::default() } else { Together::of(model, facts) };
-    let (items, recorded) = (items(&cx, &machine), record::all(&cx, &machine, &together, fingerprint));
-    quote!(#items #recorded)
+    let machine = match plan.shape.form {
+        Form::Program => match crate::program::optimised(model, facts) {
+            Ok(program) => program::machine(&cx, &program),
+            Err(refused) => return refuse(&refused),
+        },
+        _ => Machine::planned(&cx),
+    };
+    let (items, forced) = (items(&cx, &machine), force::all(&cx, facts, root));
+    let recorded = fingerprint.map(|fingerprint| {
+        let situations = if cx.is_alone() { Situations::Unknown } else { Situations::stored(model, facts) };
+        record::all(&cx, &machine, &situations, fingerprint)
+    });
+    quote!(#items #recorded #forced)
 }
 
-/// The items of a chart whose cycle is a program.
+/// The items of a chart by a program that somebody else has made of it.
 #[cfg(feature = "program")]
-pub(crate) fn print(program: &Program<'_>, plan: &Plan, root: &TokenStream) -> TokenStream {
-    let cx = Cx::new(program.model, plan, root);
-    items(&cx, &program::machine(&cx, program))
+pub(crate) fn print(program: Result<Program<'_>, Refused>, plan: &Plan, root: &TokenStream) -> TokenStream {
+    match program {
+        Ok(program) => {
+            let cx = Cx::new(program.model, plan, root);
+            items(&cx, &program::machine(&cx, &program))
+        }
+        Err(refused) => refuse(&refused),
+    }
+}
+
+/// A chart that has passed the checks is never refused.
+fn refuse(refused: &Refused) -> TokenStream {
+    let refused = refused.to_string();
+    quote!(::core::compile_error!(#refused);)
 }
 
 impl<'m> Cx<'m> {
     fn new(model: &'m Model, plan: &'m Plan, root: &TokenStream) -> Self {
         let root = place::moved(root);
         Self { model, plan, names: Names::of(model), p: quote!(#root::__private) }
+    }
+
+    /// One region whose state is an enum has one active step, or none, by itself.
+    fn is_alone(&self) -> bool {
+        self.plan.regions.is_single() && !self.plan.shape.is_flags()
     }
 }
 

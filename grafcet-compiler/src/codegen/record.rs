@@ -4,14 +4,14 @@ use proc_macro2::{Literal, TokenStream};
 use quote::ToTokens;
 
 use super::machine::{Field, Machine};
-use super::{Cx, state, types};
-use crate::analysis::Together;
+use super::{Cx, force, state, types};
+use crate::analysis::Situations;
 use crate::fingerprint::Hash;
 use crate::list::List;
 use crate::model::{Model, Ty};
 use crate::place::quote;
 
-pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, together: &Together, fingerprint: u32) -> TokenStream {
+pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, fingerprint: u32) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
     let (chart, inputs) = (&names.chart, &names.inputs);
     let input_fields = fields(model.inputs.values().map(|input| (&input.name, &input.ty)), p);
@@ -32,7 +32,7 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, together: &Together, finge
         Literal::u32_suffixed(hash.finish())
     };
     let fingerprint = Literal::u32_suffixed(fingerprint);
-    let (whole, together) = (together.is_whole, Literal::byte_string(&together.table));
+    let possible = force::possible(situations, p);
     quote! {
         #p::recorded! {
             chart #chart #fingerprint #layout
@@ -41,7 +41,7 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, together: &Together, finge
             state { #state }
             clock { #clock }
             foreign { #foreign }
-            together #whole #together
+            possible { #possible }
             enums { #enums }
         }
     }

@@ -27,8 +27,7 @@ impl Cx<'_> {
         let keep = self.keep_times();
         let commit = self.commit();
         let settle = self.settle();
-        let (late, actions) = (self.sample_late(), self.sfc_actions());
-        let actions = quote!(#late #actions);
+        let actions = self.scan_actions();
         let second = self.declare_second(&actions);
         let result = self.result();
         // The outputs come first: after the evolution, the compiler would clear them again in every arm.
@@ -42,6 +41,12 @@ impl Cx<'_> {
         let code = quote!(#declare_edges #samples #moved #keep #evolve #commit #afters #rest);
         let snapshot = self.snapshot(&code);
         quote!(#outputs #time #first #snapshot #code)
+    }
+
+    /// All that comes after the evolution but the outputs.
+    pub(super) fn scan_actions(&self) -> TokenStream {
+        let (late, actions) = (self.sample_late(), self.sfc_actions());
+        quote!(#late #actions)
     }
 
     /// Flags and values first, then deactivations, activations and the rest (A29).
@@ -231,7 +236,7 @@ impl Cx<'_> {
 
     /// Times begin where a step has been entered, and whether that has happened, or there was an edge, is noted for the next
     /// cycle: it would do the same as this one otherwise, were it not for the time.
-    fn settle(&self) -> TokenStream {
+    pub(super) fn settle(&self) -> TokenStream {
         if !self.plan.memory.time {
             return TokenStream::new();
         }

@@ -267,6 +267,6 @@ pub(super) fn shown_in(step: StepId) -> TokenStream {
 }
 
 /// Where a bit is: its byte, and in it.
-fn place(bit: usize) -> (Literal, Literal) {
+pub(super) fn place(bit: usize) -> (Literal, Literal) {
     (Literal::usize_suffixed(bit / 8), Literal::u8_suffixed(1 << (bit % 8)))
 }

@@ -129,6 +129,12 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             }
         }
     });
+    let force = model.forceable.then(|| {
+        let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
+        quote! {
+            #vis fn force(&mut self, steps: &[#step], inputs: &#inputs #now #calls) -> #p::Result<#outputs, #p::ForceError<#step>> { loop {} }
+        }
+    });
     let calls = (!model.actions.is_empty()).then(|| quote!(, actions: &mut (impl #actions + ?#p::core::marker::Sized)));
     let methods = model.actions.values().map(|action| {
         let (docs, name) = (docs(&action.attrs), &action.name);
@@ -151,6 +157,7 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             #vis const fn new() -> Self { Self {} }
             #recipe
             #vis fn cycle(&mut self, inputs: &#inputs #now #calls) -> #outputs { loop {} }
+            #force
             #vis fn init(&mut self) {}
             #vis fn is_active(&self, step: #step) -> #p::bool { loop {} }
             #vis fn active_steps(&self) -> #p::heapless::Vec<#step, 1> { loop {} }
@@ -171,7 +178,25 @@ fn uniform(model: &Model, names: &Names, p: &TokenStream) -> TokenStream {
     let Names { chart, inputs, outputs, step, transition, actions, .. } = names;
     let name = model.name.to_string();
     let actions = if model.actions.is_empty() { quote!(()) } else { quote!(dyn #actions + 'a) };
+    let forceable = model.forceable.then(|| {
+        quote! {
+            #[allow(unused_variables)]
+            impl #p::Forceable for #chart {
+                fn force(
+                    &mut self,
+                    steps: &[#step],
+                    inputs: &#inputs,
+                    now: #p::Ticks,
+                    actions: &mut Self::Actions<'_>,
+                ) -> #p::Result<#outputs, #p::ForceError<#step>> {
+                    loop {}
+                }
+            }
+        }
+    });
     quote! {
+        #forceable
+
         impl #p::ActiveSteps for #step { fn is_active_at(&self, _: #p::usize) -> #p::bool { loop {} } }
 
         #[allow(unused_variables)]

@@ -47,6 +47,8 @@ pub struct Model {
     pub optimize_size: bool,
     /// `encoding flags;`: a bit for each step, whatever can be active together.
     pub flags: bool,
+    /// `forceable;`: the program may put the chart into a situation by hand.
+    pub forceable: bool,
     pub inputs: Arena<InputId, Input>,
     pub outputs: Arena<OutputId, Output>,
     pub vars: Arena<VarId, Var>,
@@ -73,6 +75,10 @@ pub struct Model {
     pub budget: Option<u64>,
     /// What the plant excludes, in source order.
     pub assumptions: Vec<Assumption>,
+    /// `assume often door_closed;`: what comes again and again, in source order.
+    pub often: Vec<Expr>,
+    /// `assume cycle within 100ms;`: the longest time between two cycles, in ticks.
+    pub longest_cycle: Option<u32>,
     /// What the checker shall prove, in source order.
     pub properties: Vec<Property>,
     /// Where names stand that generated code does not repeat there.
@@ -88,7 +94,11 @@ pub enum Mention {
     Macro(MacroId),
     /// In forcing orders and in front of the steps of another one.
     Partial(PartialId),
-    /// Where an action drives it.
+    /// Where an expression reads it.
+    Input(InputId),
+    /// There, too.
+    Param(ParamId),
+    /// There, too, and where an action drives it.
     Output(OutputId),
     /// There, too.
     Var(VarId),
@@ -96,6 +106,17 @@ pub enum Mention {
     Action(ActionId),
     /// Where it is used.
     Let(LetId),
+}
+
+impl From<Name> for Mention {
+    fn from(name: Name) -> Self {
+        match name {
+            Name::Input(id) => Self::Input(id),
+            Name::Output(id) => Self::Output(id),
+            Name::Var(id) => Self::Var(id),
+            Name::Param(id) => Self::Param(id),
+        }
+    }
 }
 
 /// `assume never b1 && b3;`
@@ -135,6 +156,10 @@ pub enum Claim {
     Always { premise: Option<Expr>, condition: Expr },
     /// `home (A, B);`, with the tokens that name the situation.
     Home(Vec<StepId>, Mark),
+    /// `start leads_to Done within 30s;`: with ticks of the clock, where there is a limit.
+    LeadsTo { from: Expr, to: Expr, within: Option<u32> },
+    /// `Clamp before Drill;`
+    Before { first: Expr, then: Expr },
 }
 
 /// A declared type.

@@ -389,10 +389,12 @@ impl Claim {
             Self::Never(condition) => vec![condition],
             Self::Always { premise, condition } => premise.iter().chain([condition]).list(),
             Self::Home(..) => Vec::new(),
+            Self::LeadsTo { from, to, .. } => vec![from, to],
+            Self::Before { first, then } => vec![first, then],
         }
     }
 
-    /// What holds at the end of a cycle that violates it; none for a home situation.
+    /// What holds at the end of a cycle that violates it; none where one cycle alone does not tell.
     #[must_use]
     pub fn violation(&self) -> Option<Tree> {
         let not = |tree: &Tree| Tree::Unary(Unary::Not, Box::new(tree.clone()));
@@ -402,7 +404,7 @@ impl Claim {
             Self::Always { premise: Some(premise), condition } => {
                 Some(Tree::Binary(Binary::And, Box::new(premise.tree.clone()), Box::new(not(&condition.tree))))
             }
-            Self::Home(..) => None,
+            Self::Home(..) | Self::LeadsTo { .. } | Self::Before { .. } => None,
         }
     }
 }

@@ -29,6 +29,11 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
 fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()> {
     let outer = attrs::outer(input, sink);
     label(input, sink);
+    if property::relates(input) {
+        let attrs = outer.levels_only("a property", sink);
+        items.push(Item::Property(property::relation(input, attrs, sink)?));
+        return Ok(());
+    }
     if chain::begins(input) {
         let attrs = outer.attrs;
         items.extend(chain::parse(input, &attrs, sink)?.into_iter().map(Item::Chain));
@@ -61,7 +66,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         "never" | "always" | "home" => {
             Item::Property(property::parse(input, meant, outer.levels_only("a property", sink), sink)?)
         }
-        "clock" | "max_evolutions" | "budget" | "assume" | "optimize" | "encoding" => {
+        "clock" | "max_evolutions" | "budget" | "assume" | "optimize" | "encoding" | "forceable" => {
             outer.refuse("a setting", sink);
             Item::Setting(setting::parse(input, meant, sink)?)
         }

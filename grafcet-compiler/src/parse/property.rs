@@ -1,10 +1,10 @@
-//! `never Up.X && Down.X;` `always relay => !over_temp;` `home (A, B);`
+//! `never Up.X && Down.X;` `always relay => !over_temp;` `home (A, B);` `start leads_to Done within 30s;` `Clamp before Drill;`
 
 use proc_macro2::Delimiter;
 
 use super::recover::{self, Items};
-use super::{Input, Result, condition};
-use crate::ast::{Attrs, Property};
+use super::{Error, Input, Result, condition, time, words};
+use crate::ast::{Attrs, Property, Time};
 use crate::diagnostic::Sink;
 
 /// Something to be proved; its keyword, which is `word`, is next.
@@ -37,4 +37,55 @@ pub(super) fn parse(input: &mut Input, word: &str, attrs: Attrs, sink: &mut Sink
     };
     recover::semicolon(input, Items::OfChart, sink);
     Ok(property)
+}
+
+/// Whether a property begins here that has its word in the middle. A step may be called like the word: it follows an arrow, not an operand.
+pub(super) fn relates(input: &Input) -> bool {
+    if input.word().is_some_and(|word| words::ITEMS.contains(&word)) {
+        return false;
+    }
+    let (mut at, mut operand) = (*input, input.punct().is_none());
+    while at.bump() && !at.is_empty() && !at.at(";") {
+        if operand && (at.at_word("leads_to") || at.at_word("before")) {
+            return true;
+        }
+        operand = at.punct().is_none();
+        // What stands next is an item of its own: its `;` is missing.
+        if words::item_begins(&at) {
+            return false;
+        }
+    }
+    false
+}
+
+/// `a leads_to b;` `a leads_to b within 5s;` `a before b;`
+pub(super) fn relation(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<Property> {
+    let first = condition::parse(input, "what holds first")?;
+    let leads = input.eat_word("leads_to");
+    if !leads && !input.eat_word("before") {
+        return Err(input.error(format!("expected `leads_to` or `before`, found {}", input.found())));
+    }
+    let keyword = input.last();
+    let property = if leads {
+        let to = condition::parse(input, "what it leads to")?;
+        let within = within(input, sink)?;
+        Property::LeadsTo { attrs, keyword, from: first, to, within }
+    } else {
+        Property::Before { attrs, keyword, first, then: condition::parse(input, "what comes after it")? }
+    };
+    recover::semicolon(input, Items::OfChart, sink);
+    Ok(property)
+}
+
+fn within(input: &mut Input, sink: &mut Sink) -> Result<Option<Time>> {
+    if !input.eat_word("within") {
+        return Ok(None);
+    }
+    match input.literal() {
+        Some(literal) => Ok(time::parse(input, literal, sink)),
+        None => Err(Error::new(
+            input.last(),
+            "after `within` stands how long it may take: `start leads_to Done within 30s;`",
+        )),
+    }
 }

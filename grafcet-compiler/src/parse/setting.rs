@@ -1,4 +1,4 @@
-//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;` `encoding flags;`
+//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;` `encoding flags;` `forceable;`
 
 use proc_macro2::Span;
 use syn::punctuated::Punctuated;
@@ -20,7 +20,8 @@ pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Se
         "budget" => Setting::Budget { keyword, count: count(input, word)? },
         "optimize" => optimize(input, keyword)?,
         "encoding" => encoding(input, keyword)?,
-        _ => assume(input, keyword)?,
+        "forceable" => Setting::Forceable { keyword },
+        _ => assume(input, keyword, sink)?,
     };
     recover::semicolon(input, Items::OfChart, sink);
     Ok(setting)
@@ -64,7 +65,7 @@ fn encoding(input: &mut Input, keyword: Span) -> Result<Setting> {
     Ok(Setting::EncodingFlags { keyword })
 }
 
-fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {
+fn assume(input: &mut Input, keyword: Span, sink: &mut Sink) -> Result<Setting> {
     if input.eat_word("pure") {
         let paths = Punctuated::<Path, Token![,]>::parse_separated_nonempty_with;
         let paths = input.rust(|stream| {
@@ -79,10 +80,31 @@ fn assume(input: &mut Input, keyword: Span) -> Result<Setting> {
         })?;
         return Ok(Setting::AssumePure { keyword, paths: paths.into_iter().list() });
     }
+    if input.eat_word("often") {
+        return Ok(Setting::AssumeOften { keyword, condition: condition::parse(input, "what comes again and again")? });
+    }
+    if input.at_word("cycle") && input.next().at_word("within") {
+        return cycle(input, keyword, sink);
+    }
     if !input.eat_word("never") {
-        let message = "what the plant excludes is written `assume never b1 && b3;`, which calls have no state \
-                       `assume pure level_ok;`";
+        let message = "what the plant excludes is written `assume never b1 && b3;`, what comes again and again \
+                       `assume often door_closed;`, how far cycles are apart `assume cycle within 100ms;`, which calls have no \
+                       state `assume pure level_ok;`";
         return Err(Error::new(input.span(), message));
     }
     Ok(Setting::AssumeNever { keyword, condition: condition::parse(input, "what never happens")? })
+}
+
+/// `within 100ms`, after `assume cycle`.
+fn cycle(input: &mut Input, keyword: Span, sink: &mut Sink) -> Result<Setting> {
+    input.bump();
+    input.bump();
+    let time = input.literal().and_then(|literal| time::parse(input, literal, sink));
+    match time {
+        Some(longest) => Ok(Setting::AssumeCycle { keyword, longest }),
+        None => {
+            let message = "after `within` stands the longest time between two cycles: `assume cycle within 100ms;`";
+            Err(Error::new(input.last(), message))
+        }
+    }
 }

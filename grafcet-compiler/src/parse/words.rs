@@ -18,6 +18,7 @@ pub(super) const ITEMS: &[&str] = &[
     "assume",
     "optimize",
     "encoding",
+    "forceable",
     "never",
     "always",
     "home",

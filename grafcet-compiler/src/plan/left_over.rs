@@ -30,6 +30,10 @@ impl LeftOver {
         if !plan.memory.time {
             return Self::Nothing;
         }
+        if model.forceable {
+            // A forced cycle clears nothing, whatever the conditions say.
+            return Self::Flag;
+        }
         if !model.is_grafcet() {
             // One store in each cycle, and nothing on the ways on which a step is left.
             return if plan.shape.is_sequence() { Self::StateBefore } else { Self::Flag };

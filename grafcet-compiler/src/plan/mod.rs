@@ -69,12 +69,29 @@ pub struct Plan {
     pub search_ends: Ends,
     /// After how many evolutions that changed something such a search is given up.
     pub max_evolutions: u32,
+    /// `forceable;`: how a cycle is made that leads into a given situation.
+    pub forced: Option<Box<Self>>,
 }
 
 impl Plan {
     /// Plans a chart that has passed all checks; `races` is what they found, which the chart may allow.
     #[must_use]
     pub fn of(model: &Model, facts: &Facts<'_>, races: &Races) -> Self {
+        let mut plan = Self::once(model, facts, races);
+        plan.forced = model.forceable.then(|| Box::new(Self::once(model, facts, races).forced(model)));
+        plan
+    }
+
+    /// The same state, and an evolution whose situation is given: what clears, and where, plays no part.
+    fn forced(mut self, model: &Model) -> Self {
+        self.stored.collect_all(model);
+        self.shape = Shape::forced(self.regions.are_flags());
+        self.nests = None;
+        self.acts_in_arms = false;
+        self
+    }
+
+    fn once(model: &Model, facts: &Facts<'_>, races: &Races) -> Self {
         let (concurrency, initial) = (&facts.concurrency, facts.initial.clone());
         let mut regions = Regions::of(model, concurrency, &initial);
         let control = Control::of(model, concurrency);
@@ -144,6 +161,7 @@ impl Plan {
             drives,
             control,
             initial,
+            forced: None,
         }
     }
 }
@@ -210,7 +228,8 @@ fn may_be_unstable(model: &Model, stored: &Stored, stability: &Stability) -> boo
     // Where each transition clears at most once, the chart gives the search long enough.
     let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
     let open = !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound));
-    stored.collected.iter().any(compared) || open && !explore::settles(model, WORK)
+    // Who forces a chart can bring situations and values together that no exploration has seen.
+    stored.collected.iter().any(compared) || open && (model.forceable || !explore::settles(model, WORK))
 }
 
 /// A30: what the chart states, or twice the number of steps plus two.

@@ -22,6 +22,8 @@ const FEW_STEPS: usize = 24;
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
+    /// The cycle is printed from a program (`program/`): an `sfc` of one region without times.
+    Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
     Flags,
     /// One region, each transition from one step to one: one `match` from a step to the next.
@@ -97,6 +99,8 @@ pub struct Shape {
     pub looks_up_waits: bool,
     /// Stored actions that act where the transition clears.
     pub at_once: Set<AssociationId>,
+    /// The situation after it is given (`forceable;`).
+    pub given: bool,
 }
 
 impl Shape {
@@ -134,9 +138,27 @@ impl Shape {
             takes_for_granted: !model.is_grafcet() || form == Form::LongSequence,
             looks_up_waits: form == Form::LongSequence && (model.optimize_size || copies_few(model, plan.evolution)),
             at_once,
+            given: false,
         };
         shape.search = shape.search_of(model, plan, walks);
         shape
+    }
+
+    /// The evolution of a forced cycle: the situation after is another one than that before, and nobody looks how it came about.
+    pub(super) fn forced(flags: bool) -> Self {
+        Self {
+            form: if flags { Form::Flags } else { Form::Compared },
+            search: Search::None,
+            only_situation: false,
+            begins_on_entry: false,
+            notes_moves: false,
+            descends: false,
+            breaks_out: false,
+            takes_for_granted: false,
+            looks_up_waits: false,
+            at_once: Set::new(),
+            given: true,
+        }
     }
 
     fn search_of(&self, model: &Model, plan: &Known<'_>, walks: bool) -> Search {
@@ -226,7 +248,14 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
         return Form::Flags;
     }
     if is_sequence(model, plan, only_situation) {
-        return if is_long(model, plan) { Form::LongSequence } else { Form::Sequence };
+        // What a program does with a situation that is given is not said yet.
+        let planned = model.is_grafcet() || model.uses_time() || model.forceable;
+        return match (planned, is_long(model, plan)) {
+            (false, true) if !suits_program(model, plan.evolution) => Form::LongSequence,
+            (false, _) => Form::Program,
+            (true, true) => Form::LongSequence,
+            (true, false) => Form::Sequence,
+        };
     }
     // Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
     // evolution reads and writes would have to be copied too.
@@ -250,6 +279,13 @@ fn is_long(model: &Model, plan: &Known<'_>) -> bool {
     let Some(region) = plan.regions.all().first() else { return false };
     let exits = || region.steps.iter().filter(|step| plan.evolution.only_exit(model, **step).is_some()).count();
     region.steps.len() >= LONG && !region.may_be_empty && exits() >= LONG.max(region.steps.len() * 2 / 3)
+}
+
+/// Whether a long sequence is as small by way of a program, which has one table, that of the next steps, and this where each step has one
+/// transition.
+fn suits_program(model: &Model, evolution: &Evolution) -> bool {
+    let has_one = |step| evolution.only_exit(model, step).is_some();
+    !model.optimize_size && !copies_few(model, evolution) && model.steps.ids().all(has_one)
 }
 
 /// Whether a few steps of a long sequence wait for something that no other one waits for. LLVM copies the actions of such a step

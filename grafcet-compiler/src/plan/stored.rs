@@ -57,6 +57,13 @@ impl Stored {
         }
     }
 
+    /// A forced evolution may leave and enter steps that never follow each other, whose actions then see each other's values unless all are collected.
+    pub(super) fn collect_all(&mut self, model: &Model) {
+        let actions = model.associations.values().filter(|association| model.is_grafcet() && is_stored(association));
+        self.collected.extend(actions.flat_map(|action| action.effect.writes()).copied());
+        self.at_any_time = Set::new();
+    }
+
     /// Whether the effect writes to locals first.
     #[must_use]
     pub fn is_collected(&self, effect: &Effect) -> bool {

@@ -15,9 +15,12 @@
 mod build;
 mod lower;
 pub mod passes;
+#[cfg(feature = "program")]
 mod print;
+#[cfg(feature = "program")]
 pub mod run;
 
+use crate::analysis::Facts;
 use crate::model::{
     ActionId, AssociationId, Code, DelayId, EdgeId, Expr as Written, InputId, MacroId, Model, OutputId, ParamId, Place,
     Qualifier, Read, StepId, TransitionId, Tree, Ty, VarId,
@@ -25,6 +28,16 @@ use crate::model::{
 use crate::sorted::Set;
 
 pub use lower::{Encoding, Refused, counted, naive};
+
+/// The program from which the macro prints the cycle of a chart.
+///
+/// # Errors
+/// The chart has not passed the checks.
+pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Refused> {
+    let mut program = naive(model, facts, Encoding::Regions)?;
+    passes::optimise(&mut program, &passes::Pass::ALL);
+    Ok(program)
+}
 
 /// What a chart does in one cycle.
 pub struct Program<'m> {

@@ -141,6 +141,14 @@ fn every_place_keeps_what_belongs_together() {
         ("never motor && __{lamp && !__{estop || door}};", "never motor && (lamp && !(estop || door));"),
         ("always __{motor} => !__{lamp && go};", "always motor => !(lamp && go);"),
         ("assume never __{estop || go} && door;", "assume never (estop || go) && door;"),
+        (
+            "#[allow(grafcet::property_undecided)] __{estop || go} leads_to __{door} within 5s;",
+            "#[allow(grafcet::property_undecided)] (estop || go) leads_to door within 5s;",
+        ),
+        (
+            "#[allow(grafcet::property_undecided)] __{estop} before __{go || door};",
+            "#[allow(grafcet::property_undecided)] estop before (go || door);",
+        ),
         ("var other: i16 = 3 * __{1 + 1};", "var other: i16 = 3 * (1 + 1);"),
         ("input other: __{&'static [u8]};", "input other: &'static [u8];"),
         ("param other: __{time} = __{5s};", "param other: time = 5s;"),

@@ -80,8 +80,11 @@ fn setting(setting: &Setting) -> String {
         Setting::MaxEvolutions { count, .. } => format!("max_evolutions {count}"),
         Setting::Budget { count, .. } => format!("budget {count}"),
         Setting::OptimizeSize { .. } => "optimize size".to_owned(),
+        Setting::Forceable { .. } => "forceable".to_owned(),
         Setting::EncodingFlags { .. } => "encoding flags".to_owned(),
         Setting::AssumePure { paths, .. } => format!("assume pure {}", list(paths, tokens)),
+        Setting::AssumeCycle { longest, .. } => format!("assume cycle within {}", time(longest)),
+        Setting::AssumeOften { condition, .. } => format!("assume often {}", tokens(condition)),
         Setting::AssumeNever { condition, .. } => format!("assume never {}", tokens(condition)),
     }
 }
@@ -94,6 +97,11 @@ fn property(property: &Property) -> String {
             format!("always {premise}{}", tokens(condition))
         }
         Property::Home { steps, .. } => format!("home ({})", list(steps, ToString::to_string)),
+        Property::LeadsTo { from, to, within, .. } => {
+            let within = within.as_ref().map(|within| format!(" within {}", time(within))).unwrap_or_default();
+            format!("{} leads_to {}{within}", tokens(from), tokens(to))
+        }
+        Property::Before { first, then, .. } => format!("{} before {}", tokens(first), tokens(then)),
     }
 }
 

@@ -3,6 +3,7 @@
 #[path = "../judged/mod.rs"]
 mod judged;
 
+mod future;
 mod home;
 mod undecided;
 

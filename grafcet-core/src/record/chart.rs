@@ -2,7 +2,7 @@
 
 use super::bits::{Reader, Writer};
 use super::value::Record;
-use crate::{Chart, Ticks};
+use crate::{Chart, Possible, Ticks};
 
 /// A chart that can be recorded: with the feature `record`, every chart whose inputs, stored outputs, variables and params are
 /// [`Record`]. The macro implements it.
@@ -18,10 +18,9 @@ pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
     const LAYOUT: u32;
     /// Whether the chart uses time, and tells until when nothing happens.
     const TIMED: bool;
-    /// A row of bits for each step, in whole bytes: with which others it can be active. Empty where that says nothing.
-    const TOGETHER: &'static [u8];
-    /// Whether as many steps are always active as can be together.
-    const WHOLE: bool;
+    /// What is known of its situations.
+    #[doc(hidden)]
+    const POSSIBLE: Possible;
     /// How many bits the recipe takes.
     const PARAM_BITS: usize;
     /// How many bits the state takes, without the recipe.
@@ -61,7 +60,7 @@ macro_rules! __recorded {
         state { $($field:ident: $field_ty:ty,)* }
         clock { $($clock:ident)? }
         foreign { $($foreign:ty,)* }
-        together $whole:literal $together:literal
+        possible { $possible:expr }
         enums { $($state:ident $($of:ident)? { $($variant:ident)* })* }
     ) => {
         const _: () = {
@@ -108,8 +107,7 @@ macro_rules! __recorded {
                 const FINGERPRINT: __r::u32 = $fingerprint;
                 const LAYOUT: __r::u32 = $layout;
                 const TIMED: __r::bool = $crate::__recorded_clock!(timed self $($clock)?);
-                const TOGETHER: &'static [__r::u8] = $together;
-                const WHOLE: __r::bool = $whole;
+                const POSSIBLE: __r::Possible = $possible;
                 const PARAM_BITS: __r::usize = 0 $(+ <$params as __r::Record>::BITS)?;
                 const STATE_BITS: __r::usize = 0 $(+ <$field_ty as __r::Record>::BITS)*;
                 fn write_params(&self, _to: &mut __r::Writer<'_>) {

@@ -39,8 +39,8 @@ pub use value::Record;
 pub mod names {
     pub use core::marker::Copy;
     pub use core::option::Option;
-    pub use core::primitive::{bool, u8, u32, usize};
+    pub use core::primitive::{bool, u32, usize};
 
     pub use super::{Reader, Record, Recordable, Writer, bits_for};
-    pub use crate::Ticks;
+    pub use crate::{Possible, Ticks};
 }

@@ -125,14 +125,6 @@ fn values<C: Recordable>(bytes: &[u8], now: Ticks) -> Option<C> {
 
 /// Whether the active steps can be active together.
 pub(crate) fn is_possible<C: Recordable>(chart: &C) -> bool {
-    let (table, steps) = (C::TOGETHER, C::STEPS);
-    let row = bytes_for(steps.len());
-    if table.is_empty() {
-        return true;
-    }
-    let together = |a: usize, b: usize| table.get(a * row + b / 8).is_some_and(|byte| byte >> (b % 8) & 1 != 0);
-    let active = |step: usize| steps.get(step).is_some_and(|step| chart.is_active(*step));
-    let fits = |step: usize| (0..steps.len()).all(|other| other == step || !active(other) || together(step, other));
-    // Where nothing is missing no step could be active beside these.
-    (0..steps.len()).all(|step| fits(step) == active(step) || !active(step) && !C::WHOLE)
+    let steps = C::STEPS;
+    C::POSSIBLE.allows(steps.len(), |step| steps.get(step).is_some_and(|step| chart.is_active(*step)))
 }

@@ -17,11 +17,23 @@ pub(super) struct Claims {
     pub(super) refused: Vec<(usize, Refused)>,
 }
 
-/// Where a property is broken at the end of a cycle; a combinational variable stands for what it is then. None for a home situation.
+/// Where a property is broken at the end of a cycle; a combinational variable stands for what it is then. None where one cycle alone does not tell.
 pub(super) fn violation(model: &Model, property: &Property) -> Option<Result<Tree, Refused>> {
     let violation = property.claim.violation()?;
     let written = written_out(model, &violation);
     Some(written.ok_or_else(|| Refused("a property over variables that stand for too much".to_owned())))
+}
+
+/// All conditions that properties look at, as far as they are modelled.
+pub(super) fn conditions(model: &Model) -> Vec<Tree> {
+    let mut all = Vec::new();
+    for property in &model.properties {
+        match violation(model, property) {
+            Some(violation) => all.extend(violation.ok()),
+            None => all.extend(property.claim.expressions().iter().filter_map(|one| written_out(model, &one.tree))),
+        }
+    }
+    all
 }
 
 impl Lowering<'_, '_> {
@@ -36,10 +48,15 @@ impl Lowering<'_, '_> {
             let never = self.bool(&never)?;
             all = self.aig.and(all, !never);
         }
+        if let Some(longest) = self.program.model.longest_cycle {
+            let elapsed = self.elapsed.clone();
+            let longer = bits::below(&mut self.aig, &bits::constant(i128::from(longest)), &elapsed);
+            all = self.aig.and(all, !longer);
+        }
         Ok(all)
     }
 
-    fn of_inputs(&self, read: Read) -> Result<Sym, Refused> {
+    pub(super) fn of_inputs(&self, read: Read) -> Result<Sym, Refused> {
         match read {
             Read::Name(Name::Input(id)) => Ok(self.given[id.index()].clone()),
             Read::Ticks(ticks) => Ok(self.ticks(ticks)),
@@ -69,7 +86,7 @@ impl Lowering<'_, '_> {
     }
 
     /// Whether a condition holds at the end of the cycle.
-    fn at_end(&mut self, tree: &Tree, end: &Env) -> Result<Lit, Refused> {
+    pub(super) fn at_end(&mut self, tree: &Tree, end: &Env) -> Result<Lit, Refused> {
         let mut mentioned = Vec::new();
         tree.each_read(&mut |read| mentioned.push(read));
         let mut reads: Vec<(Read, Sym)> = Vec::new();

@@ -16,8 +16,9 @@ pub(super) struct Clock {
 const EXACT: usize = 32;
 
 impl Clock {
-    pub(super) fn of(program: &Program<'_>, claims: &[Tree]) -> Self {
-        let mut scan = Scan { program, longest: 0, exact: false };
+    /// `claims` are what properties look at, `deadline` is the longest that they ask for.
+    pub(super) fn of(program: &Program<'_>, claims: &[Tree], deadline: u32) -> Self {
+        let mut scan = Scan { program, longest: deadline, exact: false };
         let declared = program.model.inputs.values().any(|input| matches!(input.ty, Ty::Time(_)));
         let stored = program.places.iter().any(|place| {
             matches!(place.ty, Type::Ticks) && matches!(place.role, Role::Output(_) | Role::Var(_) | Role::Param(_))

@@ -1,8 +1,9 @@
 //! From the naive program of a chart, with times counted (`program::counted`), to a circuit: one cycle is one step of it.
 //!
 //! - `run`, `eval`, `tree`: statements, expressions of the program and of the user
+//! - `given`: inputs, params and what places begin with
 //! - `sym`: values as wires; `free`: Rust that is not looked into; `clock`: how exactly times are counted
-//! - `claims`: properties at the end of a cycle
+//! - `claims`: properties at the end of a cycle; `monitors`: those over several
 //!
 //! What a chart remembers is latches, what it is given is inputs; what has passed since the cycle before is one of them, and so are
 //! params, as they can be exchanged.
@@ -11,6 +12,8 @@ mod claims;
 mod clock;
 mod eval;
 mod free;
+mod given;
+mod monitors;
 mod run;
 mod sym;
 mod tree;
@@ -19,14 +22,15 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
-use grafcet_compiler::model::{Expr as Written, InputId, Name, ParamId, Read, Tree, Ty, Variants};
-use grafcet_compiler::program::{Initial, PlaceId, Program, Role, Type, Value};
+use grafcet_compiler::model::{InputId, Name, ParamId, Ty, Variants};
+use grafcet_compiler::program::{PlaceId, Program, Role, Type};
 
 use crate::aig::{Aig, Lit};
 use crate::bits::{self, Bits};
 use claims::Claims;
 use clock::Clock;
 use free::Origin;
+use monitors::Monitors;
 use sym::{FreeId, Sym, Width};
 
 /// So many gates and no more.
@@ -51,6 +55,8 @@ pub enum Source {
     Param(ParamId),
     /// The value of Rust that is not looked into.
     Rust(String),
+    /// Where the cycles begin that come again and again: a choice of the search, not of the chart.
+    Again,
 }
 
 /// Some inputs of the circuit that are one value, the lowest bit first.
@@ -94,6 +100,37 @@ pub struct Bad {
     pub certain: Lit,
 }
 
+/// A property that says until when something comes.
+#[derive(Clone, Copy, Debug)]
+pub struct Deadline {
+    /// Its number in the chart.
+    pub property: usize,
+    /// The number of the latch that is set while it is waited for; those of the time since then stand behind it.
+    pub waits: usize,
+    pub width: usize,
+}
+
+impl Deadline {
+    /// The time since it has been waited for.
+    #[must_use]
+    pub fn field(&self, circuit: &Circuit) -> Field {
+        let is_it = |field: &&Field| field.first == self.waits + 1;
+        let name = circuit.fields.iter().find(is_it).map_or_else(String::new, |field| field.name.clone());
+        Field { place: None, name, first: self.waits + 1, width: self.width, signed: false }
+    }
+}
+
+/// A property that says what comes some time: it is broken where the chart waits for ever.
+#[derive(Clone, Copy, Debug)]
+pub struct Live {
+    /// Its number in the chart.
+    pub property: usize,
+    /// Set from the end of a cycle in which it is asked for to the next one in which it has come.
+    pub waits: Latch,
+    /// Arithmetic has left its type in this cycle or before.
+    pub broken: Lit,
+}
+
 /// One cycle of a chart.
 #[derive(Clone, Debug)]
 pub struct Circuit {
@@ -106,6 +143,10 @@ pub struct Circuit {
     /// In this cycle arithmetic leaves its type.
     pub overflow: Lit,
     pub bad: Vec<Bad>,
+    pub live: Vec<Live>,
+    pub deadlines: Vec<Deadline>,
+    /// What is taken to come again and again: what is assumed so, and that time passes.
+    pub often: Vec<Lit>,
     /// By property: what in it is not modelled.
     pub refused: Vec<(usize, Refused)>,
     /// The bits of a time.
@@ -153,9 +194,7 @@ impl Circuit {
     /// # Errors
     /// It takes more, or something in the chart is not modelled.
     pub fn within(program: &Program<'_>, largest: usize) -> Result<Self, Refused> {
-        let violations = program.model.properties.iter().filter_map(|one| claims::violation(program.model, one)?.ok());
-        let claims: Vec<Tree> = violations.collect();
-        let clock = Clock::of(program, &claims);
+        let clock = Clock::of(program, &claims::conditions(program.model), monitors::longest(program.model));
         let lowering = Lowering {
             program,
             largest,
@@ -176,6 +215,13 @@ impl Circuit {
         };
         lowering.circuit()
     }
+}
+
+/// What the properties ask for.
+struct Asked {
+    claims: Claims,
+    monitors: Monitors,
+    often: Vec<Lit>,
 }
 
 /// A field under construction.
@@ -204,8 +250,10 @@ impl Lowering<'_, '_> {
         let overflow = self.overflow;
         let broken = self.aig.or(so_far, overflow);
         let claims = self.claims(&end, broken);
+        let monitors = self.monitors(&end, broken);
+        let often = self.recurring()?;
         self.constraint = self.aig.and(self.constraint, !self.panics);
-        self.finish(kept, &end, (so_far, broken), claims)
+        self.finish(kept, &end, (so_far, broken), Asked { claims, monitors, often })
     }
 
     fn finish(
@@ -213,7 +261,7 @@ impl Lowering<'_, '_> {
         kept: Vec<Kept>,
         end: &Env,
         (so_far, broken): (Lit, Lit),
-        claims: Claims,
+        asked: Asked,
     ) -> Result<Circuit, Refused> {
         let (mut latches, mut fields) = (Vec::new(), Vec::new());
         for one in kept {
@@ -239,6 +287,10 @@ impl Lowering<'_, '_> {
             signed: false,
         });
         latches.push(Latch { now: so_far, next: broken, initial: Some(false) });
+        let Asked { mut claims, mut monitors, often } = asked;
+        claims.refused.append(&mut monitors.refused);
+        let ended = monitors.finish(&mut latches, &mut fields);
+        claims.bad.extend(ended.bad);
         Ok(Circuit {
             aig: self.aig,
             inputs: self.inputs,
@@ -247,6 +299,9 @@ impl Lowering<'_, '_> {
             constraint: self.constraint,
             overflow: self.overflow,
             bad: claims.bad,
+            live: ended.live,
+            deadlines: ended.deadlines,
+            often,
             refused: claims.refused,
             time_bits: self.clock.width,
         })
@@ -317,90 +372,5 @@ impl Lowering<'_, '_> {
             Sym::Int(bits, _) | Sym::Ticks(bits) | Sym::State(bits) => bits::low(&bits, width),
             Sym::Free(id) => bits::low(&self.free_bits(id, width, signed)?, width),
         })
-    }
-
-    /// What the chart is given in this cycle.
-    fn given(&mut self) -> Result<(), Refused> {
-        for (id, input) in self.program.model.inputs.iter() {
-            let sym = self.declared(&input.ty, Name::Input(id), Source::Input(id), &input.name.to_string())?;
-            self.given.push(sym);
-        }
-        // Not only where the chart uses time: a property may be all that asks for it.
-        if self.program.place(Role::Reading).is_some() {
-            let bits: Vec<Lit> = (0..self.clock.width).map(|_| self.aig.free()).collect();
-            self.elapsed = bits::unsigned(&bits);
-            self.inputs.push(Wire { source: Source::Elapsed, bits });
-        }
-        Ok(())
-    }
-
-    fn param(&mut self, id: ParamId) -> Result<Sym, Refused> {
-        let param = &self.program.model.params[id];
-        self.declared(&param.ty, Name::Param(id), Source::Param(id), &param.name.to_string())
-    }
-
-    fn declared(&mut self, ty: &Ty, name: Name, source: Source, text: &str) -> Result<Sym, Refused> {
-        let (width, signed) = match ty {
-            Ty::Bool(_) => (1, false),
-            Ty::Time(_) => (self.clock.width, false),
-            Ty::Int { .. } => match Width::of(ty)? {
-                Some(width) => (width.bits, width.signed),
-                None => return Err(Refused(text.to_owned())),
-            },
-            Ty::Other(_) => match self.program.model.variants_of(name) {
-                Some(variants) => ((usize::BITS - (variants.list.len() - 1).leading_zeros()).max(1) as usize, false),
-                None => return Ok(Sym::Free(self.free(text, Vec::new(), true))),
-            },
-        };
-        let bits: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
-        self.inputs.push(Wire { source, bits: bits.clone() });
-        let number: Bits = if signed { bits.clone().into() } else { bits::unsigned(&bits) };
-        Ok(match ty {
-            Ty::Bool(_) => Sym::Bool(bits[0]),
-            Ty::Time(_) => Sym::Ticks(number),
-            Ty::Int { .. } => Sym::Int(number, Width::of(ty)?),
-            Ty::Other(_) => {
-                let count = self.program.model.variants_of(name).map_or(0, |variants| variants.list.len());
-                let most = bits::constant(i128::try_from(count).unwrap_or(0));
-                let is_one = bits::below(&mut self.aig, &number, &most);
-                self.constraint = self.aig.and(self.constraint, is_one);
-                Sym::Int(number, None)
-            }
-        })
-    }
-
-    /// What the places begin with.
-    fn initials(&mut self) -> Result<(), Refused> {
-        for place in &self.program.places {
-            let sym = match place.initial {
-                Initial::Value(value) => self.value(value)?,
-                Initial::Constant(expr) => {
-                    let sym = self.constant(expr)?;
-                    self.placed(sym, place.ty)?
-                }
-                Initial::Default => match place.ty {
-                    Type::Bool | Type::User(Ty::Bool(_)) => Sym::bool(false),
-                    Type::Ticks | Type::User(Ty::Time(_)) => self.ticks(0),
-                    Type::State(_) => self.value(Value::Step(None))?,
-                    Type::Phase => Sym::Phase,
-                    Type::Number => Sym::int(0),
-                    Type::User(ty @ Ty::Int { .. }) => Sym::Int(bits::constant(0), Width::of(ty)?),
-                    // Which variant it is, the type says.
-                    Type::User(Ty::Other(_)) => Sym::Free(self.free(&place.name, Vec::new(), false)),
-                },
-            };
-            self.initial.push(sym);
-        }
-        Ok(())
-    }
-
-    fn constant(&mut self, expr: &Written) -> Result<Sym, Refused> {
-        let mut reads = Vec::new();
-        for read in &expr.reads {
-            if let Read::Ticks(ticks) = read {
-                reads.push((*read, self.ticks(*ticks)));
-            }
-        }
-        self.tree(&expr.tree, &reads)
     }
 }

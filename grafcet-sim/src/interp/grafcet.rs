@@ -108,6 +108,49 @@ impl Grafcet {
         }
     }
 
+    /// A38: one evolution, which leads into the given situation; no transition clears. What its edges say is seen by the continuous actions, and by the
+    /// next cycle once more.
+    pub(super) fn force(
+        &mut self,
+        model: &Model,
+        state: &mut State,
+        given: Given<'_>,
+        elapsed: u32,
+        situation: &Situation,
+    ) -> Result<Search, Error> {
+        let delays = state.sample_delays(model, given, elapsed)?;
+        let mut search =
+            Search { calls: Vec::new(), ran: Vec::new(), stable: true, evolutions: 0, seen: Vec::new(), turn: None };
+        if state.first {
+            let outcome = activate(&state.view(model, given, &delays))?;
+            search.calls.extend(outcome.calls);
+            search.ran.extend(outcome.ran);
+            state.commit(outcome.writes);
+        }
+        let (before, now) = {
+            let view = state.view(model, given, &delays);
+            (state.edges.clone(), view.sample_edges()?)
+        };
+        let view = View { edges: Edges { before: &before, now: Some(&now) }, ..state.view(model, given, &delays) };
+        let outcome = stored::actions(&view, situation, &BTreeSet::new())?;
+        let moved = Evolution { before: state.situation.clone(), after: situation.clone(), ..Evolution::default() };
+        search.evolutions = u32::from(moved.before != moved.after);
+        search.seen.push(moved);
+        search.calls.extend(outcome.calls);
+        search.ran.extend(outcome.ran);
+        state.commit(outcome.writes);
+        state.times.enter(model, situation);
+        state.situation.clone_from(situation);
+        state.edges = now;
+        let look = state.view(model, given, &delays).sample_edges()?;
+        let before = state.edges.clone();
+        let view = View { edges: Edges { before: &before, now: Some(&look) }, ..state.view(model, given, &delays) };
+        let (calls, outputs) = (self.continuous_calls(&view)?, continuous_outputs(&view, &state.initial_outputs)?);
+        search.calls.extend(calls);
+        state.commit(outputs);
+        Ok(search)
+    }
+
     /// A33: `N heat(80)` is called once per cycle, on the stable situation, after all others.
     fn continuous_calls(&mut self, view: &View<'_>) -> Result<Vec<Call>, Error> {
         let mut calls = Vec::new();

@@ -1,6 +1,6 @@
 //! An interpreter of the model: a second opinion on what a chart does.
 //!
-//! It is written from the page of decisions (A1-A37) alone and shares nothing with `plan` and `codegen`; clarity counts, speed does
+//! It is written from the page of decisions (A1-A38) alone and shares nothing with `plan` and `codegen`; clarity counts, speed does
 //! not. Situations are sets of steps, conditions are evaluated over the expression tree, and each function implements a
 //! paragraph of that page.
 //!
@@ -190,18 +190,45 @@ impl<'m> Interpreter<'m> {
     /// # Errors
     /// As of [`Interpreter::cycle`].
     pub fn cycle_in(&mut self, world: &dyn World, inputs: &[Value], now: u32) -> Result<Cycle, Error> {
+        self.run(world, inputs, now, None)
+    }
+
+    /// A38: one cycle that leads into a situation by hand. Whether the chart can ever be in it, nobody asks here.
+    ///
+    /// # Errors
+    /// As of [`Interpreter::cycle`].
+    pub fn force_in(
+        &mut self,
+        world: &dyn World,
+        situation: &Situation,
+        inputs: &[Value],
+        now: u32,
+    ) -> Result<Cycle, Error> {
+        self.run(world, inputs, now, Some(situation))
+    }
+
+    fn run(
+        &mut self,
+        world: &dyn World,
+        inputs: &[Value],
+        now: u32,
+        forced: Option<&Situation>,
+    ) -> Result<Cycle, Error> {
         accept_all(inputs, self.model.inputs.values().map(|i| &i.ty))?;
         let Memory { state, machine } = &mut self.memory;
         let elapsed = state.advance(now);
         let given = Given { inputs, params: &self.params, world };
         let (calls, ran, stable, evolutions, stirred, seen) = match machine {
             Machine::Sfc(sfc) => {
-                let scan = sfc.cycle(self.model, state, given, elapsed)?;
+                let scan = sfc.cycle(self.model, state, given, elapsed, forced)?;
                 let evolved = scan.evolution.as_ref().is_some_and(|evolution| !evolution.cleared.is_empty());
                 (scan.calls, scan.ran, true, u32::from(evolved), scan.stirred, scan.evolution.into_iter().collect())
             }
             Machine::Grafcet(grafcet) => {
-                let search = grafcet.cycle(self.model, state, given, elapsed, Until::Bound(self.max_evolutions))?;
+                let search = match forced {
+                    Some(situation) => grafcet.force(self.model, state, given, elapsed, situation)?,
+                    None => grafcet.cycle(self.model, state, given, elapsed, Until::Bound(self.max_evolutions))?,
+                };
                 (search.calls, search.ran, search.stable, search.evolutions, false, search.seen)
             }
         };

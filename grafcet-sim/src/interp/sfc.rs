@@ -43,13 +43,14 @@ impl Sfc {
         Self { controls: controls.collect() }
     }
 
-    /// One cycle, `elapsed` ticks after the one before.
+    /// One cycle, `elapsed` ticks after the one before; in a forced one the situation that follows is given (A38).
     pub(super) fn cycle(
         &mut self,
         model: &Model,
         state: &mut State,
         given: Given<'_>,
         elapsed: u32,
+        forced: Option<&Situation>,
     ) -> Result<Done, Error> {
         let delays = state.sample_delays(model, given, elapsed)?;
         // Rule 8: what the evolution sees is compared with what that of the cycle before saw.
@@ -57,7 +58,10 @@ impl Sfc {
         let before = std::mem::replace(&mut state.edges, edges.clone());
         let edges = Edges { before: &before, now: Some(&edges) };
 
-        let (change, evolution) = if state.first {
+        let (change, evolution) = if let Some(after) = forced {
+            let (change, evolution) = force(&state.situation, state.first, after);
+            (change, Some(evolution))
+        } else if state.first {
             (first(&state.situation), None)
         } else {
             let (change, evolution) = evolve(&View { edges, ..state.view(model, given, &delays) })?;
@@ -137,6 +141,20 @@ fn starts_set(model: &Model, target: Target, associations: &[AssociationId], sta
 /// Rule 1: the initial situation is entered, no transition is evaluated (A27).
 fn first(initial: &Situation) -> Change {
     Change { left: Situation::new(), entered: initial.clone(), after: initial.clone() }
+}
+
+/// A38: no transition is evaluated; steps that are not in the given situation are left, steps that are new in it entered. In a first cycle no step
+/// is active yet.
+fn force(before: &Situation, is_first: bool, after: &Situation) -> (Change, Evolution) {
+    let nothing = Situation::new();
+    let active = if is_first { &nothing } else { before };
+    let change = Change {
+        left: active.difference(after).copied().collect(),
+        entered: after.difference(active).copied().collect(),
+        after: after.clone(),
+    };
+    let evolution = Evolution { before: before.clone(), after: after.clone(), ..Evolution::default() };
+    (change, evolution)
 }
 
 /// Rule 2: transitions in source order; one is cleared if all its source steps are active, its condition holds, and none

@@ -1,10 +1,12 @@
 //! What the bits of a recorded state mean: the compiler says it where it hands the chart to the runtime.
 
+use grafcet_compiler::model::{Effect, Model, Place, Qualifier};
 use grafcet_compiler::{Wanted, compile_with};
 use grafcet_core::record::{Reader, bits_for};
-use proc_macro2::{Group, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use quote::quote;
 
+use crate::chart::Chart;
 use crate::simulation::Simulation;
 use crate::value::Value;
 
@@ -24,9 +26,9 @@ enum Width {
 }
 
 impl Layout {
-    /// Of the tokens of a chart that compiles.
-    pub(super) fn of(chart: &TokenStream) -> Option<Self> {
-        let code = compile_with(&quote!(::grafcet), chart.clone(), Wanted { recorded: true, prover: None });
+    /// Of a chart that compiles.
+    pub(super) fn of(chart: &Chart) -> Option<Self> {
+        let code = compile_with(&quote!(::grafcet), chart.source()?.clone(), Wanted { recorded: true, prover: None });
         let parts: Vec<TokenTree> = recorded(code)?.stream().into_iter().collect();
         let enums = enums(&part(&parts, "enums")?);
         let state: Vec<TokenTree> = part(&parts, "state")?.stream().into_iter().collect();
@@ -44,7 +46,10 @@ impl Layout {
                     None => break,
                 },
             };
-            fields.push((name.to_string(), width));
+            let name = name.to_string();
+            // What follows has to be read at its place all the same.
+            let name = if is_part(chart.model(), &name) { String::new() } else { name };
+            fields.push((name, width));
         }
         Some(Self { fields })
     }
@@ -94,6 +99,19 @@ impl Layout {
         (has_regions && is_known && recorded != here)
             .then(|| format!("active are {} in the record, {} in the replay", recorded.join(", "), here.join(", ")))
     }
+}
+
+/// Whether a field holds but a part of an output or variable: what `S` has set, beside what acts as long as a step is active.
+fn is_part(model: &Model, field: &str) -> bool {
+    let plain = |name: &Ident| name.to_string().trim_start_matches("r#").to_owned();
+    let of = |place: &Place| match place {
+        Place::Output(id) => format!("out_{}", plain(&model.outputs[*id].name)),
+        Place::Var(id) => format!("var_{}", plain(&model.vars[*id].name)),
+    };
+    model.associations.values().any(|one| match &one.effect {
+        Effect::Control(place) => !matches!(one.qualifier, Qualifier::S | Qualifier::R) && of(place) == field,
+        _ => false,
+    })
 }
 
 /// The output or variable that a field holds, and its value.

@@ -133,7 +133,7 @@ impl<'p> Replay<'p> {
         let mut run = Run {
             chart,
             program: &self.program,
-            layout: is_same.then(|| chart.source().and_then(Layout::of)).flatten(),
+            layout: is_same.then(|| Layout::of(chart)).flatten(),
             simulation: None,
             trace: None,
             inputs: Vec::new(),

@@ -22,10 +22,27 @@ pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]
     let mut now = None;
     // What the sleeper was last scanned with.
     let mut last: Option<(Values, u32)> = None;
+    let mut seen = vec![awake.shown().steps];
     for line in lines.iter().take(LINES) {
         let (inputs, then) = match &line.kind {
             Kind::Cycle { inputs, now, .. } => (inputs, *now),
-            Kind::Shows(_) | Kind::Wakes(_) => continue,
+            Kind::Force { asked, inputs, now: then, .. } => {
+                let (steps, _) = asked.steps(&seen);
+                // Nobody is asleep while somebody stands beside the machine: both are forced at once.
+                let from = now.unwrap_or(*then);
+                let time = from.wrapping_add(Moments::new(then.wrapping_sub(from), false).last);
+                let expected = awake.force(&steps, inputs, time).map_err(|error| failure(line, time, &error, ""))?;
+                let found = asleep.force(&steps, inputs, time).map_err(|error| failure(line, time, &error, ""))?;
+                if let (Some(expected), Some(found)) = (expected, found) {
+                    let (expected, found) = (without_repetitions(expected), without_repetitions(found));
+                    if expected != found {
+                        return Err(failure(line, time, &expected.to_string(), &found.to_string()));
+                    }
+                    (now, last) = (Some(time), Some((inputs.clone(), time)));
+                }
+                continue;
+            }
+            Kind::Shows(_) | Kind::Wakes(_) | Kind::Refuses(_) => continue,
             Kind::Init => {
                 awake.init().and_then(|()| asleep.init()).map_err(|error| failure(line, 0, &error, ""))?;
                 last = None;
@@ -49,6 +66,10 @@ pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]
             }
             scan(awake, asleep, &held, time, &mut last, line)?;
             now = Some(time);
+        }
+        let shown = awake.shown();
+        if shown.stable && !seen.contains(&shown.steps) {
+            seen.push(shown.steps);
         }
     }
     Ok(())

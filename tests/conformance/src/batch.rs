@@ -1,21 +1,25 @@
 //! What the crates written by `cargo xtask conformance` run: every chart beside the interpreter.
 
 use std::panic::{self, AssertUnwindSafe};
+use std::time::Duration;
 
 use grafcet_compiler::analysis::{Facts, Races};
 use grafcet_compiler::plan::Plan;
 
 use crate::oracle::Interpreted;
 use crate::reader::{self, Line};
-use crate::{Entry, asleep, chart, play};
+use crate::{Entry, asleep, chart, play, recorded};
+
+/// What is asked of a recorded chart: that it goes on when it is restored, and that its record shows what it did.
+pub type Checks = (&'static str, [recorded::Check; 2]);
 
 /// Plays all entries and prints, for each, `== name verdict`, and below it what differs with the shortest timeline
 /// found that shows it.
-pub fn main(entries: &[Entry]) {
+pub fn main(entries: &[Entry], recorded: &[Checks]) {
     // The panic is part of the report, not of the console.
     panic::set_hook(Box::new(|_| ()));
     for entry in entries {
-        match report(entry) {
+        match report(entry, recorded) {
             Ok(None) => println!("== {} same", entry.name),
             Ok(Some((kind, difference))) => println!("== {} {kind}\n{difference}", entry.name),
             Err(error) => println!("== {} broken\n{error}", entry.name),
@@ -23,10 +27,27 @@ pub fn main(entries: &[Entry]) {
     }
 }
 
+/// Runs each chart for so many cycles, or so long, and prints for each `== name soaked` and its cycles, those compared and its ticks; or what differs.
+pub fn soak(entries: &[(Entry, recorded::Soak)], cycles: u64, time: Duration) {
+    panic::set_hook(Box::new(|_| ()));
+    for (entry, soak) in entries {
+        let mut done = recorded::Done::default();
+        let ran = guarded(|| {
+            let case = reader::read(entry.text)?;
+            done = soak(&chart::resolve(&case.chart)?, cycles, time)?;
+            Ok(())
+        });
+        match ran {
+            Ok(()) => println!("== {} soaked\n{} {} {}", entry.name, done.cycles, done.compared, done.ticks),
+            Err(error) => println!("== {} differs\n{error}", entry.name),
+        }
+    }
+}
+
 /// The kind of the difference, and its description.
 type Found = Option<(&'static str, String)>;
 
-fn report(entry: &Entry) -> Result<Found, String> {
+fn report(entry: &Entry, recorded: &[Checks]) -> Result<Found, String> {
     let case = reader::read(entry.text)?;
     let model = chart::resolve(&case.chart)?;
     let lockstep = |lines: &[Line]| {
@@ -38,6 +59,14 @@ fn report(entry: &Entry) -> Result<Found, String> {
     if let Err(message) = lockstep(&case.lines) {
         let kind = if message.contains("no error of the interpreter") { "interpreter" } else { "lockstep" };
         return Ok(Some((kind, shortened(&case.lines, message, lockstep))));
+    }
+    if let Some((_, checks)) = recorded.iter().find(|(name, _)| *name == entry.name) {
+        for (kind, check) in ["restored", "recorded"].into_iter().zip(checks) {
+            let play = |lines: &[Line]| guarded(|| check(&model, &case.chart, lines));
+            if let Err(message) = play(&case.lines) {
+                return Ok(Some((kind, shortened(&case.lines, message, play))));
+            }
+        }
     }
     if !Plan::of(&model, &Facts::of(&model), &Races::default()).memory.time {
         return Ok(None);

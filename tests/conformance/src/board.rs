@@ -1,6 +1,7 @@
 //! A chart of the corpus for a controller: a module without `std` and heap that plays the timeline with the expectations
 //! compiled in.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use grafcet_compiler::model::{Model, Ty};
@@ -65,28 +66,57 @@ fn play(model: &Model, line: &Line) -> Result<String, String> {
             format!("if chart.next_deadline().map(|time| time.get()) != {deadline:?} {{ return Err({number}); }}\n")
         }
         Kind::Shows(expected) => format!("if !({}) {{ return Err({number}); }}\n", shows(model, expected)),
-        Kind::Cycle { inputs, now, expected } => {
-            let declared = model.inputs.values().map(|input| (input.name.to_string(), &input.ty));
-            let inputs = fields(declared, inputs)?;
-            let calls: String = expected.calls.iter().map(|call| format!("{call}; ")).collect();
-            let (memory, check) = if model.actions.is_empty() {
-                ("()".to_owned(), String::new())
-            } else {
-                ("Calls::default()".to_owned(), format!(" && calls.are(\"{calls}\")"))
-            };
-            format!(
-                "let mut calls = {memory};\n\
-                 outputs = Chart::scan(&mut chart, &{name}Inputs {{ {inputs} }}, Ticks::new({now}), &mut calls);\n\
-                 if !({} && chart.is_stable() == {}{check}) {{ return Err({number}); }}\n",
-                shows(model, expected),
-                expected.stable,
-            )
+        Kind::Refuses(asked) => format!(
+            "if Forceable::force(&mut chart, &[{}], &{name}Inputs::default(), Ticks::new(0), {}).is_ok() {{ return Err({number}); }}\n",
+            steps(model, &asked.steps(&[]).0),
+            if model.actions.is_empty() { "&mut ()" } else { "&mut Calls::default()" },
+        ),
+        Kind::Cycle { inputs, now, expected } => cycle(model, line, None, (inputs, *now, expected))?,
+        Kind::Force { asked, inputs, now, expected } => {
+            cycle(model, line, Some(&asked.steps(&[]).0), (inputs, *now, expected))?
         }
     })
 }
 
+/// A cycle, in which the chart may be forced into a situation.
+fn cycle(
+    model: &Model,
+    line: &Line,
+    forced: Option<&BTreeSet<String>>,
+    (inputs, now, expected): (&Values, u32, &Expected),
+) -> Result<String, String> {
+    let (name, number) = (&model.name, line.number);
+    let declared = model.inputs.values().map(|input| (input.name.to_string(), &input.ty));
+    let inputs = fields(declared, inputs)?;
+    let calls: String = expected.calls.iter().map(|call| format!("{call}; ")).collect();
+    let (memory, check) = if model.actions.is_empty() {
+        ("()".to_owned(), String::new())
+    } else {
+        ("Calls::default()".to_owned(), format!(" && calls.are(\"{calls}\")"))
+    };
+    let given = format!("&{name}Inputs {{ {inputs} }}, Ticks::new({now}), &mut calls");
+    let run = match forced {
+        None => format!("outputs = Chart::scan(&mut chart, {given});"),
+        Some(names) => format!(
+            "let Ok(forced) = Forceable::force(&mut chart, &[{}], {given}) else {{ return Err({number}) }};\noutputs = forced;",
+            steps(model, names)
+        ),
+    };
+    Ok(format!(
+        "let mut calls = {memory};\n{run}\n\
+         if !({} && chart.is_stable() == {}{check}) {{ return Err({number}); }}\n",
+        shows(model, expected),
+        expected.stable,
+    ))
+}
+
+/// `MotorStep::On, MotorStep::Off, `
+fn steps(model: &Model, names: &BTreeSet<String>) -> String {
+    names.iter().map(|step| format!("{}Step::{step}, ", model.name)).collect()
+}
+
 fn shows(model: &Model, expected: &Expected) -> String {
-    let steps: String = expected.steps.iter().map(|step| format!("{}Step::{step}, ", model.name)).collect();
+    let steps = steps(model, &expected.steps);
     let declared = model.outputs.values().map(|output| (output.name.to_string(), &output.ty));
     let outputs = declared.map(|(name, ty)| {
         let value = value(expected.outputs.get(&name).copied().unwrap_or_default(), ty);

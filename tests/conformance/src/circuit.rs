@@ -49,8 +49,9 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outc
                     machine.set(place, *now);
                 }
             }
-            Kind::Shows(_) | Kind::Wakes(_) => {}
-            Kind::Cycle { inputs, now, .. } => {
+            Kind::Shows(_) | Kind::Wakes(_) | Kind::Refuses(_) => {}
+            // A program knows nothing of forcing: it makes a cycle as any other, beside an interpreter that does so.
+            Kind::Cycle { inputs, now, .. } | Kind::Force { inputs, now, .. } => {
                 let given: Vec<Value> =
                     model.inputs.values().map(|i| value(given(inputs, &plain(&i.name)), &i.ty)).collect();
                 let elapsed = now.wrapping_sub(last);
@@ -59,7 +60,7 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outc
                     Source::Input(id) => number(&given[grafcet_compiler::model::Id::index(*id)], circuit.time_bits),
                     Source::Param(id) => number(&params[grafcet_compiler::model::Id::index(*id)], circuit.time_bits),
                     Source::Elapsed => clipped(elapsed, circuit.time_bits),
-                    Source::Rust(_) => 0,
+                    Source::Rust(_) | Source::Again => 0,
                 });
                 let at = |what: String| format!("line {}: {}\n  {what}", line.number, line.text());
                 let in_range = !player.holds(circuit.overflow) && player.holds(circuit.constraint);

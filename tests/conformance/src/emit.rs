@@ -26,6 +26,8 @@ pub fn module(text: &str, by: &str) -> Result<String, String> {
     let late = if model.steps.values().any(|step| step.late.is_some()) { "chart.late_steps()" } else { "[]" };
     let called = if model.actions.is_empty() { "Vec::new()" } else { "calls.0" };
     let (declare, params) = params(&model);
+    // What is printed from programs cannot be forced.
+    let force = if model.forceable && by == MACRO { force(name, &inputs, no_calls, called) } else { String::new() };
     Ok(format!(
         "use grafcet_conformance::generated::*;
 {macro_call}
@@ -52,6 +54,7 @@ impl Subject for Compiled {{
         self.shown = shown(&self.chart, &outputs, Vec::new());
         Ok(Shown {{ calls: {called}, ..self.shown.clone() }})
     }}
+    {force}
     fn init(&mut self) -> Result<(), String> {{
         self.chart.init();
         self.shown = shown(&self.chart, &Default::default(), Vec::new());
@@ -70,12 +73,32 @@ impl Subject for Compiled {{
     ))
 }
 
+/// The method of the shim that forces the chart.
+fn force(name: &Ident, inputs: &str, no_calls: &str, called: &str) -> String {
+    format!(
+        "fn force(&mut self, steps: &BTreeSet<String>, inputs: &Values, now: u32) -> Result<Option<Shown>, String> {{
+        let _ = inputs;
+        let inputs = {name}Inputs {{ {inputs} }};
+        #[allow(unused_mut)]
+        let mut calls = {no_calls};
+        let steps = named(&self.chart, steps);
+        let before = format!(\"{{:?}}\", self.chart);
+        let Ok(outputs) = Forceable::force(&mut self.chart, &steps, &inputs, Ticks::new(now), &mut calls) else {{
+            assert_eq!(before, format!(\"{{:?}}\", self.chart), \"refused, and something happened\");
+            return Ok(None);
+        }};
+        self.shown = shown(&self.chart, &outputs, Vec::new());
+        Ok(Some(Shown {{ calls: {called}, ..self.shown.clone() }}))
+    }}"
+    )
+}
+
 /// `on: take(inputs, "on"), `
-fn take(name: &Ident, from: &str) -> String {
+pub(crate) fn take(name: &Ident, from: &str) -> String {
     format!("{name}: take({from}, \"{}\"), ", plain(&name.to_string()))
 }
 
-fn plain(name: &str) -> &str {
+pub(crate) fn plain(name: &str) -> &str {
     name.trim_start_matches("r#")
 }
 

@@ -1,8 +1,8 @@
 //! What the modules of [`emit`](crate::emit) name.
 
-use std::collections::BTreeSet;
+pub use std::collections::BTreeSet;
 
-pub use grafcet::{Chart, Phase, Ticks};
+pub use grafcet::{Chart, ForceError, Forceable, Phase, Ticks};
 
 pub use crate::{Entry, Shown, Subject, Values};
 
@@ -121,6 +121,12 @@ pub fn outputs<const N: usize>(outputs: [(&str, i128); N], late: Vec<String>) ->
 /// What a chart says of late steps.
 pub fn late<C: Chart>(_: &C, late: impl IntoIterator<Item = C::Step>) -> Vec<String> {
     late.into_iter().map(|step| format!("late({step:?})")).collect()
+}
+
+/// The steps of these names.
+#[must_use]
+pub fn named<C: Chart>(_: &C, names: &BTreeSet<String>) -> Vec<C::Step> {
+    C::STEPS.iter().copied().filter(|step| names.contains(&format!("{step:?}"))).collect()
 }
 
 /// The active steps, by all ways the chart has to say it; where these disagree, a name says so.

@@ -29,7 +29,7 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
-    let project = Project::new(options.folder.as_deref(), options.printed)?;
+    let project = Project::new(options.folder.as_deref(), options.printed, options.soak())?;
     let mut differences = if options.printed { corpus(&project)? } else { 0 };
     for grafcet in &options.dialects {
         differences += dialect(*grafcet, options, &project)?;
@@ -45,11 +45,14 @@ fn corpus(project: &Project) -> Result<usize, String> {
     let mut cases = Vec::new();
     for (name, text) in corpus::files()? {
         let (chart, timeline) = text.split_once("---\n").ok_or_else(|| format!("{name}: no line `---`"))?;
+        if chart.contains("forceable;") {
+            continue;
+        }
         let end = chart.rfind('}').ok_or_else(|| format!("{name}: no end of the chart"))?;
         let flags = format!("{}encoding flags;\n{}", &chart[..end], &chart[end..]);
         let [naive, optimised] = PRINTED;
         for (name, chart, by) in [(format!("{name}_flags"), flags, naive), (name, chart.to_owned(), optimised)] {
-            cases.push(Case { name, chart, timeline: timeline.to_owned(), by });
+            cases.push(Case { name, chart, timeline: timeline.to_owned(), by, recorded: false });
         }
     }
     let outcomes = project.play(&cases)?;
@@ -69,6 +72,11 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
         let mut batch = Vec::new();
         while batch.len() < BATCH.min(options.charts - accepted) {
             let made = random::chart(number, grafcet, options.cycles);
+            // What is printed from a program cannot be forced.
+            if options.printed && made.features.contains("forceable") {
+                number += 1;
+                continue;
+            }
             if options.with.as_ref().is_some_and(|with| made.features.iter().all(|feature| !feature.contains(&**with)))
             {
                 number += 1;
@@ -80,7 +88,10 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
                     made.features.iter().for_each(|kind| counts.kinds.entry(kind).or_default()[ACCEPTED] += 1);
                     let name = format!("{}{number}", &name[..1]);
                     let by = if options.printed { PRINTED[batch.len() % 2] } else { emit::MACRO };
-                    let case = Case { name, chart: made.chart, timeline: made.timeline, by };
+                    // What a record shows of a cycle by hand is the state behind it.
+                    let recorded = options.is_recorded(number) && !made.features.contains("forceable");
+                    let case = Case { name, chart: made.chart, timeline: made.timeline, by, recorded };
+                    counts.recorded += usize::from(recorded);
                     batch.push((case, made.features));
                 }
                 Err(message) => {
@@ -92,7 +103,16 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
         }
         accepted += batch.len();
         differing += play(project, &batch, options, &mut counts)?;
-        println!("{name}: {accepted} charts x {} cycles, {differing} differ", options.cycles);
+        match (options.soak(), counts.soaked) {
+            (Some(_), [cycles, compared, ticks]) => println!(
+                "{name}: {accepted} charts, {cycles} cycles, {compared} of them compared, the clocks have wrapped around {} times, {differing} differ",
+                ticks >> 32
+            ),
+            _ => println!("{name}: {accepted} charts x {} cycles, {differing} differ", options.cycles),
+        }
+    }
+    if options.soak().is_none() {
+        println!("{name}: {} of them recorded and restored", counts.recorded);
     }
     counts.print(name, accepted);
     counts.check(name, grafcet, options.least)?;
@@ -113,7 +133,9 @@ fn play(project: &Project, batch: &[Drawn], options: &Options, counts: &mut Coun
             }
         }
     }
-    let differing: Vec<_> = outcomes.iter().filter(|outcome| outcome.kind != "same").collect();
+    let soaked = outcomes.iter().filter(|outcome| outcome.kind == "soaked");
+    soaked.for_each(|outcome| counts.soak(&outcome.text));
+    let differing: Vec<_> = outcomes.iter().filter(|outcome| !["same", "soaked"].contains(&&*outcome.kind)).collect();
     for (index, outcome) in differing.iter().enumerate() {
         println!("{}: {}\n{}", outcome.name, outcome.kind, outcome.text);
         let case = cases.iter().find(|case| case.name == outcome.name).ok_or("an outcome of no chart")?;
@@ -135,9 +157,17 @@ struct Counts {
     /// Drawn, accepted by the compiler, compared with the interpreter.
     kinds: BTreeMap<&'static str, [usize; 3]>,
     refused: BTreeMap<String, usize>,
+    recorded: usize,
+    /// Cycles, those compared, and ticks of what has run for a long time.
+    soaked: [u64; 3],
 }
 
 impl Counts {
+    fn soak(&mut self, line: &str) {
+        let numbers = line.split_whitespace().filter_map(|word| word.parse::<u64>().ok());
+        self.soaked.iter_mut().zip(numbers).for_each(|(sum, number)| *sum += number);
+    }
+
     fn print(&self, dialect: &str, accepted: usize) {
         let sum: usize = self.refused.values().sum();
         let mut text = format!("{dialect}: {accepted} charts, {sum} more refused by the compiler, first because of\n");

@@ -2,9 +2,12 @@
 
 use std::path::PathBuf;
 
+use grafcet_conformance::random::Rng;
+
 const USAGE: &str = "\
 conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with WORDS] [--number N] [--shrink N]
-            [--least N] [--folder PATH] [--printed]
+            [--least N] [--recorded N] [--soak N [--seconds N]]
+            [--folder PATH] [--printed]
 
   --charts   charts of each dialect (default 150)
   --cycles   cycles of each chart (default 500)
@@ -13,6 +16,9 @@ conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with
   --number   begins with the chart of this number, as the report gives it after `s` or `g`
   --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
   --least    it is an error if fewer charts of a small kind are compared, or half as many of what large charts have (default 0)
+  --recorded one chart in N also loses its power at random moments, and is recorded and replayed (default 8; 0 for none)
+  --soak     each chart runs for so many cycles, beside the interpreter where anything can change, in place of all else
+  --seconds  and not longer than this (default 60)
   --folder   where the crates are written and built (default: in the target folder)
   --printed  the Rust that is printed from the charts' programs; the corpus, too";
 
@@ -25,6 +31,9 @@ pub(crate) struct Options {
     number: Option<u64>,
     pub(crate) shrink: usize,
     pub(crate) least: usize,
+    recorded: u64,
+    soak: Option<u64>,
+    seconds: u64,
     /// Whether `grafcet`.
     pub(crate) dialects: Vec<bool>,
     pub(crate) folder: Option<PathBuf>,
@@ -45,6 +54,9 @@ impl Options {
             number: None,
             shrink: 1,
             least: 0,
+            recorded: 8,
+            soak: None,
+            seconds: 60,
             dialects: vec![false, true],
             folder: None,
             printed: false,
@@ -65,6 +77,9 @@ impl Options {
                 "--number" => options.number = Some(number()?),
                 "--shrink" => options.shrink = count()?,
                 "--least" => options.least = count()?,
+                "--soak" => options.soak = Some(number()?),
+                "--seconds" => options.seconds = number()?,
+                "--recorded" => options.recorded = number()?,
                 "--dialect" => {
                     options.dialects = match &*value {
                         "sfc" => vec![false],
@@ -77,6 +92,16 @@ impl Options {
             }
         }
         Ok(options)
+    }
+
+    /// Whether the chart of this number is also recorded: every kind of chart has its turn.
+    pub(crate) fn is_recorded(&self, number: u64) -> bool {
+        self.soak.is_some() || self.recorded > 0 && Rng::new(number).number() % self.recorded == 0
+    }
+
+    /// For how many cycles or seconds each chart runs.
+    pub(crate) fn soak(&self) -> Option<[u64; 2]> {
+        self.soak.map(|cycles| [cycles, self.seconds])
     }
 
     /// The number of the first chart: seeds do not overlap below a hundred thousand charts.

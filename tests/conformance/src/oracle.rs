@@ -1,5 +1,7 @@
 //! The interpreter as a [`Subject`].
 
+use std::collections::BTreeSet;
+
 use grafcet_compiler::model::{Model, Ty};
 use grafcet_sim::interp::{self, Call, Interpreter, Phase, Situation, Value};
 
@@ -57,6 +59,19 @@ impl Subject for Interpreted<'_> {
         self.rest = self.model.uses_time().then(rest).flatten().map(told);
         let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
         Ok(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) })
+    }
+
+    fn force(&mut self, steps: &BTreeSet<String>, inputs: &Values, now: u32) -> Result<Option<Shown>, String> {
+        let given = |name: String| inputs.get(&name).copied().unwrap_or_default();
+        let inputs: Vec<Value> = self.model.inputs.values().map(|i| value(given(plain(&i.name)), &i.ty)).collect();
+        let named = self.model.steps.iter().filter(|(_, step)| steps.contains(&plain(&step.name)));
+        let situation: Situation = named.map(|(id, _)| id).collect();
+        let cycle = self.machine.force_in(&interp::Nothing, &situation, &inputs, now);
+        let cycle = cycle.map_err(|error| error.to_string())?;
+        // A38: no condition has been asked.
+        self.rest = self.model.uses_time().then_some(Rest::Goes);
+        let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
+        Ok(Some(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) }))
     }
 
     fn init(&mut self) -> Result<(), String> {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::reader::{Kind, Line};
-use crate::{Rest, Shown, Subject};
+use crate::{Rest, Shown, Subject, Values};
 
 /// Where two subjects, or a subject and the file, say different things.
 #[derive(Debug, PartialEq, Eq)]
@@ -30,6 +30,15 @@ pub fn against_the_file(subject: &mut dyn Subject, lines: &[Line]) -> Result<(),
     for line in lines {
         let (found, expected) = match &line.kind {
             Kind::Cycle { inputs, now, expected } => (subject.cycle(inputs, *now), expected),
+            Kind::Force { asked, inputs, now, expected } => {
+                let forced = subject.force(&asked.steps(&[]).0, inputs, *now);
+                (forced.and_then(|shown| shown.ok_or_else(|| "refused".to_owned())), expected)
+            }
+            Kind::Refuses(asked) => match subject.force(&asked.steps(&[]).0, &Values::new(), 0) {
+                Ok(None) => continue,
+                Ok(Some(found)) => return Err(failure(line, "refused", &found.to_string())),
+                Err(error) => return Err(failure(line, "refused", &error)),
+            },
             Kind::Shows(expected) => (Ok(subject.shown()), expected),
             Kind::Init => {
                 subject.init().map_err(|error| failure(line, "", &error))?;
@@ -62,8 +71,23 @@ pub fn against_the_file(subject: &mut dyn Subject, lines: &[Line]) -> Result<(),
 /// # Errors
 /// The first difference.
 pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &[Line]) -> Result<(), Difference> {
+    let mut seen = vec![oracle.shown().steps];
     for line in lines {
         let both = match &line.kind {
+            Kind::Force { asked, inputs, now, .. } => {
+                let (steps, is_certain) = asked.steps(&seen);
+                match subject.force(&steps, inputs, *now) {
+                    Ok(Some(found)) => oracle
+                        .force(&steps, inputs, *now)
+                        .and_then(|shown| Ok((shown.ok_or("the interpreter refuses nothing")?, found))),
+                    Ok(None) if is_certain => {
+                        return Err(failure(line, "a situation that was there before", &format!("{steps:?} refused")));
+                    }
+                    Ok(None) => continue,
+                    Err(error) => Err(error),
+                }
+            }
+            Kind::Refuses(_) => continue,
             Kind::Cycle { inputs, now, .. } => {
                 let expected = oracle.cycle(inputs, *now);
                 // What the interpreter calls a mistake of the chart may be a panic of the compiled one.
@@ -78,7 +102,13 @@ pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &
             Kind::Shows(_) | Kind::Wakes(_) => Ok((oracle.shown(), subject.shown())),
         };
         match both {
-            Ok((expected, found)) if found == expected => at_once(subject, oracle, line)?,
+            Ok((expected, found)) if found == expected => {
+                at_once(subject, oracle, line)?;
+                // What an unstable search has stopped at is no situation in which a cycle ends as it should.
+                if expected.stable && !seen.contains(&expected.steps) {
+                    seen.push(expected.steps);
+                }
+            }
             Ok((expected, found)) => return Err(failure(line, &expected.to_string(), &found.to_string())),
             Err(error) => return Err(failure(line, "no error of the interpreter", &error)),
         }
@@ -88,7 +118,7 @@ pub fn in_lockstep(subject: &mut dyn Subject, oracle: &mut dyn Subject, lines: &
 
 /// Whether the subject asks for a cycle at once where there is something to do, and nowhere else.
 fn at_once(subject: &dyn Subject, oracle: &dyn Subject, line: &Line) -> Result<(), Difference> {
-    let Kind::Cycle { now, .. } = &line.kind else { return Ok(()) };
+    let (Kind::Cycle { now, .. } | Kind::Force { now, .. }) = &line.kind else { return Ok(()) };
     let Some(rest) = oracle.rest() else { return Ok(()) };
     let wakes = subject.next_deadline();
     let wrong = match rest {

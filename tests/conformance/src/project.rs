@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use grafcet_conformance::emit;
+use grafcet_conformance::recorded::written;
 
 /// A chart and its timeline.
 #[derive(Clone)]
@@ -17,13 +18,15 @@ pub(crate) struct Case {
     pub(crate) timeline: String,
     /// The macro that makes it.
     pub(crate) by: &'static str,
+    /// Whether it is also recorded and restored.
+    pub(crate) recorded: bool,
 }
 
 /// What came out of a chart.
 #[derive(Clone)]
 pub(crate) struct Outcome {
     pub(crate) name: String,
-    /// `same`, `lockstep`, `interpreter`, `deadline`, `broken`, or `rustc` for code that does not compile.
+    /// `same`, `lockstep`, `interpreter`, `deadline`, `restored`, `recorded`, `broken`, or `rustc` for code that does not compile.
     pub(crate) kind: String,
     /// What differs.
     pub(crate) text: String,
@@ -34,6 +37,8 @@ pub(crate) struct Project {
     folder: PathBuf,
     /// Its charts are printed from programs.
     printed: bool,
+    /// Each chart runs for so many cycles, or so many seconds.
+    soak: Option<[u64; 2]>,
 }
 
 /// Programs of one crate: cargo builds them beside each other.
@@ -46,13 +51,13 @@ const ALLOWED: &str = "#![allow(warnings)]\n";
 
 impl Project {
     /// In the given folder or under the target folder; with the macro that users call, or with those that print programs.
-    pub(crate) fn new(folder: Option<&Path>, printed: bool) -> Result<Self, String> {
+    pub(crate) fn new(folder: Option<&Path>, printed: bool, soak: Option<[u64; 2]>) -> Result<Self, String> {
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
         let own = if printed { "printed" } else { "conformance" };
         let folder = folder.map_or_else(|| target.join(own), Path::to_owned);
         let folder = std::path::absolute(&folder).map_err(|error| error.to_string())?;
         fs::create_dir_all(folder.join("src/bin")).map_err(|error| format!("{}: {error}", folder.display()))?;
-        Ok(Self { folder, printed })
+        Ok(Self { folder, printed, soak })
     }
 
     /// Compiles the charts and plays their timelines.
@@ -86,12 +91,13 @@ impl Project {
         let printed = format!("grafcet-conformance-printed = {{ path = '{}' }}\n", printed.display());
         let text = format!(
             "[package]\nname = \"grafcet-conformance-batch\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-             grafcet = {{ path = '{}' }}\ngrafcet-conformance = {{ path = '{}' }}\n{}\n\
-             [profile.dev]\ndebug = false\nincremental = false\n\n\
+             grafcet = {{ path = '{}', features = ['wire'] }}\ngrafcet-conformance = {{ path = '{}' }}\n{}\n\
+             [profile.dev]\ndebug = false\nincremental = false\nopt-level = {}\n\n\
              [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n",
             root.display(),
             root.join("tests/conformance").display(),
             if self.printed { printed } else { String::new() },
+            if self.soak.is_some() { 2 } else { 0 },
         );
         self.write("Cargo.toml", &text)?;
         // The versions that the workspace is tested with.
@@ -103,18 +109,31 @@ impl Project {
         let share = cases.len().div_ceil(PROGRAMS);
         for program in 0..PROGRAMS {
             let part = cases.iter().skip(program * share).take(share);
-            let (mut modules, mut entries) = (String::new(), String::new());
+            let (mut modules, mut entries, mut checks) = (String::new(), String::new(), String::new());
             for case in part {
                 let name = &case.name;
-                let module = emit::module(&case.chart, case.by).map_err(|error| format!("{name}: {error}"))?;
+                let mut module = emit::module(&case.chart, case.by).map_err(|error| format!("{name}: {error}"))?;
+                if case.recorded {
+                    let more = written::module(&case.chart).map_err(|error| format!("{name}: {error}"))?;
+                    module.push_str(&more);
+                    _ = writeln!(checks, "({name:?}, {name}::CHECKS),");
+                }
                 self.write(&format!("src/{name}.rs"), &module)?;
                 self.write(&format!("src/{name}.case"), &format!("{}---\n{}", case.chart, case.timeline))?;
                 _ = writeln!(modules, "#[path = \"../{name}.rs\"] mod {name};");
                 let subject = format!("|| Box::new({name}::Compiled::default())");
                 let text = format!("include_str!(\"../{name}.case\")");
-                _ = writeln!(entries, "Entry {{ name: {name:?}, text: {text}, subject: {subject} }},");
+                let entry = format!("Entry {{ name: {name:?}, text: {text}, subject: {subject} }}");
+                let line = if self.soak.is_some() { format!("({entry}, {name}::SOAK),") } else { format!("{entry},") };
+                _ = writeln!(entries, "{line}");
             }
-            let main = format!("fn main() {{ grafcet_conformance::batch::main(&[\n{entries}]); }}");
+            let call = match self.soak {
+                None => format!("main(&[\n{entries}], &[\n{checks}])"),
+                Some([cycles, seconds]) => {
+                    format!("soak(&[\n{entries}], {cycles}, std::time::Duration::from_secs({seconds}))")
+                }
+            };
+            let main = format!("fn main() {{ grafcet_conformance::batch::{call}; }}");
             let text = format!("{ALLOWED}use grafcet_conformance::Entry;\n{modules}{main}\n");
             self.write(&format!("src/bin/program{program}.rs"), &text)?;
         }

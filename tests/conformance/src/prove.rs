@@ -6,11 +6,12 @@ use std::time::Duration;
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{Claim, Model, Property};
 use grafcet_compiler::program::{Encoding, counted};
-use grafcet_prove::circuit::{Bad, Circuit};
-use grafcet_prove::{Limit, Verdict, decide, export};
+use grafcet_prove::circuit::{Bad, Circuit, Live};
+use grafcet_prove::{Limit, Verdict, decide, decide_live, export};
 
 use crate::brute::claims::broken;
 use crate::brute::graph::Graph;
+use crate::brute::responses;
 use crate::brute::{make, resolve};
 
 /// What is compared.
@@ -20,6 +21,8 @@ pub struct Kind {
     pub grafcet: bool,
     /// With times, of which brute force sees some behaviour only.
     pub timed: bool,
+    /// With properties over several cycles.
+    pub several: bool,
     /// The most cycles of brute force.
     pub cycles: usize,
     /// `abc` is asked, too.
@@ -48,7 +51,10 @@ pub struct Counts {
 /// # Errors
 /// A difference, with the chart.
 pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, String> {
-    let text = make::counting(number, kind.grafcet, kind.timed);
+    let mut text = make::counting(number, kind.grafcet, kind.timed);
+    if kind.several {
+        text = make::of_several_cycles(&text, number, kind.timed);
+    }
     let Ok(model) = resolve(&text) else { return Ok(false) };
     if !model.properties.iter().any(is_of_ends) {
         return Ok(false);
@@ -79,13 +85,14 @@ fn compare(model: &Model, graph: &Graph, kind: Kind, number: u64, counts: &mut C
             .map_err(|error| error.to_string())?;
         let wrong = match &verdict {
             Verdict::Undecided(why) => {
-                counts.undecided.push((number, why.clone()));
+                counts.undecided.push((number, format!("property {}: {why}", bad.property)));
                 false
             }
             Verdict::Proved(_) => {
                 counts.proved += 1;
                 shortest.is_some()
             }
+            Verdict::Endless { .. } => true,
             Verdict::Violated(way) => {
                 counts.broken += 1;
                 // With times brute force sees some behaviour only.
@@ -103,7 +110,42 @@ fn compare(model: &Model, graph: &Graph, kind: Kind, number: u64, counts: &mut C
             }
         }
     }
+    for live in &circuit.live {
+        eventually(model, graph, &program, &circuit, *live, (kind, number), counts)?;
+    }
     Ok(())
+}
+
+/// Whether something always comes.
+fn eventually(
+    model: &Model,
+    graph: &Graph,
+    program: &grafcet_compiler::program::Program<'_>,
+    circuit: &Circuit,
+    live: Live,
+    (kind, number): (Kind, u64),
+    counts: &mut Counts,
+) -> Result<(), String> {
+    let verdict = decide_live(program, circuit, live, &Limit::time(Duration::from_secs(20)))
+        .map_err(|error| error.to_string())?;
+    let endless = responses::broken(model, graph, &model.properties[live.property].claim)?.is_some();
+    let wrong = match &verdict {
+        Verdict::Undecided(why) => {
+            counts.undecided.push((number, format!("property {}: {why}", live.property)));
+            false
+        }
+        Verdict::Proved(_) => {
+            counts.proved += 1;
+            endless
+        }
+        Verdict::Endless { .. } => {
+            counts.broken += 1;
+            // With times brute force sees some behaviour only.
+            !endless && !kind.timed
+        }
+        Verdict::Violated(_) => true,
+    };
+    if wrong { Err(format!("property {}: {verdict:?}, by brute force {endless}", live.property)) } else { Ok(()) }
 }
 
 /// What `abc` says otherwise, by `pdr` and, of what is broken, by `bmc3`.
@@ -123,7 +165,7 @@ pub fn differs(
     let ask = |method: &str| abc(&format!("&read {}; &put; fold; {method}", file.display()));
     let said = ask("pdr -T 60")?;
     let difference = match verdict {
-        Verdict::Undecided(_) => None,
+        Verdict::Undecided(_) | Verdict::Endless { .. } => None,
         Verdict::Proved(_) if said.contains("Property proved") || said.contains("UNSATISFIABLE") => None,
         Verdict::Proved(_) => Some(format!("proved, abc: {said}")),
         Verdict::Violated(way) => {

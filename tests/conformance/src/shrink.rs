@@ -43,6 +43,7 @@ pub(crate) fn smallest(project: &Project, case: &Case, outcome: &Outcome) -> Res
             chart: chart.clone(),
             timeline: case.timeline.clone(),
             by: case.by,
+            recorded: case.recorded,
         };
         let candidates: Vec<Case> = charts.iter().enumerate().map(candidate).collect();
         let outcomes = project.play(&candidates)?;

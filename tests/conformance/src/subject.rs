@@ -1,6 +1,6 @@
 //! A chart that runs, compiled or interpreted. It knows neither the compiler nor the interpreter, so that `cargo xtask plant` builds it alone.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 pub use crate::reader::Expected as Shown;
 
@@ -25,6 +25,15 @@ pub trait Subject {
     /// # Errors
     /// The interpreter does not understand the chart, or the chart's own arithmetic fails.
     fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String>;
+
+    /// A cycle that leads into a situation by hand; `None` where the chart refuses it.
+    ///
+    /// # Errors
+    /// As for [`Subject::cycle`], or the chart cannot be forced.
+    fn force(&mut self, steps: &BTreeSet<String>, inputs: &Values, now: u32) -> Result<Option<Shown>, String> {
+        let _ = (steps, inputs, now);
+        Err("the chart cannot be forced".to_owned())
+    }
 
     /// The classic *Init*.
     ///

@@ -10,7 +10,7 @@ use grafcet_compiler::model::{self, Model, Ty};
 use grafcet_compiler::parse;
 use grafcet_conformance::fragments;
 use grafcet_conformance::reader::{self, Expected, Kind, Line};
-use grafcet_sim::interp::{Call, Interpreter, Phase, Situation, Value};
+use grafcet_sim::interp::{Call, Interpreter, Nothing, Phase, Situation, Value};
 
 /// Every file of the corpus, and all differences at once.
 #[test]
@@ -57,8 +57,8 @@ fn run(text: &str) -> Result<(), String> {
     for Line { number, kind } in &case.lines {
         let found = match kind {
             Kind::Init => machine.init().map(|()| None),
-            // How long one may sleep is no question for an interpreter.
-            Kind::Wakes(_) => Ok(None),
+            // How long one may sleep, and which situations a chart can be in, is no question for an interpreter.
+            Kind::Wakes(_) | Kind::Refuses(_) => Ok(None),
             Kind::Params(changed) => {
                 params.extend(changed.clone());
                 let declared = model.params.values().map(|p| (p.name.to_string(), &p.ty));
@@ -67,9 +67,18 @@ fn run(text: &str) -> Result<(), String> {
             Kind::Shows(expected) => {
                 Ok(Some((shown(&model, &machine, machine.situation(), machine.outputs()), expected)))
             }
-            Kind::Cycle { inputs, now, expected } => {
+            Kind::Cycle { inputs, now, expected } | Kind::Force { inputs, now, expected, .. } => {
                 let declared = model.inputs.values().map(|i| (i.name.to_string(), &i.ty));
-                machine.cycle(&values(declared, inputs)?, *now).map(|cycle| {
+                let inputs = values(declared, inputs)?;
+                let cycle = match kind {
+                    Kind::Force { asked, .. } => {
+                        let (steps, _) = asked.steps(&[]);
+                        let asked = model.steps.iter().filter(|(_, step)| steps.contains(&step.name.to_string()));
+                        machine.force_in(&Nothing, &asked.map(|(id, _)| id).collect(), &inputs, *now)
+                    }
+                    _ => machine.cycle(&inputs, *now),
+                };
+                cycle.map(|cycle| {
                     let mut found = shown(&model, &machine, &cycle.active, &cycle.outputs);
                     found.stable = cycle.stable;
                     found.calls = cycle.calls.iter().map(|call| written(&model, call)).collect();

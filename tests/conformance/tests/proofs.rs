@@ -10,6 +10,7 @@ use grafcet_conformance::prove::{Counts, Kind, number};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::{Invariant, Task};
 use grafcet_prove::{Limit, Verdict, certificate, decide};
+use proc_macro2::TokenStream;
 use quote::quote;
 use std::time::Duration;
 
@@ -33,7 +34,7 @@ fn verdicts(model: &Model) -> Vec<Verdict> {
 fn random_charts_are_judged_as_brute_force_finds_them() {
     let mut counts = Counts::default();
     for (grafcet, timed) in [(false, false), (true, false), (false, true), (true, true)] {
-        let kind = Kind { grafcet, timed, cycles: 2_000, abc: false };
+        let kind = Kind { grafcet, timed, several: false, cycles: 2_000, abc: false };
         for chart in 700..712 {
             number(chart, kind, &mut counts).expect("no difference");
         }
@@ -116,7 +117,7 @@ fn a_proof_that_is_none_is_refused() {
     let limit = Limit::none();
     let fault = |excluded: Vec<Vec<u32>>| certificate::fault(&task, &Invariant { excluded }, &limit).expect("no limit");
     let Verdict::Proved(proof) = verdicts(&model).remove(0) else { panic!("it is proved") };
-    assert_eq!(fault(proof.excluded.clone()), None);
+    assert_eq!(fault(proof.invariant.excluded.clone()), None);
     assert!(fault(Vec::new()).is_some(), "nothing is known, so something bad can happen");
     // The initial state, and with it every chart.
     let beginning =
@@ -125,7 +126,7 @@ fn a_proof_that_is_none_is_refused() {
     // One cycle leads out of it: the first one is over.
     let first = circuit.fields.iter().find(|field| field.name == "first").expect("the first cycle");
     let over = vec![u32::try_from(first.first).expect("small") * 2];
-    assert!(fault([proof.excluded, vec![over]].concat()).is_some_and(|what| what.contains("leads to")));
+    assert!(fault([proof.invariant.excluded, vec![over]].concat()).is_some_and(|what| what.contains("leads to")));
 }
 
 /// What the exploration leaves open, the macro's feature `prove` decides: numbers and times, proved, or refuted by a way that is as short
@@ -161,6 +162,39 @@ fn the_compiler_asks_for_what_is_left_open() {
     assert!(matches!(&unknown[..], [one] if one.contains("a solver was asked, too")), "{unknown:?}");
 }
 
+/// What is about several cycles, the macro's feature `prove` decides alone.
+#[test]
+fn the_compiler_asks_for_what_takes_several_cycles() {
+    let said = |property: &str| {
+        let chart = format!(
+            "sfc Press {{ input start, down, closed: bool; output lower: bool; initial step Rest; step Press {{ lower; }} step Full; \
+             Rest -[start]-> Press -[10s/Press || down]-> Full -[closed]-> Rest; {property} }}"
+        );
+        let wanted = Wanted { recorded: false, prover: Some(&grafcet_prove::rule) };
+        let tokens = chart.parse().expect("tokens");
+        grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens, wanted).to_string())
+    };
+    for property in [
+        "Press leads_to Full;",
+        "Press leads_to Full within 10s;",
+        "assume often closed; Press leads_to Rest;",
+        "Press before Full;",
+    ] {
+        assert_eq!(said(property), Vec::<String>::new(), "{property}");
+    }
+    for (property, what) in [
+        (
+            "Press leads_to Full within 9s;",
+            "at the end of cycle 3 it is too late: `Press.X` has held, and `Full.X` not since",
+        ),
+        ("Full before Press;", "at the end of cycle 2 `Press.X` holds, and `Full.X` has not held yet"),
+        ("Press leads_to Rest;", "`Press.X` has held, and `Rest.X` never follows where"),
+    ] {
+        let said = said(property);
+        assert!(matches!(&said[..], [one] if one.starts_with(what)), "{property}: {said:?}");
+    }
+}
+
 /// Time passes also where nothing but a property asks for it.
 #[test]
 fn a_property_may_be_all_that_asks_for_time() {
@@ -176,4 +210,58 @@ fn a_property_may_be_all_that_asks_for_time() {
     let text = "grafcet M { input a: bool; initial step A; macro step M { entry step E; exit step F; E -[a]-> F; } \
                 A -[a]-> M -[!a]-> A; never M.T > 5s; never A.T > 5s && !A.X; }";
     assert!(matches!(&verdicts(&read(text))[..], [Verdict::Violated(_), Verdict::Proved(_)]));
+}
+
+/// The page shows what the compiler says of its chart, word for word but for the mend.
+#[test]
+fn the_chart_of_the_page_is_judged_as_the_page_says() {
+    let page = include_str!("../../../docs/proof.md");
+    let chart = page.split("```").find(|part| part.starts_with("text\nsfc Press")).expect("the chart");
+    let tokens = chart.trim_start_matches("text").parse().expect("tokens");
+    let wanted = Wanted { recorded: false, prover: Some(&grafcet_prove::rule) };
+    let said = grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens, wanted).to_string());
+    let [message] = &said[..] else { panic!("{said:?}") };
+    let (first, table) = message.split_once("\\n").expect("a table");
+    assert!(first.starts_with("at the end of cycle 6 `parts > 2` holds"), "{first}");
+    for row in table.split("\\n") {
+        assert!(page.contains(&format!("       {row}\n")), "not on the page: {row}");
+    }
+}
+
+/// So are the lines about several cycles: what stands behind each of them is what it is.
+#[test]
+fn the_lines_of_the_page_about_several_cycles_are_what_it_says() {
+    let page = include_str!("../../../docs/proof.md");
+    let block = |start: &str| page.split("```").find(|part| part.starts_with(start)).expect("a block").to_owned();
+    let (chart, lines) = (block("text\nsfc Press"), block("text\nstart leads_to"));
+    let (chart, _) = chart.trim_start_matches("text").split_once("always parts").expect("properties");
+    let mut judged = 0;
+    for (line, said) in lines.lines().filter_map(|line| line.split_once(" // ")) {
+        let tokens = format!("{chart} assume often down; {line} }}").parse().expect("tokens");
+        let wanted = Wanted { recorded: false, prover: Some(&grafcet_prove::rule) };
+        let errors = grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens, wanted).to_string());
+        assert_eq!(errors.is_empty(), said.starts_with("proved"), "{line}: {errors:?}");
+        judged += 1;
+    }
+    assert_eq!(judged, 4);
+}
+
+/// What the cookbook allows to be undecided is proved where there is a solver.
+#[test]
+fn what_the_cookbook_leaves_to_the_solver_is_proved() {
+    const ALLOWED: &str = "#![allow(grafcet::property_undecided)]";
+    let blocks = include_str!("../../../docs/cookbook.md").split("```").filter(|block| block.contains(ALLOWED));
+    let mut judged = 0;
+    for block in blocks {
+        let chart = block.split_once("grafcet! {").and_then(|(_, rest)| rest.split_once("\n}")).expect("a chart").0;
+        let tokens: TokenStream = chart.replace(ALLOWED, "").parse().expect("tokens");
+        let said = |prover: Option<&Prover>| {
+            let wanted = Wanted { recorded: false, prover };
+            grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens.clone(), wanted).to_string())
+        };
+        assert_eq!(said(Some(&grafcet_prove::rule)), Vec::<String>::new());
+        assert!(!said(None).is_empty(), "nothing is left to the solver");
+        judged += 1;
+    }
+    assert_eq!(judged, 1);
 }

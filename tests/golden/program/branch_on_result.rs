@@ -2,7 +2,7 @@
 
 pub struct Sorter {
     first: bool,
-    state: __SorterState,
+    situation: __SorterState,
     feed: bool,
     keep: bool,
     reject: bool,
@@ -16,7 +16,7 @@ impl Sorter {
     pub const fn with_params(params: SorterParams) -> Self {
         Self {
             first: true,
-            state: __SorterState::Feed,
+            situation: __SorterState::Feed,
             feed: false,
             keep: false,
             reject: false,
@@ -34,7 +34,7 @@ impl Sorter {
                 reject: false,
             }
         };
-        let was_state: __SorterState = self.state;
+        let was_state: __SorterState = self.situation;
         let entered_feed: bool;
         let mut entered_measure: bool = false;
         if self.first {
@@ -72,34 +72,36 @@ impl Sorter {
             let entered_reject: bool = clears_measure_reject
                 && !(was_state == __SorterState::Reject && !left_reject);
             if left_feed {
-                self.state = __SorterState::NONE;
+                self.situation = __SorterState::NONE;
             }
             if left_measure {
-                self.state = __SorterState::NONE;
+                self.situation = __SorterState::NONE;
             }
             if left_keep {
-                self.state = __SorterState::NONE;
+                self.situation = __SorterState::NONE;
             }
             if left_reject {
-                self.state = __SorterState::NONE;
+                self.situation = __SorterState::NONE;
             }
             if entered_feed {
-                self.state = __SorterState::Feed;
+                self.situation = __SorterState::Feed;
             }
             if entered_measure {
-                self.state = __SorterState::Measure;
+                self.situation = __SorterState::Measure;
             }
             if entered_keep {
-                self.state = __SorterState::Keep;
+                self.situation = __SorterState::Keep;
             }
             if entered_reject {
-                self.state = __SorterState::Reject;
+                self.situation = __SorterState::Reject;
             }
         }
-        let on_feed_0_: bool = self.state == __SorterState::Feed;
+        let on_feed_0_: bool = self.situation
+            == __SorterState::Feed;
         let on_measure_1_: bool = entered_measure;
-        let on_keep_2_: bool = self.state == __SorterState::Keep;
-        let on_reject_3_: bool = self.state
+        let on_keep_2_: bool = self.situation
+            == __SorterState::Keep;
+        let on_reject_3_: bool = self.situation
             == __SorterState::Reject;
         let q_feed: bool = on_feed_0_;
         let q_measure_1_: bool = false;

@@ -2,7 +2,7 @@
 
 pub struct Motor {
     first: bool,
-    state: __MotorState,
+    situation: __MotorState,
     relay: bool,
     green: bool,
     red: bool,
@@ -11,7 +11,7 @@ impl Motor {
     pub const fn new() -> Self {
         Self {
             first: true,
-            state: __MotorState::Off,
+            situation: __MotorState::Off,
             relay: false,
             green: false,
             red: false,
@@ -27,7 +27,7 @@ impl Motor {
                 red: false,
             }
         };
-        let was_state: __MotorState = self.state;
+        let was_state: __MotorState = self.situation;
         let entered_off: bool;
         if self.first {
             entered_off = true;
@@ -43,21 +43,21 @@ impl Motor {
             let entered_on: bool = clears_off_on
                 && !(was_state == __MotorState::On && !left_on);
             if left_off {
-                self.state = __MotorState::NONE;
+                self.situation = __MotorState::NONE;
             }
             if left_on {
-                self.state = __MotorState::NONE;
+                self.situation = __MotorState::NONE;
             }
             if entered_off {
-                self.state = __MotorState::Off;
+                self.situation = __MotorState::Off;
             }
             if entered_on {
-                self.state = __MotorState::On;
+                self.situation = __MotorState::On;
             }
         }
-        let on_off_0_: bool = self.state == __MotorState::Off;
-        let on_on_1_: bool = self.state == __MotorState::On;
-        let on_on_2_: bool = self.state == __MotorState::On;
+        let on_off_0_: bool = self.situation == __MotorState::Off;
+        let on_on_1_: bool = self.situation == __MotorState::On;
+        let on_on_2_: bool = self.situation == __MotorState::On;
         let q_red: bool = on_off_0_;
         let q_relay: bool = on_on_1_;
         let q_green: bool = on_on_2_;

@@ -2,7 +2,7 @@
 
 pub struct Dyer {
     first: bool,
-    state: __DyerState,
+    situation: __DyerState,
     inlet: bool,
     outlet: bool,
     ready: bool,
@@ -28,7 +28,7 @@ impl Dyer {
     pub const fn with_params(params: DyerParams) -> Self {
         Self {
             first: true,
-            state: __DyerState::Idle,
+            situation: __DyerState::Idle,
             inlet: false,
             outlet: false,
             ready: false,
@@ -73,7 +73,7 @@ impl Dyer {
         };
         self.reading = now;
         self.time = self.time + elapsed;
-        let was_state: __DyerState = self.state;
+        let was_state: __DyerState = self.situation;
         let edge0_now: bool = inputs.start;
         if self.first {
             self.edge0_before = edge0_now;
@@ -130,48 +130,50 @@ impl Dyer {
             entered_drain = clears_dye_drain
                 && !(was_state == __DyerState::Drain && !left_drain);
             if left_idle {
-                self.state = __DyerState::NONE;
+                self.situation = __DyerState::NONE;
             }
             if left_fill {
-                self.state = __DyerState::NONE;
+                self.situation = __DyerState::NONE;
             }
             if left_wash {
-                self.state = __DyerState::NONE;
+                self.situation = __DyerState::NONE;
             }
             if left_dye {
-                self.state = __DyerState::NONE;
+                self.situation = __DyerState::NONE;
             }
             if left_drain {
-                self.state = __DyerState::NONE;
+                self.situation = __DyerState::NONE;
             }
             if entered_idle {
-                self.state = __DyerState::Idle;
+                self.situation = __DyerState::Idle;
             }
             if entered_fill {
-                self.state = __DyerState::Fill;
+                self.situation = __DyerState::Fill;
             }
             if entered_wash {
-                self.state = __DyerState::Wash;
+                self.situation = __DyerState::Wash;
             }
             if entered_dye {
-                self.state = __DyerState::Dye;
+                self.situation = __DyerState::Dye;
             }
             if entered_drain {
-                self.state = __DyerState::Drain;
+                self.situation = __DyerState::Drain;
             }
         }
         let reached_time: Ticks = self.time;
         if entered_idle || entered_fill || entered_wash || entered_dye || entered_drain {
             self.time = Ticks::ZERO;
         }
-        let on_idle_0_: bool = self.state == __DyerState::Idle;
-        let on_fill_1_: bool = self.state == __DyerState::Fill;
-        let on_wash_2_: bool = self.state == __DyerState::Wash;
-        let on_wash_3_: bool = self.state == __DyerState::Wash;
-        let on_dye_4_: bool = self.state == __DyerState::Dye;
-        let on_dye_5_: bool = self.state == __DyerState::Dye;
-        let on_drain_6_: bool = self.state == __DyerState::Drain;
-        let on_drain_7_: bool = self.state == __DyerState::Drain;
+        let on_idle_0_: bool = self.situation == __DyerState::Idle;
+        let on_fill_1_: bool = self.situation == __DyerState::Fill;
+        let on_wash_2_: bool = self.situation == __DyerState::Wash;
+        let on_wash_3_: bool = self.situation == __DyerState::Wash;
+        let on_dye_4_: bool = self.situation == __DyerState::Dye;
+        let on_dye_5_: bool = self.situation == __DyerState::Dye;
+        let on_drain_6_: bool = self.situation
+            == __DyerState::Drain;
+        let on_drain_7_: bool = self.situation
+            == __DyerState::Drain;
         let q_ready: bool = on_idle_0_;
         let q_inlet: bool = on_fill_1_;
         let q_heat: bool = on_wash_2_ || on_dye_4_;
@@ -184,9 +186,9 @@ impl Dyer {
             }
         }
         let by_leaving_heat: bool = self.was_q_heat && !q_heat
-            && (self.held_wash_2_ && self.state != __DyerState::Wash
+            && (self.held_wash_2_ && self.situation != __DyerState::Wash
                 && !(on_wash_2_ || on_dye_4_)
-                || self.held_dye_4_ && self.state != __DyerState::Dye
+                || self.held_dye_4_ && self.situation != __DyerState::Dye
                     && !(on_wash_2_ || on_dye_4_));
         self.held_wash_2_ = q_heat && on_wash_2_;
         self.held_dye_4_ = q_heat && on_dye_4_;
@@ -203,11 +205,11 @@ impl Dyer {
             }
         }
         let by_leaving_drum: bool = self.was_q_drum && !q_drum
-            && (self.held_wash_3_ && self.state != __DyerState::Wash
+            && (self.held_wash_3_ && self.situation != __DyerState::Wash
                 && !(on_wash_3_ || on_dye_5_ || on_drain_7_)
-                || self.held_dye_5_ && self.state != __DyerState::Dye
+                || self.held_dye_5_ && self.situation != __DyerState::Dye
                     && !(on_wash_3_ || on_dye_5_ || on_drain_7_)
-                || self.held_drain_7_ && self.state != __DyerState::Drain
+                || self.held_drain_7_ && self.situation != __DyerState::Drain
                     && !(on_wash_3_ || on_dye_5_ || on_drain_7_));
         self.held_wash_3_ = q_drum && on_wash_3_;
         self.held_dye_5_ = q_drum && on_dye_5_;
@@ -450,13 +452,13 @@ impl Dyer {
             return Option::Some(self.reading);
         }
         let mut soonest = Option::None;
-        if self.state == __DyerState::Wash && self.time < self.params.wash {
+        if self.situation == __DyerState::Wash && self.time < self.params.wash {
             soonest = sooner(
                 soonest,
                 Option::Some(self.params.wash - self.time),
             );
         }
-        if self.state == __DyerState::Dye && self.time < self.params.dye {
+        if self.situation == __DyerState::Dye && self.time < self.params.dye {
             soonest = sooner(
                 soonest,
                 Option::Some(self.params.dye - self.time),

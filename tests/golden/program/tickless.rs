@@ -2,7 +2,7 @@
 
 pub struct Crossing {
     first: bool,
-    state: __CrossingState,
+    situation: __CrossingState,
     green: bool,
     yellow: bool,
     red: bool,
@@ -19,7 +19,7 @@ impl Crossing {
     pub const fn new() -> Self {
         Self {
             first: true,
-            state: __CrossingState::Cars,
+            situation: __CrossingState::Cars,
             green: false,
             yellow: false,
             red: false,
@@ -58,7 +58,7 @@ impl Crossing {
         if self.first {
             self.since = now;
         }
-        let was_state: __CrossingState = self.state;
+        let was_state: __CrossingState = self.situation;
         let edge0_now: bool = inputs.button;
         if self.first {
             self.edge0_before = edge0_now;
@@ -137,40 +137,40 @@ impl Crossing {
             entered_clear = clears_walk_clear
                 && !(was_state == __CrossingState::Clear && !left_clear);
             if left_cars {
-                self.state = __CrossingState::NONE;
+                self.situation = __CrossingState::NONE;
             }
             if left_asked {
-                self.state = __CrossingState::NONE;
+                self.situation = __CrossingState::NONE;
             }
             if left_yellow {
-                self.state = __CrossingState::NONE;
+                self.situation = __CrossingState::NONE;
             }
             if left_stop {
-                self.state = __CrossingState::NONE;
+                self.situation = __CrossingState::NONE;
             }
             if left_walk {
-                self.state = __CrossingState::NONE;
+                self.situation = __CrossingState::NONE;
             }
             if left_clear {
-                self.state = __CrossingState::NONE;
+                self.situation = __CrossingState::NONE;
             }
             if entered_cars {
-                self.state = __CrossingState::Cars;
+                self.situation = __CrossingState::Cars;
             }
             if entered_asked {
-                self.state = __CrossingState::Asked;
+                self.situation = __CrossingState::Asked;
             }
             if entered_yellow {
-                self.state = __CrossingState::Yellow;
+                self.situation = __CrossingState::Yellow;
             }
             if entered_stop {
-                self.state = __CrossingState::Stop;
+                self.situation = __CrossingState::Stop;
             }
             if entered_walk {
-                self.state = __CrossingState::Walk;
+                self.situation = __CrossingState::Walk;
             }
             if entered_clear {
-                self.state = __CrossingState::Clear;
+                self.situation = __CrossingState::Clear;
             }
         }
         let reached_time: Ticks = now.since(self.since);
@@ -179,23 +179,29 @@ impl Crossing {
         {
             self.since = now;
         }
-        let on_cars_0_: bool = self.state == __CrossingState::Cars;
-        let on_asked_1_: bool = self.state
+        let on_cars_0_: bool = self.situation
+            == __CrossingState::Cars;
+        let on_asked_1_: bool = self.situation
             == __CrossingState::Asked;
-        let on_asked_2_: bool = self.state
+        let on_asked_2_: bool = self.situation
             == __CrossingState::Asked;
-        let on_yellow_3_: bool = self.state
+        let on_yellow_3_: bool = self.situation
             == __CrossingState::Yellow;
-        let on_yellow_4_: bool = self.state
+        let on_yellow_4_: bool = self.situation
             == __CrossingState::Yellow;
-        let on_stop_5_: bool = self.state == __CrossingState::Stop;
-        let on_stop_6_: bool = self.state == __CrossingState::Stop;
-        let on_walk_7_: bool = self.state == __CrossingState::Walk;
-        let on_walk_8_: bool = self.state == __CrossingState::Walk;
-        let on_walk_9_: bool = self.state == __CrossingState::Walk;
-        let on_walk_10_: bool = self.state
+        let on_stop_5_: bool = self.situation
+            == __CrossingState::Stop;
+        let on_stop_6_: bool = self.situation
+            == __CrossingState::Stop;
+        let on_walk_7_: bool = self.situation
             == __CrossingState::Walk;
-        let on_clear_11_: bool = self.state
+        let on_walk_8_: bool = self.situation
+            == __CrossingState::Walk;
+        let on_walk_9_: bool = self.situation
+            == __CrossingState::Walk;
+        let on_walk_10_: bool = self.situation
+            == __CrossingState::Walk;
+        let on_clear_11_: bool = self.situation
             == __CrossingState::Clear;
         let q_green: bool = on_cars_0_ || on_asked_1_;
         let q_wait: bool = on_asked_2_ || on_yellow_4_
@@ -236,7 +242,7 @@ impl Crossing {
             return Option::Some(self.reading);
         }
         let mut soonest = Option::None;
-        if self.state == __CrossingState::Asked
+        if self.situation == __CrossingState::Asked
             && self.reading.since(self.since) < Ticks::new(5000u32)
         {
             soonest = sooner(
@@ -247,7 +253,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Yellow
+        if self.situation == __CrossingState::Yellow
             && self.reading.since(self.since) < Ticks::new(3000u32)
         {
             soonest = sooner(
@@ -258,7 +264,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Stop
+        if self.situation == __CrossingState::Stop
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
             soonest = sooner(
@@ -269,7 +275,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Walk
+        if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(1000u32)
         {
             soonest = sooner(
@@ -280,7 +286,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Walk
+        if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(6000u32)
         {
             soonest = sooner(
@@ -291,7 +297,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Walk
+        if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(8000u32)
         {
             soonest = sooner(
@@ -302,7 +308,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Clear
+        if self.situation == __CrossingState::Clear
             && self.reading.since(self.since) < Ticks::new(4000u32)
         {
             soonest = sooner(

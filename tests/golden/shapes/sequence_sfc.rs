@@ -3,15 +3,36 @@
 impl Lamp {
     /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
     /// situation.
-    fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
+    fn cycle(
+        &mut self,
+        inputs: &LampInputs,
+        now: impl core::convert::Into<Ticks>,
+    ) -> LampOutputs {
+        let now: Ticks = core::convert::Into::into(
+            now,
+        );
         let mut outputs = LampOutputs { lamp: false };
+        let elapsed = now.since(self.now);
+        self.now = now;
+        self.since = self.since + elapsed;
         let before = self.situation;
+        self.situation_before = before;
+        let since_before = self.since;
         let after = match before {
             __LampState::Off => {
-                if inputs.on { __LampState::On } else { __LampState::Off }
+                if inputs.on {
+                    self.since = Ticks::ZERO;
+                    __LampState::On
+                } else {
+                    __LampState::Off
+                }
             }
             __LampState::On => {
-                if inputs.off { __LampState::Off } else { __LampState::On }
+                if self.since >= Ticks::new(5000u32) {
+                    __LampState::Off
+                } else {
+                    __LampState::On
+                }
             }
             __LampState::INIT => __LampState::Off,
         };

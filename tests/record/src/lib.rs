@@ -17,6 +17,11 @@ pub mod script;
 #[path = "../../../examples/charts/tickless.rs"]
 pub mod tickless;
 
+pub mod fram;
+pub mod fuzz;
+pub mod mixed;
+pub mod wrong;
+
 /// The page of the manual.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/record.md")]

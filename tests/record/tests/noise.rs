@@ -1,70 +1,16 @@
-//! Any bytes, also with check sums that are right: nothing panics, and no chart is made that cannot be.
+//! Any bytes, also with check sums that are right: nothing panics, and no chart is made that cannot be. Those that a fuzzer has found, and others made of them, too.
+
+use std::fs;
+use std::path::Path;
 
 use grafcet::record::wire::{Follow, Wire, frame_len, wire_len};
 use grafcet::record::{Recordable, Recorder, Records, replay, restore, snapshot, snapshot_len};
 use grafcet_record::cell::Cell;
+use grafcet_record::fuzz::TARGETS;
 use grafcet_record::recipe::Dyer;
 use grafcet_record::tickless::Crossing;
+use grafcet_record::wrong::{check, content, frame, spoilt};
 use grafcet_record::{Chance, Nobody, Storm};
-
-/// CRC-32C, bit by bit.
-fn check(bytes: &[u8]) -> [u8; 4] {
-    let step = |sum: u32| if sum & 1 == 0 { sum >> 1 } else { sum >> 1 ^ 0x82f6_3b78 };
-    let byte = |sum: u32, byte: &u8| (0..8).fold(sum ^ u32::from(*byte), |sum, _| step(sum));
-    (!bytes.iter().fold(u32::MAX, byte)).to_le_bytes()
-}
-
-/// The same with a few other bits, bytes or lengths.
-fn spoilt(bytes: &[u8], chance: &mut Chance) -> Vec<u8> {
-    let mut bytes = bytes.to_vec();
-    for _ in 0..=chance.below(4) {
-        let place = chance.below(u32::try_from(bytes.len()).unwrap_or(1)) as usize;
-        match chance.below(6) {
-            0 => bytes.truncate(place.max(1)),
-            1 => bytes.insert(place, chance.number().to_le_bytes()[0]),
-            2 => bytes[place] = chance.number().to_le_bytes()[0],
-            3 => bytes[place] = 0xff,
-            _ => bytes[place] ^= 1 << chance.below(8),
-        }
-    }
-    bytes
-}
-
-/// A frame of this content.
-fn frame(content: &[u8]) -> Vec<u8> {
-    let mut frame = Vec::new();
-    let whole = [content, &check(content)].concat();
-    for part in whole.split(|byte| *byte == 0) {
-        let mut parts = part.chunks(254).peekable();
-        if part.is_empty() {
-            frame.push(1);
-        }
-        while let Some(chunk) = parts.next() {
-            frame.push(u8::try_from(chunk.len() + 1).expect("at most 255"));
-            frame.extend(chunk);
-            if chunk.len() == 254 && parts.peek().is_none() {
-                frame.push(1);
-            }
-        }
-    }
-    frame.push(0);
-    frame
-}
-
-/// The content of a frame.
-fn content(frame: &[u8]) -> Option<Vec<u8>> {
-    let (mut content, mut rest) = (Vec::new(), frame.strip_suffix(&[0])?);
-    while let Some((len, after)) = rest.split_first() {
-        let (part, after) = after.split_at_checked(usize::from(*len) - 1)?;
-        content.extend(part);
-        if *len < 255 && !after.is_empty() {
-            content.push(0);
-        }
-        rest = after;
-    }
-    content.truncate(content.len().checked_sub(4)?);
-    Some(content)
-}
 
 fn is_read<C: Recordable>(chart: &C, actions: &mut C::Actions<'_>) {
     let mut chance = Chance::new(5);
@@ -115,4 +61,33 @@ fn any_bytes_are_read_without_panic() {
     is_read(&Cell::new(), &mut ());
     is_read(&Crossing::new(), &mut ());
     is_read(&Dyer::new(), &mut Nobody);
+}
+
+/// Of how many inputs made of those of the corpus each target is asked.
+const MADE: usize = 80;
+
+/// The corpus of the fuzzer, and inputs made of it.
+#[test]
+fn the_corpus_finds_nothing() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus");
+    for (name, target) in TARGETS {
+        let files = fs::read_dir(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let mut files: Vec<_> = files.map(|file| file.expect("a file").path()).collect();
+        files.sort();
+        let corpus: Vec<Vec<u8>> = files.iter().map(|file| fs::read(file).expect("a file")).collect();
+        assert!(corpus.len() > 10, "{name}: {} files", corpus.len());
+        for bytes in &corpus {
+            target(bytes);
+        }
+        let mut chance = Chance::new(9);
+        for _ in 0..MADE {
+            let [one, other] =
+                [(); 2].map(|()| &corpus[chance.below(u32::try_from(corpus.len()).expect("few")) as usize]);
+            let cut = |bytes: &[u8], chance: &mut Chance| {
+                chance.below(u32::try_from(bytes.len() + 1).expect("short")) as usize
+            };
+            let joined = [&one[..cut(one, &mut chance)], &other[cut(other, &mut chance)..]].concat();
+            target(&spoilt(&joined, &mut chance));
+        }
+    }
 }

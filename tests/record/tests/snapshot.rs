@@ -2,50 +2,18 @@
 
 use std::fmt::Debug;
 
+use grafcet::Ticks;
 use grafcet::record::{Recordable, RestoreError, restore, snapshot, snapshot_len};
-use grafcet::{Ticks, grafcet};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
 use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
+use grafcet_record::mixed::{Flags, Press, PressStep};
 use grafcet_record::motor::Motor;
 use grafcet_record::recipe::{self, Dyer};
 use grafcet_record::tickless::Crossing;
+use grafcet_record::wrong::check;
 use grafcet_record::{Nobody, Storm};
-
-grafcet! {
-    /// Branches, delays, times, a variable.
-    grafcet Press {
-        input go, done: bool;
-        input level: u8;
-        output close, heat: bool;
-        var n: u8 = 3;
-        param limit: time = 3s;
-        initial step Idle;
-        step Close { close; } step Closed;
-        step Heat { heat if 1s/go/2s; D 500ms close; P1 n = n % 50 + level % 3; } step Heated;
-        Idle -[go]-> (Close, Heat);
-        Close -[done || limit/Close]-> Closed;
-        Heat -[5s/Heat && n > 2]-> Heated;
-        (Closed, Heated) -[!go]-> Idle;
-    }
-}
-
-grafcet! {
-    /// The same with flags, and other times.
-    sfc Flags {
-        encoding flags;
-        input go, done: bool;
-        output close, heat: bool;
-        initial step Idle;
-        step Close { SD 2s close; } step Closed { R close; }
-        step Heat { L 1s heat; } step Heated;
-        Idle -[go]-> (Close, Heat);
-        Close -[done]-> Closed;
-        Heat -[3s/Heat]-> Heated;
-        (Closed, Heated) -[!go]-> Idle;
-    }
-}
 
 /// Calls a test with each chart.
 macro_rules! each {
@@ -160,15 +128,8 @@ fn another_chart_is_refused() {
 fn forged(mut bytes: Vec<u8>, change: impl FnOnce(&mut [u8])) -> Vec<u8> {
     let content = bytes.len() - 4;
     change(&mut bytes[..content]);
-    // CRC-32C, bit by bit.
-    let mut sum = u32::MAX;
-    for byte in &bytes[..content] {
-        sum ^= u32::from(*byte);
-        for _ in 0..8 {
-            sum = sum >> 1 ^ if sum & 1 == 1 { 0x82f6_3b78 } else { 0 };
-        }
-    }
-    bytes[content..].copy_from_slice(&(!sum).to_le_bytes());
+    let sum = check(&bytes[..content]);
+    bytes[content..].copy_from_slice(&sum);
     bytes
 }
 

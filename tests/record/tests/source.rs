@@ -12,7 +12,7 @@ use grafcet_record::motor::Motor;
 use grafcet_record::recipe::{self, Dyer};
 use grafcet_record::tickless::Crossing;
 use grafcet_record::{Nobody, Storm};
-use grafcet_sim::{Asked, Chart, Program, Replay, ReplayError, Trace, Value, page, table};
+use grafcet_sim::{Asked, Changed, Chart, Program, Replay, ReplayError, Trace, Value, page, table};
 
 fn none() -> &'static mut () {
     Box::leak(Box::new(()))
@@ -122,6 +122,33 @@ fn another_version_is_no_silent_replay() {
     assert_eq!(Replay::new().run(&changed, &[0; 500]), Err(ReplayError::NoRecord));
 }
 
+/// What a record has become a test for.
+#[test]
+fn the_first_cycle_that_a_change_changes_is_told() {
+    let (record, expected) = (include_bytes!("cell_stopped.record"), include_str!("cell_stopped.expected"));
+    let compared = |from: &str, to: &str| {
+        assert!(CELL.contains(from), "{from}");
+        Replay::new().compare(&source(&CELL.replace(from, to), "Cell"), record, expected)
+    };
+    assert_eq!(compared("Feed", "Feed"), Ok(()));
+    let changed =
+        compared("Manual -[rising(auto)]-> Auto", "Manual -[rising(part)]-> Auto").expect_err("another chart");
+    let said =
+        "cycle 2 at 20 with the inputs auto is the first that differs\n  when recorded: steps Auto, Feed, Ready; ";
+    assert!(changed.to_string().starts_with(said), "{changed}");
+    let changed = compared("alarm", "alarm_").expect_err("another output");
+    assert!(matches!(changed, Changed::Cycle { cycle: 0, .. }), "{changed}");
+    let changed = compared("ack", "acknowledge").map_err(|changed| changed.to_string());
+    assert_eq!(changed, Ok(()), "an input may have another name");
+    let longer = expected.replace("16 cycles", "17 cycles");
+    let changed = Replay::new().compare(&source(CELL, "Cell"), record, &longer);
+    assert!(matches!(changed, Err(Changed::Cycles { expected: 17, found: 16, .. })), "{changed:?}");
+    let torn = Replay::new().compare(&source(CELL, "Cell"), record, "0 steps Manual, Ready");
+    assert_eq!(torn, Err(Changed::Expected(2)));
+    let none = Replay::new().compare(&source(CELL, "Cell"), &[0; 99], expected);
+    assert_eq!(none, Err(Changed::Replay(ReplayError::NoRecord)));
+}
+
 #[test]
 fn a_wrapped_ring_says_what_is_missing() {
     let record = recorded(600, storm(3_000));
@@ -159,6 +186,30 @@ grafcet! {
         step Down { N stop; }
         Up -[near(height)]-> Down -[height == 0]-> Up;
     }
+}
+
+grafcet! {
+    /// An output of which a part is stored.
+    sfc Beside {
+        input on: bool;
+        output lamp: bool;
+        initial step A { N lamp; }
+        step B { S lamp; }
+        step C { R lamp; }
+        A -[on]-> B -[on]-> C -[!on]-> A;
+    }
+}
+
+#[test]
+fn the_stored_part_of_an_output_is_not_taken_for_the_output() {
+    let mut recorder = Recorder::new(Beside::new(), vec![0; 5_000]).expect("enough memory");
+    for on in [false, false, true, true, false, false, true] {
+        recorder.cycle(&BesideInputs { on }, 0_u32, &mut ());
+        // The record has the state here.
+        recorder.change(|_| ());
+    }
+    let trace = Replay::new().run(&source(include_str!("source.rs"), "Beside"), recorder.record()).expect("a record");
+    assert_eq!((trace.warnings.as_slice(), trace.gaps().count(), trace.cycles.len()), (&[][..], 0, 7));
 }
 
 #[test]

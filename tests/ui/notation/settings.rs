@@ -8,6 +8,9 @@ grafcet! {
         encoding flags;
         optimize size;
         encoding flags;
+        forceable;
+        forceable;
+        forceable now;
 
         initial step Dark;
     }
@@ -22,6 +25,7 @@ grafcet! {
             input part: bool;
             clock 1ms;
             encoding flags;
+            forceable;
             initial step Idle;
             partial Inner { initial step Deep; }
         }

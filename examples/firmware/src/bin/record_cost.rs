@@ -1,8 +1,9 @@
 //! What the flight recorder costs on the emulated board: for each example the instructions of a cycle, alone and recorded, without and with a change of its inputs, and
-//! its RAM. `cargo xtask record cost` reads the lines `chart alone recorded alone recorded bytes`.
+//! with a change also sent as frames; and its RAM. `cargo xtask record cost` reads the lines `chart alone recorded alone recorded sent bytes`.
 #![no_std]
 #![no_main]
 
+use core::convert::Infallible;
 use core::fmt::Write;
 use core::hint::black_box;
 use core::panic::PanicInfo;
@@ -12,7 +13,8 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_semihosting::debug;
 use cortex_m_semihosting::hio::{self, HostStream};
 use grafcet::Ticks;
-use grafcet::record::{Memory, Reader, Record, Recordable, Recorder, Writer};
+use grafcet::record::wire::Wire;
+use grafcet::record::{Keep, Memory, Reader, Record, Recordable, Recorder, Writer};
 use grafcet_firmware::roots::Idle;
 use grafcet_firmware::{branch_on_result, cell, controller, line24v, motor, recipe, tickless};
 
@@ -82,9 +84,10 @@ fn measure<C: Recordable>(console: &mut HostStream, name: &str, chart: &C, actio
         figures[0] = ticks(one, other, |inputs| _ = black_box(alone_cycle(&mut alone, inputs, actions)));
         figures[1] = ticks(one, other, |inputs| _ = black_box(recorded_cycle(&mut recorder, inputs, actions)));
     }
+    let sent = sent(chart, [&inputs[0], &inputs[1]], actions)?;
     let [alone, recorded, alone_changed, recorded_changed] = figures;
     let bytes = size_of::<Recorder<C, Memory<&mut [u8]>>>() - size_of::<C>();
-    writeln!(console, "{name} {alone} {recorded} {alone_changed} {recorded_changed} {bytes}").ok()
+    writeln!(console, "{name} {alone} {recorded} {alone_changed} {recorded_changed} {sent} {bytes}").ok()
 }
 
 #[inline(never)]
@@ -93,12 +96,39 @@ fn alone_cycle<C: Recordable>(chart: &mut C, inputs: &C::Inputs, actions: &mut C
 }
 
 #[inline(never)]
-fn recorded_cycle<C: Recordable>(
-    recorder: &mut Recorder<C, Memory<&mut [u8]>>,
+fn recorded_cycle<C: Recordable, K: Keep>(
+    recorder: &mut Recorder<C, K>,
     inputs: &C::Inputs,
     actions: &mut C::Actions<'_>,
 ) -> C::Outputs {
     recorder.cycle(inputs, Ticks::ZERO, actions)
+}
+
+/// A line that takes all at once.
+struct Line;
+
+impl embedded_io::ErrorType for Line {
+    type Error = Infallible;
+}
+
+impl embedded_io::Write for Line {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        Ok(black_box(bytes).len())
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+/// The instructions of cycles with a change of which each is sent, with a hash after each sixteenth and a state in front of each 256th.
+fn sent<C: Recordable>(chart: &C, [one, other]: [&C::Inputs; 2], actions: &mut C::Actions<'_>) -> Option<u32> {
+    let mut buffer = [0; 1024];
+    let mut recorder = Recorder::over(chart.clone(), Wire::new(Line, &mut buffer[..])).ok()?;
+    for _ in 0..10 {
+        _ = recorded_cycle(&mut recorder, one, actions);
+    }
+    Some(ticks(one, other, |inputs| _ = black_box(recorded_cycle(&mut recorder, inputs, actions))))
 }
 
 /// The instructions of so many cycles, with what is around them.

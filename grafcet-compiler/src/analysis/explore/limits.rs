@@ -61,6 +61,8 @@ pub enum Doubt {
     },
     /// It depends on these values, which are not followed from cycle to cycle, or on Rust that is not looked into.
     Unfollowed(Vec<Tree>),
+    /// It is about more than one cycle.
+    Cycles,
 }
 
 /// Per watched expression whether it can hold.

@@ -66,6 +66,7 @@ impl Layout {
             let name = match place.role {
                 Role::Param(id) => cx.model.params[id].name.clone(),
                 Role::Output(id) if kind == Kind::Result => cx.model.outputs[id].name.clone(),
+                Role::State(region) => names::region_field(region, cx.plan),
                 _ => names::local(&free(&place.name, &mut taken[usize::from(kind == Kind::Local)])),
             };
             if let (Initial::Value(value), false) = (place.initial, kind == Kind::Unused) {

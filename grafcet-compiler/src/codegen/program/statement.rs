@@ -1,11 +1,12 @@
 //! Statements.
 
 use proc_macro2::{Literal, TokenStream};
+use syn::Lifetime;
 
 use super::Printer;
 use super::scope::Scope;
 use crate::list::List;
-use crate::place::quote;
+use crate::place::{self, quote};
 use crate::program::{Arm, Expr, Phase, PlaceId, Role, Statement, Type, Value};
 
 /// The statements without what observers are told, and without what is there for them alone.
@@ -53,11 +54,13 @@ fn runs(expr: &Expr<'_>) -> bool {
 struct Lines<'s> {
     scope: &'s Scope,
     next: usize,
+    /// What is left is a block with a label.
+    in_block: bool,
 }
 
 impl<'m> Printer<'_, 'm> {
     pub(super) fn block(&self, statements: &[Statement<'m>], scope: &Scope) -> TokenStream {
-        self.list(statements, &mut Lines { scope, next: 0 })
+        self.list(statements, &mut Lines { scope, next: 0, in_block: false })
     }
 
     fn list(&self, statements: &[Statement<'m>], lines: &mut Lines<'_>) -> TokenStream {
@@ -119,9 +122,10 @@ impl<'m> Printer<'_, 'm> {
             }
             Statement::If(condition, then, otherwise) => self.branches(condition, then, otherwise, lines),
             Statement::Match(place, arms, otherwise) => self.arms(*place, arms, otherwise, lines),
-            Statement::Loop { body, .. } => {
-                let body = self.list(body, lines);
-                quote!(loop { #body })
+            Statement::Loop { body, rounds } => self.repeated(body, *rounds, lines),
+            Statement::Break if lines.in_block => {
+                let label = label();
+                quote!(break #label;)
             }
             Statement::Break => quote!(break;),
             Statement::Run(run) => self.run(run),
@@ -137,6 +141,24 @@ impl<'m> Printer<'_, 'm> {
             }
             Statement::Part(..) | Statement::Mark(_) => TokenStream::new(),
         }
+    }
+
+    /// A loop; where there is one round, a block that can be left.
+    fn repeated(&self, body: &[Statement<'m>], rounds: u32, lines: &mut Lines<'_>) -> TokenStream {
+        let once = match body.split_last() {
+            Some((Statement::Break, once)) if rounds == 1 => Some(once),
+            _ => None,
+        };
+        let outside = std::mem::replace(&mut lines.in_block, once.is_some());
+        let tokens = self.list(once.unwrap_or(body), lines);
+        // What has not been printed is counted, too.
+        lines.next += usize::from(once.is_some());
+        lines.in_block = outside;
+        if once.is_none() {
+            return quote!(loop { #tokens });
+        }
+        let label = label();
+        quote!(#label: { #tokens })
     }
 
     /// `if a { … } else if b { … } else { … }`
@@ -203,4 +225,8 @@ impl<'m> Printer<'_, 'm> {
             Value::Other(_) => quote!(#p::core::default::Default::default()),
         }
     }
+}
+
+fn label() -> Lifetime {
+    Lifetime::new("'once", place::mixed())
 }

@@ -13,9 +13,13 @@ impl Resolver<'_> {
             Setting::Clock { keyword, .. } => ("clock", *keyword),
             Setting::MaxEvolutions { keyword, .. } => ("max_evolutions", *keyword),
             Setting::Budget { keyword, .. } => ("budget", *keyword),
-            Setting::AssumeNever { keyword, .. } | Setting::AssumePure { keyword, .. } => ("assume", *keyword),
+            Setting::AssumeNever { keyword, .. }
+            | Setting::AssumeOften { keyword, .. }
+            | Setting::AssumeCycle { keyword, .. }
+            | Setting::AssumePure { keyword, .. } => ("assume", *keyword),
             Setting::OptimizeSize { keyword } => ("optimize", *keyword),
             Setting::EncodingFlags { keyword } => ("encoding", *keyword),
+            Setting::Forceable { keyword } => ("forceable", *keyword),
         };
         if place != Where::Chart {
             let message =
@@ -27,6 +31,10 @@ impl Resolver<'_> {
             return;
         }
         match setting {
+            Setting::AssumeCycle { longest, .. } if longest.nanos == 0 => {
+                let message = "between two cycles some time passes; write `assume cycle within 100ms;`".to_owned();
+                self.sink.rule(&rules::BAD_TIME, &[], vec![(longest.span.into(), message)]);
+            }
             Setting::Clock { unit, .. } if unit.nanos == 0 => {
                 let message = "a clock unit cannot be zero; write `clock 1ms;`".to_owned();
                 self.sink.rule(&rules::BAD_TIME, &[], vec![(unit.span.into(), message)]);
@@ -53,8 +61,9 @@ impl Resolver<'_> {
             },
             Setting::OptimizeSize { .. } => self.model.optimize_size = true,
             Setting::EncodingFlags { .. } => self.model.flags = true,
+            Setting::Forceable { .. } => self.model.forceable = true,
             // Names are known only later.
-            Setting::AssumeNever { .. } => {}
+            Setting::AssumeNever { .. } | Setting::AssumeOften { .. } | Setting::AssumeCycle { .. } => {}
             Setting::AssumePure { paths, .. } => self.assume_pure(paths, place),
         }
     }
@@ -65,6 +74,8 @@ impl Resolver<'_> {
             Property::Never { keyword, .. } => ("never", *keyword),
             Property::Always { keyword, .. } => ("always", *keyword),
             Property::Home { keyword, .. } => ("home", *keyword),
+            Property::LeadsTo { keyword, .. } => ("leads_to", *keyword),
+            Property::Before { keyword, .. } => ("before", *keyword),
         };
         if place != Where::Chart {
             let message =
@@ -74,7 +85,7 @@ impl Resolver<'_> {
     }
 
     /// Whether this setting stands here for the first time; both places of a second one are reported.
-    fn is_first(&mut self, word: &'static str, mark: Mark) -> bool {
+    pub(super) fn is_first(&mut self, word: &'static str, mark: Mark) -> bool {
         let Some((_, first)) = self.settings.iter().find(|(other, _)| *other == word) else {
             self.settings.push((word, mark));
             return true;

@@ -133,6 +133,7 @@ fn empty(chart: &ast::Chart) -> Model {
         incomplete: false,
         max_evolutions: None,
         optimize_size: false,
+        forceable: false,
         flags: false,
         inputs: Arena::default(),
         outputs: Arena::default(),
@@ -154,6 +155,8 @@ fn empty(chart: &ast::Chart) -> Model {
         delays: Arena::default(),
         budget: None,
         assumptions: Vec::new(),
+        often: Vec::new(),
+        longest_cycle: None,
         properties: Vec::new(),
         mentions: Vec::new(),
     }
@@ -180,6 +183,10 @@ impl Resolver<'_> {
         for item in &body.items {
             match item {
                 ast::Item::Decl(decl) => self.initial_value(decl),
+                ast::Item::Setting(ast::Setting::AssumeOften { condition, .. }) => self.recurrence(condition),
+                ast::Item::Setting(ast::Setting::AssumeCycle { keyword, longest }) => {
+                    self.cycle_time(*keyword, longest);
+                }
                 ast::Item::Setting(ast::Setting::AssumeNever { keyword, condition }) => {
                     self.assumption(*keyword, condition);
                 }

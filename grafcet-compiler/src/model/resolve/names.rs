@@ -29,6 +29,7 @@ impl Lower<'_, '_> {
             Some(Meaning::Value(value)) => {
                 self.note(Read::Name(value));
                 self.places.push(Seen { read: Read::Name(value), mark: (&name).into(), within: None });
+                self.resolver.model.mentions.push((value.into(), name.span()));
                 self.join(expr, value);
                 Tree::Read(Read::Name(value))
             }

@@ -13,7 +13,26 @@ impl Resolver<'_> {
     /// `assume never b1 && b3;` It is about one snapshot of the inputs: nothing else can be excluded by the plant, and
     /// nothing else is there when the program asks whether the assumptions hold.
     pub(super) fn assumption(&mut self, keyword: Span, condition: &syn::Expr) {
-        let (never, places) = expr::resolve_with_places(condition, self);
+        let never = self.assumed(condition);
+        let mark = Mark::from(keyword).to(never.mark);
+        self.model.assumptions.push(Assumption { never, mark });
+    }
+
+    /// `assume often door_closed;` It is about snapshots of the inputs, too.
+    pub(super) fn recurrence(&mut self, condition: &syn::Expr) {
+        let often = self.assumed(condition);
+        self.model.often.push(often);
+    }
+
+    /// `assume cycle within 100ms;`
+    pub(super) fn cycle_time(&mut self, keyword: Span, longest: &ast::Time) {
+        if longest.nanos > 0 && self.is_first("assume cycle", Mark::from(keyword).to(longest.span)) {
+            self.model.longest_cycle = Some(self.ticks(longest));
+        }
+    }
+
+    fn assumed(&mut self, condition: &syn::Expr) -> Expr {
+        let (condition, places) = expr::resolve_with_places(condition, self);
         let why = "an assumption is about the inputs of one cycle";
         for Seen { read, mark, within } in places {
             let this = self.subject(within);
@@ -45,8 +64,7 @@ impl Resolver<'_> {
             };
             self.sink.notation(mark, format!("{why}, and {what}"));
         }
-        let mark = Mark::from(keyword).to(never.mark);
-        self.model.assumptions.push(Assumption { never, mark });
+        condition
     }
 
     /// `never …;` `always …;` `home …;`
@@ -68,9 +86,53 @@ impl Resolver<'_> {
                 let mark = Mark::from(first).to(last);
                 (attrs, keyword, Claim::Home(self.home(steps), mark), mark)
             }
+            ast::Property::LeadsTo { attrs, from, to, within, .. } => {
+                let (from, to) = (self.side(from), self.side(to));
+                let begin = from.mark;
+                let end = within.as_ref().map_or(to.mark, |within| within.span.into());
+                let claim = self.leads_to(from, to, within.as_ref());
+                return self.claims(attrs, claim, begin.to(end));
+            }
+            ast::Property::Before { attrs, first, then, .. } => {
+                let (first, then) = (self.side(first), self.side(then));
+                let mark = first.mark.to(then.mark);
+                return self.claims(attrs, Claim::Before { first, then }, mark);
+            }
         };
-        let mark = Mark::from(*keyword).to(end);
+        self.claims(attrs, claim, Mark::from(*keyword).to(end));
+    }
+
+    fn claims(&mut self, attrs: &ast::Attrs, claim: Claim, mark: Mark) {
         self.model.properties.push(Property { claim, levels: attrs.levels.clone(), mark });
+    }
+
+    /// What has to come at once holds at the end of the same cycle.
+    fn leads_to(&mut self, from: Expr, to: Expr, within: Option<&ast::Time>) -> Claim {
+        match within.map(|time| if time.nanos == 0 { 0 } else { self.ticks(time) }) {
+            Some(0) => Claim::Always { premise: Some(from), condition: to },
+            within => Claim::LeadsTo { from, to, within },
+        }
+    }
+
+    /// A side of `leads_to` or `before`: a step alone stands for its activity, as no value can be meant.
+    fn side(&mut self, condition: &syn::Expr) -> Expr {
+        let name = match condition {
+            syn::Expr::Path(path) if path.qself.is_none() => path.path.get_ident(),
+            _ => None,
+        };
+        let step = |meaning: Meaning| matches!(meaning, Meaning::Step(_) | Meaning::Macro(_));
+        match name.filter(|name| self.scope.get(name).is_some_and(step)) {
+            Some(name) => {
+                let active = syn::ExprField {
+                    attrs: Vec::new(),
+                    base: Box::new(condition.clone()),
+                    dot_token: syn::Token![.](name.span()),
+                    member: Ident::new("X", name.span()).into(),
+                };
+                self.claimed(&syn::Expr::Field(active))
+            }
+            None => self.claimed(condition),
+        }
     }
 
     /// A condition of a property: what can be seen at the end of a cycle.

@@ -4,19 +4,57 @@
 //! clears = was.state is A && rust { 5s/A && on }      ->      clears = was.state is A && was.state is A && time >= 5s && on
 //! ```
 //!
-//! What is left of the user's are the leaves, with their own tokens. Needs nothing: `&&` and `||` of the program are as lazy as those of
+//! What is left of the user's are the leaves, with their own tokens, and names that are no truths. Needs nothing: `&&` and `||` of the program are as lazy as those of
 //! Rust.
+
+use std::slice;
 
 use syn::{BinOp, UnOp};
 
 use super::super::build::{all, any, not};
-use super::super::{Expr, Program, User, Value};
+use super::super::{Expr, Program, Statement, Type, User, Value};
 use super::uses::rewrite;
 use crate::model::{Binary, Model, Name, Read, Tree, Ty, Unary};
 
 pub(super) fn pass(program: &mut Program<'_>) {
+    let mut cycle = std::mem::take(&mut program.cycle);
+    block(program, &mut cycle);
+    program.cycle = cycle;
+}
+
+fn block<'m>(program: &Program<'m>, statements: &mut [Statement<'m>]) {
     let model = program.model;
-    rewrite(&mut program.cycle, &mut |expr| apart(model, expr));
+    for statement in statements {
+        match statement {
+            Statement::Part(_, body) | Statement::Loop { body, .. } => block(program, body),
+            Statement::If(condition, then, otherwise) => {
+                *condition = apart(model, condition);
+                block(program, then);
+                block(program, otherwise);
+            }
+            Statement::Match(_, arms, otherwise) => {
+                for (_, body) in arms {
+                    block(program, body);
+                }
+                block(program, otherwise);
+            }
+            Statement::Set(place, new) if !matches!(program.places[place.0].ty, Type::User(_)) => {
+                *new = apart(model, new);
+            }
+            other => rewrite(slice::from_mut(other), &mut |expr| value(model, expr)),
+        }
+    }
+}
+
+/// What is stored with a type of the user's, or handed on. A name alone keeps its token: whether it fits, rustc says there.
+fn value<'m>(model: &Model, expr: &Expr<'m>) -> Expr<'m> {
+    match expr {
+        Expr::User(user) if matches!(user.tree, Tree::Read(Read::Name(_))) => expr.clone(),
+        Expr::Choose(parts) => {
+            Expr::Choose(Box::new([apart(model, &parts[0]), value(model, &parts[1]), value(model, &parts[2])]))
+        }
+        other => apart(model, other),
+    }
 }
 
 fn apart<'m>(model: &Model, expr: &Expr<'m>) -> Expr<'m> {
@@ -43,6 +81,8 @@ fn of_user<'m>(model: &Model, tokens: &'m syn::Expr, tree: &'m Tree, binds: &[(R
     let bound = |read: Read| binds.iter().find(|(other, _)| *other == read).map(|(_, value)| value.clone());
     let leaf = match tree {
         Tree::Bool(value) => Some(Expr::Value(Value::Bool(*value))),
+        // What is no truth, rustc has to find at the user's token.
+        Tree::Read(Read::Name(_)) if !is_truth(model, tree) => None,
         Tree::Read(read) => bound(*read),
         Tree::Elapsed(time, step) => bound(Read::Elapsed(*time, *step)),
         Tree::MacroElapsed(time, id) => bound(Read::MacroElapsed(*time, *id)),

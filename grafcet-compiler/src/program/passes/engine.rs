@@ -69,6 +69,8 @@ pub(super) struct Engine<'e, 'm> {
     pub(super) copies: Vec<(PlaceId, PlaceId)>,
     /// What [`Fact::Among`] stands for.
     pub(super) lists: Vec<Among>,
+    /// The ends of ways know all places, and what is a copy of what, not the fields alone.
+    pub(super) tells_all: bool,
     ways: usize,
 }
 
@@ -120,6 +122,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             learned: Vec::new(),
             copies: Vec::new(),
             lists: Vec::new(),
+            tells_all: false,
             ways: 0,
         }
     }
@@ -284,6 +287,9 @@ impl<'e, 'm> Engine<'e, 'm> {
         }
         if Effects::of_all(&body).leaves {
             return Err(Lost);
+        }
+        if self.tells_all {
+            return Ok(Leaf { body, state, facts: self.env.clone(), breaks });
         }
         let mut facts = Vec::with_capacity(self.fields.len());
         for place in self.fields {

@@ -15,6 +15,7 @@ use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type
 use super::fold::initial;
 use super::share::{is_first, take_first};
 use super::uses::{Effects, is_plain};
+use crate::model::StepId;
 use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -31,11 +32,9 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop
             Statement::Loop { body, .. } => block(program, body, true),
             Statement::Match(place, arms, otherwise) if otherwise.is_empty() => {
                 if let (Role::State(region), true) = (program.places[place.0].role, are_single(arms)) {
-                    // An arm for each step: there are no others for which nothing is done.
-                    let steps = program.regions[region].len();
                     let count = usize::from(starts(arms));
                     let (start, others) = arms.split_at_mut(count);
-                    if others.len() > 1 && others.len() >= steps && (in_loop || !start.is_empty()) {
+                    if others.len() > 1 && are_all(program, region, others) && (in_loop || !start.is_empty()) {
                         let start = start.first_mut().map(|(_, body)| body);
                         all.append(&mut out_of(&program.places, *place, start, others));
                     }
@@ -46,6 +45,12 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop
         all.push(statement);
     }
     *statements = all;
+}
+
+/// Whether there are no other states for which nothing is done: an arm for each step, and, where a region may be without one, for none.
+fn are_all(program: &Program<'_>, region: usize, arms: &[Arm<'_>]) -> bool {
+    let has = |step: Option<StepId>| arms.iter().any(|(values, _)| values.contains(&Value::Step(step)));
+    program.regions[region].iter().all(|step| has(Some(*step))) && (program.regions.len() == 1 || has(None))
 }
 
 /// Whether the first arm is that of the first cycle.

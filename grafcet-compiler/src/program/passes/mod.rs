@@ -8,9 +8,11 @@
 //! - `moved`: the state that the cycle began with tells whether it has moved
 //! - `search`: the same in the loop of a `grafcet`, and after it
 //! - `several`: of several regions, each looked at by itself as far as that is possible
+//! - `rounds`: of the search over several regions, what forces and encloses first, and one match for each region
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `dead`: what nobody looks at
+//! - `once`: nothing is asked of the inputs twice on a way
 //! - `store`: the next state is stored once
 //! - `tables`: of a long sequence a test for each condition, and a table of the next states
 //! - `next`: steps that wait for the same share an arm, and a table says which step is next
@@ -19,7 +21,7 @@
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
-//! `share` (what lists have in common, `alike` what only looks different), `several` also on `parts` (another order, in which those of one region stand together) and `among` (which
+//! `share` (what lists have in common, `alike` what only looks different), `several` and `rounds` also on `parts` (another order, in which those of one region stand together) and `among` (which
 //! states of a region are possible); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
 
 mod alike;
@@ -35,10 +37,12 @@ mod forward;
 mod hoist;
 mod moved;
 mod next;
+mod once;
 mod outputs;
 mod parts;
 mod passed;
 mod records;
+mod rounds;
 mod search;
 mod several;
 mod share;
@@ -65,9 +69,11 @@ pub enum Pass {
     Moved,
     Search,
     Several,
+    Rounds,
     Hoist,
     Forward,
     Dead,
+    Once,
     Store,
     Tables,
     Next,
@@ -78,7 +84,7 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 20] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -88,9 +94,11 @@ impl Pass {
         Self::Moved,
         Self::Search,
         Self::Several,
+        Self::Rounds,
         Self::Hoist,
         Self::Forward,
         Self::Dead,
+        Self::Once,
         Self::Store,
         Self::Tables,
         Self::Next,
@@ -124,6 +132,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Several) {
         several::pass(program);
     }
+    if wants(Pass::Rounds) {
+        rounds::pass(program);
+    }
     if wants(Pass::Hoist) {
         hoist::pass(program);
     }
@@ -132,6 +143,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Dead) {
         dead::pass(program);
+    }
+    if wants(Pass::Once) {
+        once::pass(program);
     }
     if wants(Pass::Store) {
         store::pass(program);

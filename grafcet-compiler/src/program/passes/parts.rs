@@ -60,8 +60,17 @@ pub(super) fn spread<'m>(
 pub(super) fn parts<'m>(places: &[PlaceInfo<'m>], list: Vec<Statement<'m>>) -> Vec<Part<'m>> {
     let regions = regions(places, &list);
     let keys = keys(places, &list, &regions);
-    let after = Order::of(places, &list);
-    let order = after.scheduled(&keys);
+    cut(places, list, &regions, &keys)
+}
+
+/// By the keys of statements: those of one key stand together as far as that is possible.
+pub(super) fn cut<'m>(
+    places: &[PlaceInfo<'m>],
+    list: Vec<Statement<'m>>,
+    regions: &[Set<usize>],
+    keys: &[Option<usize>],
+) -> Vec<Part<'m>> {
+    let order = Order::of(places, &list).scheduled(keys);
     let mut statements: Vec<Option<Statement<'m>>> = list.into_iter().map(Some).collect();
     let mut parts: Vec<(Option<usize>, Part<'m>)> = Vec::new();
     for at in order {
@@ -78,7 +87,7 @@ pub(super) fn parts<'m>(places: &[PlaceInfo<'m>], list: Vec<Statement<'m>>) -> V
 }
 
 /// By statement, the regions on whose states it depends or which it writes, also by way of locals.
-fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Vec<Set<usize>> {
+pub(super) fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Vec<Set<usize>> {
     let mut of: Vec<Set<usize>> = vec![Set::new(); places.len()];
     for (place, of) in places.iter().zip(&mut of) {
         if let Role::State(region) = place.role {
@@ -108,7 +117,7 @@ fn regions(places: &[PlaceInfo<'_>], list: &[Statement<'_>]) -> Vec<Set<usize>> 
 }
 
 /// A truth to which one more is added: `any = any || …`.
-fn gathers(statement: &Statement<'_>) -> Option<PlaceId> {
+pub(super) fn gathers(statement: &Statement<'_>) -> Option<PlaceId> {
     let Statement::Set(place, Expr::Any(parts)) = statement else { return None };
     let others = |part: &Expr<'_>| {
         let mut free = true;

@@ -4,15 +4,15 @@
 //! match after                       match after
 //!   A: lamp = true                    A: lamp = true, bell = false
 //!   B:                        ->      B:
-//!     lamp = true                       if hot: lamp = true, bell = true
-//!     bell = hot                        else: lamp = true, bell = false
+//!     lamp = true                       lamp = true, bell = false
+//!     bell = hot                        bell = hot
 //!                                     else: lamp = false, bell = false
 //! ```
 //!
 //! As many as a register holds are returned in it: put together of constants they are a constant, of parts they are three instructions each.
 //!
 //! Needs: all outputs are truths that begin each cycle as false; the last statement alone writes them, and in each state at most one that is
-//! not known. What it looks at can be asked then.
+//! not known, which is set behind the others.
 
 use super::super::build::{no, yes};
 use super::super::{Expr, PlaceId, Program, Role, Statement, Type, Value};
@@ -38,7 +38,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         new.push((values.clone(), body));
     }
     *arms = new;
-    *otherwise = record(&outputs, &[], None);
+    *otherwise = record(&outputs, &[]);
 }
 
 /// All outputs, where they are few.
@@ -68,23 +68,30 @@ fn whole<'m>(body: &[Statement<'m>], outputs: &[PlaceId]) -> Option<Vec<Statemen
                 }
                 set.push((*place, *value));
             }
-            Statement::Set(place, value) if outputs.contains(place) && open.is_none() => open = Some((*place, value)),
+            Statement::Set(place, value)
+                if outputs.contains(place)
+                    && open.is_none()
+                    && Effects::of(statement).reads.is_disjoint(&outputs.iter().copied().collect()) =>
+            {
+                open = Some((*place, value));
+            }
             _ => return None,
         }
     }
-    let Some((place, condition)) = open else { return Some(record(outputs, &set, None)) };
+    let Some((place, value)) = open else { return Some(record(outputs, &set)) };
     if set.iter().any(|(other, _)| *other == place) {
         return None;
     }
-    let [then, otherwise] = [true, false].map(|value| record(outputs, &set, Some((place, value))));
-    Some(vec![Statement::If(condition.clone(), then, otherwise)])
+    let mut whole = record(outputs, &set);
+    whole.push(Statement::Set(place, value.clone()));
+    Some(whole)
 }
 
 /// A constant for each output.
-fn record<'m>(outputs: &[PlaceId], set: &[(PlaceId, bool)], open: Option<(PlaceId, bool)>) -> Vec<Statement<'m>> {
+fn record<'m>(outputs: &[PlaceId], set: &[(PlaceId, bool)]) -> Vec<Statement<'m>> {
     let mut record = Vec::with_capacity(outputs.len());
     for output in outputs {
-        let holds = set.iter().chain(&open).any(|(place, value)| place == output && *value);
+        let holds = set.iter().any(|(place, value)| place == output && *value);
         record.push(Statement::Set(*output, if holds { yes() } else { no() }));
     }
     record

@@ -214,7 +214,7 @@ impl<'m> Search<'m> {
 }
 
 /// Paragraphs opened.
-fn opened<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
+pub(super) fn opened<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
     let mut list = Vec::new();
     for statement in statements {
         match statement {
@@ -244,7 +244,7 @@ fn base(program: &Program<'_>) -> Vec<bool> {
 }
 
 /// The state is written once on each way, at its end, and only where it changes: what stands in between knows it.
-fn settle(tree: &mut Tree<'_>, state: PlaceId, from: Value) {
+pub(super) fn settle(tree: &mut Tree<'_>, state: PlaceId, from: Value) {
     let other = |statement: &Statement<'_>| !matches!(statement, Statement::Set(place, _) if *place == state);
     tree.body.retain(other);
     match &mut tree.end {

@@ -7,7 +7,7 @@
 //!     if a: after = S2                         S1|S3:
 //!     else: after = S1               ->          if !a: leave
 //!   S2: …                                      S2: …
-//! state = after                              after = table(state)
+//! state = after                              after = table(after)
 //!                                            state = after
 //! ```
 //!
@@ -59,7 +59,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
     let body = vec![
         Statement::Match(state, tests, Vec::new()),
-        Statement::Set(after, Expr::Table(state, table)),
+        Statement::Set(after, Expr::Table(after, table)),
         Statement::Set(state, Expr::Place(after)),
         Statement::Break,
     ];

@@ -18,6 +18,7 @@ pub(super) const WORDS: &[&str] = &[
     "assume",
     "optimize",
     "encoding",
+    "forceable",
     "never",
     "always",
     "home",

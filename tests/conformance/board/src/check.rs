@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-pub(crate) use grafcet::{Chart, Phase, Ticks};
+pub(crate) use grafcet::{Chart, Forceable, Phase, Ticks};
 
 /// The calls of one cycle as text: `first heat(80); `. More than fit are cut off, and then differ from what is expected.
 #[derive(Default)]

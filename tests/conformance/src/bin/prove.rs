@@ -6,11 +6,11 @@ use std::time::{Duration, Instant};
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::{Encoding, counted};
+use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_compiler::{model, parse};
 use grafcet_conformance::prove::{Counts, Kind};
 use grafcet_prove::circuit::Circuit;
-use grafcet_prove::{Limit, Verdict, decide, export, table, words};
+use grafcet_prove::{Limit, Verdict, decide, decide_live, export, table, words};
 use proc_macro2::{TokenStream, TokenTree};
 
 const USAGE: &str = "\
@@ -104,7 +104,7 @@ fn count(word: Option<String>) -> Result<u64, String> {
 /// So many charts of each kind.
 fn random(charts: u64, options: &Options) -> Result<bool, String> {
     for (grafcet, timed) in [(false, false), (true, false), (false, true), (true, true)] {
-        let kind = Kind { grafcet, timed, cycles: options.cycles, abc: options.abc };
+        let kind = Kind { grafcet, timed, several: true, cycles: options.cycles, abc: options.abc };
         let (start, mut counts, mut number) = (Instant::now(), Counts::default(), options.first);
         while (counts.charts as u64) < charts {
             grafcet_conformance::prove::number(number, kind, &mut counts)?;
@@ -166,30 +166,45 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
     for (property, refused) in &circuit.refused {
         println!("  not modelled: {}: {refused}", written(&model, *property));
     }
-    for bad in &circuit.bad {
-        let start = Instant::now();
-        let verdict =
-            decide(&program, &circuit, *bad, &Limit::time(options.time)).map_err(|error| error.to_string())?;
-        let seconds = start.elapsed().as_secs_f64();
-        let text = written(&model, bad.property);
+    for property in 0..model.properties.len() {
+        let (start, limit) = (Instant::now(), Limit::time(options.time));
+        let bad = circuit.bad.iter().find(|bad| bad.property == property);
+        let live = circuit.live.iter().find(|live| live.property == property);
+        let verdict = match (bad, live) {
+            (Some(bad), _) => decide(&program, &circuit, *bad, &limit),
+            (None, Some(live)) => decide_live(&program, &circuit, *live, &limit),
+            (None, None) => continue,
+        };
+        let verdict = verdict.map_err(|error| error.to_string())?;
         proved &= matches!(verdict, Verdict::Proved(_));
-        match verdict {
-            Verdict::Proved(invariant) => {
-                println!("  proved in {seconds:.2} s: {text}");
-                if options.why {
-                    for line in words::lines(&program, &circuit, &invariant) {
-                        println!("    {line}");
-                    }
-                }
-            }
-            Verdict::Violated(way) => {
-                println!("  broken in {seconds:.2} s, in cycle {}: {text}", way.len());
-                print!("{}", indented(&table(&model, &way)));
-            }
-            Verdict::Undecided(why) => println!("  undecided in {seconds:.2} s: {text}: {why}"),
-        }
+        say(&program, &circuit, property, &verdict, (start.elapsed(), options.why));
     }
     Ok(proved)
+}
+
+fn say(program: &Program<'_>, circuit: &Circuit, property: usize, verdict: &Verdict, (time, why): (Duration, bool)) {
+    let (seconds, text) = (time.as_secs_f64(), written(program.model, property));
+    match verdict {
+        Verdict::Proved(proof) => {
+            println!("  proved in {seconds:.2} s: {text}");
+            if why {
+                let circuit = proof.beside.as_deref().unwrap_or(circuit);
+                for line in words::lines(program, circuit, &proof.invariant) {
+                    println!("    {line}");
+                }
+            }
+        }
+        Verdict::Violated(way) => {
+            println!("  broken in {seconds:.2} s, in cycle {}: {text}", way.len());
+            print!("{}", indented(&table(program.model, way)));
+        }
+        Verdict::Endless { way, again } => {
+            let (first, last) = (again + 1, way.len());
+            println!("  broken in {seconds:.2} s, where the cycles {first} to {last} come again and again: {text}");
+            print!("{}", indented(&table(program.model, way)));
+        }
+        Verdict::Undecided(why) => println!("  undecided in {seconds:.2} s: {text}: {why}"),
+    }
 }
 
 fn written(model: &Model, property: usize) -> String {
@@ -199,6 +214,11 @@ fn written(model: &Model, property: usize) -> String {
         Claim::Always { premise: None, condition } => format!("always {}", condition.text),
         Claim::Always { premise: Some(premise), condition } => format!("always {} => {}", premise.text, condition.text),
         Claim::Home(..) => "home".to_owned(),
+        Claim::LeadsTo { from, to, within } => {
+            let within = within.map_or_else(String::new, |ticks| format!(" within {ticks} ticks"));
+            format!("{} leads_to {}{within}", from.text, to.text)
+        }
+        Claim::Before { first, then } => format!("{} before {}", first.text, then.text),
     }
 }
 

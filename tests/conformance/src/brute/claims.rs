@@ -7,6 +7,7 @@ use grafcet_compiler::model::{Claim, Model, Property, StepId};
 
 use super::compare::{Comparison, Difference};
 use super::graph::Graph;
+use super::responses::{self, Broken};
 
 /// The rules about properties.
 pub(super) const RULES: &[&str] = &["property_violated", "property_undecided", "not_home"];
@@ -112,6 +113,11 @@ pub(crate) fn broken(
             let misses = graph.misses(model, &home.iter().copied().collect::<std::collections::BTreeSet<StepId>>());
             let lost = misses.iter().enumerate().skip(1).filter(|(_, missed)| **missed);
             lost.for_each(|(state, _)| note(depths[&state]));
+        }
+        claim @ (Claim::LeadsTo { .. } | Claim::Before { .. }) => {
+            if let Some(Broken::In(depth)) = responses::broken(model, graph, claim)? {
+                note(depth);
+            }
         }
         claim => {
             let violation = claim.violation().ok_or("a property without a meaning")?;

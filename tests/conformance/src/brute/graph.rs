@@ -6,12 +6,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::model::{
-    Binary, Effect, Expr, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree, Ty,
+    Binary, Claim, Effect, Expr, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree, Ty,
 };
 use grafcet_sim::interp::{Evolution, Interpreter, Memory, Situation, Value};
 
 /// Half of what a tick count holds: two of them are more than any time in a chart, and lead back to the same count.
-const LEAP: u32 = 1 << 31;
+pub(crate) const LEAP: u32 = 1 << 31;
 
 /// All that can happen in a chart without time; in one with time, a part of it.
 pub struct Graph {
@@ -73,7 +73,7 @@ impl Graph {
         valuations.retain(|_| !excluded.next().unwrap_or(false));
         let mut numbers = BTreeMap::from([(machine.memory().clone(), 0)]);
         let mut graph = Self { states: vec![State::new(&machine)], valuations };
-        let times: &[u32] = if model.uses_time() { &[0, LEAP] } else { &[0] };
+        let times: &[u32] = if passes(model) { &[0, LEAP] } else { &[0] };
         let mut nows = vec![0_u32];
         let mut next = 0;
         while next < graph.states.len() {
@@ -195,6 +195,15 @@ impl State {
         let (situation, memory) = (machine.situation().clone(), machine.memory().clone());
         Self { situation, memory, cycles: Vec::new() }
     }
+}
+
+/// Whether it matters that time passes, to the chart or to its properties.
+pub(crate) fn passes(model: &Model) -> bool {
+    let is_time =
+        |read: &Read| matches!(read, Read::Since(_) | Read::MacroSince(_) | Read::Elapsed(..) | Read::MacroElapsed(..));
+    let reads = |claim: &Claim| claim.expressions().iter().any(|expr| expr.reads.iter().any(is_time));
+    let deadline = |claim: &Claim| matches!(claim, Claim::LeadsTo { within: Some(_), .. });
+    model.uses_time() || model.properties.iter().any(|property| reads(&property.claim) || deadline(&property.claim))
 }
 
 /// Whether an expression reads no outputs, and times only to see whether steps have been active for so long; collects for

@@ -95,6 +95,38 @@ pub fn counting(number: u64, grafcet: bool, timed: bool) -> String {
     lines.join("\n") + "\n"
 }
 
+/// A counting chart, which claims something over several cycles, too, and may say which inputs come again and again.
+#[must_use]
+pub fn of_several_cycles(chart: &str, number: u64, timed: bool) -> String {
+    let mut rng = Rng::new(number ^ 0xa9a1);
+    let mut lines: Vec<String> = chart.lines().map(str::to_owned).collect();
+    let is_step = |line: &&str| line.contains("step ") && !line.contains("macro");
+    let steps = chart.lines().filter(is_step).filter_map(|line| line.strip_suffix(" {")?.rsplit(' ').next());
+    let steps: Vec<&str> = steps.collect();
+    let inputs: Vec<&str> =
+        chart.lines().filter_map(|line| line.strip_prefix("input ")?.strip_suffix(": bool;")).collect();
+    let end = lines.len() - 1;
+    for _ in 0..3 {
+        let mut one = || match rng.below(4) {
+            0 => format!("n == {}", rng.below(5)),
+            1 => format!("!{}.X", rng.pick(&steps)),
+            _ => (*rng.pick(&steps)).to_owned(),
+        };
+        let (what, other) = (one(), one());
+        let claim = match rng.below(if timed { 4 } else { 2 }) {
+            0 => format!("{what} leads_to {other};"),
+            1 => format!("{what} before {other};"),
+            time => format!("{what} leads_to {other} within {}s;", [1, 7][time % 2]),
+        };
+        lines.insert(end, claim);
+    }
+    if let Some(input) = inputs.first().filter(|_| rng.chance(50)) {
+        lines.insert(end, format!("assume often {input};"));
+        lines.insert(end, format!("assume often !{input};"));
+    }
+    lines.join("\n") + "\n"
+}
+
 impl Maker {
     fn write(&mut self, body: &Body, words: &mut Words, lines: &mut Vec<String>) {
         if let Some(name) = &body.name {

@@ -7,7 +7,7 @@
 //! - `circles`: what turns for ever whenever it is entered
 //! - `rules`: what is reported beside what happens
 //! - `nested`: what is decided by reduction
-//! - `claims`: the properties that stand in the chart
+//! - `claims`: the properties that stand in the chart; `responses`: those over more than one cycle
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
 
@@ -21,6 +21,7 @@ mod hierarchy;
 pub mod make;
 mod nested;
 mod replay;
+pub(crate) mod responses;
 mod rules;
 pub mod run;
 pub mod verdicts;

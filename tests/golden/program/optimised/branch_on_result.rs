@@ -1,7 +1,7 @@
 // Recorded by `cargo xtask bless`: state and cycle of the program, without the facade's path.
 
 pub struct Sorter {
-    state: __SorterState,
+    situation: __SorterState,
     z: bool,
     params: SorterParams,
 }
@@ -11,7 +11,7 @@ impl Sorter {
     }
     pub const fn with_params(params: SorterParams) -> Self {
         Self {
-            state: __SorterState::INIT,
+            situation: __SorterState::INIT,
             z: false,
             params,
         }
@@ -27,7 +27,7 @@ impl Sorter {
             }
         };
         let after: __SorterState;
-        match self.state {
+        match self.situation {
             __SorterState::INIT => {
                 after = __SorterState::Feed;
             }
@@ -49,11 +49,11 @@ impl Sorter {
                 if !inputs.piece {
                     after = __SorterState::Feed;
                 } else {
-                    after = self.state;
+                    after = self.situation;
                 }
             }
         }
-        self.state = after;
+        self.situation = after;
         match after {
             __SorterState::Feed => {
                 outputs.feed = true;

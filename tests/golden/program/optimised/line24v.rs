@@ -1,14 +1,14 @@
 // Recorded by `cargo xtask bless`: state and cycle of the program, without the facade's path.
 
 pub struct Line24V {
-    state: __Line24VState,
+    situation: __Line24VState,
     q2_: bool,
     stable: bool,
 }
 impl Line24V {
     pub const fn new() -> Self {
         Self {
-            state: __Line24VState::S1,
+            situation: __Line24VState::S1,
             q2_: false,
             stable: true,
         }
@@ -25,14 +25,14 @@ impl Line24V {
         };
         let mut evolutions: u8 = 0;
         loop {
-            match self.state {
+            match self.situation {
                 __Line24VState::S1 => {
                     if inputs.b1 {
                         if evolutions == 10 {
                             self.stable = false;
                             break;
                         } else {
-                            self.state = __Line24VState::S2;
+                            self.situation = __Line24VState::S2;
                             self.q2_ = true;
                         }
                     } else {
@@ -46,7 +46,7 @@ impl Line24V {
                             self.stable = false;
                             break;
                         } else {
-                            self.state = __Line24VState::S3;
+                            self.situation = __Line24VState::S3;
                         }
                     } else {
                         self.stable = true;
@@ -59,7 +59,7 @@ impl Line24V {
                             self.stable = false;
                             break;
                         } else {
-                            self.state = __Line24VState::S4;
+                            self.situation = __Line24VState::S4;
                             self.q2_ = false;
                         }
                     } else {
@@ -73,7 +73,7 @@ impl Line24V {
                             self.stable = false;
                             break;
                         } else {
-                            self.state = __Line24VState::S1;
+                            self.situation = __Line24VState::S1;
                         }
                     } else {
                         self.stable = true;
@@ -83,7 +83,7 @@ impl Line24V {
             }
             evolutions = evolutions.wrapping_add(1);
         }
-        match self.state {
+        match self.situation {
             __Line24VState::S1 => {
                 outputs.q1 = true;
             }

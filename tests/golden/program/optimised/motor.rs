@@ -1,11 +1,13 @@
 // Recorded by `cargo xtask bless`: state and cycle of the program, without the facade's path.
 
 pub struct Motor {
-    state: __MotorState,
+    situation: __MotorState,
 }
 impl Motor {
     pub const fn new() -> Self {
-        Self { state: __MotorState::INIT }
+        Self {
+            situation: __MotorState::INIT,
+        }
     }
 }
 impl Motor {
@@ -18,7 +20,7 @@ impl Motor {
             }
         };
         let after: __MotorState;
-        match self.state {
+        match self.situation {
             __MotorState::INIT => {
                 after = __MotorState::Off;
             }
@@ -37,7 +39,7 @@ impl Motor {
                 }
             }
         }
-        self.state = after;
+        self.situation = after;
         match after {
             __MotorState::Off => {
                 outputs = const {

@@ -1,7 +1,7 @@
 // Recorded by `cargo xtask bless`: state and cycle of the program, without the facade's path.
 
 pub struct Dyer {
-    state: __DyerState,
+    situation: __DyerState,
     reading: Ticks,
     settled: bool,
     time: Ticks,
@@ -14,7 +14,7 @@ impl Dyer {
     }
     pub const fn with_params(params: DyerParams) -> Self {
         Self {
-            state: __DyerState::INIT,
+            situation: __DyerState::INIT,
             reading: Ticks::ZERO,
             settled: false,
             time: Ticks::ZERO,
@@ -43,14 +43,14 @@ impl Dyer {
         let elapsed: Ticks = now.since(self.reading);
         self.reading = now;
         self.time = self.time + elapsed;
-        match self.state {
+        match self.situation {
             __DyerState::INIT => {
                 self.time = Ticks::ZERO;
-                self.state = __DyerState::Idle;
+                self.situation = __DyerState::Idle;
             }
             __DyerState::Idle => {
                 if !self.edge0_before && inputs.start {
-                    self.state = __DyerState::Fill;
+                    self.situation = __DyerState::Fill;
                     self.time = Ticks::ZERO;
                     self.settled = false;
                 } else {
@@ -59,12 +59,24 @@ impl Dyer {
             }
             __DyerState::Fill => {
                 if inputs.full {
-                    self.state = __DyerState::Wash;
+                    self.situation = __DyerState::Wash;
                     self.time = Ticks::ZERO;
                     actions
-                        .heat(Phase::First, self.params.wash_at);
+                        .heat(
+                            Phase::First,
+                            {
+                                let wash_at = self.params.wash_at;
+                                wash_at
+                            },
+                        );
                     actions
-                        .drum(Phase::First, self.params.wash_rpm);
+                        .drum(
+                            Phase::First,
+                            {
+                                let wash_rpm = self.params.wash_rpm;
+                                wash_rpm
+                            },
+                        );
                     self.settled = false;
                 } else {
                     self.settled = true;
@@ -77,18 +89,24 @@ impl Dyer {
                     temperature >= wash_at
                 }) && self.time >= self.params.wash
                 {
-                    self.state = __DyerState::Dye;
+                    self.situation = __DyerState::Dye;
                     self.time = Ticks::ZERO;
                 } else {
                     actions
                         .heat(
                             Phase::Repeated,
-                            self.params.wash_at,
+                            {
+                                let wash_at = self.params.wash_at;
+                                wash_at
+                            },
                         );
                     actions
                         .drum(
                             Phase::Repeated,
-                            self.params.wash_rpm,
+                            {
+                                let wash_rpm = self.params.wash_rpm;
+                                wash_rpm
+                            },
                         );
                 }
             }
@@ -99,21 +117,34 @@ impl Dyer {
                     temperature >= dye_at
                 }) && self.time >= self.params.dye
                 {
-                    self.state = __DyerState::Drain;
+                    self.situation = __DyerState::Drain;
                     self.time = Ticks::ZERO;
-                    actions.heat(Phase::Final, self.params.dye_at);
+                    actions
+                        .heat(
+                            Phase::Final,
+                            {
+                                let dye_at = self.params.dye_at;
+                                dye_at
+                            },
+                        );
                 }
             }
             __DyerState::Drain => {
                 if inputs.empty {
-                    self.state = __DyerState::Idle;
+                    self.situation = __DyerState::Idle;
                     self.time = Ticks::ZERO;
                     actions
-                        .drum(Phase::Final, self.params.wash_rpm);
+                        .drum(
+                            Phase::Final,
+                            {
+                                let wash_rpm = self.params.wash_rpm;
+                                wash_rpm
+                            },
+                        );
                 }
             }
         }
-        match self.state {
+        match self.situation {
             __DyerState::Idle => {
                 outputs.ready = true;
             }
@@ -121,12 +152,32 @@ impl Dyer {
                 outputs.inlet = true;
             }
             __DyerState::Dye => {
-                actions.heat(Phase::Repeated, self.params.dye_at);
-                actions.drum(Phase::Repeated, self.params.dye_rpm);
+                actions
+                    .heat(
+                        Phase::Repeated,
+                        {
+                            let dye_at = self.params.dye_at;
+                            dye_at
+                        },
+                    );
+                actions
+                    .drum(
+                        Phase::Repeated,
+                        {
+                            let dye_rpm = self.params.dye_rpm;
+                            dye_rpm
+                        },
+                    );
             }
             __DyerState::Drain => {
                 actions
-                    .drum(Phase::Repeated, self.params.wash_rpm);
+                    .drum(
+                        Phase::Repeated,
+                        {
+                            let wash_rpm = self.params.wash_rpm;
+                            wash_rpm
+                        },
+                    );
                 outputs.outlet = true;
             }
             _ => {}
@@ -141,13 +192,13 @@ impl Dyer {
             return Option::Some(self.reading);
         }
         let mut soonest = Option::None;
-        if self.state == __DyerState::Wash && self.time < self.params.wash {
+        if self.situation == __DyerState::Wash && self.time < self.params.wash {
             soonest = sooner(
                 soonest,
                 Option::Some(self.params.wash - self.time),
             );
         }
-        if self.state == __DyerState::Dye && self.time < self.params.dye {
+        if self.situation == __DyerState::Dye && self.time < self.params.dye {
             soonest = sooner(
                 soonest,
                 Option::Some(self.params.dye - self.time),

@@ -1,7 +1,7 @@
 // Recorded by `cargo xtask bless`: state and cycle of the program, without the facade's path.
 
 pub struct Crossing {
-    state: __CrossingState,
+    situation: __CrossingState,
     reading: Ticks,
     since: Ticks,
     edge0_before: bool,
@@ -10,7 +10,7 @@ pub struct Crossing {
 impl Crossing {
     pub const fn new() -> Self {
         Self {
-            state: __CrossingState::INIT,
+            situation: __CrossingState::INIT,
             reading: Ticks::ZERO,
             since: Ticks::ZERO,
             edge0_before: false,
@@ -38,11 +38,11 @@ impl Crossing {
                 hurry: false,
             }
         };
-        self.before_state = self.state;
+        self.before_state = self.situation;
         self.reading = now;
         let passed: Ticks = now.since(self.since);
         let mut goes: bool = false;
-        match self.state {
+        match self.situation {
             __CrossingState::INIT => {
                 goes = true;
             }
@@ -71,7 +71,7 @@ impl Crossing {
                         const TABLE: [u16; 7usize] = [
                             0, 5000, 3000, 0, 0, 4000, 0,
                         ];
-                        match TABLE.get(self.state as usize) {
+                        match TABLE.get(self.situation as usize) {
                             Option::Some(found) => {
                                 u32::from(*found)
                             }
@@ -81,7 +81,7 @@ impl Crossing {
             }
         }
         if goes {
-            self.state = {
+            self.situation = {
                 const TABLE: [__CrossingState; 7usize] = [
                     __CrossingState::Asked,
                     __CrossingState::Yellow,
@@ -91,14 +91,14 @@ impl Crossing {
                     __CrossingState::Cars,
                     __CrossingState::Cars,
                 ];
-                match TABLE.get(self.state as usize) {
+                match TABLE.get(self.situation as usize) {
                     Option::Some(found) => *found,
-                    Option::None => self.state,
+                    Option::None => self.situation,
                 }
             };
             self.since = now;
         }
-        match self.state {
+        match self.situation {
             __CrossingState::Cars => {
                 outputs.green = true;
             }
@@ -129,11 +129,11 @@ impl Crossing {
     pub fn next_deadline(
         &self,
     ) -> Option<Ticks> {
-        if self.before_state != self.state {
+        if self.before_state != self.situation {
             return Option::Some(self.since);
         }
         let mut soonest = Option::None;
-        if self.state == __CrossingState::Asked
+        if self.situation == __CrossingState::Asked
             && self.reading.since(self.since) < Ticks::new(5000u32)
         {
             soonest = sooner(
@@ -144,7 +144,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Yellow
+        if self.situation == __CrossingState::Yellow
             && self.reading.since(self.since) < Ticks::new(3000u32)
         {
             soonest = sooner(
@@ -155,7 +155,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Stop
+        if self.situation == __CrossingState::Stop
             && self.reading.since(self.since) < Ticks::new(2000u32)
         {
             soonest = sooner(
@@ -166,7 +166,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Walk
+        if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(1000u32)
         {
             soonest = sooner(
@@ -177,7 +177,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Walk
+        if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(6000u32)
         {
             soonest = sooner(
@@ -188,7 +188,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Walk
+        if self.situation == __CrossingState::Walk
             && self.reading.since(self.since) < Ticks::new(8000u32)
         {
             soonest = sooner(
@@ -199,7 +199,7 @@ impl Crossing {
                 ),
             );
         }
-        if self.state == __CrossingState::Clear
+        if self.situation == __CrossingState::Clear
             && self.reading.since(self.since) < Ticks::new(4000u32)
         {
             soonest = sooner(

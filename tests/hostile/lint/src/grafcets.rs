@@ -5,6 +5,7 @@ use grafcet::{Phase, grafcet};
 grafcet! {
     /// The 24 V production line.
     pub grafcet Line24V {
+        forceable;
         input b1, b2, b3, b4, b5: bool;
         output q1, q2, q3: bool;
 
@@ -24,6 +25,7 @@ grafcet! {
 grafcet! {
     /// A cell: forcing, an enclosing step, a macro-step, an action on clearing.
     pub grafcet Cell {
+        forceable;
         input estop, start, part, full, clamped, auto: bool;
         output belt, clamp, lamp, bell: bool;
         var n: u16 = 0;
@@ -58,6 +60,7 @@ grafcet! {
 grafcet! {
     /// Times, a code action in every way, a block, a delay, an unstable search.
     pub grafcet Oven {
+        forceable;
         input door, start: bool;
         output lamp, fan: bool;
         output burner: bool;
@@ -109,6 +112,7 @@ grafcet! {
     /// A bit for each step: a step that is taken and given back at once, an enclosure, edges, times, an unstable search.
     pub grafcet Flags {
         encoding flags;
+        forceable;
         input a, b, hold: bool;
         output on, off: bool;
         output count: u8;

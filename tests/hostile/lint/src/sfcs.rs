@@ -18,6 +18,7 @@ grafcet! {
 grafcet! {
     /// A batch: parallel branches, times, edges, a recipe, a code action.
     pub sfc Batch {
+        forceable;
         input start, full, empty: bool;
         input level: u16;
         output valve, pump, lamp: bool;
@@ -41,6 +42,7 @@ grafcet! {
 grafcet! {
     /// All eleven qualifiers, for outputs, variables, code actions, assignments and blocks.
     pub sfc Qualifiers {
+        forceable;
         input go, stop, again: bool;
         input level: u16;
         output n, s, l, d, p, sd, ds, sl: bool;
@@ -99,6 +101,7 @@ grafcet! {
     /// A bit for each step: one at a time, entered anew, with times and a variable.
     pub sfc Flags {
         encoding flags;
+        forceable;
         input go, stop: bool;
         output x, y: bool;
         var n: u8 = 0;

@@ -7,12 +7,14 @@ grafcet! {
     pub sfc Plain {
         #![allow(grafcet::unused_variable, grafcet::set_without_reset, grafcet::reset_without_set)]
         input inputs, now, actions, self_, before, after, outputs, value, first, step, elapsed, steps, again: bool;
+        input forced, forced0: bool;
+        forceable;
         output situation, stable, entered, reset, q: bool;
         var last: bool;
         var active: u8;
 
         initial step Off { N situation; P1 active = active + 1; }
-        step On { N stable; S entered; R reset; N q if inputs || now && value; N last = last || step && elapsed; }
+        step On { N stable; S entered; R reset; N q if inputs || now && value && forced != forced0; N last = last || step && elapsed; }
 
         Off -[inputs && !now || actions || self_]-> On -[before || after || outputs && first]-> Off;
         On -[rising(value) || steps && again && Off.X]-> On;
@@ -34,6 +36,7 @@ grafcet! {
         param hot: u16 = 1;
         action call(phase: u16, inputs: u16);
         action scan();
+        forceable;
 
         initial step Off { N situation; P0 scan(); }
         step One { N call(since, time); L limit region; D 2s set; SD params steps; kept; R region_0; speed = ticks + hot; }
@@ -61,6 +64,7 @@ grafcet! {
         param params: time = 2s;
         action call(phase: u16, now: u16);
         max_evolutions 5;
+        forceable;
 
         partial Above {
             initial step Ready;
@@ -85,6 +89,7 @@ grafcet! {
     pub grafcet Flags {
         #![allow(grafcet::deadlock)]
         encoding flags;
+        forceable;
         input before, after, first_of_byte, byte, set, moved, steps: bool;
         output situation, state, on: bool;
         var count: u8;

@@ -6,6 +6,7 @@ pub(crate) mod graph;
 pub(crate) mod leaf;
 pub(crate) mod reduction;
 pub(crate) mod settles;
+pub(crate) mod situations;
 pub(crate) mod some_ways;
 pub(crate) mod whole;
 

@@ -79,6 +79,8 @@ impl<'m> Several<'_, 'm> {
             regions.len() > 1 && matches!(self.places[place.0].ty, Type::Bool) && !self.places[place.0].is_field
         });
         let Some(at) = found else { return part.statements };
+        let Some(left) = self.conditions.get().checked_sub(1) else { return part.statements };
+        self.conditions.set(left);
         let (mut before, mut rest) = (Vec::new(), Vec::new());
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;
@@ -117,7 +119,7 @@ impl<'m> Several<'_, 'm> {
             engine.note(place, Fact::Is(Value::Bool(holds)));
             let env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
             let mut way = self.spec(&rest, &env);
-            if env.later.contains(&place) {
+            if env.later.contains(&place) || self.base[place.0] {
                 way.insert(0, Statement::Set(place, Expr::Value(Value::Bool(holds))));
             }
             ways.push(way);

@@ -22,6 +22,10 @@
 mod joint;
 mod single;
 
+pub(super) use single::weight;
+
+use std::cell::Cell;
+
 use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::{Live, is_seen, needed};
 use super::engine::{Among, Engine, Fact};
@@ -58,28 +62,58 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
 }
 
+/// More conditions of several regions than this are not asked first.
+const CONDITIONS: usize = 256;
+
 /// What is known where some statements begin.
 #[derive(Clone)]
-struct Env {
-    facts: Vec<Fact>,
-    lists: Vec<Among>,
+pub(super) struct Env {
+    pub(super) facts: Vec<Fact>,
+    pub(super) lists: Vec<Among>,
     /// What is read after them.
-    later: Set<PlaceId>,
+    pub(super) later: Set<PlaceId>,
 }
 
-struct Several<'p, 'm> {
-    places: &'p [PlaceInfo<'m>],
+pub(super) struct Several<'p, 'm> {
+    pub(super) places: &'p [PlaceInfo<'m>],
     beside: &'p [Set<StepId>],
     /// By region: its place, and its states.
-    states: Vec<PlaceId>,
+    pub(super) states: Vec<PlaceId>,
     points: Vec<States>,
     first: PlaceId,
-    /// By place: whether it is read after the end of the cycle.
-    base: Vec<bool>,
+    /// By place: whether it is read after the statements that are looked at.
+    pub(super) base: Vec<bool>,
+    /// By region: it is never without a step.
+    pub(super) full: Vec<bool>,
+    /// What a state tells of another region.
+    pub(super) ties: Vec<Tie>,
+    /// So many conditions of several regions may still be asked first: each of them doubles what is behind it.
+    conditions: Cell<usize>,
+}
+
+/// Where one region has this state, another one has that.
+pub(super) struct Tie {
+    pub(super) above: (usize, Option<StepId>),
+    pub(super) below: (usize, Option<StepId>),
 }
 
 impl<'p, 'm> Several<'p, 'm> {
     fn of(program: &'p Program<'m>) -> Option<Self> {
+        let first = program.place(Role::First)?;
+        let asked = program.deadline.as_ref().is_some_and(|deadline| {
+            let mut found = mentions(&deadline.at_once, first);
+            for (condition, time) in &deadline.waits {
+                found |= mentions(condition, first) || mentions(time, first);
+            }
+            found
+        });
+        let mut base = read_behind(program);
+        base[first.0] = false;
+        (!asked).then(|| Self::over(program, base)).flatten()
+    }
+
+    /// For statements behind which these places are read.
+    pub(super) fn over(program: &'p Program<'m>, base: Vec<bool>) -> Option<Self> {
         let (mut states, mut points) = (Vec::new(), Vec::new());
         if program.regions.len() < 2 || program.beside.is_empty() {
             return None;
@@ -91,19 +125,18 @@ impl<'p, 'm> Several<'p, 'm> {
             points.push(States::of(begin, steps));
         }
         let first = program.place(Role::First)?;
-        let asked = program.deadline.as_ref().is_some_and(|deadline| {
-            let mut found = mentions(&deadline.at_once, first);
-            for (condition, time) in &deadline.waits {
-                found |= mentions(condition, first) || mentions(time, first);
-            }
-            found
-        });
-        let mut base = needed(program);
-        for (needed, place) in base.iter_mut().zip(&program.places) {
-            *needed &= place.is_field || is_seen(place);
-        }
-        base[first.0] = false;
-        (!asked).then_some(Self { places: &program.places, beside: &program.beside, states, points, first, base })
+        let full = vec![false; states.len()];
+        Some(Self {
+            places: &program.places,
+            beside: &program.beside,
+            states,
+            points,
+            first,
+            base,
+            full,
+            ties: Vec::new(),
+            conditions: Cell::new(CONDITIONS),
+        })
     }
 
     /// The region whose state tells that the first cycle is still to come, and the cycle.
@@ -113,20 +146,10 @@ impl<'p, 'm> Several<'p, 'm> {
         if loops || !effects.writes.contains(&self.first) {
             return None;
         }
-        let mut facts = Vec::with_capacity(self.places.len());
-        for place in self.places {
-            facts.push(match initial(place) {
-                _ if place.is_field => Fact::Nothing,
-                Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
-                _ => Fact::Initial,
-            });
-        }
-        let mut env = Env { facts, lists: Vec::new(), later: Set::new() };
+        let mut env = Env::of(self.places);
         let mut start = self.first_cycle(list, &env)?;
         env.facts[self.first.0] = Fact::Is(Value::Bool(false));
-        for (region, state) in self.states.iter().enumerate() {
-            env.facts[state.0] = env.among(self.possible(region));
-        }
+        self.any_situation(&mut env);
         let mut rest = self.spec(list, &env);
         let mut head = self.states[0];
         if let Some(Statement::Match(place, ..)) =
@@ -172,24 +195,52 @@ impl<'p, 'm> Several<'p, 'm> {
         (facts[self.first.0] == Fact::Is(Value::Bool(false))).then(|| self.swept(body, &env))
     }
 
+    /// The state of each region is one of all that it has.
+    pub(super) fn any_situation(&self, env: &mut Env) {
+        for (region, state) in self.states.iter().enumerate() {
+            env.facts[state.0] = env.among(self.possible(region));
+        }
+    }
+
     /// All states of a region; there may be none.
-    fn possible(&self, region: usize) -> Among {
+    pub(super) fn possible(&self, region: usize) -> Among {
         let mut all = Vec::new();
         for value in &self.points[region].all {
-            if let Value::Step(step) = value {
-                all.push(*step);
+            match value {
+                Value::Step(None) if self.full[region] => {}
+                Value::Step(step) => all.push(*step),
+                _ => {}
             }
         }
         all
     }
 
     /// Statements with all that is known, and what is known after them.
-    fn folded(&self, list: &[Statement<'m>], env: &Env) -> (Vec<Statement<'m>>, Vec<Fact>) {
+    pub(super) fn folded(&self, list: &[Statement<'m>], env: &Env) -> (Vec<Statement<'m>>, Vec<Fact>) {
         let index = Index::whole(self.places.len(), 0, &self.points[0]);
         let mut engine = self.engine(list, &index, 0, env);
         let mut body = Vec::new();
         engine.block(list, &mut body);
         (body, engine.env)
+    }
+
+    /// What is known after statements that have been looked at with this.
+    pub(super) fn after(&self, list: &[Statement<'m>], env: &mut Env) {
+        let writes = Effects::of_all(list).writes;
+        let (_, after) = self.folded(list, env);
+        for place in &*writes {
+            env.facts[place.0] = match after[place.0] {
+                Fact::Among(list) if list >= env.lists.len() => Fact::Nothing,
+                // Another place is no better to read than this one.
+                Fact::Copy(_) if !matches!(self.places[place.0].ty, Type::State(_)) => Fact::Nothing,
+                fact => fact,
+            };
+        }
+        for (at, (fact, after)) in env.facts.iter_mut().zip(after).enumerate() {
+            if matches!(*fact, Fact::Copy(of) if writes.contains(&of)) && !writes.contains(&PlaceId(at)) {
+                *fact = after;
+            }
+        }
     }
 
     fn engine<'e>(&'e self, list: &'e [Statement<'m>], index: &'e Index, region: usize, env: &Env) -> Engine<'e, 'm> {
@@ -203,7 +254,7 @@ impl<'p, 'm> Several<'p, 'm> {
     }
 
     /// What nobody looks at is left away.
-    fn swept(&self, mut body: Vec<Statement<'m>>, env: &Env) -> Vec<Statement<'m>> {
+    pub(super) fn swept(&self, mut body: Vec<Statement<'m>>, env: &Env) -> Vec<Statement<'m>> {
         let mut flips = Set::new();
         for place in &*env.later {
             if !self.base[place.0] {
@@ -214,7 +265,7 @@ impl<'p, 'm> Several<'p, 'm> {
         body
     }
 
-    fn spec(&self, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {
+    pub(super) fn spec(&self, list: &[Statement<'m>], env: &Env) -> Vec<Statement<'m>> {
         let (body, _) = self.folded(list, env);
         let body = self.swept(body, env);
         let off = |place: PlaceId| env.facts[place.0] == Fact::Is(Value::Bool(false));
@@ -230,22 +281,9 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut body = Vec::new();
         for (number, part) in parts.into_iter().enumerate() {
             env.later.clone_from(&later[later.len() - 2 - number]);
-            let writes = Effects::of_all(&part.statements).writes;
-            let (_, after) = self.folded(&part.statements, &env);
+            let statements = part.statements.clone();
             body.extend(self.part(part, &env));
-            for place in &*writes {
-                env.facts[place.0] = match after[place.0] {
-                    Fact::Among(list) if list >= env.lists.len() => Fact::Nothing,
-                    // Another place is no better to read than this one.
-                    Fact::Copy(_) if !matches!(self.places[place.0].ty, Type::State(_)) => Fact::Nothing,
-                    fact => fact,
-                };
-            }
-            for (at, (fact, after)) in env.facts.iter_mut().zip(after).enumerate() {
-                if matches!(*fact, Fact::Copy(of) if writes.contains(&of)) && !writes.contains(&PlaceId(at)) {
-                    *fact = after;
-                }
-            }
+            self.after(&statements, &mut env);
         }
         body
     }
@@ -267,6 +305,19 @@ impl<'p, 'm> Several<'p, 'm> {
 }
 
 impl Env {
+    /// Locals hold what they begin with.
+    pub(super) fn of(places: &[PlaceInfo<'_>]) -> Self {
+        let mut facts = Vec::with_capacity(places.len());
+        for place in places {
+            facts.push(match initial(place) {
+                _ if place.is_field => Fact::Nothing,
+                Some(value) if !matches!(place.ty, Type::User(_)) => Fact::Is(value),
+                _ => Fact::Initial,
+            });
+        }
+        Self { facts, lists: Vec::new(), later: Set::new() }
+    }
+
     fn among(&mut self, states: Among) -> Fact {
         if let [state] = states[..] {
             return Fact::Is(Value::Step(state));
@@ -292,6 +343,15 @@ fn join_wide(parts: &mut Vec<Part<'_>>, places: &[PlaceInfo<'_>]) {
         }
         at += 1;
     }
+}
+
+/// By place: whether it is read after the end of the cycle.
+pub(super) fn read_behind(program: &Program<'_>) -> Vec<bool> {
+    let mut base = needed(program);
+    for (needed, place) in base.iter_mut().zip(&program.places) {
+        *needed &= place.is_field || is_seen(place);
+    }
+    base
 }
 
 /// What is a copy of what.

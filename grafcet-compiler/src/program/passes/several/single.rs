@@ -6,7 +6,7 @@ use super::super::share;
 use super::super::sparse::{Index, deciding};
 use super::super::split::{collect, merged};
 use super::super::uses::Effects;
-use super::{Env, Several};
+use super::{Env, Several, Tie};
 use crate::model::{Id, StepId};
 use crate::program::{Arm, PlaceId, Statement, Type, Value};
 
@@ -18,7 +18,7 @@ const DISPATCH: usize = 5;
 
 impl<'m> Several<'_, 'm> {
     /// A part of one region: an arm for each of its states.
-    pub(super) fn single(&self, region: usize, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
+    pub(in super::super) fn single(&self, region: usize, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
         let Fact::Among(list) = env.facts[self.states[region].0] else { return part.statements };
         let states = env.lists[list].clone();
         let Some(mut arms) = self.arms(region, &states, &part.statements, env) else { return part.statements };
@@ -37,6 +37,19 @@ impl<'m> Several<'_, 'm> {
         list: &[Statement<'m>],
         env: &Env,
     ) -> Option<Vec<(Value, Tree<'m>)>> {
+        Some(self.ways(region, states, list, env, false)?.0)
+    }
+
+    /// The same, if it is wanted with all that is known at the ends of the ways.
+    #[allow(clippy::type_complexity, reason = "the ways, and what their facts stand for")]
+    pub(in super::super) fn ways(
+        &self,
+        region: usize,
+        states: &Among,
+        list: &[Statement<'m>],
+        env: &Env,
+        tells_all: bool,
+    ) -> Option<(Vec<(Value, Tree<'m>)>, Vec<Among>)> {
         let (points, state) = (&self.points[region], self.states[region]);
         let mut index = Index::whole(self.places.len(), list.len(), points);
         let writes = |one: &Statement<'m>| Effects::of(one).writes.iter().any(|place| self.states.contains(place));
@@ -48,12 +61,18 @@ impl<'m> Several<'_, 'm> {
             }
         }
         let mut engine = self.engine(list, &index, region, env);
+        engine.tells_all = tells_all;
         let mut arms = Vec::new();
         for step in states {
             let mut known = vec![(state, Fact::Is(Value::Step(*step)))];
             for other in (0..self.states.len()).filter(|other| *other != region) {
                 let mut beside = env.clone();
-                if let Some(fact) = self.narrowed(other, *step, &mut beside) {
+                let tie = |tie: &&Tie| tie.above == (region, *step) && tie.below.0 == other;
+                let tied =
+                    self.ties.iter().find(tie).filter(|_| matches!(env.facts[self.states[other].0], Fact::Among(_)));
+                if let Some(tie) = tied {
+                    known.push((self.states[other], Fact::Is(Value::Step(tie.below.1))));
+                } else if let Some(fact) = self.narrowed(other, *step, &mut beside) {
                     known.push((self.states[other], fact));
                 }
             }
@@ -63,7 +82,7 @@ impl<'m> Several<'_, 'm> {
             tree.each_leaf_mut(&mut |leaf| leaf.body = self.swept(std::mem::take(&mut leaf.body), env));
             arms.push((Value::Step(*step), tree));
         }
-        Some(arms)
+        Some((arms, engine.lists))
     }
 
     /// What is known of a region beside a step of another one, where that is a single state.
@@ -130,7 +149,7 @@ pub(super) fn evolution(state: PlaceId, arms: Vec<(Value, Tree<'_>)>) -> Stateme
 }
 
 /// How many statements there are.
-fn weight(statements: &[Statement<'_>]) -> usize {
+pub(in super::super) fn weight(statements: &[Statement<'_>]) -> usize {
     let mut sum = 0;
     for statement in statements {
         sum += match statement {

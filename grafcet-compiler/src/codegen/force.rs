@@ -1,0 +1,201 @@
+//! `force`: a cycle that leads into a given situation (A38), of a chart that says `forceable;`.
+//!
+//! Its evolution is given and not searched for; all else is that of an ordinary cycle, made by the plan's twin (`Plan::forced`), which keeps the situation
+//! before and the one after beside each other.
+
+use proc_macro2::{Literal, TokenStream};
+
+use super::bind::Moment;
+use super::{Cx, names, requirements, state};
+use crate::analysis::{Facts, Situations};
+use crate::list::List;
+use crate::model::{Id, StepId};
+use crate::place::quote;
+use crate::plan::RegionId;
+
+/// The method and the trait, where the chart asks for them.
+pub(super) fn all(cx: &Cx<'_>, facts: &Facts<'_>, root: &TokenStream) -> Option<TokenStream> {
+    let plan = cx.plan.forced.as_deref()?;
+    let situations = if cx.is_alone() { Situations::Alone } else { Situations::of(cx.model, facts) };
+    let possible = possible(&situations, &cx.p);
+    Some(Cx::new(cx.model, plan, root).force(&possible))
+}
+
+/// `Possible::Pairs(b"…")`
+pub(super) fn possible(situations: &Situations, p: &TokenStream) -> TokenStream {
+    let rows = |rows: &[u8]| Literal::byte_string(rows);
+    match situations {
+        Situations::Unknown => quote!(#p::Possible::Unknown),
+        Situations::Alone => quote!(#p::Possible::Alone),
+        Situations::Listed(table) => {
+            let rows = rows(table);
+            quote!(#p::Possible::Listed(#rows))
+        }
+        Situations::Pairs(table) => {
+            let rows = rows(table);
+            quote!(#p::Possible::Pairs(#rows))
+        }
+        Situations::Whole(table) => {
+            let rows = rows(table);
+            quote!(#p::Possible::Whole(#rows))
+        }
+    }
+}
+
+impl Cx<'_> {
+    fn force(&self, possible: &TokenStream) -> TokenStream {
+        let Cx { model, p, names, .. } = self;
+        let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
+        let (inputs, outputs) = (&names.inputs, &names.outputs);
+        let (ask, body) = (self.forced_situation(), if model.is_grafcet() { self.by_search() } else { self.by_scan() });
+        let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
+        let time = self.plan.memory.time;
+        let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
+        let ticks = time.then(|| quote!(let now: #p::Ticks = #p::core::convert::Into::into(now);));
+        let (calls, has_actions) = (&names.actions, !model.actions.is_empty());
+        let actions = has_actions.then(|| quote!(, actions: &mut (impl #calls + ?#p::core::marker::Sized)));
+        let (pass_now, now_name) = if time { (Some(quote!(, now)), quote!(now)) } else { (None, quote!(_now)) };
+        let (pass, actions_name) =
+            if has_actions { (Some(quote!(, actions)), quote!(actions)) } else { (None, quote!(_actions)) };
+        quote! {
+            #levels
+            impl #chart {
+                /// One cycle that leads into a situation by hand, whatever the transition conditions say (decision A38): no transition clears, steps that
+                /// are not named are left, named ones entered, each with its actions, and nothing of the steps in between runs.
+                ///
+                /// For commissioning: nothing that the compiler has proved of the chart's ways holds on this one.
+                ///
+                /// # Errors
+                /// The chart is never in exactly these steps; then nothing has happened.
+                #[allow(unused_assignments, unused_mut, unused_variables)]
+                #vis fn force(&mut self, steps: &[#step], inputs: &#inputs #now #actions) -> #p::Result<#outputs, #p::ForceError<#step>> {
+                    #possible.look(<Self as #p::Chart>::STEPS, steps)?;
+                    #copied
+                    #ticks
+                    #ask
+                    #p::Result::Ok({ #body })
+                }
+            }
+
+            impl #p::Forceable for #chart {
+                fn force(
+                    &mut self,
+                    steps: &[#step],
+                    inputs: &#inputs,
+                    #now_name: #p::Ticks,
+                    #actions_name: &mut Self::Actions<'_>,
+                ) -> #p::Result<#outputs, #p::ForceError<#step>> {
+                    self.force(steps, inputs #pass_now #pass)
+                }
+            }
+        }
+    }
+
+    /// The situation that is asked for, as the states of the regions.
+    fn forced_situation(&self) -> TokenStream {
+        let forced = names::local("forced");
+        if self.plan.shape.is_flags() {
+            let bytes = Literal::usize_suffixed(self.flag_bytes());
+            let arms = self.model.steps.ids().map(|id| {
+                let (name, (byte, mask)) = (state::step_name(self, id), super::situation::place(id.index()));
+                quote!(#name => #forced[#byte] |= #mask,)
+            });
+            let arms = arms.tokens();
+            return quote!(let mut #forced = [0; #bytes]; for step in steps { match *step { #arms } });
+        }
+        let (p, regions) = (&self.p, 0..self.plan.regions.all().len());
+        let declare = regions.clone().map(|region| {
+            let (name, ty) = (forced_state(region), self.names.region(region, self.plan));
+            quote!(let mut #name: #p::Option<#ty> = #p::Option::None;)
+        });
+        let arm = |id: StepId| {
+            let (name, variant) = (state::step_name(self, id), self.variant(id));
+            let region = forced_state(self.plan.regions.of_step(id));
+            quote!(#name => #region = #p::Option::Some(#variant),)
+        };
+        let arms = self.model.steps.ids().map(arm).tokens();
+        let states = regions.map(|region| {
+            let name = forced_state(region);
+            let none = if self.plan.regions.all()[region].may_be_empty {
+                self.empty(region)
+            } else {
+                quote!(return #p::Result::Err(#p::ForceError::NoSituation))
+            };
+            quote! {
+                let #name = match #name {
+                    #p::Option::Some(state) => state,
+                    #p::Option::None => #none,
+                };
+            }
+        });
+        quote!(#(#declare)* for step in steps { match *step { #arms } } #(#states)*)
+    }
+
+    /// The situation before, and the one that is asked for as that after it.
+    fn forced_snapshot(&self) -> TokenStream {
+        let befores = self.befores();
+        let again = (0..self.plan.regions.all().len()).filter(|region| self.plan.sees_reentry[*region]);
+        let again = again.map(|region| names::again(region, self.plan)).list();
+        let afters = if self.plan.shape.is_flags() {
+            let (after, forced) = (names::after(0, self.plan), names::local("forced"));
+            quote!(let #after = #forced;)
+        } else {
+            let after = |region| {
+                let (after, forced) = (names::after(region, self.plan), forced_state(region));
+                quote!(let #after = #forced;)
+            };
+            (0..self.plan.regions.all().len()).map(after).tokens()
+        };
+        quote!(#befores #afters #(let #again = false;)*)
+    }
+
+    /// An `sfc`: the scan of any other cycle, but for its evolution.
+    fn by_scan(&self) -> TokenStream {
+        let (outputs, time) = (self.declare_outputs(), self.pass_time());
+        let first = self.plan.memory.asks_for_start().then(|| {
+            let first = self.first();
+            quote!(let first = #first;)
+        });
+        let (declare_edges, samples) = (self.declare_edges(), self.sample_all(&quote!(first)));
+        let (snapshot, keep, commit) = (self.forced_snapshot(), self.keep_times(), self.commit());
+        let (settle, acts, unsettle) = (self.settle(), self.scan_actions(), self.unsettle());
+        let result = self.result();
+        quote! {
+            #outputs #time #first #snapshot #declare_edges #samples #keep #commit #settle #acts #unsettle #result
+        }
+    }
+
+    /// A `grafcet`: one evolution, and a look at where it has led; the edges of that are still to be seen.
+    fn by_search(&self) -> TokenStream {
+        let (outputs, forget, time) = (self.declare_outputs(), self.forget_instability(), self.pass_time());
+        let (start, left) = (self.start_cycle(), self.unsettle());
+        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(fresh)));
+        let (combinational, edges) =
+            (self.all_combinational(Moment::Condition), self.sample_edges(false, &quote!(fresh)));
+        let fresh = (self.plan.memory.asks_for_start() && self.samples_in_search()).then(|| quote!(fresh = false;));
+        let (declare, collect) = (self.declare_collected(), self.collect_stored());
+        let (stored, take_over) = (self.do_stored(), self.commit_collected());
+        let (commit, restart, gone) = (self.commit(), self.restart_times(), self.forget_edges());
+        let (evolve, look) = (self.forced_snapshot(), self.befores());
+        let (keep, put_back) = self.keep_edges();
+        let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
+        let stable = self.stable_situation(&TokenStream::new());
+        quote! {
+            #outputs #forget #time #start
+            #declare_edges #still
+            {
+                #evolve #combinational #edges #fresh
+                #declare #collect #stored #take_over #commit #restart #gone
+            }
+            #keep
+            { #look #combinational #edges }
+            #put_back
+            #stable #continuous #calls #left #result
+        }
+    }
+}
+
+/// The state of a region that is asked for.
+fn forced_state(region: RegionId) -> proc_macro2::Ident {
+    names::local(&format!("forced{region}"))
+}

@@ -1,0 +1,242 @@
+//! The search of a `grafcet` over several regions: in the loop what forces and encloses first, then what that leaves to the others, each
+//! region with one match on its state.
+//!
+//! ```text
+//! loop                                               loop
+//!   was.state.R = state.R                              moves = false
+//!   was.state.M = state.M                              match state.R
+//!   clears.R→S = was.state.R is R && stop                R:
+//!   clears.A→B = free.M && was.state.M is A && a           if stop:
+//!   if clears.R→S: state.R = S                ->             state.R = S
+//!   if state.R is S: state.M = none                          state.M = none
+//!   else if clears.A→B: state.M = B                          moves = true
+//!   if !(was.state.R != state.R || …): break               else:
+//!                                                            match state.M
+//!                                                              A: if a: …
+//!                                                      if !moves: break
+//! ```
+//!
+//! What is done after a round that has found the situation stable is done once for each state (`several`).
+//!
+//! Needs: one loop, which is left where no region has moved and nothing else has changed, or with the situation taken back; nothing around it writes
+//! the situation.
+
+mod owners;
+mod turn;
+
+use super::super::build::{differ, no, not};
+use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::dead::Live;
+use super::engine::Fact;
+use super::flat::flat;
+use super::fold::initial;
+use super::search::opened;
+use super::several::{Env, Several, read_behind};
+use super::uses::{Effects, same};
+use crate::sorted::Set;
+
+use turn::Turn;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    if program.beside.is_empty() {
+        return;
+    }
+    let count = program.places.len();
+    let mut places = std::mem::take(&mut program.places);
+    let found = Cycle::of(program, &mut places);
+    program.places = places;
+    match found.and_then(|found| found.cycle(program)) {
+        Some(cycle) => program.cycle = cycle,
+        None => program.places.truncate(count),
+    }
+}
+
+/// A cycle with a loop in it.
+struct Cycle<'m> {
+    before: Vec<Statement<'m>>,
+    rounds: u32,
+    /// Up to where it is known whether something moves.
+    turn: Vec<Statement<'m>>,
+    /// What leaves the loop, and what is done otherwise.
+    end: Vec<Statement<'m>>,
+    behind: Vec<Statement<'m>>,
+    /// Free for the shape of a round.
+    goes: Vec<PlaceId>,
+}
+
+impl<'m> Cycle<'m> {
+    fn of(program: &Program<'m>, places: &mut Vec<PlaceInfo<'m>>) -> Option<Self> {
+        let mut states = Vec::new();
+        for (at, place) in places.iter().enumerate() {
+            match place.role {
+                Role::State(_) => states.push(PlaceId(at)),
+                Role::Bit(_) => return None,
+                _ => {}
+            }
+        }
+        let mut before = opened(&program.cycle);
+        let at = before.iter().position(|statement| matches!(statement, Statement::Loop { .. }))?;
+        let mut behind = before.split_off(at + 1);
+        let Some(Statement::Loop { rounds, body }) = before.pop() else { return None };
+        let touches = |list: &[Statement<'m>]| {
+            let effects = Effects::of_all(list);
+            effects.leaves || states.iter().any(|state| effects.writes.contains(state))
+        };
+        let loops = |list: &[Statement<'m>]| list.iter().any(|one| matches!(one, Statement::Loop { .. }));
+        if touches(&before) || touches(&behind) || loops(&behind) {
+            return None;
+        }
+        let mut head = opened(&body);
+        let at = head.iter().position(|one| Effects::of(one).leaves)?;
+        let tail = head.split_off(at + 1);
+        let Some(Statement::If(Expr::Not(changes), leaving, otherwise)) = head.pop() else { return None };
+        let changes = match *changes {
+            Expr::Any(parts) => parts,
+            one => vec![one],
+        };
+        if loops(&head) || loops(&tail) || !otherwise.is_empty() || leaving.len() > 2 {
+            return None;
+        }
+        let copies = copies(&states, &head, &changes)?;
+        if !tail.iter().all(|one| !Effects::of(one).leaves || takes_back(one, &copies)) {
+            return None;
+        }
+        let moves = local(places, "moves");
+        let mut turn = vec![Statement::Set(moves, no())];
+        turn.extend(flat(&head, None, true, places));
+        for part in &changes {
+            turn.push(Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), part.clone()])));
+        }
+        let mut end = vec![Statement::If(not(Expr::Place(moves)), leaving, Vec::new())];
+        let bounded = tail.iter().any(|one| Effects::of(one).leaves);
+        for statement in tail {
+            let ready = !bounded && is_nothing_where_all_rests(&statement, &changes);
+            if ready && end.iter().skip(1).all(|other| Effects::of(other).may_swap(&Effects::of(&statement))) {
+                turn.push(statement);
+            } else {
+                end.push(statement);
+            }
+        }
+        // No region has moved where the loop was left.
+        let rest = copies.iter().map(|(was, state)| Statement::Set(*was, Expr::Place(*state)));
+        behind.splice(0..0, rest);
+        let goes = (0..states.len()).map(|_| local(places, "goes")).collect();
+        Some(Self { before, rounds, turn, end, behind, goes })
+    }
+
+    fn cycle(&self, program: &Program<'m>) -> Option<Vec<Statement<'m>>> {
+        let last = Several::over(program, read_behind(program))?;
+        let mut env = Env::of(&program.places);
+        let mut touched = Effects::of_all(&self.before);
+        touched.add_all(&self.turn);
+        touched.add_all(&self.end);
+        for place in &*touched.writes {
+            env.facts[place.0] = Fact::Nothing;
+        }
+        let mut begin = Vec::with_capacity(last.states.len());
+        for state in &last.states {
+            let Some(Value::Step(step)) = initial(&program.places[state.0]) else { return None };
+            begin.push(step);
+        }
+        // Taken for granted, and taken back where a way leads elsewhere.
+        let mut full: Vec<bool> = begin.iter().map(Option::is_some).collect();
+        let (mut body, behind) = loop {
+            let mut env = env.clone();
+            let mut last = Several::over(program, last.base.clone())?;
+            last.full.clone_from(&full);
+            last.any_situation(&mut env);
+            let behind = last.spec(&self.behind, &env);
+            let mut several = Several::over(program, self.read_after_turn(&last.base, &behind))?;
+            several.full.clone_from(&full);
+            let ties = Turn::of(&several, &self.turn, &self.goes).ties(&env, &begin);
+            several.ties = ties;
+            let turn = Turn::of(&several, &self.turn, &self.goes).statements(&env)?;
+            let mut again = false;
+            for (full, state) in full.iter_mut().zip(&last.states) {
+                if *full && empties(&turn, *state) {
+                    *full = false;
+                    again = true;
+                }
+            }
+            if !again {
+                break (turn, behind);
+            }
+        };
+        body.extend(self.end.iter().cloned());
+        let mut cycle = self.before.clone();
+        cycle.push(Statement::Loop { rounds: self.rounds, body });
+        cycle.extend(behind);
+        Some(cycle)
+    }
+
+    /// By place: whether it is read after the turn.
+    fn read_after_turn(&self, base: &[bool], behind: &[Statement<'m>]) -> Vec<bool> {
+        let mut live = Live { base, flips: Set::new(), left: Set::new() };
+        live.sweep(&mut behind.to_vec());
+        let left = live.flips.clone();
+        let mut body = [&self.turn[..], &self.end].concat();
+        live.rounds(&mut body);
+        live.left = left;
+        live.sweep(&mut self.end.clone());
+        let mut read = base.to_vec();
+        for place in &*live.flips {
+            read[place.0] = !read[place.0];
+        }
+        read
+    }
+}
+
+fn local(places: &mut Vec<PlaceInfo<'_>>, name: &str) -> PlaceId {
+    let place = PlaceId(places.len());
+    let (name, off) = (format!("{name}.{}", place.0), Initial::Value(Value::Bool(false)));
+    places.push(PlaceInfo { name, role: Role::Local, ty: Type::Bool, initial: off, is_field: false });
+    place
+}
+
+/// The state of each region at the beginning of a round, where the loop goes on if one of them has changed.
+fn copies(states: &[PlaceId], head: &[Statement<'_>], changes: &[Expr<'_>]) -> Option<Vec<(PlaceId, PlaceId)>> {
+    let mut copies = Vec::with_capacity(states.len());
+    for state in states {
+        let was = head.iter().find_map(|one| match one {
+            Statement::Set(was, Expr::Place(place)) if place == state => Some(*was),
+            _ => None,
+        })?;
+        let is_asked = changes.iter().any(|part| same(part, &differ(was, *state)));
+        copies.push(is_asked.then_some((was, *state))?);
+    }
+    Some(copies)
+}
+
+/// Whether it leaves the loop with the situation taken back.
+fn takes_back(statement: &Statement<'_>, copies: &[(PlaceId, PlaceId)]) -> bool {
+    let Statement::If(_, leaving, otherwise) = statement else { return false };
+    let taken = |(was, state): &(PlaceId, PlaceId)| {
+        let is =
+            |one: &Statement<'_>| matches!(one, Statement::Set(to, Expr::Place(from)) if to == state && from == was);
+        leaving.iter().any(is)
+    };
+    otherwise.is_empty() && copies.iter().all(taken)
+}
+
+/// Whether it does nothing in a round in which nothing moves: it may be done before that is asked.
+fn is_nothing_where_all_rests(statement: &Statement<'_>, changes: &[Expr<'_>]) -> bool {
+    let among = |expr: &Expr<'_>| changes.iter().any(|part| same(part, expr));
+    match statement {
+        Statement::Set(to, Expr::Place(from)) => among(&differ(*to, *from)),
+        Statement::If(condition, _, otherwise) => among(condition) && otherwise.is_empty(),
+        _ => false,
+    }
+}
+
+/// Whether a region may be left without a step.
+fn empties(statements: &[Statement<'_>], state: PlaceId) -> bool {
+    statements.iter().any(|statement| match statement {
+        Statement::Set(place, value) => *place == state && !matches!(value, Expr::Value(Value::Step(Some(_)))),
+        Statement::If(_, then, otherwise) => empties(then, state) || empties(otherwise, state),
+        Statement::Match(_, arms, otherwise) => {
+            arms.iter().any(|(_, body)| empties(body, state)) || empties(otherwise, state)
+        }
+        Statement::Part(_, body) | Statement::Loop { body, .. } => empties(body, state),
+        _ => false,
+    })
+}

@@ -1,0 +1,126 @@
+//! Whose a statement is: of the regions whose states it writes, or for whose sake something is computed.
+
+use super::super::parts::{gathers, regions};
+use super::super::uses::{Effects, each_read};
+use crate::program::{Expr, PlaceId, PlaceInfo, Role, Statement};
+use crate::sorted::Set;
+
+/// By statement: the regions on which it depends, and the key of those it belongs to; none where it belongs to all of them.
+#[allow(clippy::type_complexity, reason = "both by statement")]
+pub(super) fn owners(
+    places: &[PlaceInfo<'_>],
+    list: &[Statement<'_>],
+    states: &[PlaceId],
+) -> (Vec<Set<usize>>, Vec<Option<usize>>) {
+    let mut groups = Groups { group: (0..states.len()).collect(), of: vec![None; places.len()], states };
+    groups.unite(places, list);
+    let regions = regions(places, list);
+    let mut keys = vec![None; list.len()];
+    for (at, statement) in list.iter().enumerate().rev() {
+        keys[at] = groups.owner(places, (list, &keys), at, statement, &regions[at]);
+    }
+    (regions, keys)
+}
+
+struct Groups<'s> {
+    /// By region: another one of the same group, or itself.
+    group: Vec<usize>,
+    /// By place: a region that depends on this truth at once.
+    of: Vec<Option<usize>>,
+    states: &'s [PlaceId],
+}
+
+impl Groups<'_> {
+    fn find(&self, mut region: usize) -> usize {
+        while self.group[region] != region {
+            region = self.group[region];
+        }
+        region
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.group[a.max(b)] = a.min(b);
+    }
+
+    fn written(&self, statement: &Statement<'_>) -> Vec<usize> {
+        let writes = Effects::of(statement).writes;
+        (0..self.states.len()).filter(|region| writes.contains(&self.states[*region])).collect()
+    }
+
+    /// Regions that one statement writes, or that one truth decides, belong together.
+    fn unite(&mut self, places: &[PlaceInfo<'_>], list: &[Statement<'_>]) {
+        for statement in list {
+            let written = self.written(statement);
+            let [first, rest @ ..] = &written[..] else { continue };
+            for other in rest {
+                self.join(*first, *other);
+            }
+            for truth in &*asked(statement) {
+                let is_step = matches!(places[truth.0].role, Role::State(_)) || places[truth.0].is_field;
+                if is_step || matches!(places[truth.0].ty, crate::program::Type::State(_)) {
+                    continue;
+                }
+                match self.of[truth.0] {
+                    Some(other) => self.join(*first, other),
+                    None => self.of[truth.0] = Some(*first),
+                }
+            }
+        }
+    }
+
+    fn owner(
+        &self,
+        places: &[PlaceInfo<'_>],
+        (list, keys): (&[Statement<'_>], &[Option<usize>]),
+        at: usize,
+        statement: &Statement<'_>,
+        regions: &Set<usize>,
+    ) -> Option<usize> {
+        if let Some(region) = self.written(statement).first() {
+            return Some(self.find(*region));
+        }
+        // A copy is everybody's.
+        if matches!(statement, Statement::Set(_, Expr::Place(place)) if self.states.contains(place)) {
+            return None;
+        }
+        if let Statement::Set(place, _) = statement {
+            if let Some(region) = self.of[place.0] {
+                return Some(self.find(region));
+            }
+            if !places[place.0].is_field && gathers(statement).is_none() {
+                let mut readers = Set::new();
+                for (other, key) in list.iter().zip(keys).skip(at + 1) {
+                    if Effects::of(other).reads.contains(place) {
+                        readers.insert(*key);
+                    }
+                }
+                if let ([one @ Some(_)], false) = (&readers[..], regions.is_empty()) {
+                    return *one;
+                }
+            }
+        }
+        let mut own = Set::new();
+        for region in &**regions {
+            own.insert(self.find(*region));
+        }
+        match own[..] {
+            [] => None,
+            [one] => Some(one),
+            // It looks at several that do not depend on each other.
+            _ => Some(usize::MAX),
+        }
+    }
+}
+
+/// What a statement asks before it writes.
+fn asked(statement: &Statement<'_>) -> Set<PlaceId> {
+    let mut found = Set::new();
+    if let Statement::If(condition, then, otherwise) = statement {
+        each_read(condition, &mut |place| _ = found.insert(place));
+        for inner in then.iter().chain(otherwise) {
+            found.extend(asked(inner).iter().copied());
+        }
+    }
+    found
+}

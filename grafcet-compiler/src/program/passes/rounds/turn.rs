@@ -1,0 +1,348 @@
+//! One round: its parts from above downwards. At the ends of the ways of what forces or encloses the parts below are looked at with what is
+//! known there; where most ways leave them the same to do, that is done once behind them.
+
+use std::cell::Cell;
+
+use super::super::engine::{End, Fact, Tree};
+use super::super::parts::{Part, cut, gathers};
+use super::super::search::settle;
+use super::super::several::{Env, Several, Tie, weight};
+use super::super::split::merged;
+use super::super::uses::{Effects, is_pure, same_block};
+use super::owners::owners;
+use crate::model::StepId;
+use crate::program::build::{no, yes};
+use crate::program::{Expr, PlaceId, Statement, Value};
+use crate::sorted::Set;
+
+/// More ends of ways than this are too many.
+const ENDS: usize = 500;
+
+/// In statements: what is more is not done at the end of several ways.
+const FEW: usize = 8;
+
+pub(super) struct Turn<'t, 'p, 'm> {
+    several: &'t Several<'p, 'm>,
+    parts: Vec<Part<'m>>,
+    /// By part: what is read after it, in this round.
+    later: Vec<Set<PlaceId>>,
+    /// By part: what it reads and writes; what is only gathered may be gathered in any order.
+    effects: Vec<Effects>,
+    goes: &'t [PlaceId],
+    left: Cell<usize>,
+}
+
+impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
+    pub(super) fn of(several: &'t Several<'p, 'm>, list: &[Statement<'m>], goes: &'t [PlaceId]) -> Self {
+        let (regions, keys) = owners(several.places, list, &several.states);
+        let parts = cut(several.places, list.to_vec(), &regions, &keys);
+        let mut later = vec![Set::new()];
+        for part in parts.iter().rev() {
+            let mut reads = later.last().cloned().unwrap_or_default();
+            reads.extend(Effects::of_all(&part.statements).reads.iter().copied());
+            later.push(reads);
+        }
+        later.pop();
+        later.reverse();
+        let effects = parts.iter().map(|part| effects(&part.statements)).collect();
+        Self { several, parts, later, effects, goes, left: Cell::new(ENDS) }
+    }
+
+    /// What a state tells of what stands below it, whatever it was before: after a round, and so before the next one.
+    pub(super) fn ties(&self, env: &Env, begin: &[Option<StepId>]) -> Vec<Tie> {
+        let states = &self.several.states;
+        let mut ties = Vec::new();
+        for (at, part) in self.parts.iter().enumerate() {
+            let written = written(self.several, part);
+            let behind: Vec<usize> = (at + 1..self.parts.len()).collect();
+            let ([region], false) = (&written[..], self.below(at, &behind).0.is_empty()) else { continue };
+            for step in self.several.possible(*region) {
+                let mut env = env.clone();
+                for fact in &mut env.facts {
+                    *fact = Fact::Nothing;
+                }
+                env.facts[states[*region].0] = Fact::Is(Value::Step(step));
+                for below in &self.parts[at + 1..] {
+                    self.after(&below.statements, &mut env);
+                }
+                for (other, state) in states.iter().enumerate().filter(|(other, _)| other != region) {
+                    let Fact::Is(Value::Step(told)) = env.facts[state.0] else { continue };
+                    if begin[*region] != step || begin[other] == told {
+                        ties.push(Tie { above: (*region, step), below: (other, told) });
+                    }
+                }
+            }
+        }
+        ties
+    }
+
+    pub(super) fn statements(&self, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let all: Vec<usize> = (0..self.parts.len()).collect();
+        self.from(&all, env.clone())
+    }
+
+    /// Some parts, in their order.
+    fn from(&self, parts: &[usize], mut env: Env) -> Option<Vec<Statement<'m>>> {
+        let mut done = Vec::new();
+        let mut left = parts.to_vec();
+        left.reverse();
+        while let Some(at) = left.pop() {
+            let part = &self.parts[at];
+            env.later.clone_from(&self.later[at]);
+            let next: Vec<usize> = left.iter().rev().copied().collect();
+            let (below, beside) = self.below(at, &next);
+            if let ([region], false) = (&written(self.several, part)[..], below.is_empty()) {
+                // Where the others say alone what becomes of it, it does not lead.
+                let state = self.several.states[*region];
+                let given = self.several.folded(&part.statements, &env).1[state.0];
+                if !matches!(given, Fact::Is(_)) || matches!(env.facts[state.0], Fact::Is(_)) {
+                    if let Some(nested) = self.nested((at, &below), *region, &env) {
+                        done.extend(nested);
+                        for part in [at].iter().chain(&below) {
+                            self.after(&self.parts[*part].statements, &mut env);
+                        }
+                        left = beside;
+                        left.reverse();
+                        continue;
+                    }
+                }
+            }
+            done.extend(self.part(part, &env)?);
+            self.after(&part.statements, &mut env);
+        }
+        Some(done)
+    }
+
+    /// Of the parts behind a part those that ask for the state that it leads to, or are below one that does, and the others.
+    fn below(&self, at: usize, next: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let mut led = written(self.several, &self.parts[at]);
+        let (mut below, mut beside): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+        for part in next {
+            let statements = &self.parts[*part].statements;
+            let asks = |region: &usize| statements.iter().any(|one| self.leads(*region, one));
+            let is_below = led.iter().any(asks);
+            if is_below {
+                led.extend(written(self.several, &self.parts[*part]));
+                below.push(*part);
+            } else {
+                beside.push(*part);
+            }
+        }
+        // What is beside is done afterwards, and must not be needed before.
+        let mut at = 0;
+        while at < beside.len() {
+            let part = beside[at];
+            if below.iter().any(|other| *other > part && !self.effects[part].may_swap(&self.effects[*other])) {
+                beside.remove(at);
+                below.push(part);
+                below.sort_unstable();
+                at = 0;
+            } else {
+                at += 1;
+            }
+        }
+        if below.iter().all(|part| written(self.several, &self.parts[*part]).is_empty()) {
+            below.clear();
+        }
+        (below, beside)
+    }
+
+    /// Whether a statement decides on another region by the state to which this one leads.
+    fn leads(&self, region: usize, one: &Statement<'m>) -> bool {
+        let effects = Effects::of(one);
+        let states = &self.several.states;
+        let moves = states.iter().enumerate().any(|(other, state)| other != region && effects.writes.contains(state));
+        moves && effects.reads.contains(&states[region])
+    }
+
+    /// One part by itself.
+    fn part(&self, part: &Part<'m>, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let written = written(self.several, part);
+        let region = match written[..] {
+            [region] => region,
+            [] if part.regions.len() == 1 => part.regions[0],
+            [] => return Some(self.several.swept(self.several.folded(&part.statements, env).0, env)),
+            _ => return Some(self.several.spec(&part.statements, env)),
+        };
+        let state = self.several.states[region];
+        let (folded, after) = self.several.folded(&part.statements, env);
+        // What the others say alone is done without asking for the own state.
+        let is_given = !written.is_empty() && matches!(after[state.0], Fact::Is(_));
+        match env.facts[state.0] {
+            Fact::Among(list) if !is_given => {
+                let part = Part { statements: part.statements.clone(), regions: part.regions.clone() };
+                let done = tidy(self.several.single(region, part, env));
+                Some(whole(done, state, env.lists[list].len()))
+            }
+            Fact::Is(Value::Step(step)) if !written.is_empty() => {
+                let (mut ways, _) = self.several.ways(region, &vec![step], &part.statements, env, false)?;
+                let (value, mut tree) = ways.pop()?;
+                settle(&mut tree, state, value);
+                Some(tidy(tree.statements()))
+            }
+            _ => Some(tidy(self.several.swept(folded, env))),
+        }
+    }
+
+    /// What is known after some statements.
+    fn after(&self, list: &[Statement<'m>], env: &mut Env) {
+        let (_, after) = self.several.folded(list, env);
+        for (place, fact) in after.into_iter().enumerate() {
+            env.facts[place] = match fact {
+                Fact::Among(list) if list >= env.lists.len() => Fact::Nothing,
+                fact => fact,
+            };
+        }
+    }
+
+    /// A part that leads, and at the ends of its ways those below it.
+    fn nested(&self, (at, below): (usize, &[usize]), region: usize, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let state = self.several.states[region];
+        let states = match env.facts[state.0] {
+            Fact::Among(list) => env.lists[list].clone(),
+            Fact::Is(Value::Step(step)) => vec![step],
+            _ => return None,
+        };
+        let (mut ways, lists) = self.several.ways(region, &states, &self.parts[at].statements, env, true)?;
+        let mut ends = Vec::new();
+        for (_, tree) in &ways {
+            self.ends(below, tree, &lists, &mut ends)?;
+        }
+        for (value, tree) in &mut ways {
+            settle(tree, state, *value);
+        }
+        let mut all = Vec::new();
+        let behind = most(&ends);
+        let mut number = 0;
+        let goes = self.goes.get(region).copied().filter(|_| behind.is_some_and(|(_, all)| !all));
+        for (_, tree) in &mut ways {
+            tree.each_leaf_mut(&mut |leaf| {
+                let rest = &ends[number];
+                number += 1;
+                match (behind, goes) {
+                    (Some((chosen, _)), goes) if same_block(rest, &ends[chosen]) => {
+                        leaf.body.extend(goes.map(|goes| Statement::Set(goes, yes())));
+                    }
+                    _ => leaf.body.extend(rest.iter().cloned()),
+                }
+            });
+        }
+        all.extend(goes.map(|goes| Statement::Set(goes, no())));
+        if let [(_, _)] = ways[..] {
+            all.extend(ways.pop()?.1.statements());
+        } else {
+            let mut arms = Vec::new();
+            for (value, tree) in ways {
+                let body = tree.statements();
+                if !body.is_empty() {
+                    arms.push((vec![value], body));
+                }
+            }
+            all.push(Statement::Match(state, merged(arms), Vec::new()));
+        }
+        if let Some((chosen, _)) = behind {
+            let rest = ends[chosen].clone();
+            match goes {
+                Some(goes) => all.push(Statement::If(Expr::Place(goes), rest, Vec::new())),
+                None => all.extend(rest),
+            }
+        }
+        Some(whole(tidy(all), state, states.len()))
+    }
+
+    /// What is done below, at each end of a way.
+    fn ends(
+        &self,
+        below: &[usize],
+        tree: &Tree<'m>,
+        lists: &[Vec<Option<StepId>>],
+        ends: &mut Vec<Vec<Statement<'m>>>,
+    ) -> Option<()> {
+        match &tree.end {
+            End::Leaf(leaf) => {
+                self.left.set(self.left.get().checked_sub(1)?);
+                let env = Env { facts: leaf.facts.clone(), lists: lists.to_vec(), later: Set::new() };
+                ends.push(self.from(below, env)?);
+            }
+            End::Fork(_, ways) => {
+                for way in &**ways {
+                    self.ends(below, way, lists, ends)?;
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+fn effects(statements: &[Statement<'_>]) -> Effects {
+    let mut all = Effects::default();
+    for statement in statements {
+        let mut one = Effects::of(statement);
+        if let Some(place) = gathers(statement) {
+            one.reads.remove(&place);
+            one.writes.remove(&place);
+        }
+        all.reads.extend(one.reads.iter().copied());
+        all.writes.extend(one.writes.iter().copied());
+        all.outside |= one.outside;
+        all.leaves |= one.leaves;
+    }
+    all
+}
+
+/// What most ends would do, if that is much: one of them, and whether all do it.
+fn most(ends: &[Vec<Statement<'_>>]) -> Option<(usize, bool)> {
+    let mut best: Option<(usize, usize, usize)> = None;
+    for (at, end) in ends.iter().enumerate() {
+        let weight = weight(end);
+        let count = ends.iter().filter(|other| same_block(other, end)).count();
+        if count > 1
+            && (weight > FEW || count == ends.len() && weight > 0)
+            && best.is_none_or(|(_, most, _)| count * weight > most)
+        {
+            best = Some((at, count * weight, count));
+        }
+    }
+    best.map(|(at, _, count)| (at, count == ends.len()))
+}
+
+/// The regions whose states it writes.
+fn written(several: &Several<'_, '_>, part: &Part<'_>) -> Vec<usize> {
+    let writes = Effects::of_all(&part.statements).writes;
+    (0..several.states.len()).filter(|region| writes.contains(&several.states[*region])).collect()
+}
+
+/// Where both ways do the same, nothing is asked.
+fn tidy(statements: Vec<Statement<'_>>) -> Vec<Statement<'_>> {
+    let mut all = Vec::with_capacity(statements.len());
+    for statement in statements {
+        match statement {
+            Statement::If(condition, then, otherwise) => {
+                let (then, otherwise) = (tidy(then), tidy(otherwise));
+                if is_pure(&condition) && same_block(&then, &otherwise) {
+                    all.extend(then);
+                } else {
+                    all.push(Statement::If(condition, then, otherwise));
+                }
+            }
+            Statement::Match(place, arms, otherwise) => {
+                let arms = arms.into_iter().map(|(values, body)| (values, tidy(body))).collect();
+                all.push(Statement::Match(place, merged(arms), tidy(otherwise)));
+            }
+            other => all.push(other),
+        }
+    }
+    all
+}
+
+/// Where all states of a match do the same, it is not asked for.
+fn whole(mut statements: Vec<Statement<'_>>, state: PlaceId, count: usize) -> Vec<Statement<'_>> {
+    if let [Statement::Match(place, arms, otherwise)] = &mut statements[..] {
+        if let ([(values, body)], [], true) = (&mut arms[..], &otherwise[..], *place == state) {
+            if values.len() == count {
+                return std::mem::take(body);
+            }
+        }
+    }
+    statements
+}

@@ -1,0 +1,95 @@
+//! What a chart is given, and what its places begin with.
+
+use grafcet_compiler::model::{Expr as Written, Name, ParamId, Read, Ty};
+use grafcet_compiler::program::{Initial, Type, Value};
+
+use super::sym::{Sym, Width};
+use super::{Lowering, Refused, Source, Wire};
+use crate::aig::Lit;
+use crate::bits::{self, Bits};
+
+impl Lowering<'_, '_> {
+    /// What the chart is given in this cycle.
+    pub(super) fn given(&mut self) -> Result<(), Refused> {
+        for (id, input) in self.program.model.inputs.iter() {
+            let sym = self.declared(&input.ty, Name::Input(id), Source::Input(id), &input.name.to_string())?;
+            self.given.push(sym);
+        }
+        if self.has_time() {
+            let bits: Vec<Lit> = (0..self.clock.width).map(|_| self.aig.free()).collect();
+            self.elapsed = bits::unsigned(&bits);
+            self.inputs.push(Wire { source: Source::Elapsed, bits });
+        }
+        Ok(())
+    }
+
+    pub(super) fn param(&mut self, id: ParamId) -> Result<Sym, Refused> {
+        let param = &self.program.model.params[id];
+        self.declared(&param.ty, Name::Param(id), Source::Param(id), &param.name.to_string())
+    }
+
+    fn declared(&mut self, ty: &Ty, name: Name, source: Source, text: &str) -> Result<Sym, Refused> {
+        let (width, signed) = match ty {
+            Ty::Bool(_) => (1, false),
+            Ty::Time(_) => (self.clock.width, false),
+            Ty::Int { .. } => match Width::of(ty)? {
+                Some(width) => (width.bits, width.signed),
+                None => return Err(Refused(text.to_owned())),
+            },
+            Ty::Other(_) => match self.program.model.variants_of(name) {
+                Some(variants) => ((usize::BITS - (variants.list.len() - 1).leading_zeros()).max(1) as usize, false),
+                None => return Ok(Sym::Free(self.free(text, Vec::new(), true))),
+            },
+        };
+        let bits: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
+        self.inputs.push(Wire { source, bits: bits.clone() });
+        let number: Bits = if signed { bits.clone().into() } else { bits::unsigned(&bits) };
+        Ok(match ty {
+            Ty::Bool(_) => Sym::Bool(bits[0]),
+            Ty::Time(_) => Sym::Ticks(number),
+            Ty::Int { .. } => Sym::Int(number, Width::of(ty)?),
+            Ty::Other(_) => {
+                let count = self.program.model.variants_of(name).map_or(0, |variants| variants.list.len());
+                let most = bits::constant(i128::try_from(count).unwrap_or(0));
+                let is_one = bits::below(&mut self.aig, &number, &most);
+                self.constraint = self.aig.and(self.constraint, is_one);
+                Sym::Int(number, None)
+            }
+        })
+    }
+
+    /// What the places begin with.
+    pub(super) fn initials(&mut self) -> Result<(), Refused> {
+        for place in &self.program.places {
+            let sym = match place.initial {
+                Initial::Value(value) => self.value(value)?,
+                Initial::Constant(expr) => {
+                    let sym = self.constant(expr)?;
+                    self.placed(sym, place.ty)?
+                }
+                Initial::Default => match place.ty {
+                    Type::Bool | Type::User(Ty::Bool(_)) => Sym::bool(false),
+                    Type::Ticks | Type::User(Ty::Time(_)) => self.ticks(0),
+                    Type::State(_) => self.value(Value::Step(None))?,
+                    Type::Phase => Sym::Phase,
+                    Type::Number => Sym::int(0),
+                    Type::User(ty @ Ty::Int { .. }) => Sym::Int(bits::constant(0), Width::of(ty)?),
+                    // Which variant it is, the type says.
+                    Type::User(Ty::Other(_)) => Sym::Free(self.free(&place.name, Vec::new(), false)),
+                },
+            };
+            self.initial.push(sym);
+        }
+        Ok(())
+    }
+
+    fn constant(&mut self, expr: &Written) -> Result<Sym, Refused> {
+        let mut reads = Vec::new();
+        for read in &expr.reads {
+            if let Read::Ticks(ticks) = read {
+                reads.push((*read, self.ticks(*ticks)));
+            }
+        }
+        self.tree(&expr.tree, &reads)
+    }
+}

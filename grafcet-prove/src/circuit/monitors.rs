@@ -1,0 +1,180 @@
+//! Properties over more than one cycle: what has been seen so far is latches beside those of the chart.
+
+use grafcet_compiler::analysis::combinational::written_out;
+use grafcet_compiler::model::{Claim, Expr, Model};
+use grafcet_compiler::program::Role;
+
+use super::{Bad, Deadline, Env, Field, Latch, Live, Lowering, Refused};
+use crate::aig::Lit;
+use crate::bits;
+
+/// What has been added for the properties of a chart.
+#[derive(Default)]
+pub(super) struct Monitors {
+    fields: Vec<(String, Vec<Latch>)>,
+    pub(super) bad: Vec<Bad>,
+    pub(super) live: Vec<Live>,
+    /// By property, with the number of its first field.
+    timers: Vec<(usize, usize)>,
+    pub(super) refused: Vec<(usize, Refused)>,
+}
+
+/// The same, once the latches have their numbers.
+pub(super) struct Ended {
+    pub(super) bad: Vec<Bad>,
+    pub(super) live: Vec<Live>,
+    pub(super) deadlines: Vec<Deadline>,
+}
+
+impl Monitors {
+    fn field(&mut self, property: usize, what: &str, latches: Vec<Latch>) {
+        self.fields.push((format!("property {}: {what}", property + 1), latches));
+    }
+
+    /// The latches, behind those that are there.
+    pub(super) fn finish(self, latches: &mut Vec<Latch>, fields: &mut Vec<Field>) -> Ended {
+        let mut deadlines = Vec::new();
+        for (number, (name, new)) in self.fields.into_iter().enumerate() {
+            let first = latches.len();
+            if let Some((property, _)) = self.timers.iter().find(|(_, field)| field + 1 == number) {
+                deadlines.push(Deadline { property: *property, waits: first - 1, width: new.len() });
+            }
+            fields.push(Field { place: None, name, first, width: new.len(), signed: false });
+            latches.extend(new);
+        }
+        Ended { bad: self.bad, live: self.live, deadlines }
+    }
+}
+
+/// The longest time after which something has to have come.
+fn deadline(model: &Model) -> Option<u32> {
+    let within = |claim: &Claim| if let Claim::LeadsTo { within, .. } = claim { *within } else { None };
+    model.properties.iter().filter_map(|property| within(&property.claim)).max()
+}
+
+/// The same, or the longest time between two cycles.
+pub(super) fn longest(model: &Model) -> u32 {
+    deadline(model).max(model.longest_cycle).unwrap_or(0)
+}
+
+impl Lowering<'_, '_> {
+    /// Whether a property asks how long something takes.
+    pub(super) fn has_deadline(&self) -> bool {
+        deadline(self.program.model).is_some()
+    }
+
+    /// `broken`: arithmetic has left its type in this cycle or before.
+    pub(super) fn monitors(&mut self, end: &Env, broken: Lit) -> Monitors {
+        let mut monitors = Monitors::default();
+        for (number, property) in self.program.model.properties.iter().enumerate() {
+            let watched = match &property.claim {
+                Claim::LeadsTo { from, to, within } => self.both(from, to, end).map(|(from, to)| match within {
+                    Some(ticks) => self.in_time(&mut monitors, number, (from, to), *ticks, broken),
+                    None => self.at_last(&mut monitors, number, (from, to), broken),
+                }),
+                Claim::Before { first, then } => self
+                    .both(first, then, end)
+                    .map(|(first, then)| self.precedes(&mut monitors, number, (first, then), broken)),
+                Claim::Never(_) | Claim::Always { .. } | Claim::Home(..) => continue,
+            };
+            if let Err(refused) = watched {
+                monitors.refused.push((number, refused));
+            }
+        }
+        monitors
+    }
+
+    /// Both conditions at the end of the cycle.
+    fn both(&mut self, one: &Expr, other: &Expr, end: &Env) -> Result<(Lit, Lit), Refused> {
+        let (overflow, panics, path) = (self.overflow, self.panics, self.path);
+        (self.overflow, self.panics) = (Lit::FALSE, Lit::FALSE);
+        let result = self.side(one, end).and_then(|one| Ok((one, self.side(other, end)?)));
+        let fits = (self.overflow, self.panics) == (Lit::FALSE, Lit::FALSE);
+        (self.overflow, self.panics, self.path) = (overflow, panics, path);
+        if fits {
+            result
+        } else {
+            result.and(Err(Refused("arithmetic that can leave its type in a property over several cycles".to_owned())))
+        }
+    }
+
+    fn side(&mut self, condition: &Expr, end: &Env) -> Result<Lit, Refused> {
+        match written_out(self.program.model, &condition.tree) {
+            Some(written) => self.at_end(&written, end),
+            None => Err(Refused("a property over variables that stand for too much".to_owned())),
+        }
+    }
+
+    fn bad(&mut self, monitors: &mut Monitors, property: usize, bad: Lit, broken: Lit) {
+        let certain = self.aig.and(bad, !broken);
+        monitors.bad.push(Bad { property, possible: bad, certain });
+    }
+
+    /// Waits from the end of a cycle where `from` holds and `to` does not to the next one where `to` does.
+    fn waits(&mut self, from: Lit, to: Lit) -> Latch {
+        let now = self.aig.free();
+        let asked = self.aig.or(now, from);
+        Latch { now, next: self.aig.and(asked, !to), initial: Some(false) }
+    }
+
+    /// `from leads_to to within ticks`: at the end of the first cycle so much later `to` has held.
+    fn in_time(&mut self, monitors: &mut Monitors, property: usize, (from, to): (Lit, Lit), ticks: u32, broken: Lit) {
+        let waits = self.waits(from, to);
+        let width = self.clock.width;
+        let now: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
+        let (sum, most) = (bits::add(&mut self.aig, &bits::unsigned(&now), &self.elapsed), (1_i128 << width) - 1);
+        let most = bits::constant(most);
+        let beyond = bits::below(&mut self.aig, &most, &sum);
+        let passed = bits::mux(&mut self.aig, beyond, &most, &sum);
+        let late = !bits::below(&mut self.aig, &passed, &bits::constant(i128::from(ticks)));
+        let still = self.aig.and(waits.now, waits.next);
+        let bad = self.aig.and(still, late);
+        // It begins at the end of the cycle in which it is asked for.
+        let next = bits::mux(&mut self.aig, waits.now, &passed, &bits::constant(0));
+        let next = bits::low(&next, width);
+        let timer = now.into_iter().zip(next).map(|(now, next)| Latch { now, next, initial: Some(false) });
+        monitors.timers.push((property, monitors.fields.len()));
+        monitors.field(property, "waits", vec![waits]);
+        monitors.field(property, "time", timer.collect());
+        self.bad(monitors, property, bad, broken);
+    }
+
+    /// `from leads_to to`, some time.
+    fn at_last(&mut self, monitors: &mut Monitors, property: usize, (from, to): (Lit, Lit), broken: Lit) {
+        let waits = self.waits(from, to);
+        monitors.live.push(Live { property, waits, broken });
+        monitors.field(property, "waits", vec![waits]);
+    }
+
+    /// `first before then`: as long as `first` has not held, `then` does not.
+    fn precedes(&mut self, monitors: &mut Monitors, property: usize, (first, then): (Lit, Lit), broken: Lit) {
+        let now = self.aig.free();
+        let next = self.aig.or(now, first);
+        let bad = self.aig.and(then, !next);
+        monitors.field(property, "seen", vec![Latch { now, next, initial: Some(false) }]);
+        self.bad(monitors, property, bad, broken);
+    }
+
+    /// What comes again and again, by assumption; time that passes is one of it.
+    pub(super) fn recurring(&mut self) -> Result<Vec<Lit>, Refused> {
+        let mut all = Vec::new();
+        for often in &self.program.model.often {
+            let mut reads = Vec::new();
+            for read in &often.reads {
+                reads.push((*read, self.of_inputs(*read)?));
+            }
+            let often = self.tree(&often.tree, &reads)?;
+            all.push(self.bool(&often)?);
+        }
+        if self.has_time() {
+            let none = bits::equal(&mut self.aig, &self.elapsed.clone(), &bits::constant(0));
+            all.push(!none);
+        }
+        Ok(all)
+    }
+
+    /// Not only where the chart uses time: a property may be all that asks for it.
+    pub(super) fn has_time(&self) -> bool {
+        self.program.place(Role::Reading).is_some() || self.has_deadline()
+    }
+}

@@ -1,0 +1,211 @@
+//! How the clocks of properties and those of steps go together: IC3 sees single bits, and would look for that value by value.
+//!
+//! It may never be waited for in a step; and where it is, its clock may be behind that of the step all the time, or ahead of it by no more than
+//! the steps before it take. All such sentences are candidates; those that the others do not make certain of the next cycle go, until none does (Houdini). What is left holds always.
+
+use std::collections::BTreeSet;
+
+use grafcet_compiler::model::{Id, Model, Read, StepId, TimeRef};
+use grafcet_compiler::program::{Program, Role};
+
+use crate::aig::{Aig, Lit};
+use crate::bits;
+use crate::certificate;
+use crate::circuit::{Circuit, Deadline, Field, Latch};
+use crate::sat::{Limit, Over, Sat, Wires};
+
+/// So many candidates, and no more.
+const MOST: usize = 400;
+
+/// A sentence about the latches, at the beginning of a cycle and at the beginning of the next one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Lemma {
+    pub now: Lit,
+    pub next: Lit,
+}
+
+/// The circuit in which it is known, of all cycles, how this deadline's clock goes with those of the steps.
+///
+/// # Errors
+/// The limit is reached.
+pub(crate) fn strengthened(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    deadline: Deadline,
+    limit: &Limit,
+) -> Result<Circuit, Over> {
+    let mut circuit = circuit.clone();
+    let mut lemmas = candidates(program, &mut circuit, deadline);
+    lemmas.truncate(MOST);
+    let mut lemmas = of_beginning(&circuit, &lemmas, limit)?;
+    while let Some(left) = fewer(&circuit, &lemmas, limit)? {
+        lemmas = left;
+    }
+    // The same once more, by the checker of proofs: what is wrong here would be a false proof.
+    if certificate::is_inductive(&circuit, &lemmas, limit)? {
+        for lemma in lemmas {
+            circuit.constraint = circuit.aig.and(circuit.constraint, lemma.now);
+        }
+    }
+    Ok(circuit)
+}
+
+/// What may be so of a step, or of it while something is waited for.
+#[derive(Clone, Copy)]
+enum Relation {
+    Inactive,
+    /// Something is waited for, always.
+    Active,
+    /// It is not active before the first cycle.
+    Later,
+    /// Its clock stays below this.
+    Below(u32),
+    /// The deadline's clock is so far ahead of the step's, at most.
+    Behind(u32),
+    /// It is not behind.
+    Ahead,
+}
+
+/// The candidates for a step: what its own conditions and those on the way to it say of times.
+fn relations(model: &Model, step: Option<StepId>, offsets: &[BTreeSet<u32>]) -> Vec<Relation> {
+    let mut all = vec![Relation::Inactive, Relation::Active, Relation::Later, Relation::Ahead];
+    let Some(step) = step else { return all };
+    all.extend(limits(model, step).into_iter().map(Relation::Below));
+    all.extend(offsets[step.index()].iter().map(|offset| Relation::Behind(*offset)));
+    all
+}
+
+/// The times with which conditions that leave a step compare.
+fn limits(model: &Model, step: StepId) -> BTreeSet<u32> {
+    let time = |read: &Read| match read {
+        Read::Ticks(ticks) | Read::Elapsed(TimeRef::Ticks(ticks), _) => Some(*ticks),
+        _ => None,
+    };
+    let leaving = model.leaving[step.index()].iter().flat_map(|id| &model.transitions[*id].condition.reads);
+    leaving.filter_map(time).collect()
+}
+
+/// So many steps in a row are looked at, and so many offsets for each.
+const ROW: usize = 8;
+
+/// By step: by how much a clock that has begun in a step before it may be ahead of its own. A step that is left by a time lasts so long and
+/// a cycle more, where it is known how long that is.
+fn offsets(model: &Model) -> Vec<BTreeSet<u32>> {
+    let mut all = vec![BTreeSet::from([0]); model.steps.len()];
+    let Some(cycle) = model.longest_cycle else { return all };
+    for _ in 0..ROW {
+        let before = all.clone();
+        for transition in model.transitions.values() {
+            for source in &transition.sources {
+                let lasts = limits(model, *source);
+                let longer = |offset: &u32| {
+                    let offset = *offset;
+                    lasts
+                        .iter()
+                        .map(move |limit| offset.saturating_add(*limit).saturating_add(cycle))
+                        .collect::<Vec<_>>()
+                };
+                let sums: Vec<u32> = before[source.index()].iter().flat_map(longer).collect();
+                for target in &transition.targets {
+                    let known = &mut all[target.index()];
+                    let room = ROW.saturating_sub(known.len());
+                    known.extend(sums.iter().take(room));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Of each step, those of its region that has a clock.
+fn candidates(program: &Program<'_>, circuit: &mut Circuit, deadline: Deadline) -> Vec<Lemma> {
+    let role = |field: &Field| field.place.map(|place| program.places[place.0].role);
+    let field = |wanted: Role| circuit.fields.iter().find(|field| role(field) == Some(wanted)).cloned();
+    let (timer, first) = (deadline.field(circuit), field(Role::First));
+    let mut all = Vec::new();
+    for (region, steps) in program.regions.iter().enumerate() {
+        // Without a clock of its own it is compared with the deadline's, which says nothing.
+        let clock = field(Role::Time(region)).unwrap_or_else(|| timer.clone());
+        let Some(state) = field(Role::State(region)) else { continue };
+        let codes = [None].into_iter().chain(steps.iter().copied().map(Some));
+        all.extend((0_i128..).zip(codes).map(|(code, step)| (clock.clone(), state.clone(), code, step)));
+    }
+    let offsets = offsets(program.model);
+    let mut lemmas = Vec::new();
+    for (clock, state, code, step) in all {
+        for relation in relations(program.model, step, &offsets) {
+            let mut at = |of: fn(&Latch) -> Lit| {
+                let bits = |field: &Field| {
+                    let latches = &circuit.latches[field.first..field.first + field.width];
+                    bits::unsigned(&latches.iter().map(of).collect::<Vec<Lit>>())
+                };
+                let (state, timer, clock) = (bits(&state), bits(&timer), bits(&clock));
+                let waits = of(&circuit.latches[deadline.waits]);
+                let first = first.as_ref().map_or(Lit::FALSE, |field| of(&circuit.latches[field.first]));
+                let active = bits::equal(&mut circuit.aig, &state, &bits::constant(code));
+                let wrong = wrong(&mut circuit.aig, relation, (waits, first), &timer, &clock);
+                !circuit.aig.and(active, wrong)
+            };
+            lemmas.push(Lemma { now: at(|latch| latch.now), next: at(|latch| latch.next) });
+        }
+    }
+    lemmas
+}
+
+/// Where it is not so.
+fn wrong(aig: &mut Aig, relation: Relation, (waits, first): (Lit, Lit), timer: &[Lit], clock: &[Lit]) -> Lit {
+    match relation {
+        Relation::Inactive => waits,
+        Relation::Active => aig.and(!waits, !first),
+        Relation::Later => first,
+        Relation::Below(limit) => !bits::below(aig, clock, &bits::constant(i128::from(limit))),
+        Relation::Behind(offset) => {
+            let most = bits::add(aig, clock, &bits::constant(i128::from(offset)));
+            let ahead = bits::below(aig, &most, timer);
+            aig.and(waits, ahead)
+        }
+        Relation::Ahead => {
+            let behind = bits::below(aig, timer, clock);
+            aig.and(waits, behind)
+        }
+    }
+}
+
+/// Those with which every chart begins.
+fn of_beginning(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Result<Vec<Lemma>, Over> {
+    let (mut sat, mut wires) = (Sat::new(limit), Wires::new(&circuit.aig));
+    for latch in &circuit.latches {
+        if let Some(initial) = latch.initial {
+            let term = wires.term(&mut sat, &circuit.aig, latch.now.xor(!initial));
+            sat.clause(&[term]);
+        }
+    }
+    let mut left = Vec::new();
+    for lemma in lemmas {
+        let now = wires.term(&mut sat, &circuit.aig, lemma.now);
+        if !sat.solve(&[!now])? {
+            left.push(*lemma);
+        }
+    }
+    Ok(left)
+}
+
+/// Those that still hold after a cycle before which all do; none where that is all of them.
+fn fewer(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Result<Option<Vec<Lemma>>, Over> {
+    let (mut sat, mut wires) = (Sat::new(limit), Wires::new(&circuit.aig));
+    let mut known = vec![wires.term(&mut sat, &circuit.aig, circuit.constraint)];
+    for lemma in lemmas {
+        known.push(wires.term(&mut sat, &circuit.aig, lemma.now));
+    }
+    for term in known {
+        sat.clause(&[term]);
+    }
+    let mut left = Vec::new();
+    for lemma in lemmas {
+        let next = wires.term(&mut sat, &circuit.aig, lemma.next);
+        if !sat.solve(&[!next])? {
+            left.push(*lemma);
+        }
+    }
+    Ok((left.len() < lemmas.len()).then_some(left))
+}
