@@ -111,7 +111,7 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
             _ => println!("{name}: {accepted} charts x {} cycles, {differing} differ", options.cycles),
         }
     }
-    if options.soak().is_none() {
+    if counts.recorded > 0 && options.soak().is_none() {
         println!("{name}: {} of them recorded and restored", counts.recorded);
     }
     counts.print(name, accepted);

@@ -94,9 +94,11 @@ impl Options {
         Ok(options)
     }
 
-    /// Whether the chart of this number is also recorded: every kind of chart has its turn.
+    /// Whether the chart of this number is also recorded: every kind of chart has its turn. Only the macro makes what a
+    /// recorder needs: what is printed from a program has nothing of it.
     pub(crate) fn is_recorded(&self, number: u64) -> bool {
-        self.soak.is_some() || self.recorded > 0 && Rng::new(number).number() % self.recorded == 0
+        let drawn = || self.recorded > 0 && Rng::new(number).number() % self.recorded == 0;
+        !self.printed && (self.soak.is_some() || drawn())
     }
 
     /// For how many cycles or seconds each chart runs.
