@@ -29,7 +29,7 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), String> {
-    let project = Project::new(options.folder.as_deref(), options.printed, options.soak())?;
+    let project = Project::new(options.folder.as_deref(), options.soak())?;
     let mut differences = if options.printed { corpus(&project)? } else { 0 };
     for grafcet in &options.dialects {
         differences += dialect(*grafcet, options, &project)?;

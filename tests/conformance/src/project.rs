@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::thread;
 
 use grafcet_conformance::emit;
 use grafcet_conformance::recorded::written;
@@ -35,13 +36,11 @@ pub(crate) struct Outcome {
 /// A folder in which crates are written one after the other.
 pub(crate) struct Project {
     folder: PathBuf,
-    /// Its charts are printed from programs.
-    printed: bool,
     /// Each chart runs for so many cycles, or so many seconds.
     soak: Option<[u64; 2]>,
 }
 
-/// Programs of one crate: cargo builds them beside each other.
+/// Programs of one crate: they are built and run beside each other.
 const PROGRAMS: usize = 2;
 
 /// The macros that print programs, naive and after all passes.
@@ -50,14 +49,13 @@ pub(crate) const PRINTED: [&str; 2] = ["grafcet_conformance_printed::naive", "gr
 const ALLOWED: &str = "#![allow(warnings)]\n";
 
 impl Project {
-    /// In the given folder or under the target folder; with the macro that users call, or with those that print programs.
-    pub(crate) fn new(folder: Option<&Path>, printed: bool, soak: Option<[u64; 2]>) -> Result<Self, String> {
+    /// In the given folder or under the target folder; with the macro that users call and with those that print programs.
+    pub(crate) fn new(folder: Option<&Path>, soak: Option<[u64; 2]>) -> Result<Self, String> {
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-        let own = if printed { "printed" } else { "conformance" };
-        let folder = folder.map_or_else(|| target.join(own), Path::to_owned);
+        let folder = folder.map_or_else(|| target.join("conformance"), Path::to_owned);
         let folder = std::path::absolute(&folder).map_err(|error| error.to_string())?;
         fs::create_dir_all(folder.join("src/bin")).map_err(|error| format!("{}: {error}", folder.display()))?;
-        Ok(Self { folder, printed, soak })
+        Ok(Self { folder, soak })
     }
 
     /// Compiles the charts and plays their timelines.
@@ -79,24 +77,26 @@ impl Project {
             }));
             cases.retain(|case| !guilty.contains(&case.name));
         }
-        for program in 0..PROGRAMS.min(cases.len()) {
-            outcomes.extend(self.run(program)?);
-        }
+        let ran: Result<Vec<_>, String> = thread::scope(|scope| {
+            let programs: Vec<_> =
+                (0..PROGRAMS.min(cases.len())).map(|number| scope.spawn(move || self.run(number))).collect();
+            programs.into_iter().map(|run| run.join().unwrap_or_else(|_| Err("a panic".to_owned()))).collect()
+        });
+        outcomes.extend(ran?.into_iter().flatten());
         Ok(outcomes)
     }
 
     fn manifest(&self) -> Result<(), String> {
         let root = root();
-        let printed = root.join("tests/conformance/printed");
-        let printed = format!("grafcet-conformance-printed = {{ path = '{}' }}\n", printed.display());
         let text = format!(
             "[package]\nname = \"grafcet-conformance-batch\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
-             grafcet = {{ path = '{}', features = ['wire'] }}\ngrafcet-conformance = {{ path = '{}' }}\n{}\n\
+             grafcet = {{ path = '{}', features = ['wire'] }}\ngrafcet-conformance = {{ path = '{}' }}\n\
+             grafcet-conformance-printed = {{ path = '{}' }}\n\n\
              [profile.dev]\ndebug = false\nincremental = false\nopt-level = {}\n\n\
              [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n",
             root.display(),
             root.join("tests/conformance").display(),
-            if self.printed { printed } else { String::new() },
+            root.join("tests/conformance/printed").display(),
             if self.soak.is_some() { 2 } else { 0 },
         );
         self.write("Cargo.toml", &text)?;
