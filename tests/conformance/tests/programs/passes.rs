@@ -1,0 +1,247 @@
+//! Passes, each on small charts of its own: what a person reads, and at inputs that reach what the pass has made.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
+
+use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::model::{Id, Model, OutputId};
+use grafcet_compiler::program::passes::{Pass, optimise};
+use grafcet_compiler::program::{Encoding, Expr, Role, Statement, Value, naive};
+use grafcet_conformance::program::{Outcome, compare, program as optimised, sleeps};
+use grafcet_conformance::reader;
+
+use super::{read, recorded};
+
+/// A small chart for each pass: its program in front of it and after it, as pseudo-code.
+#[test]
+fn each_pass_is_as_recorded() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden/passes");
+    let lamp = "sfc Lamp { input on, off: bool; output lamp, fan: bool; initial step Off { R fan; } step On { S fan; lamp if off; } \
+                Off -[on && !off]-> On -[off]-> Off; }";
+    let twice = "sfc Twice { input a: bool; output n: u8; output p: bool; initial step A { p; } step B { P1 n = 3; p; } \
+                 A -[a]-> B -[!a]-> A; }";
+    let called =
+        "sfc Called { input a: bool; action heat(); initial step A; step B { heat(); } A -[a]-> B -[!a]-> A; }";
+    let stairs = "grafcet Stairs { input on, off: bool; output lamp, warm: bool; initial step Dark { R warm; } step Lit { lamp; S warm; } \
+                  Dark -[on]-> Lit -[off]-> Dark; }";
+    let timed =
+        "sfc Timed { input a: bool; output p: bool; initial step A; step B { p; } A -[rising(a)]-> B -[5ms/B]-> A; }";
+    let pair = "sfc Pair { input a, b, c, d: bool; output p, q, r: bool; initial step Start { p; } step A1 { q; } step A2; step B1 { p; } \
+                step B2 { r; } Start -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[c]-> B2; (A2, B2) -[d]-> Start; }";
+    let waits =
+        "sfc Waits { input a: bool; output p: bool; initial step A; step B { p; } A -[a && 9ms/A]-> B -[5ms/B]-> A; }";
+    let drum = "sfc Drum { input empty, again, full: bool; output pump, valve: bool; initial step Drain { pump; } step Fill { valve; } step Spin; \
+                Drain -[empty && again]-> Fill -[full]-> Drain; Drain -[empty && !again]-> Spin -[!empty]-> Drain; }";
+    for (pass, chart) in [
+        (Pass::Marks, lamp),
+        (Pass::Apart, lamp),
+        (Pass::Outputs, lamp),
+        (Pass::Split, lamp),
+        (Pass::Known, called),
+        (Pass::Join, twice),
+        (Pass::Moved, waits),
+        (Pass::Search, stairs),
+        (Pass::Several, pair),
+        (Pass::Rounds, PLANT),
+        (Pass::Hoist, timed),
+        (Pass::Forward, lamp),
+        (Pass::Dead, lamp),
+        (Pass::Once, drum),
+        (Pass::Store, lamp),
+        (Pass::Tables, &belt()),
+        (Pass::Next, &wash()),
+        (Pass::Passed, &wash()),
+        (Pass::Records, lamp),
+        (Pass::Fences, pair),
+    ] {
+        let model = read(chart);
+        let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
+        // The passes after `Split` are read without what the last ones take away.
+        let shaping = [Pass::Known, Pass::Join, Pass::Moved, Pass::Search, Pass::Several, Pass::Rounds, Pass::Hoist]
+            .contains(&pass);
+        let tidy = if shaping { &[Pass::Dead][..] } else { &[] };
+        let before = optimised(&model, Encoding::Regions, &[&Pass::ALL[..at], tidy].concat()).expect("a program");
+        let after = optimised(&model, Encoding::Regions, &[&Pass::ALL[..=at], tidy].concat()).expect("a program");
+        assert_ne!(before.to_string(), after.to_string(), "{pass:?}");
+        recorded(
+            &root.join(format!("{pass:?}.txt").to_lowercase()),
+            &format!("{before}\n\n---- {pass:?} ----\n\n{after}"),
+        );
+    }
+}
+
+/// Nine steps, two of which wait for the same as others.
+fn belt() -> String {
+    let mut text = "sfc Belt { input a, b: bool; output p: bool; ".to_owned();
+    for step in 0..9 {
+        let initial = if step == 0 { "initial " } else { "" };
+        let input = ["a", "!b"][usize::from(step % 4 == 2)];
+        let action = if step % 3 == 1 { " { p; }" } else { ";" };
+        _ = write!(text, "{initial}step S{step}{action} S{step} -[{input}]-> S{}; ", (step + 1) % 9);
+    }
+    text + "}"
+}
+
+/// Ten steps of a sequence by time, some of which wait for the same, one with two ways and one that stays beyond its time.
+fn wash() -> String {
+    let mut text = "sfc Wash { input a, b: bool; output p, q: bool; var n: bool; ".to_owned();
+    for step in 0..10 {
+        let action = ["", "p; ", "S q; ", "R q; P1 n = !n; ", "p if a; "][step % 5];
+        _ = write!(text, "{}step S{step} {{ {action}}} ", if step == 0 { "initial " } else { "" });
+    }
+    for (step, condition) in
+        ["a", "5ms/S1", "5ms/S2", "5ms/S3", "a", "a && 3ms/S5", "5ms/S6", "5ms/S7"].iter().enumerate()
+    {
+        _ = write!(text, "S{step} -[{condition}]-> S{}; ", step + 1);
+    }
+    text + "S8 -[b]-> S9; S8 -[!b && 5ms/S8]-> S2; S9 -[5ms/S9 && n]-> S1; S9 -[5ms/S9 && !n]-> S0; }"
+}
+
+/// A stop that forces two modes, one of which encloses two branches; a part beside them that looks at the branches.
+const PLANT: &str = "grafcet Plant { input stop, go, auto, x, y, z: bool; output p, q, r, s: bool; output n: bool = false; \
+     partial Safety { initial step Ready; step Stopped { force Modes {}; p; } step Restart { force Modes {INIT}; force Side {INIT}; } \
+       Ready -[stop]-> Stopped -[!stop && rising(go)]-> Restart -[true]-> Ready; } \
+     partial Modes { initial step Manual { q; } enclosing step Auto { partial Work { linked step Wait; step A1 { r; } step A2; \
+       step B1 { P1 n = !n; } step B2; \
+       Wait -[x]-> (A1, B1); A1 -[y]-> A2; B1 -[z && A2.X]-> B2; B1 -[5ms/B1]-> B2; (A2, B2) -[!x]-> Wait; } } \
+       Manual -[rising(auto)]-> Auto -[!auto && Work::Wait.X]-> Manual; } \
+     partial Side { initial step S1 { S s; } step S2 { force Other {}; R s; } S1 -[Work::A1.X || x && y]-> S2 -[!Work::B1.X && !x]-> S1; } \
+     partial Other { initial step O1; step O2; O1 -[z]-> O2 -[y && 3ms/O2]-> O1; } }";
+
+/// What forces and encloses, what is forced and enclosed, and what looks at both, at random inputs.
+#[test]
+fn a_search_goes_from_above_downwards() {
+    let model = read(PLANT);
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let Some(Statement::Loop { body, .. }) = program.cycle.iter().find(|one| matches!(one, Statement::Loop { .. }))
+    else {
+        panic!("{program}");
+    };
+    assert!(body.iter().any(|one| matches!(one, Statement::Match(..))), "{program}");
+    let (mut text, mut seed) = ("---\n---\n".to_owned(), 1_u32);
+    for cycle in 0..240_u32 {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let mut inputs = String::new();
+        for (bit, (name, rarely)) in
+            [("stop", true), ("go", false), ("auto", false), ("x", false), ("y", false), ("z", false)]
+                .into_iter()
+                .enumerate()
+        {
+            let bits = seed >> (8 + 4 * bit) & 15;
+            if if rarely { bits == 0 } else { bits > 6 } {
+                _ = write!(inputs, "{name} ");
+            }
+        }
+        _ = writeln!(text, "{inputs}@{} | |", cycle * 2);
+    }
+    each_left_out(&model, &text, 40);
+}
+
+/// A sequence by time that only `5ms` and a button keep apart: most of it is a table of times.
+#[test]
+fn a_table_says_how_long_each_step_takes() {
+    let model = read(
+        "sfc Lights { input a: bool; output r, y, g: bool; initial step A { g; } step B { y; } step C { r; } step D { r; y; } step E { y; } \
+         A -[a && 5ms/A]-> B -[3ms/B]-> C -[70000ms/C]-> D -[2ms/D]-> E -[4ms/E]-> A; }",
+    );
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("times(state)"), "{program}");
+    let mut text = "---\n---\n".to_owned();
+    let mut now = 0;
+    for cycle in 0..200_u32 {
+        now += [1, 1, 2, 1, 30_000][(cycle % 5) as usize];
+        _ = writeln!(text, "{} @{now} | |", ["a", "", ""][(cycle / 4 % 3) as usize]);
+    }
+    let lines = reader::read(&text).expect("a timeline").lines;
+    assert!(matches!(compare(&model, &lines, Encoding::Regions, &Pass::ALL), Ok(Outcome::Same)));
+    assert_eq!(sleeps(&model, &lines[..60], Encoding::Regions, &Pass::ALL), Ok(()));
+}
+
+/// Steps that wait for the same, each of which leads elsewhere, at the times at which they do.
+#[test]
+fn steps_that_wait_for_the_same_lead_elsewhere() {
+    let model = read(&wash());
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("if goes:"), "{program}");
+    let mut text = "---\n---\n".to_owned();
+    for cycle in 0..400_u32 {
+        let inputs = ["", "a", "b", "a b", "a"][(cycle / 3 % 5) as usize];
+        _ = writeln!(text, "{inputs} @{} | |", cycle * 2 - cycle % 3);
+    }
+    each_left_out(&model, &text, 80);
+}
+
+/// A table leads from each step to its next one, and nowhere while its condition does not hold.
+#[test]
+fn a_table_says_which_step_is_next() {
+    let model = read(&belt());
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("table("), "{program}");
+    let mut text = "---\n---\n".to_owned();
+    for cycle in 0..80_u32 {
+        let inputs = ["", "a", "b", "a b", "a"][(cycle / 2 % 5) as usize];
+        _ = writeln!(text, "{inputs} @{cycle} | |");
+    }
+    let lines = reader::read(&text).expect("a timeline").lines;
+    assert!(matches!(compare(&model, &lines, Encoding::Regions, &Pass::ALL), Ok(Outcome::Same)));
+}
+
+/// An arm of no step is none of a step: what two arms do is not done for the step that has none.
+#[test]
+fn what_only_some_states_do_is_not_hoisted() {
+    let model = read(
+        "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A { force Down {}; } step B; A -[a]-> B -[b]-> A; } \
+         partial Down { initial step C; step D { p; } C -[a]-> D -[b]-> C; } }",
+    );
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let state = program.place(Role::State(1)).expect("a region");
+    let p = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let set = || vec![Statement::Set(p, Expr::Value(Value::Bool(true)))];
+    let arm = |step: Option<usize>| (vec![Value::Step(step.map(|at| program.regions[1][at]))], set());
+    let cycle = |arms| {
+        vec![Statement::Loop { rounds: 1, body: vec![Statement::Match(state, arms, Vec::new()), Statement::Break] }]
+    };
+    let of_some = cycle(vec![arm(Some(0)), arm(None)]);
+    let of_all = cycle(vec![arm(Some(0)), arm(Some(1)), arm(None)]);
+    for (cycle, hoisted) in [(of_some, false), (of_all, true)] {
+        program.cycle = cycle;
+        optimise(&mut program, &[Pass::Hoist]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        assert_eq!(matches!(body[0], Statement::Set(..)), hoisted, "{program}");
+    }
+}
+
+/// A chart of a thousand steps: each state is looked at with what concerns it, and not with all fourteen thousand statements, which
+/// takes more than ten times as long.
+#[test]
+fn a_long_chart_takes_no_time() {
+    let mut text = "sfc Long { input a: bool; output p, q, r: bool; ".to_owned();
+    for step in 0..1000 {
+        let initial = if step == 0 { "initial " } else { "" };
+        let action = ["N p", "S q", "R q", "L 5ms r"][step % 4];
+        let condition = if step % 2 == 0 { "a".to_owned() } else { format!("5ms/S{step}") };
+        _ = write!(text, "{initial}step S{step} {{ {action}; }} S{step} -[{condition}]-> S{}; ", (step + 1) % 1000);
+    }
+    let model = read(&format!("{text}}}"));
+    let mut program = naive(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let start = Instant::now();
+    optimise(&mut program, &Pass::ALL);
+    let seconds = start.elapsed().as_secs_f64();
+    let is_match = |statement: &&Statement<'_>| matches!(statement, Statement::Match(..));
+    assert_eq!(program.cycle.iter().filter(is_match).count(), 2, "it is no match");
+    println!("1,000 steps: {seconds:.3} s");
+    assert!(seconds < 3.0, "1,000 steps take {seconds:.3} s");
+}
+
+/// All passes, and all but one, do at a timeline what the interpreter does; asleep at its first lines.
+fn each_left_out(model: &Model, text: &str, asleep: usize) {
+    let lines = reader::read(text).expect("a timeline").lines;
+    for left_out in Pass::ALL.map(Some).into_iter().chain([None]) {
+        let mut passes = Pass::ALL.to_vec();
+        passes.retain(|pass| Some(*pass) != left_out);
+        let outcome = compare(model, &lines, Encoding::Regions, &passes);
+        assert!(matches!(outcome, Ok(Outcome::Same)), "{left_out:?}: {:?}", outcome.err());
+        assert_eq!(sleeps(model, &lines[..asleep], Encoding::Regions, &passes), Ok(()), "{left_out:?}");
+    }
+}
