@@ -111,7 +111,7 @@ pub use grafcet_draw as draw;
 pub use grafcet_core::record;
 #[cfg(feature = "record")]
 pub use grafcet_core::recordable;
-pub use grafcet_core::{ActiveSteps, Chart, ForceError, Forceable, Phase, Ticks, description};
+pub use grafcet_core::{ActiveSteps, Chart, ForceError, Forceable, OutOfRange, Phase, Ticks, description};
 pub use heapless;
 
 /// Turns a chart into a state enum and a cycle function.
@@ -168,8 +168,8 @@ pub mod __private {
     pub use grafcet_core::__recorded as recorded;
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
-        ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, Phase, Possible, ShortTime, Ticks, description,
-        phase, situation, sooner, until, until_change,
+        ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, OutOfRange, Phase, Possible, ShortTime, Ticks,
+        description, phase, situation, sooner, until, until_change,
     };
     pub use grafcet_macros::chart;
     pub use heapless;

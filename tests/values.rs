@@ -1,7 +1,7 @@
 //! Types of one's own as inputs, outputs, variables and params: what has the traits that a chart needs goes.
 #![deny(warnings)]
 
-use grafcet::grafcet;
+use grafcet::{OutOfRange, grafcet};
 
 /// Nothing but what a chart needs.
 #[derive(Clone, Copy, Default)]
@@ -60,4 +60,49 @@ grafcet! {
 #[test]
 fn a_path_is_a_type_of_ones_own() {
     assert!(Named::new().cycle(&NamedInputs { level: 6 }).q);
+}
+
+const MOST: i16 = 6;
+
+grafcet! {
+    sfc Ranged {
+        input go: bool;
+        output speed: i16;
+        param rpm: i16 in -5..10 = MOST;
+        param soak: time in 1s..=10s = 2s;
+        param free: bool = true;
+        assume never go && rpm == 0;
+        initial step A { speed = rpm; }
+        step B { speed = 100; }
+        A -[go && free]-> B -[soak/B]-> A;
+        always A.X || !A.X && rpm < 10 && soak >= 1s;
+    }
+}
+
+#[test]
+fn a_recipe_outside_of_its_ranges_is_refused() {
+    let recipe = RangedParams::new();
+    let mut chart = Ranged::new();
+    for rpm in [-5, 0, 9] {
+        assert_eq!(chart.set_params(RangedParams { rpm, ..recipe }), Ok(()));
+        assert_eq!(chart.cycle(&RangedInputs::default(), 0).speed, rpm);
+        assert_eq!(chart.assumptions_hold(&RangedInputs { go: true }), rpm != 0);
+    }
+    for rpm in [i16::MIN, -6, 10, i16::MAX] {
+        let refused = OutOfRange { param: "rpm", range: "-5..10" };
+        assert_eq!(chart.set_params(RangedParams { rpm, ..recipe }), Err(refused));
+        assert_eq!(Ranged::with_params(RangedParams { rpm, ..recipe }).map(|_| ()), Err(refused));
+        assert_eq!(refused.to_string(), "`rpm` is not in `-5..10`");
+        assert_eq!(chart.params().rpm, 9, "the old recipe stays");
+    }
+    for (millis, is_in) in [(0, false), (999, false), (1000, true), (10_000, true), (10_001, false), (u32::MAX, false)]
+    {
+        let soak = grafcet::Ticks::new(millis);
+        assert_eq!(chart.set_params(RangedParams { soak, ..recipe }).is_ok(), is_in, "{millis}");
+    }
+    assert_eq!(chart.set_params(RangedParams { rpm: 7, ..recipe }), Ok(()));
+    chart.init();
+    assert_eq!(chart.params().rpm, 7, "init keeps the recipe");
+    const SLOW: Result<Ranged, OutOfRange> = Ranged::with_params(RangedParams { rpm: 1, ..RangedParams::new() });
+    assert_eq!(SLOW.map(|mut slow| slow.cycle(&RangedInputs::default(), 0).speed), Ok(1));
 }

@@ -115,6 +115,8 @@ pub struct Decl {
     pub ty: Ty,
     /// After the type: `in {Off, Auto}`.
     pub variants: Option<Variants>,
+    /// There, too: `in 1s..10s`.
+    pub range: Option<Range>,
     /// What stands after `=`.
     pub init: Option<Expr>,
 }
@@ -124,6 +126,32 @@ pub struct Variants {
     /// `in`
     pub keyword: Span,
     pub list: Vec<Variant>,
+}
+
+/// `1s..10s`, `1..=8`
+#[derive(Clone)]
+pub struct Range {
+    pub low: Bound,
+    pub high: Bound,
+    /// `..=`: the upper end is in it.
+    pub closed: bool,
+    pub mark: Mark,
+}
+
+/// An end of a range.
+#[derive(Clone)]
+pub struct Bound {
+    pub limit: Limit,
+    /// As it is written.
+    pub text: String,
+    pub mark: Mark,
+}
+
+/// What an end of a range is.
+#[derive(Clone)]
+pub enum Limit {
+    Int(i128),
+    Time(Time),
 }
 
 /// A variant of an enum.

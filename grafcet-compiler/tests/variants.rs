@@ -151,7 +151,6 @@ fn what_is_refused() {
         ("input mode: Mode in {Off, Off};", "listed twice"),
         ("input mode: Mode in {};", "expected the variants"),
         ("input mode: Mode in Off;", "in braces"),
-        ("input level: u8 in 1..10;", "ranges are not there yet"),
         ("input mode: Mode in {Mode::Off};", "leave out `Mode::`"),
         ("input mode: Mode in {Off Auto};", "expected `,`"),
         ("input mode: u8 in {Off};", "only an enum"),

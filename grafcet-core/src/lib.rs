@@ -9,6 +9,7 @@ pub mod description;
 mod instants;
 mod phase;
 mod possible;
+mod range;
 #[cfg(feature = "record")]
 pub mod record;
 #[doc(hidden)]
@@ -24,5 +25,6 @@ pub use phase::Phase;
 #[doc(hidden)]
 pub use possible::Possible;
 pub use possible::{ForceError, Forceable};
+pub use range::OutOfRange;
 pub use ticks::Ticks;
 pub use time::{Delay, OnDelay, ShortTime, phase, sooner, until, until_change};

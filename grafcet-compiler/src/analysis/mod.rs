@@ -38,6 +38,7 @@ pub use facts::Facts;
 pub use logic::{Answer, Condition, Logic};
 pub use mixed::mixed;
 pub use nesting::Nesting;
+pub(crate) use numbers::constant as integer_constant;
 pub use races::{Meet, Races, Writer};
 pub use relation::Relation;
 pub use stability::{Ends, Stability, is_constant_read};

@@ -179,7 +179,7 @@ pub(super) fn float_constant(tree: &Tree, float: Float) -> Option<i128> {
 }
 
 /// The value of a constant expression.
-pub(super) fn constant(tree: &Tree) -> Option<i128> {
+pub(crate) fn constant(tree: &Tree) -> Option<i128> {
     match tree {
         Tree::Int(value) => Some(*value),
         Tree::Read(Read::Ticks(ticks)) => Some(i128::from(*ticks)),

@@ -6,9 +6,9 @@ use super::bind::Moment;
 use super::machine::Machine;
 use super::situation::{At, shown_in};
 use super::state::step_name;
-use super::{Cx, deadline, derives, late, names, requirements, types};
+use super::{Cx, deadline, derives, late, names, recipe, requirements, types};
 use crate::list::List;
-use crate::model::{Id, StepId};
+use crate::model::{Id, Name, Read, StepId};
 use crate::place::quote;
 
 /// `cycle`, `init`, `is_active`, `active_steps`, `situation`, `is_exactly`, `is_stable`, `next_deadline`.
@@ -68,9 +68,12 @@ pub(super) fn inherent(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
 fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     let Cx { model, p, names, .. } = cx;
     let (vis, inputs) = (&model.vis, &names.inputs);
-    let excluded: Vec<_> = (0..model.assumptions.len()).map(|index| names::local(&format!("excluded_{index}"))).list();
-    let values = model.assumptions.iter().map(|assumption| cx.value(&assumption.never, Moment::Condition));
-    let reads_nothing = model.assumptions.iter().all(|assumption| assumption.never.reads.is_empty());
+    let stated = || model.assumptions.iter().filter(|assumption| assumption.of_range.is_none());
+    let excluded: Vec<_> = (0..stated().count()).map(|index| names::local(&format!("excluded_{index}"))).list();
+    let values = stated().map(|assumption| cx.value(&assumption.never, Moment::Condition));
+    let reads = |is: fn(&Read) -> bool| stated().any(|assumption| assumption.never.reads.iter().any(is));
+    let reads_nothing = !reads(|read| matches!(read, Read::Name(Name::Input(_))));
+    let of_recipe = reads(|read| matches!(read, Read::Name(Name::Param(_)))).then(|| quote!(&self,));
     let copied = requirements::copied(model, p);
     let unread = reads_nothing.then(|| quote!(let _ = inputs;));
     (!excluded.is_empty()).then(|| {
@@ -78,7 +81,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
             /// Whether the plant keeps to what the chart assumes of it (`assume never …;`): what was proved when the chart
             /// was compiled holds as long as this is true in every cycle.
             #[must_use]
-            #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool {
+            #vis fn assumptions_hold(#of_recipe inputs: &#inputs) -> #p::bool {
                 #copied
                 #unread
                 #(let #excluded: #p::bool = #values;)*
@@ -118,14 +121,23 @@ fn cycle(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
 
 fn init(cx: &Cx<'_>) -> TokenStream {
     let vis = &cx.model.vis;
-    let new = if cx.model.params.is_empty() { quote!(Self::new()) } else { quote!(Self::with_params(self.params)) };
+    let new = match cx.model.params.is_empty() {
+        true => quote!(*self = Self::new();),
+        // It is in its range.
+        false if recipe::has_ranges(cx.model) => quote! {
+            let params = self.params;
+            *self = Self::new();
+            self.params = params;
+        },
+        false => quote!(*self = Self::with_params(self.params);),
+    };
     let copied = (!cx.model.params.is_empty()).then(|| requirements::copied(cx.model, &cx.p));
     quote! {
         /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a
         /// first one.
         #vis fn init(&mut self) {
             #copied
-            *self = #new;
+            #new
         }
     }
 }

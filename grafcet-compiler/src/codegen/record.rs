@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::ToTokens;
 
 use super::machine::{Field, Machine};
-use super::{Cx, force, state, types};
+use super::{Cx, force, recipe, state, types};
 use crate::analysis::Situations;
 use crate::fingerprint::Hash;
 use crate::list::List;
@@ -17,7 +17,11 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
     let input_fields = fields(model.inputs.values().map(|input| (&input.name, &input.ty)), p);
     let params = (!model.params.is_empty()).then(|| {
         let (name, fields) = (&names.params, fields(model.params.values().map(|param| (&param.name, &param.ty)), p));
-        quote!(#name { #fields })
+        let in_range = recipe::has_ranges(model).then(|| {
+            let out_of_range = recipe::out_of_range();
+            quote!(in #out_of_range)
+        });
+        quote!(#name { #fields } #in_range)
     });
     let is_clock = |field: &&Field| machine.clock.as_ref() == Some(&field.name);
     let state =

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::control::set_by;
 use super::machine::{Field, Machine};
-use super::{Cx, derives, names, types};
+use super::{Cx, derives, names, recipe, types};
 use crate::list::List;
 use crate::model::{Place, Qualifier};
 use crate::place::quote;
@@ -389,6 +389,20 @@ fn constructors(cx: &Cx<'_>, values: &TokenStream) -> (Option<TokenStream>, Toke
     }
     let params = &cx.names.params;
     let with_doc = format!("A chart `{name}` in its initial situation, with this recipe.");
+    if recipe::has_ranges(cx.model) {
+        let exchanged = recipe::exchanged_in_range(cx, values);
+        let new = quote! {
+            #[doc = #doc]
+            #[must_use]
+            #vis const fn new() -> Self {
+                let params = #params::new();
+                Self { #values params }
+            }
+
+            #exchanged
+        };
+        return (Some(quote!(params: #params,)), new);
+    }
     let new = quote! {
         #[doc = #doc]
         #[must_use]

@@ -4,9 +4,9 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 
 use super::names::Names;
-use super::{derives, editor, outside, requirements, types};
+use super::{derives, editor, outside, recipe, requirements, types};
 use crate::list::List;
-use crate::model::{Model, Ty};
+use crate::model::{Assumption, Model, Name, Read, Ty};
 use crate::place::{self, quote};
 use crate::sorted::Set;
 use syn::{Attribute, Ident};
@@ -110,11 +110,28 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
     let Names { chart, inputs, outputs, step, params, actions, .. } = names;
     let vis = &model.vis;
     let now = timed.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
+    let reads_params = |assumption: &Assumption| {
+        let is_param = |read: &Read| matches!(read, Read::Name(Name::Param(_)));
+        assumption.of_range.is_none() && assumption.never.reads.iter().any(is_param)
+    };
+    let of_recipe = model.assumptions.iter().any(reads_params).then(|| quote!(&self,));
+    let (with_params, set_params) = if recipe::has_ranges(model) {
+        let refused = quote!(#p::OutOfRange);
+        (
+            quote!(#vis const fn with_params(params: #params) -> #p::Result<Self, #refused> { #p::Result::Ok(Self {}) }),
+            quote!(#vis fn set_params(&mut self, params: #params) -> #p::Result<(), #refused> { loop {} }),
+        )
+    } else {
+        (
+            quote!(#vis const fn with_params(params: #params) -> Self { Self {} }),
+            quote!(#vis fn set_params(&mut self, params: #params) {}),
+        )
+    };
     let recipe = (!model.params.is_empty()).then(|| {
         quote! {
-            #vis const fn with_params(params: #params) -> Self { Self {} }
+            #with_params
             #vis fn params(&self) -> &#params { loop {} }
-            #vis fn set_params(&mut self, params: #params) {}
+            #set_params
         }
     });
     let vars = (!model.vars.is_empty()).then(|| {
@@ -167,7 +184,7 @@ fn methods(model: &Model, timed: bool, names: &Names, p: &TokenStream) -> TokenS
             #late
             #vis fn is_stable(&self) -> #p::bool { loop {} }
             #vis fn next_deadline(&self) -> #p::Option<#p::Ticks> { loop {} }
-            #vis fn assumptions_hold(inputs: &#inputs) -> #p::bool { loop {} }
+            #vis fn assumptions_hold(#of_recipe inputs: &#inputs) -> #p::bool { loop {} }
             #vis const fn ticks(duration: #p::core::time::Duration) -> #p::Ticks { #p::Ticks::ZERO }
         }
     }

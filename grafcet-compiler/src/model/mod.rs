@@ -73,7 +73,7 @@ pub struct Model {
     pub delays: Arena<DelayId, Delay>,
     /// `budget 100_000;`: how many situations the checker may explore.
     pub budget: Option<u64>,
-    /// What the plant excludes, in source order.
+    /// What the plant excludes and what ranges of params leave out, in source order.
     pub assumptions: Vec<Assumption>,
     /// `assume often door_closed;`: what comes again and again, in source order.
     pub often: Vec<Expr>,
@@ -119,12 +119,14 @@ impl From<Name> for Mention {
     }
 }
 
-/// `assume never b1 && b3;`
+/// `assume never b1 && b3;`, or the range of a param.
 pub struct Assumption {
-    /// A condition over inputs under which the chart is never scanned.
+    /// A condition over inputs and params under which the chart is never scanned.
     pub never: Expr,
     /// The whole line without its `;`.
     pub mark: Mark,
+    /// The param whose range it is: the generated code sees to that itself.
+    pub of_range: Option<ParamId>,
 }
 
 /// Something about the ends of cycles that the checker shall prove.
@@ -205,13 +207,24 @@ pub struct Var {
     pub init: Option<Expr>,
 }
 
-/// `param soak: time = 5s;`
+/// `param soak: time in 1s..10s = 5s;`
 pub struct Param {
     pub name: Ident,
     pub attrs: Vec<Attribute>,
     pub levels: Vec<LevelAttr>,
     pub ty: Ty,
     pub init: Option<Expr>,
+    /// What it never leaves; one of the [assumptions](Model::assumptions) says the same.
+    pub range: Option<Range>,
+}
+
+/// `1s..10s`: from the lowest value to the highest, both in it; times in ticks.
+#[derive(Clone)]
+pub struct Range {
+    pub low: i128,
+    pub high: i128,
+    /// As it is written.
+    pub text: String,
 }
 
 /// `let go = auto || rising(next);` Expressions that use it hold what it stands for.

@@ -6,8 +6,8 @@ use syn::parse::Parse;
 
 use super::input::Turns;
 use super::recover::{self, Items};
-use super::{Error, Input, Result, leaving, types, variants};
-use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Ty};
+use super::{Error, Input, Result, leaving, range, types, variants};
+use crate::ast::{ActionDecl, Attrs, Decl, DeclKind, Range, Ty, Variants};
 use crate::diagnostic::Sink;
 use crate::list::List;
 
@@ -17,7 +17,7 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
     let names = names(input)?;
     colon(input, &names, keyword.as_ref())?;
     let ty = types::parse(input, sink)?;
-    let variants = variants::parse(input)?;
+    let (variants, range) = listed(input, sink)?;
     let start = *input;
     let mut init = if input.at_assign() && input.eat("=") { Some(value(input)?) } else { None };
     if kind == DeclKind::Input && init.take().is_some() {
@@ -30,7 +30,19 @@ pub(super) fn parse(input: &mut Input, kind: DeclKind, attrs: Attrs, sink: &mut 
         );
     }
     recover::semicolon(input, Items::OfChart, sink);
-    Ok(Decl { attrs, kind, names, ty, variants, init })
+    Ok(Decl { attrs, kind, names, ty, variants, range, init })
+}
+
+/// What stands after `in`: the variants of an enum or a range.
+fn listed(input: &mut Input, sink: &mut Sink) -> Result<(Option<Variants>, Option<Range>)> {
+    let keyword = input.span();
+    if !input.eat_word("in") {
+        return Ok((None, None));
+    }
+    if range::begins(input) {
+        return Ok((None, range::parse(input, sink)?));
+    }
+    Ok((Some(variants::parse(input, keyword)?), None))
 }
 
 fn names(input: &mut Input) -> Result<Vec<Ident>> {

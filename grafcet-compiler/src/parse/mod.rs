@@ -21,6 +21,7 @@ mod leaving;
 mod named;
 mod partial;
 mod property;
+mod range;
 mod recover;
 mod setting;
 mod step;

@@ -1,20 +1,16 @@
 //! `in {Off, Auto, Manual}` after the type of a declaration.
 
-use proc_macro2::Delimiter;
+use proc_macro2::{Delimiter, Span};
 
 use super::input::Turns;
 use super::{Input, Result};
 use crate::ast::{Variant, Variants};
 
-/// What stands after `in`; nothing where there is none.
-pub(super) fn parse(input: &mut Input) -> Result<Option<Variants>> {
-    let keyword = input.span();
-    if !input.eat_word("in") {
-        return Ok(None);
-    }
+/// What stands after `in`, which is `keyword`.
+pub(super) fn parse(input: &mut Input, keyword: Span) -> Result<Variants> {
     let Some(mut inside) = input.enter(Delimiter::Brace) else {
         return Err(input.error(format!(
-            "expected the variants of an enum in braces, as in `in {{Off, Auto}}`, found {}; ranges are not there yet",
+            "expected the variants of an enum in braces, as in `in {{Off, Auto}}`, or the range of a param, as in `in 1..=8`, found {}",
             input.found()
         )));
     };
@@ -42,5 +38,5 @@ pub(super) fn parse(input: &mut Input) -> Result<Option<Variants>> {
             return Err(inside.error(format!("expected `,`, found {}", inside.found())));
         }
     }
-    Ok(Some(Variants { keyword, list }))
+    Ok(Variants { keyword, list })
 }

@@ -56,7 +56,7 @@ macro_rules! __recorded {
     (
         chart $chart:ident $fingerprint:literal $layout:literal
         inputs $inputs:ident { $($input:ident: $input_ty:ty,)* }
-        params { $($params:ident { $($param:ident: $param_ty:ty,)* })? }
+        params { $($params:ident { $($param:ident: $param_ty:ty,)* } $(in $out_of_range:ident)?)? }
         state { $($field:ident: $field_ty:ty,)* }
         clock { $($clock:ident)? }
         foreign { $($foreign:ty,)* }
@@ -94,7 +94,11 @@ macro_rules! __recorded {
                 const BITS: __r::usize = 0 $(+ <$param_ty as __r::Record>::BITS)*;
                 fn write(&self, _to: &mut __r::Writer<'_>) { $(__r::Record::write(&self.$param, _to);)* }
                 fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
-                    __r::Option::Some(Self { $($param: <$param_ty as __r::Record>::read(_from)?,)* })
+                    let params = Self { $($param: <$param_ty as __r::Record>::read(_from)?,)* };
+                    $(if params.$out_of_range().is_some() {
+                        return __r::Option::None;
+                    })?
+                    __r::Option::Some(params)
                 }
                 fn is_same(&self, _other: &Self) -> __r::bool {
                     true $(&& __r::Record::is_same(&self.$param, &_other.$param))*
@@ -142,9 +146,11 @@ macro_rules! __recorded_new {
     ($chart:ident) => {
         Self::new()
     };
-    ($chart:ident $params:ident) => {
-        Self::with_params($chart.params)
-    };
+    ($chart:ident $params:ident) => {{
+        let mut new = Self::new();
+        new.params = $chart.params;
+        new
+    }};
 }
 
 /// What differs between charts with and without time.

@@ -37,12 +37,17 @@ pub(super) fn conditions(model: &Model) -> Vec<Tree> {
 }
 
 impl Lowering<'_, '_> {
-    pub(super) fn assumptions(&mut self) -> Result<Lit, Refused> {
+    /// A recipe is exchanged between cycles: at the end of one it is what it was all along.
+    pub(super) fn assumptions(&mut self, end: &Env) -> Result<Lit, Refused> {
         let mut all = Lit::TRUE;
         for assumption in &self.program.model.assumptions {
             let mut reads = Vec::new();
             for read in &assumption.never.reads {
-                reads.push((*read, self.of_inputs(*read)?));
+                let sym = match read {
+                    Read::Name(Name::Param(id)) => self.at(Role::Param(*id), end)?,
+                    read => self.of_inputs(*read)?,
+                };
+                reads.push((*read, sym));
             }
             let never = self.tree(&assumption.never.tree, &reads)?;
             let never = self.bool(&never)?;

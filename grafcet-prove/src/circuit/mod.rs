@@ -245,7 +245,7 @@ impl Lowering<'_, '_> {
         self.given()?;
         let env = Rc::new(env);
         let (end, _) = self.block(env, &program.cycle)?;
-        let constraint = self.assumptions()?;
+        let constraint = self.assumptions(&end)?;
         self.constraint = self.aig.and(self.constraint, constraint);
         let overflow = self.overflow;
         let broken = self.aig.or(so_far, overflow);

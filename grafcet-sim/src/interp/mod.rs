@@ -152,9 +152,21 @@ impl<'m> Interpreter<'m> {
     /// Exchanges the recipe: one value per `param`, in the order of declaration, from the next cycle on.
     ///
     /// # Errors
-    /// If there are not as many values as parameters, or one does not fit its declared type.
+    /// If there are not as many values as parameters, or one does not fit its declared type or is not in its range.
     pub fn set_params(&mut self, params: &[Value]) -> Result<(), Error> {
         accept_all(params, self.model.params.values().map(|p| &p.ty))?;
+        for (param, value) in self.model.params.values().zip(params) {
+            let Some(range) = &param.range else { continue };
+            let is_in = match value {
+                Value::Int(value) => range.contains(*value),
+                Value::Ticks(ticks) => range.contains(i128::from(*ticks)),
+                _ => true,
+            };
+            if !is_in {
+                let name = param.name.to_string();
+                return Err(Error::OutOfRange(name.trim_start_matches("r#").to_owned(), range.text.clone()));
+            }
+        }
         self.params = params.to_vec();
         Ok(())
     }

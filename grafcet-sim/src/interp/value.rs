@@ -53,6 +53,8 @@ pub enum Error {
         /// How many values were given.
         found: usize,
     },
+    /// A param that is not in the range which the chart states: the name and the range.
+    OutOfRange(String, String),
     /// Combinational variables, partial grafcets or enclosures that depend on themselves (A14, A22).
     Circle(String),
     /// A combination of qualifier and target that the dialect does not have (A32).
@@ -67,6 +69,7 @@ impl fmt::Display for Error {
             Self::NotUnderstood(text) => write!(f, "not understood: {text}"),
             Self::Type(what) => write!(f, "type: {what}"),
             Self::Count { expected, found } => write!(f, "{found} values for {expected} names"),
+            Self::OutOfRange(param, range) => write!(f, "`{param}` is not in `{range}`"),
             Self::Circle(name) => write!(f, "{name} depends on itself"),
             Self::WrongTarget(what) => write!(f, "wrong target: {what}"),
         }

@@ -60,7 +60,10 @@ fn play(model: &Model, line: &Line) -> Result<String, String> {
             let params = model.params.values().map(|param| (param.name.to_string(), &param.ty));
             let set = params.filter_map(|(param, ty)| Some((value(*changed.get(&param)?, ty), param)));
             let set: String = set.map(|(value, param)| format!("params.{param} = {value};\n")).collect();
-            format!("{set}chart.set_params(params);\n")
+            format!(
+                "{set}chart.set_params(params){};\n",
+                crate::emit::taken(model, &format!(".map_err(|_| {number})?"))
+            )
         }
         Kind::Wakes(deadline) => {
             format!("if chart.next_deadline().map(|time| time.get()) != {deadline:?} {{ return Err({number}); }}\n")

@@ -115,6 +115,11 @@ fn actions(model: &Model) -> String {
     format!("#[derive(Default)] struct Calls(Vec<String>);\nimpl {}Actions for Calls {{\n{methods}}}", model.name)
 }
 
+/// What stands behind an exchange of the recipe: a chart with ranges may refuse it.
+pub(crate) fn taken<'o>(model: &Model, or: &'o str) -> &'o str {
+    if model.params.values().any(|param| param.range.is_some()) { or } else { "" }
+}
+
 /// The field with the recipe, and how it is exchanged.
 fn params(model: &Model) -> (String, String) {
     if model.params.is_empty() {
@@ -122,7 +127,10 @@ fn params(model: &Model) -> (String, String) {
     }
     let names = model.params.values().map(|param| param.name.to_string());
     let set = names.map(|name| format!("replace(changed, \"{}\", &mut self.params.{name});\n        ", plain(&name)));
-    let set = set.collect::<String>() + "self.chart.set_params(self.params);";
+    let set = set.collect::<String>()
+        + "self.chart.set_params(self.params)"
+        + taken(model, ".map_err(|error| error.to_string())?")
+        + ";";
     (format!("params: {}Params", model.name), set)
 }
 

@@ -64,6 +64,26 @@ fn what_a_step_waits_for_itself_comes() {
 }
 
 #[test]
+fn a_param_stays_in_its_range() {
+    let press = |range: &str, lines: &str| {
+        verdicts(&format!(
+            "sfc Press {{ input start: bool; output lower: bool; param hold: time{range} = 2s; param most: i8{} = 3; var n: i8 = 0;
+             initial step Rest {{ P1 n = most; }} step Press {{ lower; }}
+             Rest -[start]-> Press -[hold/Press]-> Rest; {lines} }}",
+            if range.is_empty() { "" } else { " in -2..=3" }
+        ))
+    };
+    let lines = "never Press.T > 10s; never Press.T > 9s; Press leads_to Rest within 10s; always n <= 3 && n >= -2; never n == -2; always hold < 10s;";
+    let ranged = press(" in 1s..10s", lines);
+    assert_eq!(ranged, ["proved", "in 3", "proved", "proved", "in 1", "proved"]);
+    let free = press("", lines);
+    assert!(free.iter().all(|verdict| verdict.starts_with("in ")), "{free:?}");
+    let low =
+        press("", "assume never hold >= 10s; assume never most > 3 || most < -2; never Press.T > 10s; always n <= 3;");
+    assert_eq!(low, ["proved", "proved"]);
+}
+
+#[test]
 fn what_depends_on_an_input_comes_where_that_comes_again_and_again() {
     assert_eq!(press("Press leads_to Rest;").len(), 1);
     assert_ne!(press("Press leads_to Rest;"), ["proved"]);

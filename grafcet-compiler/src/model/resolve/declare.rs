@@ -74,7 +74,10 @@ impl Resolver<'_> {
                     Name::Output(self.model.outputs.push(Output { name, attrs, levels, ty, init: None }))
                 }
                 DeclKind::Var => Name::Var(self.model.vars.push(Var { name, attrs, levels, ty, init: None })),
-                DeclKind::Param => Name::Param(self.model.params.push(Param { name, attrs, levels, ty, init: None })),
+                DeclKind::Param => {
+                    let param = Param { name, attrs, levels, ty, init: None, range: None };
+                    Name::Param(self.model.params.push(param))
+                }
             };
             self.scope.declare(declared, Meaning::Value(value), self.sink);
             values.push(value);

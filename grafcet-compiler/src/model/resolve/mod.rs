@@ -20,6 +20,7 @@ mod names;
 mod otherwise;
 mod properties;
 mod pure;
+mod ranges;
 mod scope;
 mod text;
 mod time;
@@ -182,7 +183,10 @@ impl Resolver<'_> {
         self.lost_items(body);
         for item in &body.items {
             match item {
-                ast::Item::Decl(decl) => self.initial_value(decl),
+                ast::Item::Decl(decl) => {
+                    self.initial_value(decl);
+                    self.range(decl);
+                }
                 ast::Item::Setting(ast::Setting::AssumeOften { condition, .. }) => self.recurrence(condition),
                 ast::Item::Setting(ast::Setting::AssumeCycle { keyword, longest }) => {
                     self.cycle_time(*keyword, longest);

@@ -10,17 +10,17 @@ use crate::diagnostic::Mark;
 use crate::model::{Assumption, Claim, Expr, LetId, Name, Property, Read, StepId};
 
 impl Resolver<'_> {
-    /// `assume never b1 && b3;` It is about one snapshot of the inputs: nothing else can be excluded by the plant, and
+    /// `assume never b1 && b3;` It is about one snapshot of the inputs and the recipe: nothing else can be excluded by the plant, and
     /// nothing else is there when the program asks whether the assumptions hold.
     pub(super) fn assumption(&mut self, keyword: Span, condition: &syn::Expr) {
-        let never = self.assumed(condition);
+        let never = self.assumed(condition, true);
         let mark = Mark::from(keyword).to(never.mark);
-        self.model.assumptions.push(Assumption { never, mark });
+        self.model.assumptions.push(Assumption { never, mark, of_range: None });
     }
 
     /// `assume often door_closed;` It is about snapshots of the inputs, too.
     pub(super) fn recurrence(&mut self, condition: &syn::Expr) {
-        let often = self.assumed(condition);
+        let often = self.assumed(condition, false);
         self.model.often.push(often);
     }
 
@@ -31,7 +31,7 @@ impl Resolver<'_> {
         }
     }
 
-    fn assumed(&mut self, condition: &syn::Expr) -> Expr {
+    fn assumed(&mut self, condition: &syn::Expr, params: bool) -> Expr {
         let (condition, places) = expr::resolve_with_places(condition, self);
         let why = "an assumption is about the inputs of one cycle";
         for Seen { read, mark, within } in places {
@@ -42,6 +42,7 @@ impl Resolver<'_> {
             };
             let what = match read {
                 Read::Name(Name::Input(_)) | Read::Ticks(_) => continue,
+                Read::Name(Name::Param(_)) if params => continue,
                 Read::Active(_) | Read::MacroActive(_) => {
                     let message = format!(
                         "{why}, and {this} a step; what the chart shall never do is a property: `never …;` without `assume`"

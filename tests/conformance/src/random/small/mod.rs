@@ -69,8 +69,10 @@ pub(super) fn chart(seed: u64, turn: u64, grafcet: bool, cycles: usize) -> Rando
     (kind.draw)(&mut sketch);
     let allowed: Vec<String> = RULES.split_whitespace().map(|rule| format!("grafcet::{rule}")).collect();
     let dialect = if grafcet { "grafcet" } else { "sfc" };
+    // What the timeline sets is in them.
+    let range = ["", " in 0ms..=40ms", " in 0s..41ms"][usize::try_from(seed % 3).unwrap_or_default()];
     let text = format!(
-        "{dialect} C {{\n#![allow({})]\ninput a, b, c: bool;\nparam t: time = {init}ms;\noutput q0, q1, q2: bool;\n{}{}{}}}\n",
+        "{dialect} C {{\n#![allow({})]\ninput a, b, c: bool;\nparam t: time{range} = {init}ms;\noutput q0, q1, q2: bool;\n{}{}{}}}\n",
         allowed.join(", "),
         sketch.declarations,
         sketch.steps,
