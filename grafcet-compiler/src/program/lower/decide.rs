@@ -3,9 +3,11 @@
 
 use super::Lower;
 use super::view::Moment;
+use crate::list::List;
 use crate::model::{AnyId, Id, Transition, TransitionId};
 use crate::program::build::{all, any, not, yes};
 use crate::program::{Expr, Statement};
+use crate::sorted::Set;
 
 impl<'m> Lower<'_, 'm> {
     /// All transitions in source order, those of `any` first.
@@ -61,15 +63,16 @@ impl<'m> Lower<'_, 'm> {
         if self.model.is_grafcet() {
             return transition.otherwise.clone().unwrap_or_default();
         }
-        let mut earlier = Vec::new();
-        for (other, one) in self.model.transitions.iter() {
-            // That of an `any` is asked for by name.
-            let shares = one.any.is_none() && one.sources.iter().any(|step| transition.sources.contains(step));
-            if other < id && shares {
-                earlier.push(other);
+        let mut earlier = Set::new();
+        for step in &transition.sources {
+            for other in &self.model.leaving[step.index()] {
+                // That of an `any` is asked for by name.
+                if *other < id && self.model.transitions[*other].any.is_none() {
+                    earlier.insert(*other);
+                }
             }
         }
-        earlier
+        earlier.into_iter().list()
     }
 
     fn all_active(&self, transition: &Transition) -> Expr<'m> {

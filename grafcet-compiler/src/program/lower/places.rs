@@ -2,9 +2,11 @@
 
 use super::{Clocks, Lower, Set};
 use crate::analysis::{Facts, combinational};
+use crate::list::List;
 use crate::model::{DelayId, EdgeId, Effect, Expr as Written, Id, Model, Read, StepId, TransitionId, Ty};
 use crate::plan::Regions;
 use crate::program::{Initial, PlaceId, PlaceInfo, Role, Type, Value};
+use crate::sorted::sort_by_key;
 
 /// An edge: what it compares with, and what its expression is now.
 #[derive(Clone, Copy)]
@@ -246,13 +248,9 @@ impl<'r, 'm> Lower<'r, 'm> {
             let place = self.truth(format!("any{}.{}", id.index(), self.arrow(any.first)));
             self.anys.push(place);
         }
-        for id in model.transitions.ids() {
-            let mut name = format!("clears.{}", self.arrow(id));
-            let same = self.clears.iter().filter(|place| self.name(**place).split('#').next() == Some(&name)).count();
-            if same > 0 {
-                name = format!("{name}#{}", same + 1);
-            }
-            let place = self.truth(name);
+        let names = model.transitions.ids().map(|id| format!("clears.{}", self.arrow(id))).list();
+        for (name, number) in numbered(names) {
+            let place = self.truth(if number > 1 { format!("{name}#{number}") } else { name });
             self.clears.push(place);
         }
         if !model.is_grafcet() {
@@ -289,6 +287,19 @@ impl<'r, 'm> Lower<'r, 'm> {
     pub(super) fn delay(&self, id: DelayId) -> Delays {
         self.delays[id.index()]
     }
+}
+
+/// Each name with how many there have been of it so far.
+fn numbered(names: Vec<String>) -> Vec<(String, usize)> {
+    let mut order = (0..names.len()).list();
+    sort_by_key(&mut order, |place| &names[*place]);
+    let mut numbers = vec![1; names.len()];
+    for pair in order.windows(2) {
+        if names[pair[0]] == names[pair[1]] {
+            numbers[pair[1]] = numbers[pair[0]] + 1;
+        }
+    }
+    names.into_iter().zip(numbers).list()
 }
 
 pub(super) fn plain(name: &proc_macro2::Ident) -> String {

@@ -13,6 +13,7 @@
 
 use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::fold::initial;
+use super::many::values;
 use super::share::{is_first, take_first};
 use super::uses::{Effects, is_plain};
 use crate::model::StepId;
@@ -49,7 +50,8 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop
 
 /// Whether there are no other states for which nothing is done: an arm for each step, and, where a region may be without one, for none.
 fn are_all(program: &Program<'_>, region: usize, arms: &[Arm<'_>]) -> bool {
-    let has = |step: Option<StepId>| arms.iter().any(|(values, _)| values.contains(&Value::Step(step)));
+    let values = values(arms);
+    let has = |step: Option<StepId>| values.binary_search(&Value::Step(step)).is_ok();
     program.regions[region].iter().all(|step| has(Some(*step))) && (program.regions.len() == 1 || has(None))
 }
 

@@ -22,7 +22,7 @@
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
 //! `share` (what lists have in common, `alike` what only looks different), `several` and `rounds` also on `parts` (another order, in which those of one region stand together) and `among` (which
-//! states of a region are possible); all of them on `uses` (reads, writes, sameness) and `fold` (expressions of which something is known).
+//! states of a region are possible); all of them on `uses` (reads, writes, sameness), `many` (many arms at once) and `fold` (expressions of which something is known).
 
 mod alike;
 mod among;
@@ -35,6 +35,7 @@ mod flat;
 mod fold;
 mod forward;
 mod hoist;
+mod many;
 mod moved;
 mod next;
 mod once;

@@ -22,6 +22,7 @@
 
 use super::super::build::{compare, yes};
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::many::values;
 use super::split::merged;
 use super::store::writes_state;
 use super::uses::{Effects, is_pure, same};
@@ -175,7 +176,8 @@ fn complete(program: &Program<'_>, state: PlaceId, statement: &mut Statement<'_>
     if let Initial::Value(start @ Value::Start(_)) = program.places[state.0].initial {
         missing.push(start);
     }
-    missing.retain(|value| !arms.iter().any(|(values, _)| values.contains(value)));
+    let named = values(arms);
+    missing.retain(|value| named.binary_search(value).is_err());
     if !missing.is_empty() {
         arms.push((missing, Vec::new()));
     }

@@ -24,6 +24,7 @@ use super::dead::{Live, is_seen, needed};
 use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
 use super::flat::flat;
 use super::fold::initial;
+use super::many::{groups, sum_of_block};
 use super::moved;
 use super::share;
 use super::sparse::{Index, States};
@@ -245,9 +246,14 @@ pub(super) fn collect<'t, 'm>(tree: &'t mut Tree<'m>, points: &States, leaves: &
 
 /// Arms that do the same are one.
 pub(super) fn merged(arms: Vec<Arm<'_>>) -> Vec<Arm<'_>> {
+    let mut sums = Vec::with_capacity(arms.len());
+    for (_, body) in &arms {
+        sums.push(sum_of_block(body));
+    }
+    let groups = groups(&sums, &|one, other| same_block(&arms[one].1, &arms[other].1));
     let mut all: Vec<Arm<'_>> = Vec::new();
-    for (values, body) in arms {
-        match all.iter_mut().find(|(_, other)| same_block(other, &body)) {
+    for ((values, body), group) in arms.into_iter().zip(groups) {
+        match all.get_mut(group) {
             Some((others, _)) => others.extend(values),
             None => all.push((values, body)),
         }

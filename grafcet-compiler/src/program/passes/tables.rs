@@ -16,7 +16,9 @@
 
 use super::super::build::{not, yes};
 use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Value};
+use super::many::{groups, sum_of};
 use super::uses::{is_pure, same};
+use crate::list::List;
 
 /// About so many bytes take an arm with a condition, the same in front of a table, and a table beside its bytes, in code for Thumb.
 const ARM: usize = 7;
@@ -70,8 +72,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
 /// What the states wait for, and which one is next after each.
 #[allow(clippy::type_complexity, reason = "two lists")]
 fn waits<'m>(arms: &[Arm<'m>], after: PlaceId) -> Option<(Vec<Wait<'m>>, Vec<(Value, Value)>)> {
-    let mut waits: Vec<Wait<'m>> = Vec::new();
-    let mut table = Vec::new();
+    let (mut conditions, mut table) = (Vec::with_capacity(arms.len()), Vec::with_capacity(arms.len()));
     for (values, body) in arms {
         let (condition, to) = match &body[..] {
             [Statement::Set(place, Expr::Value(to))] if *place == after => (yes(), *to),
@@ -87,12 +88,23 @@ fn waits<'m>(arms: &[Arm<'m>], after: PlaceId) -> Option<(Vec<Wait<'m>>, Vec<(Va
         for value in values {
             table.push((*value, to));
         }
-        match waits.iter_mut().find(|wait| same(&wait.condition, &condition)) {
-            Some(wait) => wait.from.extend(values),
-            None => waits.push(Wait { from: values.clone(), condition }),
+        conditions.push((values.clone(), condition));
+    }
+    Some((shared(conditions), table))
+}
+
+/// States that wait for the same.
+fn shared<'m>(conditions: Vec<(Vec<Value>, Expr<'m>)>) -> Vec<Wait<'m>> {
+    let sums = conditions.iter().map(|(_, condition)| sum_of(condition)).list();
+    let groups = groups(&sums, &|one, other| same(&conditions[one].1, &conditions[other].1));
+    let mut waits: Vec<Wait<'m>> = Vec::new();
+    for ((from, condition), group) in conditions.into_iter().zip(groups) {
+        match waits.get_mut(group) {
+            Some(wait) => wait.from.extend(from),
+            None => waits.push(Wait { from, condition }),
         }
     }
-    Some((waits, table))
+    waits
 }
 
 /// The one state to which a way goes.
