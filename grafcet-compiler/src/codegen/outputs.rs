@@ -29,7 +29,8 @@ impl Cx<'_> {
         let field = names::output_field(self.model, output);
         match qualifier {
             Qualifier::S => {
-                let unsettle = self.unsettle_read(output, &quote!(!self.#field));
+                let alone = !self.plan.drives[output.index()].reset_flag;
+                let unsettle = alone.then(|| self.unsettle_read(output, &quote!(!self.#field)));
                 quote!(#unsettle self.#field = true;)
             }
             Qualifier::R if self.plan.drives[output.index()].reset_flag => {
@@ -79,12 +80,22 @@ impl Cx<'_> {
                 let drive = &self.plan.drives[id.index()];
                 let reset = names::output_reset(self.model, id);
                 let (field, local) = (names::output_field(self.model, id), names::output_local(self.model, id));
-                let unsettle = self.unsettle_read(id, &quote!(self.#field));
-                let stored = drive.stored.then(|| quote!(#unsettle self.#field = false;));
+                let stored = drive.stored.then(|| quote!(self.#field = false;));
                 let continuous = drive.continuous.then(|| quote!(#local = false;));
-                quote!(if #reset { #stored #continuous })
+                let changed = self.is_set_and_reset(id).then(|| {
+                    let last = names::output_last(self.model, id);
+                    self.unsettle_if(&quote!(self.#field != #last))
+                });
+                quote!(if #reset { #stored #continuous } #changed)
             })
             .tokens()
+    }
+
+    /// Whether it tells the next cycle something, and one cycle may set and reset it: what it was before all of that tells whether it has
+    /// changed.
+    pub(super) fn is_set_and_reset(&self, output: OutputId) -> bool {
+        let drive = &self.plan.drives[output.index()];
+        drive.read && drive.stored && drive.reset_flag && self.unsettle().is_some()
     }
 
     /// A stored output that others read has changed.

@@ -259,9 +259,10 @@ impl Cx<'_> {
         quote!(if #(#changed)||* #(|| #again)* #(|| #edges)* { #restart #unsettle })
     }
 
-    /// The outputs of the cycle before, where an action reads them.
+    /// The outputs of the cycle before, where an action reads them, or they may be set and reset.
     fn keep_last_outputs(&self) -> TokenStream {
-        let reads = |id: &crate::model::OutputId| self.plan.drives[id.index()].read_by_actions;
+        let reads =
+            |id: &crate::model::OutputId| self.plan.drives[id.index()].read_by_actions || self.is_set_and_reset(*id);
         self.model
             .outputs
             .ids()
