@@ -6,6 +6,7 @@ use grafcet_core::record::{Memory, Moment, Recordable, Recorder, Records, replay
 use grafcet_sim::{Replay, Trace, Value};
 
 use super::{Recorded, once};
+use crate::random::Rng;
 use crate::{Shown, Subject, Values};
 
 /// A recorder whose memory is soon full, and which also sends all over a wire.
@@ -17,6 +18,7 @@ pub(super) struct Kept<S: Recorded> {
     recipe: Values,
     shown: Shown,
     cycles: Vec<(u32, Shown)>,
+    rng: Rng,
 }
 
 impl<S: Recorded> Kept<S> {
@@ -28,7 +30,8 @@ impl<S: Recorded> Kept<S> {
         let least = Recorder::<S::Chart, Memory<Vec<u8>>>::LEAST;
         let memory = least + [0, 7, 300, 2_000, 1 << 17][size % 5];
         let recorder = Recorder::both(chart, vec![0; memory], wire).map_err(|error| error.to_string())?;
-        Ok(Self { recorder, recipe: Values::new(), shown, cycles: Vec::new() })
+        let rng = Rng::new(size as u64);
+        Ok(Self { recorder, recipe: Values::new(), shown, cycles: Vec::new(), rng })
     }
 
     pub(super) fn flush(&mut self) {
@@ -126,6 +129,13 @@ fn is_whole(record: &[u8]) -> bool {
 
 impl<S: Recorded> Subject for Kept<S> {
     fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {
+        // The program may look at the record, or tell that it runs, at any time.
+        if self.rng.chance(10) {
+            self.recorder.flush();
+        }
+        if self.rng.chance(10) {
+            self.recorder.tell_state();
+        }
         let (inputs, recorder) = (S::inputs(inputs), &mut self.recorder);
         let mut outputs = None;
         let calls = S::called(&mut |actions| outputs = Some(recorder.cycle(&inputs, Ticks::new(now), actions)));
