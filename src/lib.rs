@@ -166,6 +166,8 @@ pub mod __private {
     pub use __by_edition as by_edition;
     #[cfg(feature = "record")]
     pub use grafcet_core::__recorded as recorded;
+    #[cfg(feature = "record")]
+    pub use grafcet_core::record::Blocked;
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, OutOfRange, Phase, Possible, ShortTime, Ticks,

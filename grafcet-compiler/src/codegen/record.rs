@@ -8,8 +8,9 @@ use super::{Cx, force, recipe, state, types};
 use crate::analysis::Situations;
 use crate::fingerprint::Hash;
 use crate::list::List;
-use crate::model::{Model, Ty};
+use crate::model::{Id, Model, StepId, Ty};
 use crate::place::quote;
+use crate::sorted::Map;
 
 pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, fingerprint: u32) -> TokenStream {
     let Cx { model, p, names, .. } = cx;
@@ -36,8 +37,10 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
         Literal::u32_suffixed(hash.finish())
     };
     let fingerprint = Literal::u32_suffixed(fingerprint);
-    let possible = force::possible(situations, p);
+    let (possible, blocked) = (force::possible(situations, p), blocked(cx, machine));
     quote! {
+        #blocked
+
         #p::recorded! {
             chart #chart #fingerprint #layout
             inputs #inputs { #input_fields }
@@ -47,6 +50,41 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
             foreign { #foreign }
             possible { #possible }
             enums { #enums }
+        }
+    }
+}
+
+/// Which transitions wait, by the numbers that the description gives them. A match and no list: it takes no memory.
+fn blocked(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
+    let Cx { model, p, names, .. } = cx;
+    let (chart, levels) = (&names.chart, types::levels(model));
+    // Those in front of which the same steps stand are asked together; of what an `any` stands for each.
+    let drawn = model.drawn_transitions().map(|(_, transition)| match transition.any {
+        None => vec![&transition.sources[..]],
+        any => model.transitions.values().filter(|other| other.any == any).map(|other| &other.sources[..]).list(),
+    });
+    let sources = drawn.list();
+    let count = Literal::usize_suffixed(sources.len());
+    let mut alike: Map<Vec<&[StepId]>, Vec<Literal>> = Map::new();
+    for (number, steps) in sources.into_iter().enumerate() {
+        alike.or_default(steps).push(Literal::usize_suffixed(number));
+    }
+    let arms = alike.iter().map(|(sources, numbers)| {
+        let each = sources.iter().map(|steps| {
+            let active = steps.iter().map(|step| &machine.active[step.index()]).list();
+            if active.is_empty() { quote!(true) } else { quote!((#((#active))&&*)) }
+        });
+        let each = each.list();
+        quote!(#(#numbers)|* => #(#each)||*,)
+    });
+    let arms = arms.tokens();
+    quote! {
+        #levels
+        #[automatically_derived]
+        impl #p::Blocked for #chart {
+            fn blocked(&self) -> impl #p::core::iter::Iterator<Item = #p::usize> {
+                #p::core::iter::Iterator::filter(0..#count, move |number| match *number { #arms _ => false })
+            }
         }
     }
 }

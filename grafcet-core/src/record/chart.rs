@@ -49,6 +49,15 @@ pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
     fn wakes_at(&self) -> Option<Ticks>;
 }
 
+/// What a chart waits for, on the controller: with the feature `record`, every chart. The macro implements it; a program that never asks links nothing
+/// of it, and it stores nothing.
+pub trait Blocked {
+    /// The transitions in front of which all steps are active, by their numbers in [`Description::transitions`](crate::description::Description): a
+    /// few bytes to send. `grafcet_sim::Names::transitions` has the text of each and of its condition, and `grafcet_sim::Blocked`, of a record,
+    /// what is false in it.
+    fn blocked(&self) -> impl Iterator<Item = usize>;
+}
+
 /// What the macro writes, in full.
 #[doc(hidden)]
 #[macro_export]

@@ -23,7 +23,7 @@ mod varint;
 pub mod wire;
 
 pub use bits::{Reader, Writer, bits_for};
-pub use chart::Recordable;
+pub use chart::{Blocked, Recordable};
 pub use decode::{Block, Change, Damage, Entry, Happened, Key, Records};
 pub use keep::Keep;
 pub use memory::Memory;

@@ -2,7 +2,7 @@
 
 use grafcet::{Chart, Ticks};
 use grafcet_core::record::wire::{Follow, Seen, Wire, frame_len, wire_len};
-use grafcet_core::record::{Memory, Moment, Recordable, Recorder, Records, replay};
+use grafcet_core::record::{Blocked, Memory, Moment, Recordable, Recorder, Records, replay};
 use grafcet_sim::{Replay, Trace, Value};
 
 use super::{Recorded, once};
@@ -18,6 +18,8 @@ pub(super) struct Kept<S: Recorded> {
     recipe: Values,
     shown: Shown,
     cycles: Vec<(u32, Shown)>,
+    /// For which transitions it has waited after each of them.
+    blocked: Vec<Vec<usize>>,
     rng: Rng,
 }
 
@@ -31,7 +33,7 @@ impl<S: Recorded> Kept<S> {
         let memory = least + [0, 7, 300, 2_000, 1 << 17][size % 5];
         let recorder = Recorder::both(chart, vec![0; memory], wire).map_err(|error| error.to_string())?;
         let rng = Rng::new(size as u64);
-        Ok(Self { recorder, recipe: Values::new(), shown, cycles: Vec::new(), rng })
+        Ok(Self { recorder, recipe: Values::new(), shown, cycles: Vec::new(), blocked: Vec::new(), rng })
     }
 
     pub(super) fn flush(&mut self) {
@@ -102,6 +104,13 @@ impl<S: Recorded> Kept<S> {
             let outputs: Values = outputs.map(|(output, value)| (output.name.clone(), number_of(value))).collect();
             let found = Shown { steps, stable: cycle.is_stable, outputs, calls: Vec::new() };
             shown.cycle(number, S::Chart::TIMED.then_some(cycle.now), found, true);
+            let waiting: Vec<usize> = cycle.blocked.waiting.iter().map(|waiting| waiting.transition).collect();
+            if self.blocked.get(number as usize).is_some_and(|blocked| *blocked != waiting) {
+                let blocked = &self.blocked[number as usize];
+                return Err(format!(
+                    "{name}, cycle {number}: the chart waits for {blocked:?}, its source for {waiting:?}"
+                ));
+            }
             calls.extend(cycle.calls.iter().map(|call| {
                 let args: Vec<String> = call.args.iter().map(|arg| number_of(arg).to_string()).collect();
                 format!("{} {}({})", format!("{:?}", call.phase).to_lowercase(), call.action, args.join(","))
@@ -142,6 +151,7 @@ impl<S: Recorded> Subject for Kept<S> {
         self.shown = S::shown(self.recorder.chart(), &outputs.ok_or("no cycle")?);
         let shown = Shown { calls, ..self.shown.clone() };
         self.cycles.push((now, shown.clone()));
+        self.blocked.push(self.recorder.chart().blocked().collect());
         Ok(shown)
     }
 

@@ -7,7 +7,7 @@ pub mod written;
 
 use grafcet::Chart;
 use grafcet_compiler::model::Model;
-use grafcet_core::record::Recordable;
+use grafcet_core::record::{Blocked, Recordable};
 use grafcet_core::recordable;
 
 use crate::generated::Mode;
@@ -22,7 +22,7 @@ recordable! { Mode { Off, Auto, Manual } }
 /// What a compiled chart of the comparison says of itself beside [`Subject`](crate::Subject); the emitted code implements it.
 pub trait Recorded: 'static {
     /// The chart.
-    type Chart: Recordable<Outputs: PartialEq>;
+    type Chart: Recordable<Outputs: PartialEq> + Blocked;
 
     /// In its initial situation.
     fn make() -> Self::Chart;
