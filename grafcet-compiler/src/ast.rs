@@ -212,6 +212,8 @@ pub enum Setting {
     AssumePure { keyword: Span, paths: Vec<Path> },
     /// `forceable;`
     Forceable { keyword: Span },
+    /// `modes;`, which also stands in a partial grafcet.
+    Modes { keyword: Span },
     /// `optimize size;`
     OptimizeSize { keyword: Span },
     /// `encoding flags;`

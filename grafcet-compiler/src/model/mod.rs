@@ -49,6 +49,8 @@ pub struct Model {
     pub flags: bool,
     /// `forceable;`: the program may put the chart into a situation by hand.
     pub forceable: bool,
+    /// `modes;`: by which inputs transitions are held back.
+    pub modes: Option<Modes>,
     pub inputs: Arena<InputId, Input>,
     pub outputs: Arena<OutputId, Output>,
     pub vars: Arena<VarId, Var>,
@@ -83,6 +85,16 @@ pub struct Model {
     pub properties: Vec<Property>,
     /// Where names stand that generated code does not repeat there.
     pub mentions: Vec<(Mention, Span)>,
+}
+
+/// The inputs that `modes;` declares (A39).
+#[derive(Clone, Copy, Debug)]
+pub struct Modes {
+    pub semi_automatic: InputId,
+    pub manual: InputId,
+    pub paused: InputId,
+    /// That the push button goes down.
+    pub pushed: EdgeId,
 }
 
 /// What is mentioned.
@@ -314,6 +326,8 @@ pub struct Transition {
     /// `else`: the other branches of the same steps, in source order. None of their conditions holds where this one, which
     /// is made of them, does.
     pub otherwise: Option<Vec<TransitionId>>,
+    /// `modes;` may hold it back: what is written as its condition, of which `condition` is made.
+    pub held: Option<Tree>,
     /// `grafcet`: what is done when it clears, in source order.
     pub clearing: Vec<Effect>,
     /// From `-[` to `]->`.

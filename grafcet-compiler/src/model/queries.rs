@@ -189,10 +189,10 @@ impl Step {
 }
 
 impl Transition {
-    /// Of an `else` the other branches, if nothing but these comes before it.
+    /// Of an `else` the other branches, if nothing but these decides about it.
     #[must_use]
     pub fn plain_else(&self) -> Option<&Vec<TransitionId>> {
-        self.otherwise.as_ref().filter(|_| self.guards.is_empty())
+        self.otherwise.as_ref().filter(|_| self.guards.is_empty() && self.held.is_none())
     }
 
     /// What the user has written as its condition, without what comes before it.

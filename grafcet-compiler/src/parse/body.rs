@@ -66,7 +66,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
         "never" | "always" | "home" => {
             Item::Property(property::parse(input, meant, outer.levels_only("a property", sink), sink)?)
         }
-        "clock" | "max_evolutions" | "budget" | "assume" | "optimize" | "encoding" | "forceable" => {
+        "clock" | "max_evolutions" | "budget" | "assume" | "optimize" | "encoding" | "forceable" | "modes" => {
             outer.refuse("a setting", sink);
             Item::Setting(setting::parse(input, meant, sink)?)
         }

@@ -162,5 +162,16 @@ pub(super) fn may_be_step(mut start: Input) -> bool {
     }
 }
 
-const SETTINGS: [&str; 10] =
-    ["clock", "max_evolutions", "budget", "assume", "optimize", "encoding", "forceable", "never", "always", "home"];
+const SETTINGS: [&str; 11] = [
+    "clock",
+    "max_evolutions",
+    "budget",
+    "assume",
+    "optimize",
+    "encoding",
+    "forceable",
+    "modes",
+    "never",
+    "always",
+    "home",
+];

@@ -1,4 +1,4 @@
-//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;` `encoding flags;` `forceable;`
+//! `clock 1ms;` `max_evolutions 20;` `budget 100_000;` `assume never b1 && b3;` `optimize size;` `encoding flags;` `forceable;` `modes;`
 
 use proc_macro2::Span;
 use syn::punctuated::Punctuated;
@@ -21,6 +21,7 @@ pub(super) fn parse(input: &mut Input, word: &str, sink: &mut Sink) -> Result<Se
         "optimize" => optimize(input, keyword)?,
         "encoding" => encoding(input, keyword)?,
         "forceable" => Setting::Forceable { keyword },
+        "modes" => Setting::Modes { keyword },
         _ => assume(input, keyword, sink)?,
     };
     recover::semicolon(input, Items::OfChart, sink);

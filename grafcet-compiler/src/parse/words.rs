@@ -19,6 +19,7 @@ pub(super) const ITEMS: &[&str] = &[
     "optimize",
     "encoding",
     "forceable",
+    "modes",
     "never",
     "always",
     "home",

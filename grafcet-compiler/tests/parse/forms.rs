@@ -117,6 +117,7 @@ fn settings_and_properties() {
             ("optimize size;", "optimize size"),
             ("encoding flags;", "encoding flags"),
             ("forceable;", "forceable"),
+            ("modes;", "modes"),
             ("never Up.X && Down.X;", "never Up . X && Down . X"),
             ("never -x > 3;", "never - x > 3"),
             ("never match x { 1 => true, _ => false };", "never match x { 1 => true , _ => false }"),

@@ -81,6 +81,7 @@ fn setting(setting: &Setting) -> String {
         Setting::Budget { count, .. } => format!("budget {count}"),
         Setting::OptimizeSize { .. } => "optimize size".to_owned(),
         Setting::Forceable { .. } => "forceable".to_owned(),
+        Setting::Modes { .. } => "modes".to_owned(),
         Setting::EncodingFlags { .. } => "encoding flags".to_owned(),
         Setting::AssumePure { paths, .. } => format!("assume pure {}", list(paths, tokens)),
         Setting::AssumeCycle { longest, .. } => format!("assume cycle within {}", time(longest)),

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::any;
 use super::continuous::{self, asserts};
 use super::hierarchy;
+use super::modes;
 use super::state::State;
 use super::stored::{self, Outcome};
 use super::value::{Error, Value};
@@ -210,7 +211,7 @@ fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
                 continue;
             }
             view.given.world.asked(id, &|part| view.holds(part));
-            if view.holds(any::condition(id, view.model))? {
+            if modes::holds(id, view)? {
                 evolution.fireable.insert(id);
             }
         }

@@ -20,6 +20,7 @@ mod control;
 mod grafcet;
 mod hierarchy;
 mod look;
+mod modes;
 mod real;
 mod rest;
 mod sfc;

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::any;
 use super::control::{ActionControl, Change, Target, Verdict, inputs, target_of};
+use super::modes;
 use super::state::State;
 use super::value::{Error, Value};
 use super::view::{Edges, Situation, Times, View};
@@ -180,7 +181,7 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
         if free {
             view.given.world.asked(id, &|part| view.holds(part));
         }
-        match view.holds(any::condition(id, view.model)) {
+        match modes::holds(id, view) {
             Ok(true) => evolution.fireable.insert(id),
             Err(error) if free => return Err(error),
             // An error of a condition that nobody needs, since an earlier branch has decided, is none.

@@ -33,7 +33,7 @@ fn every_decision_and_qualifier_has_a_file() {
     let names: Vec<String> =
         files().iter().map(|path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned()).collect();
     // A7, A8, A14, A16 are only ever seen as errors; they have compile-fail tests.
-    let decisions = (1..=37).filter(|n| ![7, 8, 14, 16].contains(n)).map(|n| format!("a{n:02}"));
+    let decisions = (1..=39).filter(|n| ![7, 8, 14, 16].contains(n)).map(|n| format!("a{n:02}"));
     let qualifiers = ["n", "s", "r", "l", "d", "p", "sd", "ds", "sl", "p1", "p0"].map(|q| format!("q_{q}_"));
     for prefix in decisions.chain(qualifiers) {
         assert!(names.iter().any(|name| name.starts_with(&prefix)), "no file for {prefix}");

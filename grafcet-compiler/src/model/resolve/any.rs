@@ -100,6 +100,7 @@ impl Resolver<'_> {
                 targets: targets.clone(),
                 condition: condition.clone(),
                 otherwise: None,
+                held: None,
                 clearing: clearing.clone(),
                 mark: transition.mark,
                 any: Some(id),
@@ -220,18 +221,21 @@ impl Resolver<'_> {
         self.asked_again_by_else();
     }
 
-    /// An `else` beside an `any` of a `grafcet` asks anew for what the other branches ask for: it does not only wait for them.
+    /// An `else` beside an `any` of a `grafcet`, or one that `modes;` holds back, asks anew for what the other branches ask for: it does not only
+    /// wait for them.
     fn asked_again_by_else(&mut self) {
-        let guarded = |(_, transition): &(TransitionId, &Transition)| !transition.guards.is_empty();
-        let elses = self.model.transitions.iter().filter(guarded).filter_map(|(_, one)| one.otherwise.clone());
+        let asks = |(_, transition): &(TransitionId, &Transition)| transition.plain_else().is_none();
+        let elses = self.model.transitions.iter().filter(asks).filter_map(|(_, one)| one.otherwise.clone());
         let mut branches: Vec<TransitionId> = elses.flatten().collect();
         sort(&mut branches);
         branches.dedup();
         for id in branches {
             let Expr { text, mark, .. } = &self.model.transitions[id].condition;
             if self.model.transitions[id].own_condition().may_differ() {
+                let beside =
+                    if self.model.transitions[id].held.is_some() { "with `modes;`" } else { "beside an `any`" };
                 let message = format!(
-                    "`{text}` may have another value each time, and beside an `any` the `else` of this step asks for it once more; \
+                    "`{text}` may have another value each time, and {beside} the `else` of this step asks for it once more; \
                      hand it to the chart as an input, which is read once a cycle, or say `assume pure …;` where it has no state"
                 );
                 self.sink.notation(*mark, message);

@@ -116,6 +116,7 @@ impl Resolver<'_> {
             targets,
             condition,
             otherwise: None,
+            held: None,
             clearing,
             mark: transition.mark,
             any: None,

@@ -42,6 +42,7 @@ impl Resolver<'_> {
                     self.refuse_partial(inner, place);
                     self.declare_partial(inner, None);
                 }
+                Item::Setting(ast::Setting::Modes { keyword }) => self.declare_modes(*keyword, partial, place),
                 Item::Setting(setting) => self.setting(setting, place),
                 Item::Property(property) => self.refuse_property(property, place),
                 Item::Chain(_) => {}

@@ -20,6 +20,8 @@ impl Resolver<'_> {
             Setting::OptimizeSize { keyword } => ("optimize", *keyword),
             Setting::EncodingFlags { keyword } => ("encoding", *keyword),
             Setting::Forceable { keyword } => ("forceable", *keyword),
+            // It is about a partial grafcet, too: see `declare_modes`.
+            Setting::Modes { .. } => return,
         };
         if place != Where::Chart {
             let message =
@@ -63,7 +65,10 @@ impl Resolver<'_> {
             Setting::EncodingFlags { .. } => self.model.flags = true,
             Setting::Forceable { .. } => self.model.forceable = true,
             // Names are known only later.
-            Setting::AssumeNever { .. } | Setting::AssumeOften { .. } | Setting::AssumeCycle { .. } => {}
+            Setting::AssumeNever { .. }
+            | Setting::AssumeOften { .. }
+            | Setting::AssumeCycle { .. }
+            | Setting::Modes { .. } => {}
             Setting::AssumePure { paths, .. } => self.assume_pure(paths, place),
         }
     }

@@ -15,6 +15,7 @@ mod expr;
 mod foreign;
 mod habits;
 mod misplaced;
+mod modes;
 mod named;
 mod names;
 mod otherwise;
@@ -26,14 +27,14 @@ mod text;
 mod time;
 mod variants;
 
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 
 use self::blink::Owner;
 use self::named::{Named, Scale};
 use self::scope::Scope;
 use super::{
-    Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, LetId, LevelAttr, MacroId, Mention, Model,
-    Name, PartialId, Step, StepId, TransitionId, Ty,
+    Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, InputId, LetId, LevelAttr, MacroId, Mention,
+    Model, Name, PartialId, Step, StepId, TransitionId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -50,6 +51,8 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
         withins: Vec::new(),
         broken_macros: Vec::new(),
         settings: Vec::new(),
+        modes: Vec::new(),
+        mode_inputs: None,
         owner: Owner::Chart,
         from: None,
         alone: Vec::new(),
@@ -70,6 +73,7 @@ pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
     resolver.anys(&chart.body, PartialId::new(0));
     resolver.body(&chart.body, PartialId::new(0), &mut cursor);
     resolver.otherwise();
+    resolver.hold();
     resolver.guard();
     resolver.unused_pure();
     resolver.connect();
@@ -90,6 +94,10 @@ pub(super) struct Resolver<'s> {
     broken_macros: Vec<MacroId>,
     /// `clock` and its like, where they stand first.
     settings: Vec<(&'static str, Mark)>,
+    /// Where `modes;` stands.
+    modes: Vec<(PartialId, Span)>,
+    /// What it declares: `semi_automatic`, `manual`, `paused`, `push`.
+    mode_inputs: Option<[InputId; 4]>,
     /// To which step the expression belongs that is being resolved.
     owner: Owner,
     /// The first step in front of the condition that is being resolved.
@@ -135,6 +143,7 @@ fn empty(chart: &ast::Chart) -> Model {
         max_evolutions: None,
         optimize_size: false,
         forceable: false,
+        modes: None,
         flags: false,
         inputs: Arena::default(),
         outputs: Arena::default(),

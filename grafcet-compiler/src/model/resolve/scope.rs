@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use super::modes;
 use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
 use crate::list::List;
@@ -42,6 +43,8 @@ pub(super) struct Scope {
     names: Map<String, Vec<(Meaning, Ident)>>,
     partials: Map<String, (PartialId, Ident)>,
     transitions: Map<String, Ident>,
+    /// What `modes;` declares, with its keyword.
+    modes: Vec<Ident>,
     /// Names that a broken item would have declared: no error about them, its own error says enough.
     broken: Vec<Ident>,
 }
@@ -75,11 +78,22 @@ impl Scope {
         }
         let same = self.names.or_default(key(name));
         match same.first() {
+            Some((_, first)) if self.modes.contains(first) => modes::taken(name, first.span(), sink),
             Some((_, first)) => report_duplicate(name, first, sink),
             None => refuse_reserved(name, sink),
         }
         same.push((meaning, name.clone()));
         same.len() == 1
+    }
+
+    /// Declares an input of `modes;`, whose keyword is where the name stands; the other declaration of a name is reported.
+    pub(super) fn declare_of_modes(&mut self, name: &Ident, meaning: Meaning, sink: &mut Sink) {
+        self.modes.push(name.clone());
+        let same = self.names.or_default(key(name));
+        if let Some((_, first)) = same.first() {
+            modes::taken(first, name.span(), sink);
+        }
+        same.push((meaning, name.clone()));
     }
 
     /// Declares a partial grafcet.

@@ -51,8 +51,8 @@ impl<'m> Lower<'_, 'm> {
         for other in self.before(id, transition) {
             parts.push(not(Expr::Place(self.clears[other.index()])));
         }
-        // `else`: where none of the others does.
-        if transition.otherwise.is_none() {
+        // `else`: where none of the others does, which may be held back.
+        if transition.otherwise.is_none() || transition.held.is_some() {
             parts.push(self.own_condition(transition));
         }
         all(parts)

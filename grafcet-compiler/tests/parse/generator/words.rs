@@ -19,6 +19,7 @@ pub(super) const WORDS: &[&str] = &[
     "optimize",
     "encoding",
     "forceable",
+    "modes",
     "never",
     "always",
     "home",

@@ -9,6 +9,7 @@ mod expr;
 mod forced;
 mod hierarchy;
 mod inside;
+mod modes;
 mod names;
 mod rng;
 mod small;
@@ -37,7 +38,11 @@ pub struct Random {
 pub fn chart(seed: u64, grafcet: bool, cycles: usize) -> Random {
     let made = made(seed, grafcet, cycles);
     // A chart of both dialects is compared with itself.
-    if seed % 16 != 15 && seed % 6 == 1 { forced::by_hand(made, seed) } else { made }
+    if seed % 16 == 15 {
+        return made;
+    }
+    let made = if seed % 6 == 1 { forced::by_hand(made, seed) } else { made };
+    if seed % 7 == 2 { modes::held(made, seed) } else { made }
 }
 
 fn made(seed: u64, grafcet: bool, cycles: usize) -> Random {
@@ -85,7 +90,7 @@ fn small_turn(seed: u64) -> Option<u64> {
 /// What has to be compared in a dialect, by name: all kinds of small charts, and of the large ones the words of the language that
 /// are not in every second chart.
 pub fn kinds(grafcet: bool) -> impl Iterator<Item = &'static str> {
-    const BOTH: [&str; 18] = [
+    const BOTH: [&str; 22] = [
         "AND-convergence into AND-divergence",
         "AND-convergence with alternatives",
         "any",
@@ -99,19 +104,24 @@ pub fn kinds(grafcet: bool) -> impl Iterator<Item = &'static str> {
         "forceable",
         "forceable with flags",
         "late",
+        "modes",
+        "modes and forceable",
+        "modes beside any",
+        "modes beside else",
         "named condition read",
         "named condition with a delay",
         "named condition with an edge",
         "sequence by inputs that hold together",
         "sequence by time",
     ];
-    const GRAFCET: [&str; 8] = [
+    const GRAFCET: [&str; 9] = [
         "enclosing or macro-step inside another",
         "force {*}",
         "force {INIT}",
         "force {S}",
         "force {}",
         "machine of partial grafcets",
+        "modes of a partial grafcet",
         "source transition",
         "variable of a macro-step",
     ];
