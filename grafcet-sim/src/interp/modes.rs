@@ -30,10 +30,10 @@ fn mode(modes: &Modes, view: &View<'_>) -> Result<Mode, Error> {
 /// Whether a transition may clear as far as its condition and the mode are concerned.
 pub(super) fn holds(id: TransitionId, view: &View<'_>) -> Result<bool, Error> {
     let model = view.model;
-    let (Some(modes), Some(written)) = (&model.modes, &model.transitions[id].held) else {
+    let (Some(inputs), Some(written)) = (&model.modes, &model.transitions[id].held) else {
         return view.holds(any::condition(id, model));
     };
-    match mode(modes, view)? {
+    match mode(inputs, view)? {
         Mode::Paused | Mode::Manual { pushed: false } | Mode::SemiAutomatic { pushed: false } => Ok(false),
         Mode::Manual { pushed: true } => Ok(is_first(id, view)),
         Mode::SemiAutomatic { pushed: true } | Mode::Automatic => view.holds(written),

@@ -165,16 +165,16 @@ impl Resolver<'_> {
         let at = transition.condition.mark;
         let make = Make { resolver: self, at };
         let (manual, own) = (make.input(modes.manual), transition.condition.clone());
-        let automatic = make.and(make.not(manual.clone()), make.not(make.input(modes.semi_automatic)));
-        let running = make.and(make.not(make.input(modes.paused)), make.or(make.pushed(modes.pushed), automatic));
+        let automatic = make.and(not(manual.clone()), not(make.input(modes.semi_automatic)));
+        let running = make.and(not(make.input(modes.paused)), make.or(make.pushed(modes.pushed), automatic));
         let condition = match self.by_hand(transition, id, held) {
-            ByHand::Never => make.and(make.not(manual), own),
+            ByHand::Never => make.and(not(manual), own),
             ByHand::Always => make.or(manual, own),
             ByHand::Unless(others) => {
-                let free = others.iter().map(|steps| make.not(make.all(steps)));
+                let free = others.iter().map(|steps| not(make.all(steps)));
                 let free = free.reduce(|a, b| make.and(a, b));
                 let by_hand = free.map_or(manual.clone(), |free| make.and(manual.clone(), free));
-                make.or(by_hand, make.and(make.not(manual), own))
+                make.or(by_hand, make.and(not(manual), own))
             }
         };
         let Expr { tree, tokens, mut reads, .. } = make.and(running, condition);
@@ -250,15 +250,6 @@ impl Make<'_, '_> {
         active.fold(first, |a, b| self.and(a, b))
     }
 
-    fn not(&self, a: Expr) -> Expr {
-        let tokens = syn::Expr::Unary(syn::ExprUnary {
-            attrs: Vec::new(),
-            op: syn::UnOp::Not(syn::token::Not(place::mixed())),
-            expr: Box::new(as_operand(a.tokens)),
-        });
-        Expr { tree: Tree::Unary(Unary::Not, Box::new(a.tree)), tokens, ..a }
-    }
-
     fn and(&self, a: Expr, b: Expr) -> Expr {
         let site = place::mixed();
         self.both(a, b, Binary::And, syn::BinOp::And(syn::token::AndAnd([site, site])))
@@ -281,6 +272,16 @@ impl Make<'_, '_> {
         reads.extend(b.reads);
         Expr { tree, tokens, reads, text: String::new(), mark: self.at }
     }
+}
+
+/// `!a`
+fn not(a: Expr) -> Expr {
+    let tokens = syn::Expr::Unary(syn::ExprUnary {
+        attrs: Vec::new(),
+        op: syn::UnOp::Not(syn::token::Not(place::mixed())),
+        expr: Box::new(as_operand(a.tokens)),
+    });
+    Expr { tree: Tree::Unary(Unary::Not, Box::new(a.tree)), tokens, ..a }
 }
 
 /// In parentheses, where it is no single word.
