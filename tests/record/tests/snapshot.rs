@@ -170,3 +170,24 @@ fn impossible_situations_are_refused() {
     names.sort();
     assert_eq!(names, ["[Close, Heat]", "[Close, Heated]", "[Closed, Heat]", "[Closed, Heated]", "[Idle]"]);
 }
+
+grafcet::grafcet! {
+    sfc Ranged {
+        input go: bool;
+        output lamp: bool;
+        param parts: u8 in 2..=5 = 3;
+        initial step A;
+        step B { lamp; }
+        A -[go && parts > 2]-> B -[!go]-> A;
+    }
+}
+
+/// A recipe that `set_params` refuses does not come in by a snapshot either.
+#[test]
+fn a_recipe_outside_of_its_range_is_refused() {
+    let bytes = bytes_of(&Ranged::new());
+    for parts in 0..=u8::MAX {
+        let restored = restore::<Ranged>(&forged(bytes.clone(), |bytes| bytes[12] = parts), 0);
+        assert_eq!(restored.map(|chart| chart.params().parts).ok(), (2..=5).contains(&parts).then_some(parts));
+    }
+}
