@@ -103,6 +103,7 @@ fn a_recipe_outside_of_its_ranges_is_refused() {
     assert_eq!(chart.set_params(RangedParams { rpm: 7, ..recipe }), Ok(()));
     chart.init();
     assert_eq!(chart.params().rpm, 7, "init keeps the recipe");
-    const SLOW: Result<Ranged, OutOfRange> = Ranged::with_params(RangedParams { rpm: 1, ..RangedParams::new() });
-    assert_eq!(SLOW.map(|mut slow| slow.cycle(&RangedInputs::default(), 0).speed), Ok(1));
+    let slow: Result<Ranged, OutOfRange> =
+        const { Ranged::with_params(RangedParams { rpm: 1, ..RangedParams::new() }) };
+    assert_eq!(slow.map(|mut slow| slow.cycle(&RangedInputs::default(), 0).speed), Ok(1));
 }
