@@ -1,6 +1,6 @@
 //! What is asked of many arms at once, without comparing each with each.
 
-use super::super::{Arm, Expr, Statement, Value};
+use super::super::{Arm, Expr, Initial, PlaceId, Program, Statement, Type, Value};
 use crate::list::List;
 use crate::model::Id;
 use crate::sorted::{sort, sort_by_key};
@@ -37,6 +37,30 @@ pub(super) fn values(arms: &[Arm<'_>]) -> Vec<Value> {
     }
     sort(&mut all);
     all
+}
+
+/// Gives a match on the state an arm for all values that it does not name.
+pub(super) fn complete(program: &Program<'_>, state: PlaceId, statement: &mut Statement<'_>) {
+    let Statement::Match(place, arms, otherwise) = statement else { return };
+    let Type::State(region) = program.places[state.0].ty else { return };
+    if *place != state || !otherwise.is_empty() {
+        return;
+    }
+    let mut missing = Vec::new();
+    for step in &program.regions[region] {
+        missing.push(Value::Step(Some(*step)));
+    }
+    if program.regions.len() > 1 {
+        missing.push(Value::Step(None));
+    }
+    if let Initial::Value(start @ Value::Start(_)) = program.places[state.0].initial {
+        missing.push(start);
+    }
+    let named = values(arms);
+    missing.retain(|value| named.binary_search(value).is_err());
+    if !missing.is_empty() {
+        arms.push((missing, Vec::new()));
+    }
 }
 
 /// A number that statements that do the same have in common, and few others.

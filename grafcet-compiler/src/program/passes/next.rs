@@ -22,7 +22,7 @@
 
 use super::super::build::{compare, yes};
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::many::values;
+use super::many::complete;
 use super::split::merged;
 use super::store::writes_state;
 use super::uses::{Effects, is_pure, same};
@@ -64,6 +64,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
     let mut cycle = std::mem::take(&mut program.cycle);
     for statement in &mut cycle {
+        // LLVM looks whether a state is in range of a match that does not name it.
         complete(program, state, statement);
     }
     program.cycle = cycle;
@@ -159,27 +160,6 @@ impl<'m> Next<'m> {
 fn without(cycle: &mut Vec<Statement<'_>>, was: PlaceId) {
     if !Effects::of_all(cycle).reads.contains(&was) {
         cycle.retain(|statement| !matches!(statement, Statement::Set(place, _) if *place == was));
-    }
-}
-
-/// LLVM looks whether a state is in range of a match that does not name it.
-fn complete(program: &Program<'_>, state: PlaceId, statement: &mut Statement<'_>) {
-    let Statement::Match(place, arms, otherwise) = statement else { return };
-    let Type::State(region) = program.places[state.0].ty else { return };
-    if *place != state || !otherwise.is_empty() {
-        return;
-    }
-    let mut missing = Vec::new();
-    for step in &program.regions[region] {
-        missing.push(Value::Step(Some(*step)));
-    }
-    if let Initial::Value(start @ Value::Start(_)) = program.places[state.0].initial {
-        missing.push(start);
-    }
-    let named = values(arms);
-    missing.retain(|value| named.binary_search(value).is_err());
-    if !missing.is_empty() {
-        arms.push((missing, Vec::new()));
     }
 }
 

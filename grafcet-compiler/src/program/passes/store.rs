@@ -17,14 +17,18 @@
 //! (Laundry 792 -> 866 bytes, 24.5 -> 26.7 instructions).
 
 use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
+use super::many::complete;
 use super::split::merged;
 use super::uses::{Effects, replaced, rewrite};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
-    let (head, behind) = program.cycle.split_at_mut(at + 1);
-    let Some(Statement::Match(state, arms, _)) = head.last_mut() else { return };
-    let (state, after) = (*state, PlaceId(program.places.len()));
+    let mut decides = program.cycle[at].clone();
+    let Statement::Match(state, ..) = decides else { return };
+    // A state from which no way leads may have no arm: what is stored behind is the same for it.
+    complete(program, state, &mut decides);
+    let Statement::Match(_, arms, _) = &mut decides else { return };
+    let after = PlaceId(program.places.len());
     let mut ended = Vec::with_capacity(arms.len());
     for (values, body) in arms.iter() {
         let mut body = body.clone();
@@ -37,7 +41,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
     for arm in arms.iter_mut() {
         own(arm, state, after);
     }
-    renamed(behind, state, after);
+    renamed(&mut program.cycle[at + 1..], state, after);
+    program.cycle[at] = decides;
     program.cycle.insert(at + 1, Statement::Set(state, Expr::Place(after)));
     program.places.push(PlaceInfo {
         name: "after".to_owned(),

@@ -212,6 +212,19 @@ fn what_only_some_states_do_is_not_hoisted() {
     }
 }
 
+/// A step that no way leaves has no arm where the next state is decided, and keeps its state where that is stored.
+#[test]
+fn what_cannot_be_left_stays() {
+    let model = read(
+        "sfc Stays { input b: bool; output q: bool; initial step A; step B { q; } step C; A -[!b]-> B -[rising(A.X)]-> C -[rising(C.X)]-> A; }",
+    );
+    let mut text = "---\n---\n".to_owned();
+    for cycle in 0..12 {
+        _ = writeln!(text, "{}@{cycle} | |", ["b ", "b ", "", "", "b "][cycle % 5]);
+    }
+    each_left_out(&model, &text, 6);
+}
+
 /// A chart of a thousand steps: each state is looked at with what concerns it, and not with all fourteen thousand statements, which
 /// takes more than ten times as long.
 #[test]

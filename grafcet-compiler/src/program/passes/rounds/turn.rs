@@ -76,7 +76,16 @@ impl<'t, 'p, 'm> Turn<'t, 'p, 'm> {
         ties
     }
 
+    /// None where a region moves in several parts: what stands between them would be looked at in the middle of its way.
     pub(super) fn statements(&self, env: &Env) -> Option<Vec<Statement<'m>>> {
+        let mut moved = Set::new();
+        for part in &self.parts {
+            for region in written(self.several, part) {
+                if !moved.insert(region) {
+                    return None;
+                }
+            }
+        }
         let all: Vec<usize> = (0..self.parts.len()).collect();
         self.from(&all, env.clone())
     }
