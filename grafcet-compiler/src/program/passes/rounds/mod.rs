@@ -19,7 +19,8 @@
 //! What is done after a round that has found the situation stable is done once for each state (`several`).
 //!
 //! Needs: one loop, which is left where no region has moved and nothing else has changed, or with the situation taken back; nothing around it writes
-//! the situation.
+//! the situation; what moves a region can stand
+//! together (`parts`).
 
 mod owners;
 mod turn;
