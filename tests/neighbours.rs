@@ -32,7 +32,7 @@ neighbours! {
         transitions_without_step, unknown_name, unknown_partial, unknown_step;
     evolution: dead_transition, deadlock, not_home, stuck_join, unreachable_step, unsafe_step;
     levels: allow, warnings;
-    properties: property_undecided, property_violated;
+    properties: property_undecided, property_violated, vacuous_assumption, vacuous_property;
     structure:
         enclosure_without_link, forced_enclosure, forced_step_outside, forcing_circle, init_without_initial,
         initial_without_effect, macro_entry_exit, two_masters;

@@ -68,6 +68,28 @@ pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit)
     decide_on(program, circuit, bad, &goal, limit)
 }
 
+/// Why what a property is about never happens; none where it does, or where that is not found out.
+///
+/// # Errors
+/// A proof that fails its check.
+pub fn vacuous(circuit: &Circuit, property: usize, limit: &Limit) -> Result<Option<Invariant>, Internal> {
+    let trigger = circuit.triggers.iter().find(|(other, _)| *other == property);
+    trigger.map_or(Ok(None), |(_, happens)| never(circuit, *happens, limit))
+}
+
+/// Why a wire is never true; none where it can be, or where that is not found out.
+///
+/// # Errors
+/// A proof that fails its check.
+pub fn never(circuit: &Circuit, wire: Lit, limit: &Limit) -> Result<Option<Invariant>, Internal> {
+    let task = Task::new(circuit, wire);
+    match first(&task, limit) {
+        Err(None) | Ok(Found::Fails(_) | Found::MayFail(_)) => Ok(None),
+        Err(Some(internal)) => Err(internal),
+        Ok(Found::Holds(invariant)) => Ok(Some(invariant)),
+    }
+}
+
 /// With what is known of its clock, where the limit allows it.
 fn in_time(
     program: &Program<'_>,
@@ -112,25 +134,39 @@ enum Judged {
     Fails(Way),
 }
 
+/// The same before the shortest way is looked for.
+enum Found {
+    Holds(Invariant),
+    Fails(Way),
+    /// In so many cycles at most.
+    MayFail(usize),
+}
+
 /// None for the limit.
 fn judge(circuit: &Circuit, bad: Lit, limit: &Limit) -> Result<Judged, Option<Internal>> {
-    let over = |_: Over| None;
     let task = Task::new(circuit, bad);
-    if let Some(way) = bmc::shortest(&task, FIRST_CYCLES, limit).map_err(over)? {
-        return Ok(Judged::Fails(way));
+    match first(&task, limit)? {
+        Found::Holds(invariant) => Ok(Judged::Holds(invariant)),
+        Found::Fails(way) => Ok(Judged::Fails(way)),
+        Found::MayFail(length) => match bmc::shortest(&task, length, limit).map_err(|_| None)? {
+            Some(way) => Ok(Judged::Fails(way)),
+            None => Err(Some(Internal(format!("a way of {length} cycles that is none")))),
+        },
     }
-    match Pdr::new(&task, limit).run().map_err(over)? {
-        Answer::Holds(invariant) => match certificate::fault(&task, &invariant, limit).map_err(over)? {
-            None => Ok(Judged::Holds(invariant)),
+}
+
+/// The first cycles one by one, then IC3; none for the limit.
+fn first(task: &Task<'_>, limit: &Limit) -> Result<Found, Option<Internal>> {
+    let over = |_: Over| None;
+    if let Some(way) = bmc::shortest(task, FIRST_CYCLES, limit).map_err(over)? {
+        return Ok(Found::Fails(way));
+    }
+    match Pdr::new(task, limit).run().map_err(over)? {
+        Answer::Holds(invariant) => match certificate::fault(task, &invariant, limit).map_err(over)? {
+            None => Ok(Found::Holds(invariant)),
             Some(fault) => Err(Some(Internal(format!("a proof that is none: {fault}")))),
         },
-        Answer::Fails(way) => {
-            let length = way.inputs.len();
-            match bmc::shortest(&task, length, limit).map_err(over)? {
-                Some(way) => Ok(Judged::Fails(way)),
-                None => Err(Some(Internal(format!("a way of {length} cycles that is none")))),
-            }
-        }
+        Answer::Fails(way) => Ok(Found::MayFail(way.inputs.len())),
     }
 }
 

@@ -9,15 +9,28 @@ use crate::list::List;
 use crate::model::{Claim, Expr, Model, Name, Place, Property, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
-/// Who decides what the exploration leaves open, such as a solver: of the properties with these numbers, an answer for each.
-pub type Prover = dyn Fn(&Model, &Facts<'_>, &[usize]) -> Vec<Ruling>;
+/// Who decides what the exploration leaves open, such as a solver: an answer for each question.
+pub type Prover = dyn Fn(&Model, &Facts<'_>, &[Question]) -> Vec<Ruling>;
 
-/// What it says about a property.
+/// What a prover is asked.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Question {
+    /// Whether the property with this number holds.
+    Holds(usize),
+    /// Whether what it is about never happens.
+    NeverHappens(usize),
+    /// Whether the assumptions leave no cycle.
+    NoCycle,
+    /// Whether what is assumed to come again and again, with this number, never comes.
+    NeverComes(usize),
+}
+
+/// What it says.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Ruling {
-    /// It holds at the end of every cycle.
+    /// It is so at the end of every cycle.
     Holds,
-    /// It does not.
+    /// It is not.
     Broken {
         /// So many cycles lead there, and fewer do not.
         cycles: usize,
@@ -30,6 +43,9 @@ pub enum Ruling {
     Open(String),
 }
 
+/// Of properties, whether what they are about happens.
+type Triggers<'m> = Vec<(&'m Property, Answer)>;
+
 /// The properties of a chart that are not proved.
 pub(crate) struct Claims<'m> {
     model: &'m Model,
@@ -41,6 +57,8 @@ pub(crate) struct Claims<'m> {
     pub(crate) open: Vec<(&'m Property, Answer)>,
     /// The same of ways home.
     pub(crate) away: Vec<(&'m Property, Answer)>,
+    /// Of the properties that are about something, whether that happens.
+    pub(crate) triggers: Triggers<'m>,
 }
 
 impl<'m> Claims<'m> {
@@ -84,24 +102,36 @@ impl<'m> Claims<'m> {
                 open.push((property, Answer::Unknown(Doubt::Unfollowed(unfollowed))));
             }
         }
-        let watched: Vec<&Tree> = claimed.iter().map(|(_, violation)| violation).list();
+        let (triggers, sought) = sought(model, logic, &known);
+        let watched: Vec<&Tree> = claimed.iter().chain(&sought).map(|(_, tree)| tree).list();
         let exploration = Exploration::assuming(model, &limits, &watched, never);
+        let alone = |tree: &Tree| alone::watched(model, &limits, tree, never, claimed.len() == 1);
         for (index, (property, violation)) in claimed.iter().enumerate() {
             let answer = exploration.watched(index);
-            let alone = matches!(answer, Answer::Unknown(_))
-                .then(|| alone::watched(model, &limits, violation, never, claimed.len() == 1));
-            match alone.flatten().unwrap_or(answer) {
+            let asked = matches!(answer, Answer::Unknown(_)).then(|| alone(violation));
+            match asked.flatten().unwrap_or(answer) {
                 Answer::Never => {}
                 answer => open.push((*property, answer)),
             }
         }
-        let mut claims = Self { model, limits, never, exploration, open, away: Vec::new() };
+        let mut claims = Self { model, limits, never, exploration, open, away: Vec::new(), triggers };
+        for (index, (property, trigger)) in sought.iter().enumerate() {
+            let answer = claims.exploration.watched(claimed.len() + index);
+            // Where the property itself was not decided, this will not be either.
+            let again = matches!(answer, Answer::Unknown(_)) && claims.is_proved(property);
+            let answer = again.then(|| alone(trigger)).flatten().unwrap_or(answer);
+            claims.triggers.push((*property, answer));
+        }
         claims.ways_home(!watched.is_empty());
         if !watched.is_empty() && !claims.exploration.is_complete() {
             // To follow what the properties are about takes more than the rules need.
             claims.exploration = Exploration::assuming(model, &limits, &[], never);
         }
         claims
+    }
+
+    fn is_proved(&self, property: &Property) -> bool {
+        !self.open.iter().any(|(open, _)| std::ptr::eq(*open, property))
     }
 
     fn ways_home(&mut self, has_watched: bool) {
@@ -131,6 +161,27 @@ impl<'m> Claims<'m> {
             again.then(|| alone(false)).flatten().unwrap_or(answer)
         })
     }
+}
+
+/// What the exploration can look for of what properties are about; and before that, what is known without it.
+fn sought<'m>(
+    model: &'m Model,
+    logic: &Logic<'_>,
+    known: &dyn Fn(&&Property) -> bool,
+) -> (Triggers<'m>, Vec<(&'m Property, Tree)>) {
+    let (mut told, mut sought) = (Vec::new(), Vec::new());
+    for property in model.properties.iter().filter(known) {
+        let Some(trigger) = property.claim.trigger() else { continue };
+        if logic.never(&logic.condition(&visible::resolved(model, &trigger.tree))) {
+            told.push((property, Answer::Never));
+            continue;
+        }
+        match written_out(model, &trigger.tree) {
+            Some(written) if unfollowed(model, &written).is_empty() => sought.push((property, written)),
+            _ => told.push((property, Answer::Unknown(Doubt::Unfollowed(Vec::new())))),
+        }
+    }
+    (told, sought)
 }
 
 /// What the exploration does not follow from cycle to cycle: numbers, enums and times.

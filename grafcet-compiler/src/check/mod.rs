@@ -14,6 +14,7 @@ mod properties;
 mod race;
 mod reach;
 mod rivals;
+mod rulings;
 mod safety;
 mod set_reset;
 mod silent;
@@ -21,6 +22,7 @@ mod structure;
 mod targets;
 mod unstable;
 mod usage;
+mod vacuous;
 mod waits;
 
 pub use initial::initial_values;
@@ -31,6 +33,7 @@ use crate::diagnostic::{Sink, rules};
 use crate::list::List;
 use crate::model::{Model, Name, Read, TransitionId, Tree};
 use crate::sorted::Set;
+use rulings::Rulings;
 
 /// The rules that need no more than the drawing itself; most hold on a chart with unresolved parts too.
 pub fn drawing(model: &Model, sink: &mut Sink) {
@@ -74,8 +77,8 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     let never_clear: Set<TransitionId> = dead.idle.iter().chain(&said).copied().collect();
     let presumed = branches.presumed_exclusive();
 
-    let asked = prover.map(|prover| (prover, facts));
-    properties::check(model, &claims, limits, asked, sink);
+    let rulings = Rulings::of(model, &claims, prover, facts);
+    properties::check(model, &claims, limits, &rulings, sink);
     let always = conditions::check(model, &logic, &conditions, &constants, sink);
     branches::check(model, &rivalry, &always, sink);
     let mut told = Explained::default();
@@ -90,6 +93,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     stays.extend(reach::dead_ends(model, &never_clear, sink));
     properties::homes(model, &claims, limits, &properties::Told { stays: &stays, partings: &partings }, sink);
     silent::check(model, exploration, &dead, told, sink);
+    vacuous::check(model, &claims, &rulings, sink);
     race::check(model, &races, &mixed, sink);
     contention::check(model, &seen, never, sink);
     if !sink.broke(&rules::WRONG_TARGET) {

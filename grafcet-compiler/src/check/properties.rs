@@ -1,38 +1,19 @@
 //! `property_violated`, `property_undecided`, `not_home`: what the chart itself says that it does.
 
 use super::rivals;
+use super::rulings::Rulings;
 use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay, situation};
-use crate::analysis::{Claims, Facts, Prover, Ruling, unlisted_of};
+use crate::analysis::{Claims, Ruling, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
 use crate::model::{Claim, How, LevelAttr, Model, Name, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
 /// Reports what is violated, and what is not decided, by the prover either, where there is one.
-pub(super) fn check(
-    model: &Model,
-    claims: &Claims<'_>,
-    limits: Limits,
-    prover: Option<(&Prover, &Facts<'_>)>,
-    sink: &mut Sink,
-) {
+pub(super) fn check(model: &Model, claims: &Claims<'_>, limits: Limits, told: &Rulings<'_>, sink: &mut Sink) {
     let report = Report { model, limits };
-    let is_open = |answer: &Answer| matches!(answer, Answer::Unknown(_));
-    let mut left_open = Vec::new();
-    for (number, property) in model.properties.iter().enumerate() {
-        if claims.open.iter().any(|(open, answer)| std::ptr::eq(*open, property) && is_open(answer)) {
-            left_open.push(number);
-        }
-    }
-    let asked = prover.filter(|_| !left_open.is_empty());
-    let rulings = asked.map(|(prover, facts)| prover(model, facts, &left_open)).unwrap_or_default();
     for (property, answer) in &claims.open {
-        let number = left_open.iter().position(|number| {
-            let open: &Property = &model.properties[*number];
-            std::ptr::eq(open, *property)
-        });
-        let ruling = number.and_then(|number| rulings.get(number));
-        match (answer, ruling) {
+        match (answer, told.about(property)) {
             (Answer::Never, _) | (Answer::Unknown(_), Some(Ruling::Holds)) => {}
             (Answer::Possible(path), _) => {
                 let cycles = path.cycles.len() + usize::from(path.skips_first);

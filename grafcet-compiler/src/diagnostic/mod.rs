@@ -135,7 +135,14 @@ impl Sink {
     /// in which rustc may find more.
     #[must_use]
     pub fn has_more_than_claims(&self) -> bool {
-        let claims = [&rules::PROPERTY_VIOLATED, &rules::PROPERTY_UNDECIDED, &rules::NOT_HOME].map(|rule| rule.name);
+        let claims = [
+            &rules::PROPERTY_VIOLATED,
+            &rules::PROPERTY_UNDECIDED,
+            &rules::NOT_HOME,
+            &rules::VACUOUS_PROPERTY,
+            &rules::VACUOUS_ASSUMPTION,
+        ]
+        .map(|rule| rule.name);
         let is_claim = |one: &Diagnostic| one.rule.is_some_and(|rule| claims.contains(&rule.name));
         self.diagnostics.iter().any(|d| d.severity == Severity::Deny && !is_claim(d))
     }

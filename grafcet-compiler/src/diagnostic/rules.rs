@@ -130,6 +130,8 @@ rules! {
     MACRO_ENTRY_EXIT = error("macro_entry_exit");
     PROPERTY_VIOLATED = error("property_violated");
     PROPERTY_UNDECIDED = deny("property_undecided");
+    VACUOUS_PROPERTY = warn("vacuous_property");
+    VACUOUS_ASSUMPTION = warn("vacuous_assumption");
 }
 
 /// Why an attribute cannot set `rule` to `level`; `None` if it can.

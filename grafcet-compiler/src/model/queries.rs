@@ -407,4 +407,15 @@ impl Claim {
             Self::Home(..) | Self::LeadsTo { .. } | Self::Before { .. } => None,
         }
     }
+
+    /// What has to happen before it says anything; none of what always says something.
+    #[must_use]
+    pub fn trigger(&self) -> Option<&Expr> {
+        match self {
+            Self::Always { premise: Some(premise), .. } => Some(premise),
+            Self::LeadsTo { from, .. } => Some(from),
+            Self::Before { then, .. } => Some(then),
+            Self::Never(_) | Self::Always { premise: None, .. } | Self::Home(..) => None,
+        }
+    }
 }

@@ -90,6 +90,21 @@ impl Lowering<'_, '_> {
         claims
     }
 
+    /// Of each property that is about something, where that happens. What is not modelled is left out.
+    pub(super) fn triggers(&mut self, end: &Env) -> Vec<(usize, Lit)> {
+        let (overflow, panics, path) = (self.overflow, self.panics, self.path);
+        let mut all = Vec::new();
+        for (property, one) in self.program.model.properties.iter().enumerate() {
+            let trigger = one.claim.trigger().and_then(|trigger| written_out(self.program.model, &trigger.tree));
+            (self.panics, self.path) = (Lit::FALSE, path);
+            if let Some(Ok(happens)) = trigger.map(|trigger| self.at_end(&trigger, end)) {
+                all.push((property, self.aig.and(happens, !self.panics)));
+            }
+        }
+        (self.overflow, self.panics, self.path) = (overflow, panics, path);
+        all
+    }
+
     /// Whether a condition holds at the end of the cycle.
     pub(super) fn at_end(&mut self, tree: &Tree, end: &Env) -> Result<Lit, Refused> {
         let mut mentioned = Vec::new();

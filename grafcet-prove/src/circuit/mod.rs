@@ -145,7 +145,9 @@ pub struct Circuit {
     pub bad: Vec<Bad>,
     pub live: Vec<Live>,
     pub deadlines: Vec<Deadline>,
-    /// What is taken to come again and again: what is assumed so, and that time passes.
+    /// By property, where that is something: what it is about happens.
+    pub triggers: Vec<(usize, Lit)>,
+    /// What is taken to come again and again: what is assumed so, in the order of the chart, and that time passes.
     pub often: Vec<Lit>,
     /// By property: what in it is not modelled.
     pub refused: Vec<(usize, Refused)>,
@@ -221,6 +223,7 @@ impl Circuit {
 struct Asked {
     claims: Claims,
     monitors: Monitors,
+    triggers: Vec<(usize, Lit)>,
     often: Vec<Lit>,
 }
 
@@ -251,9 +254,10 @@ impl Lowering<'_, '_> {
         let broken = self.aig.or(so_far, overflow);
         let claims = self.claims(&end, broken);
         let monitors = self.monitors(&end, broken);
+        let triggers = self.triggers(&end);
         let often = self.recurring()?;
         self.constraint = self.aig.and(self.constraint, !self.panics);
-        self.finish(kept, &end, (so_far, broken), Asked { claims, monitors, often })
+        self.finish(kept, &end, (so_far, broken), Asked { claims, monitors, triggers, often })
     }
 
     fn finish(
@@ -287,7 +291,7 @@ impl Lowering<'_, '_> {
             signed: false,
         });
         latches.push(Latch { now: so_far, next: broken, initial: Some(false) });
-        let Asked { mut claims, mut monitors, often } = asked;
+        let Asked { mut claims, mut monitors, triggers, often } = asked;
         claims.refused.append(&mut monitors.refused);
         let ended = monitors.finish(&mut latches, &mut fields);
         claims.bad.extend(ended.bad);
@@ -301,6 +305,7 @@ impl Lowering<'_, '_> {
             bad: claims.bad,
             live: ended.live,
             deadlines: ended.deadlines,
+            triggers,
             often,
             refused: claims.refused,
             time_bits: self.clock.width,

@@ -7,7 +7,7 @@ use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{Claim, Model, Property};
 use grafcet_compiler::program::{Encoding, counted};
 use grafcet_prove::circuit::{Bad, Circuit, Live};
-use grafcet_prove::{Limit, Verdict, decide, decide_live, export};
+use grafcet_prove::{Limit, Verdict, decide, decide_live, export, vacuous};
 
 use crate::brute::claims::broken;
 use crate::brute::graph::Graph;
@@ -38,6 +38,8 @@ pub struct Counts {
     pub proved: usize,
     /// Of properties.
     pub broken: usize,
+    /// Properties that say nothing.
+    pub vacuous: usize,
     /// The charts of these properties, and why.
     pub undecided: Vec<(u64, String)>,
     /// Charts without a circuit.
@@ -108,6 +110,16 @@ fn compare(model: &Model, graph: &Graph, kind: Kind, number: u64, counts: &mut C
             if let Some(difference) = differs(&program, &circuit, *bad, &verdict)? {
                 return Err(format!("property {}: {difference}", bad.property));
             }
+        }
+    }
+    for (property, _) in &circuit.triggers {
+        let proof = vacuous(&circuit, *property, &Limit::time(Duration::from_secs(20)));
+        let never = proof.map_err(|error| error.to_string())?.is_some();
+        counts.vacuous += usize::from(never);
+        let Some(trigger) = model.properties[*property].claim.trigger() else { continue };
+        let happens = graph.can_hold(model, &trigger.tree)?;
+        if never && happens || !never && !happens && !kind.timed {
+            return Err(format!("property {property}: it says nothing: {never}, by brute force {}", !happens));
         }
     }
     for live in &circuit.live {

@@ -265,3 +265,44 @@ fn what_the_cookbook_leaves_to_the_solver_is_proved() {
     }
     assert_eq!(judged, 1);
 }
+
+/// What never happens, and what the assumptions leave, where it takes values and times to see that.
+#[test]
+fn what_says_nothing_is_found_by_the_solver() {
+    let said = |lines: &str, prover: Option<&Prover>| {
+        let chart = format!(
+            "sfc Press {{ #![deny(grafcet::vacuous_property, grafcet::vacuous_assumption)] \
+             input start, down: bool; #[allow(grafcet::unused_input)] input x, y: u64; input level: u8; output lower: bool; var parts: u8 = 0; \
+             initial step Rest; step Press {{ lower; P1 parts = parts + 1; }} step Full {{ P1 parts = 0; }} \
+             Rest -[start && parts < 3]-> Press -[10s/Press || down && level > 0]-> Rest; \
+             Rest -[parts >= 3]-> Full -[!start]-> Rest; {lines} }}"
+        );
+        let wanted = Wanted { recorded: false, prover };
+        let tokens = chart.parse().expect("tokens");
+        grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens, wanted).to_string())
+    };
+    let prover: Option<&Prover> = Some(&grafcet_prove::rule);
+    for (lines, what) in [
+        ("always parts > 3 => start;", "`parts > 3` holds at the end of no cycle: nothing follows from it"),
+        ("Press.T > 10s leads_to Rest;", "`Press.T > 10s` holds at the end of no cycle: nothing follows from it"),
+        ("Press before parts > 3;", "`parts > 3` holds at the end of no cycle: nothing has to come before it"),
+        (
+            "assume never level < 9; assume often level > 3 && level / 3 < 3; Press before Full;",
+            "`level > 3 && level/3 < 3` never holds, so it cannot come again and again",
+        ),
+    ] {
+        let errors = said(lines, prover);
+        assert!(matches!(&errors[..], [one] if one.starts_with(what)), "{lines}: {errors:?}");
+    }
+    for lines in
+        ["always parts > 2 => !start || !lower || parts < 4;", "Press.T > 9s leads_to Rest;", "Press before parts > 2;"]
+    {
+        assert_eq!(said(lines, prover), Vec::<String>::new(), "{lines}");
+    }
+    // Without a solver nobody knows.
+    let open = said("always parts > 3 => Full.X || !Full.X;", None);
+    assert_eq!(open, Vec::<String>::new());
+    // What leaves nothing, so that the conditions alone do not show it.
+    let nothing = said("assume never (x ^ y) & y == y & !x; always parts <= 3;", prover);
+    assert!(matches!(&nothing[..], [one] if one.contains("exclude every")), "{nothing:?}");
+}

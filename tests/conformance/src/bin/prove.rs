@@ -9,8 +9,10 @@ use grafcet_compiler::model::Model;
 use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_compiler::{model, parse};
 use grafcet_conformance::prove::{Counts, Kind};
+use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
-use grafcet_prove::{Limit, Verdict, decide, decide_live, export, table, words};
+use grafcet_prove::task::Invariant;
+use grafcet_prove::{Limit, Verdict, decide, decide_live, export, never, table, vacuous, words};
 use proc_macro2::{TokenStream, TokenTree};
 
 const USAGE: &str = "\
@@ -162,6 +164,7 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
     if let Some(file) = &options.btor2 {
         std::fs::write(file, export::btor2(&program, &circuit)).map_err(|error| format!("{file}: {error}"))?;
     }
+    let nothing = assumed(&program, &circuit, options)?;
     let mut proved = circuit.refused.is_empty();
     for (property, refused) in &circuit.refused {
         println!("  not modelled: {}: {refused}", written(&model, *property));
@@ -176,10 +179,45 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
             (None, None) => continue,
         };
         let verdict = verdict.map_err(|error| error.to_string())?;
-        proved &= matches!(verdict, Verdict::Proved(_));
         say(&program, &circuit, property, &verdict, (start.elapsed(), options.why));
+        let is_proved = matches!(verdict, Verdict::Proved(_));
+        proved &= is_proved;
+        if is_proved && !nothing {
+            let limit = Limit::time(options.time);
+            let proof = vacuous(&circuit, property, &limit).map_err(|error| error.to_string())?;
+            if let (Some(proof), Some(trigger)) = (proof, model.properties[property].claim.trigger()) {
+                println!("    but it says nothing: at the end of no cycle `{}` holds", trigger.text);
+                why(&program, &circuit, &proof, options);
+            }
+        }
     }
     Ok(proved)
+}
+
+/// Says which assumptions are empty, and whether they leave nothing at all.
+fn assumed(program: &Program<'_>, circuit: &Circuit, options: &Options) -> Result<bool, String> {
+    let limit = || Limit::time(options.time);
+    let proof = never(circuit, Lit::TRUE, &limit()).map_err(|error| error.to_string())?;
+    if let Some(proof) = proof {
+        println!("  no cycle comes to its end, so that every property holds: correct the assumptions");
+        why(program, circuit, &proof, options);
+        return Ok(true);
+    }
+    for (often, comes) in program.model.often.iter().zip(&circuit.often) {
+        if let Some(proof) = never(circuit, *comes, &limit()).map_err(|error| error.to_string())? {
+            println!("  assumed to come again and again, and never so: {}", often.text);
+            why(program, circuit, &proof, options);
+        }
+    }
+    Ok(false)
+}
+
+fn why(program: &Program<'_>, circuit: &Circuit, invariant: &Invariant, options: &Options) {
+    if options.why {
+        for line in words::lines(program, circuit, invariant) {
+            println!("      {line}");
+        }
+    }
 }
 
 fn say(program: &Program<'_>, circuit: &Circuit, property: usize, verdict: &Verdict, (time, why): (Duration, bool)) {

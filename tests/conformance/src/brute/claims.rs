@@ -10,7 +10,7 @@ use super::graph::Graph;
 use super::responses::{self, Broken};
 
 /// The rules about properties.
-pub(super) const RULES: &[&str] = &["property_violated", "property_undecided", "not_home"];
+pub(super) const RULES: &[&str] = &["property_violated", "property_undecided", "not_home", "vacuous_property"];
 
 /// What is said about a property.
 enum Said {
@@ -42,8 +42,12 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, comparison: &mut C
         // With times brute force sees some behaviour only: what it sees does happen, but there may be other ways home.
         let timed = model.uses_time();
         let other_ways = home && timed && !Graph::is_whole(model);
-        let said = said(&alone);
+        let (said, says_nothing) = said(&alone);
         comparison.claims[said.number()] += 1;
+        if let Some(kind) = vacuity(model, graph, property, (says_nothing, comparison.exact && !timed))? {
+            let text = format!("{line} is said to say nothing: {says_nothing}");
+            comparison.differences.push(Difference { kind: format!("property: {kind}"), text });
+        }
         let kind = match (&said, naive) {
             (Said::Proved, Some(_)) if !other_ways => "wrong proof",
             (Said::Broken(_), None) if !timed => "wrong counterexample",
@@ -64,6 +68,22 @@ pub(super) fn check(model: &Model, graph: &Graph, text: &str, comparison: &mut C
     Ok(())
 }
 
+/// What is wrong with whether a property is said to say nothing; `exact` where it has to be found, too.
+fn vacuity(
+    model: &Model,
+    graph: &Graph,
+    property: &Property,
+    said: (bool, bool),
+) -> Result<Option<&'static str>, String> {
+    let Some(trigger) = property.claim.trigger() else { return Ok(None) };
+    let happens = graph.can_hold(model, &trigger.tree)?;
+    Ok(match said {
+        (true, _) if happens => Some("not vacuous"),
+        (false, true) if !happens => Some("vacuous"),
+        _ => None,
+    })
+}
+
 /// The chart with one of its properties only, and that one.
 fn alone(text: &str, index: usize) -> (String, String) {
     let is_property = |line: &&str| ["never ", "always ", "home "].iter().any(|word| line.starts_with(word));
@@ -80,17 +100,20 @@ fn alone(text: &str, index: usize) -> (String, String) {
     (properties.get(index).copied().unwrap_or_default().to_owned(), alone)
 }
 
-fn said(chart: &str) -> Said {
+/// What is said, and whether that the property says nothing.
+fn said(chart: &str) -> (Said, bool) {
     let (_, diagnostics) = super::look(chart);
     let rule = |name: &'static str| diagnostics.iter().find(move |one| one.rule.is_some_and(|rule| rule.name == name));
     let message = |name: &'static str| rule(name).and_then(|one| one.notes.first()).map(|(_, message)| message.clone());
+    let says_nothing = rule("vacuous_property").is_some();
     if let Some(why) = message("property_undecided") {
-        return Said::Undecided(why);
+        return (Said::Undecided(why), says_nothing);
     }
-    match message("property_violated").or_else(|| message("not_home")) {
+    let said = match message("property_violated").or_else(|| message("not_home")) {
         Some(message) => Said::Broken(length(&message)),
         None => Said::Proved,
-    }
+    };
+    (said, says_nothing)
 }
 
 /// The number of the last cycle in a table.

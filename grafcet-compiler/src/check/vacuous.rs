@@ -1,0 +1,86 @@
+//! `vacuous_property`, `vacuous_assumption`: what holds only because nothing happens, and what nothing follows from.
+
+use super::rulings::Rulings;
+use crate::analysis::explore::Answer;
+use crate::analysis::{Claims, Logic, Question};
+use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::List;
+use crate::model::{Claim, Model, Property, Read};
+
+/// Reports what the conditions alone, the search and the prover show.
+pub(super) fn check(model: &Model, claims: &Claims<'_>, told: &Rulings<'_>, sink: &mut Sink) {
+    if told.is_so(Question::NoCycle) {
+        // Where the conditions alone tell that, it is an error.
+        let message = "these assumptions exclude every cycle, so that every property holds; correct one of them";
+        let notes = model.assumptions.iter().map(|assumption| (assumption.mark, message.to_owned())).list();
+        return sink.rule(&rules::VACUOUS_ASSUMPTION, &[&model.levels], notes);
+    }
+    if !model.assumptions.is_empty() || !model.often.is_empty() {
+        assumptions(model, told, sink);
+    }
+    for (property, answer) in &claims.triggers {
+        let never = match answer {
+            Answer::Never => true,
+            Answer::Possible(_) => false,
+            Answer::Unknown(_) => told.never_happens(property),
+        };
+        if never && !told_already(claims, property, sink) {
+            never_happens(model, property, sink);
+        }
+    }
+}
+
+/// What excludes nothing, and what never comes or always does.
+fn assumptions(model: &Model, told: &Rulings<'_>, sink: &mut Sink) {
+    let alone = Logic::new(model);
+    for assumption in model.assumptions.iter().filter(|assumption| assumption.of_range.is_none()) {
+        let never = &assumption.never;
+        if alone.never(&alone.condition(&never.tree)) {
+            let message = format!(
+                "`{}` never holds, so this assumption excludes nothing; correct it, or leave it out",
+                never.text
+            );
+            assumed(model, assumption.mark, message, sink);
+        }
+    }
+    let never = model.assumptions.iter().map(|assumption| &assumption.never.tree).list();
+    let logic = Logic::assuming(model, &never);
+    for (number, often) in model.often.iter().enumerate() {
+        let condition = logic.condition(&often.tree);
+        if logic.never(&condition) || told.is_so(Question::NeverComes(number)) {
+            let message = format!(
+                "`{}` never holds, so it cannot come again and again, and under this assumption every `leads_to` would hold; \
+                 correct it",
+                often.text
+            );
+            assumed(model, often.mark, message, sink);
+        } else if logic.always(&condition) {
+            let message =
+                format!("`{}` always holds, so nothing follows from this assumption; leave it out", often.text);
+            assumed(model, often.mark, message, sink);
+        }
+    }
+}
+
+/// It is about a step of which an error tells that it is never active.
+fn told_already(claims: &Claims<'_>, property: &Property, sink: &Sink) -> bool {
+    let lost = |read: &Read| matches!(read, Read::Active(step) if !claims.exploration.reachable(*step));
+    sink.has_dead_ends() && property.claim.trigger().is_some_and(|trigger| trigger.reads.iter().any(lost))
+}
+
+fn never_happens(model: &Model, property: &Property, sink: &mut Sink) {
+    let Some(trigger) = property.claim.trigger() else { return };
+    let nothing = match &property.claim {
+        Claim::Before { .. } => "nothing has to come before it",
+        _ => "nothing follows from it",
+    };
+    let message = format!(
+        "`{}` holds at the end of no cycle: {nothing}, so this property says nothing; correct it, or leave it out",
+        trigger.text
+    );
+    sink.rule(&rules::VACUOUS_PROPERTY, &[&property.levels, &model.levels], vec![(trigger.mark, message)]);
+}
+
+fn assumed(model: &Model, mark: Mark, message: String, sink: &mut Sink) {
+    sink.rule(&rules::VACUOUS_ASSUMPTION, &[&model.levels], vec![(mark, message)]);
+}
