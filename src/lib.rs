@@ -155,6 +155,13 @@ macro_rules! __by_edition {
     (async [$($path:tt)*] $($tokens:tt)*) => { $($path)* $($tokens)* };
 }
 
+/// Items under an attribute: a plant that is a type only where it is wanted.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __under {
+    ([$when:meta] $($item:item)*) => { $(#[$when] $item)* };
+}
+
 /// What generated code names. Not for anybody else: it may change with every version.
 #[doc(hidden)]
 pub mod __private {
@@ -164,6 +171,7 @@ pub mod __private {
     pub use core::result::Result;
 
     pub use __by_edition as by_edition;
+    pub use __under as under;
     #[cfg(feature = "record")]
     pub use grafcet_core::__recorded as recorded;
     #[cfg(feature = "record")]

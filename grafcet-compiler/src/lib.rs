@@ -17,6 +17,7 @@ pub mod model;
 pub mod parse;
 mod place;
 pub mod plan;
+pub mod plant;
 pub mod program;
 mod qualifier;
 mod similar;
@@ -51,7 +52,16 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
 /// The same with more than the usual.
 #[must_use]
 pub fn compile_with(root: &TokenStream, chart: TokenStream, wanted: Wanted<'_>) -> TokenStream {
-    let fingerprint = wanted.recorded.then(|| fingerprint::of(chart.clone()));
+    let Some(call) = plant::Call::of(&chart) else { return alone(chart, root, wanted).0 };
+    let (mut tokens, sound) = alone(chart, root, wanted);
+    let compile = |plant: TokenStream| alone(plant, root, Wanted::default());
+    tokens.extend(plant::items(&call, sound, wanted.prover, root, &compile));
+    tokens
+}
+
+/// A chart without its plants, and whether nothing is wrong with it.
+fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> (TokenStream, bool) {
+    let fingerprint = wanted.recorded.then(|| fingerprint::of(plant::chart_of(&chart)));
     by(chart, root, wanted.prover, &|model, facts, plan| codegen::generate((model, facts, plan), root, fingerprint))
 }
 
@@ -59,24 +69,24 @@ pub fn compile_with(root: &TokenStream, chart: TokenStream, wanted: Wanted<'_>) 
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, None, &|model, facts, plan| codegen::print(lower(model, facts), plan, root))
+    by(chart, root, None, &|model, facts, plan| codegen::print(lower(model, facts), plan, root)).0
 }
 
 /// From the model to a program, such as the naive one.
 #[cfg(feature = "program")]
 pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m>, program::Refused>;
 
-/// What both have in common; `generate` writes the items of a chart in which nothing is wrong.
+/// What all have in common, and whether nothing is wrong; `generate` writes the items of a chart in which nothing is wrong.
 fn by(
     chart: TokenStream,
     root: &TokenStream,
     prover: Option<&Prover>,
     generate: &dyn Fn(&Model, &Facts<'_>, &Plan) -> TokenStream,
-) -> TokenStream {
+) -> (TokenStream, bool) {
     let mut sink = Sink::new();
-    let written = chart.clone();
+    let written = plant::chart_of(&chart);
     let Some(chart) = parse::chart(chart, &mut sink) else {
-        return diagnostic::tokens(&sink.finish(), root);
+        return (diagnostic::tokens(&sink.finish(), root), false);
     };
     let _keyword = place::AtKeyword::at(chart.keyword);
     let model = model::resolve(&chart, &mut sink);
@@ -96,7 +106,8 @@ fn by(
         // What could not be read may be where the time is used.
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };
+    let sound = !sink.has_errors();
     let mut tokens = diagnostic::tokens(&sink.finish(), root);
     tokens.extend(items);
-    tokens
+    (tokens, sound)
 }

@@ -1,7 +1,7 @@
 //! Whether a way breaks a property, as the interpreter sees it: cycle by cycle, with nothing of the circuit.
 
 use grafcet_compiler::model::{Claim, Tree};
-use grafcet_sim::interp::{Error, Interpreter, Value};
+use grafcet_sim::interp::{ClosedLoop, Error, Value};
 
 /// What breaks a property.
 pub(crate) enum Goal<'m> {
@@ -44,7 +44,7 @@ impl<'g> Watch<'g> {
     ///
     /// # Errors
     /// The interpreter does not understand the property.
-    pub(crate) fn cycle(&mut self, machine: &Interpreter<'_>, inputs: &[Value], now: u32) -> Result<(), Error> {
+    pub(crate) fn cycle(&mut self, machine: &ClosedLoop<'_>, inputs: &[Value], now: u32) -> Result<(), Error> {
         let holds = |tree: &Tree| machine.holds(tree, inputs);
         match self.goal {
             Goal::End(violation) => self.is_broken = holds(violation)?,

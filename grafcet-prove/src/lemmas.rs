@@ -22,18 +22,6 @@ const MOST: usize = 400;
 pub struct Lemma {
     pub now: Lit,
     pub next: Lit,
-    pub about: About,
-}
-
-/// What it says, and of which step.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct About {
-    pub region: usize,
-    /// None where no step of the region is active.
-    pub step: Option<StepId>,
-    pub relation: Relation,
-    /// The region has a clock of its own; without one the deadline's is meant.
-    pub has_clock: bool,
 }
 
 /// The circuit in which it is known, of all cycles, how this deadline's clock goes with those of the steps.
@@ -45,7 +33,7 @@ pub(crate) fn strengthened(
     circuit: &Circuit,
     deadline: Deadline,
     limit: &Limit,
-) -> Result<(Circuit, Vec<About>), Over> {
+) -> Result<Circuit, Over> {
     let mut circuit = circuit.clone();
     let mut lemmas = candidates(program, &mut circuit, deadline);
     lemmas.truncate(MOST);
@@ -54,18 +42,17 @@ pub(crate) fn strengthened(
         lemmas = left;
     }
     // The same once more, by the checker of proofs: what is wrong here would be a false proof.
-    if !certificate::is_inductive(&circuit, &lemmas, limit)? {
-        lemmas.clear();
+    if certificate::is_inductive(&circuit, &lemmas, limit)? {
+        for lemma in lemmas {
+            circuit.constraint = circuit.aig.and(circuit.constraint, lemma.now);
+        }
     }
-    for lemma in &lemmas {
-        circuit.constraint = circuit.aig.and(circuit.constraint, lemma.now);
-    }
-    Ok((circuit, lemmas.iter().map(|lemma| lemma.about).collect()))
+    Ok(circuit)
 }
 
 /// What may be so of a step, or of it while something is waited for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Relation {
+#[derive(Clone, Copy)]
+enum Relation {
     Inactive,
     /// Something is waited for, always.
     Active,
@@ -132,25 +119,30 @@ fn offsets(model: &Model) -> Vec<BTreeSet<u32>> {
 
 /// Of each step, those of its region that has a clock.
 fn candidates(program: &Program<'_>, circuit: &mut Circuit, deadline: Deadline) -> Vec<Lemma> {
-    let role = |field: &Field| field.place.map(|place| program.places[place.0].role);
+    let mut lemmas = of_one(program, None, circuit, deadline);
+    for (number, plant) in program.plants.iter().enumerate() {
+        lemmas.extend(of_one(plant, Some(number), circuit, deadline));
+    }
+    lemmas
+}
+
+/// The same of the chart alone, or of one of its plants.
+fn of_one(program: &Program<'_>, plant: Option<usize>, circuit: &mut Circuit, deadline: Deadline) -> Vec<Lemma> {
+    let role = |field: &Field| field.place.filter(|_| field.plant == plant).map(|place| program.places[place.0].role);
     let field = |wanted: Role| circuit.fields.iter().find(|field| role(field) == Some(wanted)).cloned();
     let (timer, first) = (deadline.field(circuit), field(Role::First));
     let mut all = Vec::new();
     for (region, steps) in program.regions.iter().enumerate() {
         // Without a clock of its own it is compared with the deadline's, which says nothing.
-        let own = field(Role::Time(region));
-        let (has_clock, clock) = (own.is_some(), own.unwrap_or_else(|| timer.clone()));
+        let clock = field(Role::Time(region)).unwrap_or_else(|| timer.clone());
         let Some(state) = field(Role::State(region)) else { continue };
         let codes = [None].into_iter().chain(steps.iter().copied().map(Some));
-        all.extend(
-            (0_i128..).zip(codes).map(|(code, step)| (clock.clone(), state.clone(), code, (region, step, has_clock))),
-        );
+        all.extend((0_i128..).zip(codes).map(|(code, step)| (clock.clone(), state.clone(), code, step)));
     }
     let offsets = offsets(program.model);
     let mut lemmas = Vec::new();
-    for (clock, state, code, (region, step, has_clock)) in all {
+    for (clock, state, code, step) in all {
         for relation in relations(program.model, step, &offsets) {
-            let about = About { region, step, relation, has_clock };
             let mut at = |of: fn(&Latch) -> Lit| {
                 let bits = |field: &Field| {
                     let latches = &circuit.latches[field.first..field.first + field.width];
@@ -163,7 +155,7 @@ fn candidates(program: &Program<'_>, circuit: &mut Circuit, deadline: Deadline) 
                 let wrong = wrong(&mut circuit.aig, relation, (waits, first), &timer, &clock);
                 !circuit.aig.and(active, wrong)
             };
-            lemmas.push(Lemma { now: at(|latch| latch.now), next: at(|latch| latch.next), about });
+            lemmas.push(Lemma { now: at(|latch| latch.now), next: at(|latch| latch.next) });
         }
     }
     lemmas

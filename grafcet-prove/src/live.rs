@@ -70,7 +70,7 @@ fn proof(
     let task = Task::new(&rounds, bad);
     let Ok(Answer::Holds(invariant)) = Pdr::new(&task, limit).run() else { return Ok(None) };
     match certificate::fault(&task, &invariant, limit) {
-        Ok(None) => Ok(Some(Proof { invariant, beside: Some(Box::new(rounds.clone())), clocks: Vec::new() })),
+        Ok(None) => Ok(Some(Proof { invariant, beside: Some(Box::new(rounds.clone())) })),
         Ok(Some(fault)) => Err(Internal(format!("a proof that is none: {fault}"))),
         Err(_) => Ok(None),
     }
@@ -115,7 +115,7 @@ fn extend(circuit: &mut Circuit, name: &str, latches: Vec<Latch>) {
         return;
     }
     let (first, width) = (circuit.latches.len(), latches.len());
-    circuit.fields.push(Field { place: None, name: name.to_owned(), first, width, signed: false });
+    circuit.fields.push(Field { place: None, plant: None, name: name.to_owned(), first, width, signed: false });
     circuit.latches.extend(latches);
 }
 
@@ -124,7 +124,9 @@ fn times(program: &Program<'_>, circuit: &mut Circuit) -> Vec<Lit> {
     let Some(elapsed) = circuit.inputs.iter().find(|wire| wire.source == Source::Elapsed).cloned() else {
         return Vec::new();
     };
-    let is_time = |field: &&Field| field.place.is_some_and(|place| matches!(program.places[place.0].ty, Type::Ticks));
+    let is_time = |field: &&Field| {
+        field.place.is_some_and(|place| matches!(field.program(program).places[place.0].ty, Type::Ticks))
+    };
     let fields: Vec<Field> = circuit.fields.iter().filter(is_time).cloned().collect();
     let mut all = Vec::new();
     for field in fields {

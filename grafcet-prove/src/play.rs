@@ -94,6 +94,10 @@ pub fn wire_name(program: &Program<'_>, wire: &Wire) -> String {
     match &wire.source {
         Source::Input(id) => program.model.inputs[*id].name.to_string(),
         Source::Param(id) => program.model.params[*id].name.to_string(),
+        Source::Plant(plant, id) => {
+            let plant = program.plants[*plant].model;
+            format!("{}::{}", plant.name, plant.inputs[*id].name)
+        }
         Source::Elapsed => "elapsed".to_owned(),
         Source::Rust(text) => text.clone(),
         Source::Again => "again".to_owned(),

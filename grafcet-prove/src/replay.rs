@@ -2,7 +2,7 @@
 
 use grafcet_compiler::model::{Model, Ty};
 use grafcet_compiler::program::{Program, Role};
-use grafcet_sim::interp::{Interpreter, Value};
+use grafcet_sim::interp::{ClosedLoop, Value};
 
 use crate::circuit::{Circuit, Source, Wire};
 use crate::goal::{Goal, Watch};
@@ -22,6 +22,17 @@ pub struct Shown {
     pub vars: Vec<Value>,
     pub active: Vec<String>,
     pub cleared: Vec<String>,
+    /// In source order.
+    pub plants: Vec<Beside>,
+}
+
+/// The same of a plant.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Beside {
+    /// In the order of declaration.
+    pub inputs: Vec<Value>,
+    pub outputs: Vec<Value>,
+    pub active: Vec<String>,
 }
 
 /// Why a way is not shown.
@@ -66,7 +77,8 @@ pub(crate) fn endless(
     let mut shown = goes(program, circuit, &mut watch, way, (0..length).chain(turns))?;
     let turn = length - again;
     let same = |one: &Shown, other: &Shown| {
-        (&one.active, &one.cleared, &one.outputs) == (&other.active, &other.cleared, &other.outputs)
+        (&one.active, &one.cleared, &one.outputs, &one.plants)
+            == (&other.active, &other.cleared, &other.outputs, &other.plants)
     };
     let repeats = (length..shown.len()).all(|cycle| same(&shown[cycle], &shown[cycle - turn]));
     if !repeats || !watch.waits_since_before(again) {
@@ -87,51 +99,79 @@ fn goes(
     let model = program.model;
     let not_understood = |error: grafcet_sim::interp::Error| Why::NotUnderstood(error.to_string());
     begins(program, circuit)?;
-    let mut machine = Interpreter::new(model).map_err(not_understood)?;
+    let mut machine = ClosedLoop::new(model).map_err(not_understood)?;
     let (mut now, mut shown) = (0_u32, Vec::new());
     for index in cycles {
-        let given = Given::of(circuit, model, &way.inputs[index])?;
+        let mut given = Given::of(circuit, model, &way.inputs[index])?;
         if !given.params.is_empty() {
-            machine.set_params(&given.params).map_err(not_understood)?;
+            machine.chart_mut().set_params(&given.params).map_err(not_understood)?;
         }
         let cycle_number = shown.len() + 1;
-        if cycle_number > 1 {
+        // Plants have been there before the chart.
+        if cycle_number > 1 || !model.plants.is_empty() {
             now = now.wrapping_add(given.elapsed);
             if model.longest_cycle.is_some_and(|longest| given.elapsed > longest) {
                 return Err(Why::Differs(format!("cycle {cycle_number} comes later than is assumed")));
             }
         }
-        for assumption in &model.assumptions {
-            if machine.holds(&assumption.never.tree, &given.inputs).map_err(not_understood)? {
-                return Err(Why::Differs(format!("an assumption does not hold in cycle {cycle_number}")));
-            }
-        }
-        let cycle = match machine.cycle(&given.inputs, now) {
-            Ok(cycle) => cycle,
+        let round = match machine.cycle(&mut given.inputs, &given.free, now) {
+            Ok(round) => round,
             Err(grafcet_sim::interp::Error::Overflow(what)) => {
                 return Err(Why::Differs(format!("overflow in cycle {cycle_number}: {what}")));
             }
             Err(error) => return Err(not_understood(error)),
         };
+        if !is_assumed(&machine, model, &given.inputs, &round.given).map_err(not_understood)? {
+            return Err(Why::Differs(format!("an assumption does not hold in cycle {cycle_number}")));
+        }
         watch.cycle(&machine, &given.inputs, now).map_err(not_understood)?;
         let name = |ident: &dyn std::fmt::Display| ident.to_string().trim_start_matches("r#").to_owned();
+        let cycle = round.chart;
+        let mut plants = Vec::new();
+        for ((plant, cycle), inputs) in model.plants.list.iter().zip(round.plants).zip(round.given) {
+            let active = cycle.active.iter().map(|step| name(&plant.model.steps[*step].name)).collect();
+            plants.push(Beside { inputs, outputs: cycle.outputs, active });
+        }
         shown.push(Shown {
             now,
             params: given.params,
             outputs: cycle.outputs.clone(),
-            vars: machine.vars().to_vec(),
+            vars: machine.chart().vars().to_vec(),
             active: cycle.active.iter().map(|step| name(&model.steps[*step].name)).collect(),
             cleared: cleared(model, &cycle),
             inputs: given.inputs,
+            plants,
         });
     }
     Ok(shown)
 }
 
+/// Whether the chart's assumptions and those of its plants hold of the last cycle.
+fn is_assumed(
+    machine: &ClosedLoop<'_>,
+    model: &Model,
+    inputs: &[Value],
+    of_plants: &[Vec<Value>],
+) -> Result<bool, grafcet_sim::interp::Error> {
+    for ((plant, machine), inputs) in model.plants.list.iter().zip(machine.plants()).zip(of_plants) {
+        for assumption in &plant.model.assumptions {
+            if machine.holds(&assumption.never.tree, inputs)? {
+                return Ok(false);
+            }
+        }
+    }
+    for assumption in &model.assumptions {
+        if machine.holds(&assumption.never.tree, inputs)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
 /// What is stored begins with values that the interpreter knows, too.
 fn begins(program: &Program<'_>, circuit: &Circuit) -> Result<(), Why> {
     let open = circuit.fields.iter().any(|field| {
-        let place = field.place.map(|place| program.places[place.0].role);
+        let place = field.place.map(|place| field.program(program).places[place.0].role);
         let latches = &circuit.latches[field.first..field.first + field.width];
         latches.iter().any(|latch| latch.initial.is_none()) && matches!(place, Some(Role::Output(_) | Role::Var(_)))
     });
@@ -142,6 +182,8 @@ fn begins(program: &Program<'_>, circuit: &Circuit) -> Result<(), Why> {
 struct Given {
     inputs: Vec<Value>,
     params: Vec<Value>,
+    /// By plant, by input: what nobody drives.
+    free: Vec<Vec<Value>>,
     elapsed: u32,
 }
 
@@ -154,14 +196,40 @@ impl Given {
         };
         let (mut inputs, mut params) = (Vec::new(), Vec::new());
         for (id, input) in model.inputs.iter() {
+            // The plants write it.
+            if !model.plants.leave_free(id) {
+                inputs.push(zero(&input.ty));
+                continue;
+            }
             inputs.push(read(circuit, &Source::Input(id), &input.ty, &given)?);
         }
         for (id, param) in model.params.iter() {
             params.push(read(circuit, &Source::Param(id), &param.ty, &given)?);
         }
+        let mut free = Vec::new();
+        for (number, plant) in model.plants.list.iter().enumerate() {
+            let mut values = Vec::new();
+            for ((id, input), wire) in plant.model.inputs.iter().zip(&plant.wires) {
+                values.push(match wire {
+                    grafcet_compiler::model::Wire::Free => {
+                        read(circuit, &Source::Plant(number, id), &input.ty, &given)?
+                    }
+                    _ => Value::Bool(false),
+                });
+            }
+            free.push(values);
+        }
         let elapsed = circuit.inputs.iter().find(|wire| wire.source == Source::Elapsed);
         let elapsed = elapsed.map_or(0, |wire| given(wire, false));
-        Ok(Self { inputs, params, elapsed: u32::try_from(elapsed).unwrap_or(0) })
+        Ok(Self { inputs, params, free, elapsed: u32::try_from(elapsed).unwrap_or(0) })
+    }
+}
+
+fn zero(ty: &Ty) -> Value {
+    match ty {
+        Ty::Bool(_) => Value::Bool(false),
+        Ty::Time(_) => Value::Ticks(0),
+        Ty::Int { .. } | Ty::Other(_) => Value::Int(0),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use grafcet_compiler::model::{Model, Name};
+use grafcet_compiler::model::{Id, InputId, Model, Name, Wire};
 use grafcet_sim::interp::Value;
 
 use crate::replay::Shown;
@@ -13,23 +13,31 @@ const SHOWN: usize = 24;
 /// One line a cycle, below a line of heads. There is no column of times where nothing asks for one.
 #[must_use]
 pub fn table(model: &Model, way: &[Shown]) -> String {
-    let inputs: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
+    let own: Vec<InputId> = model.inputs.ids().filter(|id| !model.plants.is_watched(*id)).collect();
+    let inputs: Vec<Name> = own.iter().copied().map(Name::Input).collect();
     let params: Vec<Name> = model.params.ids().map(Name::Param).collect();
     let outputs: Vec<Name> = model.outputs.ids().map(Name::Output).collect();
     let vars: Vec<Name> = model.vars.ids().map(Name::Var).collect();
     let timed = way.iter().any(|shown| shown.now != 0);
-    let mut rows = vec![["cycle", "time", "inputs", "cleared", "active", "outputs", "variables"].map(str::to_owned)];
+    let heads = ["cycle", "time", "inputs", "cleared", "active", "outputs", "variables"];
+    let mut rows = vec![heads.map(str::to_owned).to_vec()];
+    rows[0].extend(model.plants.list.iter().map(|plant| plant.model.name.to_string()));
     for (index, shown) in way.iter().enumerate() {
-        let given = [values(model, &inputs, &shown.inputs), values(model, &params, &shown.params)].concat();
-        rows.push([
+        let on =
+            [values(model, &inputs, &given(&own, shown)), values(model, &params, &shown.params), chosen(model, shown)]
+                .concat();
+        rows.push(vec![
             (index + 1).to_string(),
             shown.now.to_string(),
-            given.join(", "),
+            on.join(", "),
             cleared(&shown.cleared),
             shown.active.join(", "),
             values(model, &outputs, &shown.outputs).join(", "),
             values(model, &vars, &shown.vars).join(", "),
         ]);
+        if let Some(row) = rows.last_mut() {
+            row.extend(shown.plants.iter().map(|plant| plant.active.join(", ")));
+        }
     }
     let is_shown = |column: usize| match column {
         1 => timed,
@@ -37,11 +45,12 @@ pub fn table(model: &Model, way: &[Shown]) -> String {
         6 => rows[1..].iter().any(|row| !row[6].is_empty()),
         _ => true,
     };
+    let columns_in_all = rows[0].len();
     let columns: Vec<usize> = (0..rows[0].len()).filter(|column| is_shown(*column)).collect();
     let widths: Vec<usize> =
         columns.iter().map(|column| rows.iter().map(|row| row[*column].chars().count()).max().unwrap_or(0)).collect();
     if rows.len() > SHOWN {
-        rows.splice(SHOWN / 2..=rows.len() - SHOWN / 2, [rows[0].clone().map(|_| "…".to_owned())]);
+        rows.splice(SHOWN / 2..=rows.len() - SHOWN / 2, [vec!["…".to_owned(); columns_in_all]]);
     }
     let mut text = String::new();
     for row in &rows {
@@ -52,6 +61,24 @@ pub fn table(model: &Model, way: &[Shown]) -> String {
         _ = writeln!(text, "{}", line.trim_end_matches([' ', '|']));
     }
     text
+}
+
+/// The inputs that are the chart's own.
+fn given(own: &[InputId], shown: &Shown) -> Vec<Value> {
+    own.iter().filter_map(|id| shown.inputs.get(id.index()).copied()).collect()
+}
+
+/// The choices and faults of plants that are on: `Lift::jammed`.
+fn chosen(model: &Model, shown: &Shown) -> Vec<String> {
+    let mut all = Vec::new();
+    for (plant, given) in model.plants.list.iter().zip(&shown.plants) {
+        for ((input, wire), value) in plant.model.inputs.values().zip(&plant.wires).zip(&given.inputs) {
+            if *wire == Wire::Free && *value == Value::Bool(true) {
+                all.push(format!("{}::{}", plant.model.name, input.name));
+            }
+        }
+    }
+    all
 }
 
 /// So many transitions in a row, and no more: a search for stability can clear a great many.

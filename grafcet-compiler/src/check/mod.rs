@@ -107,6 +107,11 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     races
 }
 
+/// What a chart claims together with its plants, which is for the prover alone.
+pub fn with_plants(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink: &mut Sink) {
+    properties::with_plants(model, prover.map(|prover| (prover, facts)), sink);
+}
+
 /// Transitions that no branch is compared with: they never clear, or their condition is not the one that is meant.
 fn not_compared(model: &Model, dead: &Dead<'_>, constants: &Constants, sink: &Sink) -> Set<TransitionId> {
     let mut left_out: Set<TransitionId> = dead.idle.iter().chain(&constants.never).copied().collect();

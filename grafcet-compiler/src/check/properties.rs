@@ -3,7 +3,7 @@
 use super::rivals;
 use super::rulings::Rulings;
 use crate::analysis::explore::{Answer, Doubt, Given, Limits, Path, Stay, situation};
-use crate::analysis::{Claims, Ruling, unlisted_of};
+use crate::analysis::{Claims, Facts, Prover, Question, Ruling, unlisted_of};
 use crate::diagnostic::{Mark, Rule, Sink, rules};
 use crate::list::List;
 use crate::model::{Claim, How, LevelAttr, Model, Name, Property, Read, StepId, TransitionId, Tree, Ty};
@@ -33,6 +33,40 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, limits: Limits, told: &R
     for (property, answer) in &claims.away {
         if let Answer::Unknown(doubt) = answer {
             report.undecided(property, doubt, "", sink);
+        }
+    }
+}
+
+/// The same of a chart with its plants, which nobody but a prover looks at. Ways home are a matter of the chart alone.
+pub(super) fn with_plants(model: &Model, prover: Option<(&Prover, &Facts<'_>)>, sink: &mut Sink) {
+    let report = Report { model, limits: Limits::default() };
+    let mut open = Vec::new();
+    for (number, property) in model.properties.iter().enumerate() {
+        if !matches!(property.claim, Claim::Home(..)) {
+            open.push(number);
+        }
+    }
+    if open.is_empty() {
+        return;
+    }
+    let asked = open.iter().map(|number| Question::Holds(*number)).list();
+    let rulings = prover.map(|(prover, facts)| prover(model, facts, &asked)).unwrap_or_default();
+    for (index, number) in open.iter().enumerate() {
+        let property = &model.properties[*number];
+        match rulings.get(index) {
+            Some(Ruling::Holds) => {}
+            Some(Ruling::Broken { cycles, again, way }) => {
+                report.violated(property, (*cycles, *again), way.trim_end(), sink);
+            }
+            Some(Ruling::Open(why)) => {
+                report.undecided(property, &Doubt::Plants, &format!(": {why}"), sink);
+            }
+            None => report.undecided(
+                property,
+                &Doubt::Plants,
+                ": only a solver looks at plants, and grafcet's feature `prove` asks one; so does `cargo xtask prove`",
+                sink,
+            ),
         }
     }
 }
@@ -113,11 +147,21 @@ impl Report<'_> {
             }
             Claim::Home(..) => return,
         };
+        let with = self.with_plants();
         let often = if again.is_some() { "say what comes again and again, `assume often …;`, " } else { "" };
         let message = format!(
-            "{what}: mend the chart on this way, exclude its inputs by `assume never …;`, {often}or correct the property\n{table}"
+            "{what}{with}: mend the chart on this way, exclude its inputs by `assume never …;`, {often}or correct the property\n{table}"
         );
         self.say(&rules::PROPERTY_VIOLATED, property, vec![(property.mark, message)], sink);
+    }
+
+    fn with_plants(&self) -> String {
+        let plants = &self.model.plants;
+        match plants.list.len() {
+            0 => String::new(),
+            1 => format!(" with the plant {}", plants.names()),
+            _ => format!(" with the plants {}", plants.names()),
+        }
     }
 
     /// `solver` tells what one says of it, or would.
@@ -128,6 +172,7 @@ impl Report<'_> {
                  `budget {};`, or divide the chart",
                 grouped(self.limits.more())
             ),
+            Doubt::Plants => format!("whether this holds{} is not decided", self.with_plants()),
             Doubt::Inputs { at, inputs } => self.too_many(at, inputs),
             Doubt::Cycles => {
                 "whether this holds is not decided: it is about more than one cycle, which only a solver looks at"

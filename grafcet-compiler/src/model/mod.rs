@@ -7,6 +7,7 @@
 mod expr;
 mod ids;
 pub mod placeholder;
+mod plants;
 mod queries;
 mod resolve;
 mod text;
@@ -24,6 +25,7 @@ pub use ids::{
     ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, OutputId, ParamId,
     PartialId, StepId, TransitionId, VarId,
 };
+pub use plants::{Driven, Plant, Plants, Seen, Watched, Wire};
 pub use resolve::resolve;
 
 /// A whole chart.
@@ -83,6 +85,8 @@ pub struct Model {
     pub longest_cycle: Option<u32>,
     /// What the checker shall prove, in source order.
     pub properties: Vec<Property>,
+    /// What stands beside it in a proof.
+    pub plants: Plants,
     /// Where names stand that generated code does not repeat there.
     pub mentions: Vec<(Mention, Span)>,
 }

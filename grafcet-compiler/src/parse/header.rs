@@ -31,7 +31,7 @@ pub(super) fn chart(mut input: Input, sink: &mut Sink) -> Option<Chart> {
         input.error(message).report(sink);
     }
     let incomplete = sink.has_errors();
-    Some(Chart { attrs, vis, dialect, keyword, name, body, incomplete })
+    Some(Chart { attrs, vis, dialect, keyword, name, body, incomplete, plants: Vec::new() })
 }
 
 fn header<'a>(input: &mut Input<'a>, sink: &mut Sink) -> Result<(Visibility, (Dialect, Span), Ident, Input<'a>)> {
@@ -69,6 +69,9 @@ fn dialect(input: &mut Input, sink: &mut Sink) -> Result<Dialect> {
     let (dialect, ours) = match written.to_lowercase().as_str() {
         "sfc" => (Dialect::Sfc, "sfc"),
         "grafcet" | "graphcet" | "grafset" => (Dialect::Grafcet, "grafcet"),
+        "plant" if input.next().word().is_some() => {
+            return Err(input.error("a plant stands behind the chart that moves it, in the same call"));
+        }
         // A chart by another name is read on, so that it still gives its types.
         "ablaufsprache" | "ablaufkette" if input.next().word().is_some() => (Dialect::Sfc, "sfc"),
         other if input.next().word().is_some() && input.next().next().at_group(Delimiter::Brace) => {

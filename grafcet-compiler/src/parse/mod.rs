@@ -39,11 +39,14 @@ use self::error::{Error, Result};
 use self::input::Input;
 use crate::ast::Chart;
 use crate::diagnostic::Sink;
+use crate::plant;
 
 pub(crate) use association::is_qualifier;
 pub use time::{mentions_time, time_literal};
 
 /// Parses the tokens of one macro call.
+///
+/// Of a call with plants it is the chart alone, without what it claims together with them.
 ///
 /// All mistakes go to `sink`. `None` is for a call whose header could not be read; otherwise broken items are absent,
 /// their names stand in [`Body::broken`](crate::ast::Body::broken), and the chart is marked as incomplete.
@@ -55,8 +58,18 @@ pub fn chart(tokens: TokenStream, sink: &mut Sink) -> Option<Chart> {
         );
         return None;
     }
+    let (tokens, plants) = match plant::Call::of(&tokens) {
+        Some(call) => (call.chart_and_rest(), call.names()),
+        None => (tokens, Vec::new()),
+    };
     match Buffer::new(tokens) {
-        Ok(buffer) => header::chart(Input::new(&buffer), sink),
+        Ok(buffer) => {
+            let mut chart = header::chart(Input::new(&buffer), sink)?;
+            if !plants.is_empty() {
+                plant::leave_out(&mut chart, plants);
+            }
+            Some(chart)
+        }
         Err(error) => {
             error.report(sink);
             None

@@ -50,6 +50,8 @@ pub struct Program<'m> {
     /// By step: which others may be active beside it, before and after each evolution; empty where all steps share a place.
     pub beside: Vec<Set<StepId>>,
     pub cycle: Vec<Statement<'m>>,
+    /// The plants of a `counted` program, in the order of the model.
+    pub plants: Vec<Program<'m>>,
     /// Of a chart that uses time.
     pub deadline: Option<Deadline<'m>>,
 }

@@ -147,7 +147,7 @@ impl Lowering<'_, '_> {
         self.at(role, end)
     }
 
-    fn at(&self, role: Role, end: &Env) -> Result<Sym, Refused> {
+    pub(super) fn at(&self, role: Role, end: &Env) -> Result<Sym, Refused> {
         let place = self.program.place(role).ok_or_else(|| Refused("a property over what is not stored".to_owned()))?;
         Ok(end[place.0].clone())
     }
@@ -177,7 +177,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn is_macro_active(&mut self, id: MacroId, end: &Env) -> Result<Lit, Refused> {
+    pub(super) fn is_macro_active(&mut self, id: MacroId, end: &Env) -> Result<Lit, Refused> {
         let mut any = Lit::FALSE;
         for step in &self.program.model.macros[id].steps {
             let is = self.is_active(*step, end)?;
@@ -186,7 +186,7 @@ impl Lowering<'_, '_> {
         Ok(any)
     }
 
-    fn is_active(&mut self, step: StepId, end: &Env) -> Result<Lit, Refused> {
+    pub(super) fn is_active(&mut self, step: StepId, end: &Env) -> Result<Lit, Refused> {
         for (place, sym) in self.program.places.iter().zip(end.iter()) {
             match (place.role, sym) {
                 (Role::Bit(other), Sym::Bool(lit)) if other == step => return Ok(*lit),

@@ -16,6 +16,11 @@ pub(super) struct Clock {
 const EXACT: usize = 32;
 
 impl Clock {
+    /// The one that tells more.
+    pub(super) fn or(self, other: Self) -> Self {
+        Self { width: self.width.max(other.width) }
+    }
+
     /// `claims` are what properties look at, `deadline` is the longest that they ask for.
     pub(super) fn of(program: &Program<'_>, claims: &[Tree], deadline: u32) -> Self {
         let mut scan = Scan { program, longest: deadline, exact: false };

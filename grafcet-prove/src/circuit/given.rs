@@ -12,7 +12,10 @@ impl Lowering<'_, '_> {
     /// What the chart is given in this cycle.
     pub(super) fn given(&mut self) -> Result<(), Refused> {
         for (id, input) in self.program.model.inputs.iter() {
-            let sym = self.declared(&input.ty, Name::Input(id), Source::Input(id), &input.name.to_string())?;
+            let sym = match self.of_plants(id) {
+                Some(sym) => sym,
+                None => self.declared(&input.ty, Name::Input(id), Source::Input(id), &input.name.to_string())?,
+            };
             self.given.push(sym);
         }
         if self.has_time() {
@@ -28,7 +31,7 @@ impl Lowering<'_, '_> {
         self.declared(&param.ty, Name::Param(id), Source::Param(id), &param.name.to_string())
     }
 
-    fn declared(&mut self, ty: &Ty, name: Name, source: Source, text: &str) -> Result<Sym, Refused> {
+    pub(super) fn declared(&mut self, ty: &Ty, name: Name, source: Source, text: &str) -> Result<Sym, Refused> {
         let (width, signed) = match ty {
             Ty::Bool(_) => (1, false),
             Ty::Time(_) => (self.clock.width, false),

@@ -3,6 +3,7 @@
 //! - `run`, `eval`, `tree`: statements, expressions of the program and of the user
 //! - `given`: inputs, params and what places begin with
 //! - `sym`: values as wires; `free`: Rust that is not looked into; `clock`: how exactly times are counted
+//! - `plants`: what the chart moves, and what it sees of that
 //! - `claims`: properties at the end of a cycle; `monitors`: those over several
 //!
 //! What a chart remembers is latches, what it is given is inputs; what has passed since the cycle before is one of them, and so are
@@ -14,6 +15,7 @@ mod eval;
 mod free;
 mod given;
 mod monitors;
+mod plants;
 mod run;
 mod sym;
 mod tree;
@@ -31,6 +33,7 @@ use claims::Claims;
 use clock::Clock;
 use free::Origin;
 use monitors::Monitors;
+use plants::Part;
 use sym::{FreeId, Sym, Width};
 
 /// So many gates and no more.
@@ -53,6 +56,8 @@ pub enum Source {
     /// Ticks since the cycle before; the highest value stands for all that are longer.
     Elapsed,
     Param(ParamId),
+    /// An input of a plant that nobody drives: a choice or a fault.
+    Plant(usize, InputId),
     /// The value of Rust that is not looked into.
     Rust(String),
     /// Where the cycles begin that come again and again: a choice of the search, not of the chart.
@@ -82,6 +87,8 @@ pub struct Latch {
 pub struct Field {
     /// None for what only the circuit knows: whether arithmetic has left its type so far.
     pub place: Option<PlaceId>,
+    /// Of which plant's program that place is; none for the chart's.
+    pub plant: Option<usize>,
     pub name: String,
     /// The first of its latches.
     pub first: usize,
@@ -116,7 +123,7 @@ impl Deadline {
     pub fn field(&self, circuit: &Circuit) -> Field {
         let is_it = |field: &&Field| field.first == self.waits + 1;
         let name = circuit.fields.iter().find(is_it).map_or_else(String::new, |field| field.name.clone());
-        Field { place: None, name, first: self.waits + 1, width: self.width, signed: false }
+        Field { place: None, plant: None, name, first: self.waits + 1, width: self.width, signed: false }
     }
 }
 
@@ -169,6 +176,8 @@ pub(crate) struct Lowering<'p, 'm> {
     /// By input of the chart.
     given: Vec<Sym>,
     elapsed: Bits,
+    /// By plant, by output: at the end of the cycle before.
+    shown: Vec<Vec<Sym>>,
     /// By place: what it begins with.
     initial: Vec<Sym>,
     /// Where the statement at hand is reached.
@@ -196,8 +205,25 @@ impl Circuit {
     /// # Errors
     /// It takes more, or something in the chart is not modelled.
     pub fn within(program: &Program<'_>, largest: usize) -> Result<Self, Refused> {
-        let clock = Clock::of(program, &claims::conditions(program.model), monitors::longest(program.model));
-        let lowering = Lowering {
+        let mut clock = Clock::of(program, &claims::conditions(program.model), monitors::longest(program.model));
+        for plant in &program.plants {
+            clock = clock.or(Clock::of(plant, &[], 0));
+        }
+        Lowering::new(program, largest, clock).circuit()
+    }
+}
+
+impl Field {
+    /// The program whose place it is.
+    #[must_use]
+    pub fn program<'p, 'm>(&self, program: &'p Program<'m>) -> &'p Program<'m> {
+        self.plant.map_or(program, |plant| &program.plants[plant])
+    }
+}
+
+impl<'p, 'm> Lowering<'p, 'm> {
+    fn new(program: &'p Program<'m>, largest: usize, clock: Clock) -> Self {
+        Self {
             program,
             largest,
             aig: Aig::default(),
@@ -205,6 +231,7 @@ impl Circuit {
             inputs: Vec::new(),
             given: Vec::new(),
             elapsed: bits::constant(0),
+            shown: Vec::new(),
             initial: Vec::new(),
             path: Lit::TRUE,
             overflow: Lit::FALSE,
@@ -214,8 +241,7 @@ impl Circuit {
             by_text: BTreeMap::new(),
             as_bool: BTreeMap::new(),
             as_bits: BTreeMap::new(),
-        };
-        lowering.circuit()
+        }
     }
 }
 
@@ -234,7 +260,7 @@ struct Kept {
     signed: bool,
 }
 
-impl Lowering<'_, '_> {
+impl<'p, 'm> Lowering<'p, 'm> {
     fn circuit(mut self) -> Result<Circuit, Refused> {
         let program = self.program;
         self.initials()?;
@@ -245,9 +271,11 @@ impl Lowering<'_, '_> {
             kept.extend(field);
         }
         let so_far = self.aig.free();
+        let mut plants = self.plants()?;
         self.given()?;
         let env = Rc::new(env);
         let (end, _) = self.block(env, &program.cycle)?;
+        self.plants_evolve(&mut plants, &end)?;
         let constraint = self.assumptions(&end)?;
         self.constraint = self.aig.and(self.constraint, constraint);
         let overflow = self.overflow;
@@ -257,12 +285,12 @@ impl Lowering<'_, '_> {
         let triggers = self.triggers(&end);
         let often = self.recurring()?;
         self.constraint = self.aig.and(self.constraint, !self.panics);
-        self.finish(kept, &end, (so_far, broken), Asked { claims, monitors, triggers, often })
+        self.finish((kept, plants), &end, (so_far, broken), Asked { claims, monitors, triggers, often })
     }
 
     fn finish(
         mut self,
-        kept: Vec<Kept>,
+        (kept, plants): (Vec<Kept>, Vec<Part<'p, 'm>>),
         end: &Env,
         (so_far, broken): (Lit, Lit),
         asked: Asked,
@@ -278,13 +306,15 @@ impl Lowering<'_, '_> {
             };
             let next = self.wires_of(next, width, one.signed)?;
             let (name, first, signed) = (place.name.clone(), latches.len(), one.signed);
-            fields.push(Field { place: Some(one.place), name, first, width, signed });
+            fields.push(Field { place: Some(one.place), plant: None, name, first, width, signed });
             for ((now, next), initial) in one.bits.into_iter().zip(next).zip(initial) {
                 latches.push(Latch { now, next, initial });
             }
         }
+        self.finish_plants(plants, &mut latches, &mut fields)?;
         fields.push(Field {
             place: None,
+            plant: None,
             name: "overflowed".to_owned(),
             first: latches.len(),
             width: 1,

@@ -39,7 +39,7 @@ impl Monitors {
             if let Some((property, _)) = self.timers.iter().find(|(_, field)| field + 1 == number) {
                 deadlines.push(Deadline { property: *property, waits: first - 1, width: new.len() });
             }
-            fields.push(Field { place: None, name, first, width: new.len(), signed: false });
+            fields.push(Field { place: None, plant: None, name, first, width: new.len(), signed: false });
             latches.extend(new);
         }
         Ended { bad: self.bad, live: self.live, deadlines }
@@ -175,6 +175,8 @@ impl Lowering<'_, '_> {
 
     /// Not only where the chart uses time: a property may be all that asks for it.
     pub(super) fn has_time(&self) -> bool {
-        self.program.place(Role::Reading).is_some() || self.has_deadline()
+        self.program.place(Role::Reading).is_some()
+            || self.has_deadline()
+            || self.program.plants.iter().any(|plant| plant.place(Role::Reading).is_some())
     }
 }

@@ -4,7 +4,7 @@
 //! not. Situations are sets of steps, conditions are evaluated over the expression tree, and each function implements a
 //! paragraph of that page.
 //!
-//! - [`Interpreter`]: the chart as a machine
+//! - [`Interpreter`]: the chart as a machine; [`ClosedLoop`]: the same with its plants
 //! - `state`, `view`: what it remembers, and the snapshot that an expression sees
 //! - `any`: the transitions from every step, in both dialects
 //! - `sfc`, `control`: IEC 61131-3, one evolution and `ACTION_CONTROL`
@@ -14,6 +14,7 @@
 
 mod any;
 mod check;
+mod closed;
 mod computed;
 mod continuous;
 mod control;
@@ -33,6 +34,7 @@ mod world;
 
 use std::collections::BTreeSet;
 
+pub use self::closed::{ClosedLoop, Round};
 pub use self::continuous::is_combinational;
 use self::grafcet::{Grafcet, Until};
 pub use self::look::{Counted, Look};

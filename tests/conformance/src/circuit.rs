@@ -60,7 +60,7 @@ pub fn compare(model: &Model, lines: &[Line], encoding: Encoding) -> Result<Outc
                     Source::Input(id) => number(&given[grafcet_compiler::model::Id::index(*id)], circuit.time_bits),
                     Source::Param(id) => number(&params[grafcet_compiler::model::Id::index(*id)], circuit.time_bits),
                     Source::Elapsed => clipped(elapsed, circuit.time_bits),
-                    Source::Rust(_) | Source::Again => 0,
+                    Source::Rust(_) | Source::Again | Source::Plant(..) => 0,
                 });
                 let at = |what: String| format!("line {}: {}\n  {what}", line.number, line.text());
                 let in_range = !player.holds(circuit.overflow) && player.holds(circuit.constraint);

@@ -63,6 +63,8 @@ pub enum Doubt {
     Unfollowed(Vec<Tree>),
     /// It is about more than one cycle.
     Cycles,
+    /// It is about the chart with its plants.
+    Plants,
 }
 
 /// Per watched expression whether it can hold.

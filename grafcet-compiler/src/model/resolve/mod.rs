@@ -34,7 +34,7 @@ use self::named::{Named, Scale};
 use self::scope::Scope;
 use super::{
     Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, InputId, LetId, LevelAttr, MacroId, Mention,
-    Model, Name, PartialId, Step, StepId, TransitionId, Ty,
+    Model, Name, PartialId, Plants, Step, StepId, TransitionId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -44,7 +44,7 @@ use crate::sorted::Set;
 pub fn resolve(chart: &ast::Chart, sink: &mut Sink) -> Model {
     let mut resolver = Resolver {
         model: empty(chart),
-        scope: Scope::default(),
+        scope: Scope::beside(&chart.plants),
         sink,
         steps: Vec::new(),
         partials: Vec::new(),
@@ -168,6 +168,7 @@ fn empty(chart: &ast::Chart) -> Model {
         often: Vec::new(),
         longest_cycle: None,
         properties: Vec::new(),
+        plants: Plants::default(),
         mentions: Vec::new(),
     }
 }

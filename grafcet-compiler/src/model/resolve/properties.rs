@@ -132,12 +132,7 @@ impl Resolver<'_> {
                 };
                 self.claimed(&syn::Expr::Field(active))
             }
-            None => {
-                if name.is_some_and(|name| self.scope.is_misspelt_step(name, self.sink)) {
-                    self.lose();
-                }
-                self.claimed(condition)
-            }
+            None => self.claimed(condition),
         }
     }
 

@@ -47,6 +47,8 @@ pub(super) struct Scope {
     modes: Vec<Ident>,
     /// Names that a broken item would have declared: no error about them, its own error says enough.
     broken: Vec<Ident>,
+    /// The plants of the call, at which the chart cannot look.
+    plants: Vec<String>,
 }
 
 /// Qualifiers and words of the notation that would make it ambiguous.
@@ -64,6 +66,11 @@ const KEYWORDS: &[&str] = &[
 ];
 
 impl Scope {
+    /// The scope of a chart in whose call these plants stand.
+    pub(super) fn beside(plants: &[String]) -> Self {
+        Self { plants: plants.to_vec(), ..Self::default() }
+    }
+
     /// Takes note of the names of items that could not be parsed.
     pub(super) fn add_broken(&mut self, body: &Body) {
         self.broken.extend(body.broken.iter().cloned());
@@ -138,7 +145,13 @@ impl Scope {
         if let Some((id, _)) = self.partials.get(&key(name)) {
             return Some(*id);
         }
-        if !self.is_broken(name) {
+        if self.plants.contains(&name.to_string()) {
+            let message = format!(
+                "a chart sees the plant `{name}` by its inputs alone; properties and assumptions may speak of its steps, and what \
+                 the chart shall know is an output of the plant and an input of the chart"
+            );
+            sink.notation(name, message);
+        } else if !self.is_broken(name) {
             let hint = nearest(name, &self.partials.values().map(|(_, declared)| declared).list())
                 .unwrap_or_else(|| format!("declare it: `partial {name} {{ … }}`"));
             sink.rule(
@@ -215,25 +228,6 @@ impl Scope {
             let alike = declared.filter(|name| key(name).starts_with(is_upper));
             alike.into_iter().any(|declared| similar::distance(&text, &key(declared)) <= text.chars().count() / 6)
         }
-    }
-
-    /// Reports a name alone, where a step may stand, that is nearly one; a constant of the surrounding Rust is not written so.
-    pub(super) fn is_misspelt_step(&self, name: &Ident, sink: &mut Sink) -> bool {
-        let text = key(name);
-        let is_camel = text.starts_with(char::is_uppercase) && text.contains(char::is_lowercase);
-        if !is_camel || self.names.get(&text).is_some() || self.is_broken(name) {
-            return false;
-        }
-        let steps = self.steps().list();
-        // Of a short name one letter too many is a third or more of it.
-        let one_off = || {
-            let longer = |step: &&&Ident| text.starts_with(&key(step)) && similar::distance(&text, &key(step)) == 1;
-            let near = steps.iter().find(longer).filter(|_| !text.ends_with(char::is_numeric));
-            near.map(|step| format!("did you mean `{step}`?"))
-        };
-        let Some(hint) = nearest(name, &steps).or_else(one_off) else { return false };
-        sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), format!("no step is called `{name}`; {hint}"))]);
-        true
     }
 
     fn suggest(&self, name: &Ident, fits: fn(Meaning) -> bool) -> Option<String> {

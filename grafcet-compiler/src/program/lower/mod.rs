@@ -73,12 +73,17 @@ pub fn naive<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Res
     program(model, facts, encoding, Clocks::Read)
 }
 
-/// The same for a reader that has no clock, such as a circuit: times are counted, and a bound stands at every search.
+/// The same for a reader that has no clock, such as a circuit: times are counted, and a bound stands at every search. Its plants have
+/// programs of their own.
 ///
 /// # Errors
 /// The chart has not passed the checks.
 pub fn counted<'m>(model: &'m Model, facts: &Facts<'_>, encoding: Encoding) -> Result<Program<'m>, Refused> {
-    program(model, facts, encoding, Clocks::Counted)
+    let mut all = program(model, facts, encoding, Clocks::Counted)?;
+    for plant in &model.plants.list {
+        all.plants.push(program(&plant.model, &Facts::of(&plant.model), encoding, Clocks::Counted)?);
+    }
+    Ok(all)
 }
 
 /// Whether a time may be the reading at which it began.
@@ -109,7 +114,7 @@ fn program<'m>(
             beside.push(facts.concurrency.beside(step).collect());
         }
     }
-    Ok(Program { model, places: lower.places, regions, beside, cycle, deadline })
+    Ok(Program { model, places: lower.places, regions, beside, cycle, plants: Vec::new(), deadline })
 }
 
 /// What is made for one chart, and what is known about it meanwhile.

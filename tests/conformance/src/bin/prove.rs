@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
+use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Program, counted};
-use grafcet_compiler::{model, parse};
 use grafcet_conformance::prove::{Counts, Kind};
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
@@ -141,7 +141,7 @@ fn calls(tokens: TokenStream, found: &mut Vec<TokenStream>) {
 
 fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
     let mut sink = Sink::new();
-    let model = parse::chart(chart, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
+    let model = plant::model(chart, &mut sink);
     let messages = sink.finish();
     let broken = messages.iter().filter(|message| message.rule.is_none()).flat_map(|message| &message.notes).next();
     if let Some((_, message)) = broken {
@@ -227,9 +227,6 @@ fn say(program: &Program<'_>, circuit: &Circuit, property: usize, verdict: &Verd
             println!("  proved in {seconds:.2} s: {text}");
             if why {
                 let circuit = proof.beside.as_deref().unwrap_or(circuit);
-                for line in words::clocks(program, &proof.clocks) {
-                    println!("    {line}");
-                }
                 for line in words::lines(program, circuit, &proof.invariant) {
                     println!("    {line}");
                 }

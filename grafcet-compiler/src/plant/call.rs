@@ -1,0 +1,105 @@
+//! The tokens of a call, taken apart: the chart, and the plants behind it.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+
+use crate::list::List;
+
+/// A chart and its plants, of which there is one at least.
+pub(crate) struct Call {
+    pub(crate) chart: TokenStream,
+    /// What stands between its braces.
+    pub(crate) body: TokenStream,
+    pub(crate) plants: Vec<Written>,
+    /// What stands behind and is none.
+    pub(crate) rest: TokenStream,
+}
+
+/// A plant as it is written.
+pub(crate) struct Written {
+    /// `test,` of `#[cfg(test)]`: under what it is a type.
+    pub(crate) cfgs: TokenStream,
+    /// Its other attributes, and `pub`.
+    pub(crate) before: TokenStream,
+    /// `plant`
+    pub(crate) keyword: Ident,
+    pub(crate) name: Ident,
+    pub(crate) body: Group,
+}
+
+impl Call {
+    /// None for a call without plants.
+    pub(crate) fn of(tokens: &TokenStream) -> Option<Self> {
+        let all = tokens.clone().into_iter().list();
+        let end = all.iter().position(is_braces)?;
+        let TokenTree::Group(body) = &all[end] else { return None };
+        let (mut plants, mut at) = (Vec::new(), end + 1);
+        while let Some((plant, behind)) = plant(&all, at) {
+            plants.push(plant);
+            at = behind;
+        }
+        let is_chart = !is_word(all.get(end.wrapping_sub(2)), "plant");
+        (is_chart && !plants.is_empty()).then(|| Self {
+            chart: all[..=end].iter().cloned().map(TokenStream::from).tokens(),
+            body: body.stream(),
+            plants,
+            rest: all[at..].iter().cloned().map(TokenStream::from).tokens(),
+        })
+    }
+
+    /// The chart, and what does not belong to the call.
+    pub(crate) fn chart_and_rest(&self) -> TokenStream {
+        let mut tokens = self.chart.clone();
+        tokens.extend(self.rest.clone());
+        tokens
+    }
+
+    pub(crate) fn names(&self) -> Vec<String> {
+        self.plants.iter().map(|plant| plant.name.to_string()).list()
+    }
+}
+
+/// The plant that begins here, and where the tokens behind it begin.
+fn plant(all: &[TokenTree], from: usize) -> Option<(Written, usize)> {
+    let (mut cfgs, mut before, mut at) = (TokenStream::new(), TokenStream::new(), from);
+    loop {
+        match &all[at..] {
+            [TokenTree::Punct(hash), TokenTree::Group(group), ..] if hash.as_char() == '#' => {
+                match &group.stream().into_iter().list()[..] {
+                    [word, TokenTree::Group(when)] if is_word(Some(word), "cfg") => {
+                        let when = when.stream();
+                        cfgs.extend(quote::quote!(#when,));
+                    }
+                    _ => before.extend([all[at].clone(), all[at + 1].clone()]),
+                }
+                at += 2;
+            }
+            [TokenTree::Ident(word), TokenTree::Ident(name), TokenTree::Group(body), ..]
+                if word == "plant" && body.delimiter() == Delimiter::Brace =>
+            {
+                let (keyword, name, body) = (word.clone(), name.clone(), body.clone());
+                return Some((Written { cfgs, before, keyword, name, body }, at + 3));
+            }
+            [TokenTree::Ident(word), ..] if word == "pub" => {
+                before.extend([all[at].clone()]);
+                at += 1;
+            }
+            [TokenTree::Group(group), ..] if group.delimiter() == Delimiter::Parenthesis => {
+                before.extend([all[at].clone()]);
+                at += 1;
+            }
+            _ => return None,
+        }
+    }
+}
+
+fn is_braces(token: &TokenTree) -> bool {
+    matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace)
+}
+
+pub(super) fn is_word(token: Option<&TokenTree>, word: &str) -> bool {
+    matches!(token, Some(TokenTree::Ident(ident)) if ident == word)
+}
+
+pub(super) fn is_sign(token: Option<&TokenTree>, sign: char) -> bool {
+    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == sign)
+}

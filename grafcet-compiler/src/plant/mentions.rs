@@ -1,0 +1,218 @@
+//! `Cylinder::Out.X`, `Cylinder::jammed`: what a chart's properties and assumptions say of plants.
+//!
+//! Each becomes an input of the chart that only the proof has, and whose value is that of the plant at the end of the cycle.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+
+use super::call::{Call, is_sign, is_word};
+use crate::diagnostic::Sink;
+use crate::list::List;
+use crate::model::{Claim, Expr, Model, Name, Read, Seen, Ty, Watched};
+use crate::similar;
+
+/// A chart in which they are replaced.
+pub(super) struct Mentions {
+    pub(super) tokens: TokenStream,
+    all: Vec<Mention>,
+}
+
+struct Mention {
+    /// The input that stands for it.
+    name: Ident,
+    ty: TokenStream,
+    plant: usize,
+    what: Seen,
+    /// As it is written.
+    text: String,
+}
+
+/// Whether an expression says something of a plant.
+pub(super) fn any(expr: &syn::Expr, plants: &[String]) -> bool {
+    fn within(tokens: TokenStream, plants: &[String]) -> bool {
+        let all = tokens.into_iter().list();
+        all.iter().enumerate().any(|(at, token)| match token {
+            TokenTree::Group(group) => within(group.stream(), plants),
+            TokenTree::Ident(name) => is_sign(all.get(at + 1), ':') && plants.contains(&name.to_string()),
+            _ => false,
+        })
+    }
+    within(expr.to_token_stream(), plants)
+}
+
+pub(super) fn replaced(call: &Call, plants: &[&Model], sink: &mut Sink) -> Mentions {
+    let mut replacer = Replacer { plants, all: Vec::new(), sink };
+    let mut tokens = TokenStream::new();
+    for token in call.chart.clone() {
+        match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                let mut inside = replacer.stream(group.stream());
+                for mention in &replacer.all {
+                    let (name, ty) = (&mention.name, &mention.ty);
+                    inside.extend(quote!(input #name: #ty;));
+                }
+                let mut braces = Group::new(Delimiter::Brace, inside);
+                braces.set_span(group.span());
+                tokens.extend([TokenTree::Group(braces)]);
+            }
+            token => tokens.extend([token]),
+        }
+    }
+    Mentions { tokens, all: replacer.all }
+}
+
+/// The chart cannot look at its plants but by its inputs.
+pub(super) fn only_in_claims(system: &Model, mentions: &Mentions, sink: &mut Sink) {
+    for mention in &mentions.all {
+        let Some((id, _)) = system.inputs.iter().find(|(_, input)| input.name == mention.name) else { continue };
+        let read = Read::Name(Name::Input(id));
+        if system.expressions().iter().any(|reads| reads.contains(&read)) {
+            let message = format!(
+                "a chart sees a plant by its inputs alone; `{}` may stand in properties and assumptions, and what the chart \
+                 shall know is an output of the plant and an input of the chart",
+                mention.text
+            );
+            sink.notation(&mention.name, message);
+        }
+    }
+}
+
+impl Mentions {
+    pub(super) fn watched(&self, system: &Model) -> Vec<Watched> {
+        let mut watched = Vec::new();
+        for mention in &self.all {
+            if let Some((input, _)) = system.inputs.iter().find(|(_, input)| input.name == mention.name) {
+                watched.push(Watched { input, plant: mention.plant, what: mention.what });
+            }
+        }
+        watched
+    }
+
+    /// Messages have what was written.
+    pub(super) fn name(&self, system: &mut Model) {
+        let rename = |expr: &mut Expr| {
+            for mention in &self.all {
+                expr.text = expr.text.replace(&mention.name.to_string(), &mention.text);
+            }
+        };
+        for property in &mut system.properties {
+            match &mut property.claim {
+                Claim::Never(one) => rename(one),
+                Claim::Always { premise, condition } => {
+                    premise.iter_mut().for_each(rename);
+                    rename(condition);
+                }
+                Claim::LeadsTo { from: one, to: other, .. } | Claim::Before { first: one, then: other } => {
+                    rename(one);
+                    rename(other);
+                }
+                Claim::Home(..) => {}
+            }
+        }
+        system.assumptions.iter_mut().for_each(|assumption| rename(&mut assumption.never));
+        system.often.iter_mut().for_each(rename);
+    }
+}
+
+struct Replacer<'a> {
+    plants: &'a [&'a Model],
+    all: Vec<Mention>,
+    sink: &'a mut Sink,
+}
+
+impl Replacer<'_> {
+    fn stream(&mut self, tokens: TokenStream) -> TokenStream {
+        let all = tokens.into_iter().list();
+        let (mut out, mut at) = (TokenStream::new(), 0);
+        while at < all.len() {
+            let plant = match &all[at] {
+                TokenTree::Ident(name) => self.plants.iter().position(|plant| plant.name == *name),
+                _ => None,
+            };
+            let is_path = is_sign(all.get(at + 1), ':') && is_sign(all.get(at + 2), ':');
+            match (plant, all.get(at + 3)) {
+                (Some(plant), Some(TokenTree::Ident(name)))
+                    if is_path && !is_sign(all.get(at.wrapping_sub(1)), ':') =>
+                {
+                    let field = is_sign(all.get(at + 4), '.');
+                    let is_x = field && is_word(all.get(at + 5), "X");
+                    let is_t = field && is_word(all.get(at + 5), "T");
+                    if is_t {
+                        let message = "a property knows the steps of a plant, and not their times; let the plant have a step or an \
+                                       output for what matters";
+                        self.sink.notation(name, message);
+                    }
+                    let stands_for = self.mention(plant, name, is_x || is_t);
+                    out.extend([TokenTree::Ident(stands_for)]);
+                    at += if is_x || is_t { 6 } else { 4 };
+                }
+                _ => {
+                    match &all[at] {
+                        TokenTree::Group(group) => {
+                            let mut inner = Group::new(group.delimiter(), self.stream(group.stream()));
+                            inner.set_span(group.span());
+                            out.extend([TokenTree::Group(inner)]);
+                        }
+                        token => out.extend([token.clone()]),
+                    }
+                    at += 1;
+                }
+            }
+        }
+        out
+    }
+
+    /// The input that stands for something of a plant.
+    fn mention(&mut self, plant: usize, name: &Ident, is_step: bool) -> Ident {
+        let model = self.plants[plant];
+        let stands_for = Ident::new(&format!("__{}_{name}", model.name), name.span());
+        if self.all.iter().any(|mention| mention.name == stands_for) {
+            return stands_for;
+        }
+        let bool = quote!(bool);
+        let what = self.find(model, name, is_step);
+        let ty = match what {
+            Some(Seen::Value(value)) => match model.ty(value) {
+                Ty::Bool(rust) | Ty::Int { rust, .. } => quote!(#rust),
+                Ty::Time(_) | Ty::Other(_) => {
+                    let message =
+                        format!("`{name}` is neither `bool` nor a number; of a plant no other values are followed");
+                    self.sink.notation(name, message);
+                    bool
+                }
+            },
+            _ => bool,
+        };
+        let field = if is_step { ".X" } else { "" };
+        let text = format!("{}::{name}{field}", model.name);
+        let what = what.unwrap_or(Seen::Step(crate::model::Id::new(0)));
+        self.all.push(Mention { name: stands_for.clone(), ty, plant, what, text });
+        stands_for
+    }
+
+    fn find(&mut self, model: &Model, name: &Ident, is_step: bool) -> Option<Seen> {
+        let step = model.steps.iter().find(|(_, step)| step.name == *name).map(|(id, _)| Seen::Step(id));
+        let macro_step = model.macros.iter().find(|(_, step)| step.name == *name).map(|(id, _)| Seen::Macro(id));
+        if let Some(step) = step.or(macro_step) {
+            return Some(step);
+        }
+        let value = values(model).into_iter().find(|value| model.value_name(*value) == name);
+        if let Some(value) = value.filter(|_| !is_step) {
+            return Some(Seen::Value(value));
+        }
+        let mut known: Vec<String> = values(model).iter().map(|value| model.value_name(*value).to_string()).list();
+        known.extend(model.steps.values().map(|step| format!("{}.X", step.name)));
+        let name_of = |known: &str| known.trim_end_matches(".X").to_owned();
+        let near = known.iter().find(|other| similar::distance(&name_of(other), &name.to_string()) < 3);
+        let hint = near.map_or_else(String::new, |near| format!("; did you mean `{}::{near}`?", model.name));
+        self.sink.notation(name, format!("the plant `{}` has nothing that is called `{name}`{hint}", model.name));
+        None
+    }
+}
+
+fn values(model: &Model) -> Vec<Name> {
+    let mut all = model.inputs.ids().map(Name::Input).list();
+    all.extend(model.outputs.ids().map(Name::Output));
+    all.extend(model.vars.ids().map(Name::Var));
+    all
+}

@@ -1,0 +1,119 @@
+//! `plant Cylinder { … }` behind the chart of a call: what the machine does on the chart's outputs, for proofs and for the host.
+//!
+//! A plant is an `sfc` with inputs that nobody drives. So nothing after this room knows of choices:
+//!
+//! - `call`: the tokens of a call, taken apart
+//! - `written`: `either`, `2s..4s/Moving`, `fault` and `choice` become inputs and plain transitions
+//! - `wires`: whose outputs are whose inputs
+//! - `mentions`: `Cylinder::Out.X` in the chart's properties becomes an input that only the proof has
+//!
+//! The controller's code is made of the chart alone, without what its properties say of plants: a plant costs nothing there.
+
+mod call;
+mod mentions;
+mod wires;
+mod written;
+
+use proc_macro2::TokenStream;
+
+use crate::analysis::{Facts, Prover};
+use crate::ast::{Body, Chart, Item, Property, Setting};
+use crate::check;
+use crate::diagnostic::{self, Sink};
+use crate::model::{self, Model, Plant, Plants};
+use crate::parse;
+use crate::place::quote;
+
+pub(crate) use call::Call;
+
+/// The tokens of a call's chart.
+pub(crate) fn chart_of(tokens: &TokenStream) -> TokenStream {
+    Call::of(tokens).map_or_else(|| tokens.clone(), |call| call.chart)
+}
+
+/// The model of a call, together with its plants where it has some: what a proof is about.
+///
+/// Mistakes go to `sink`. `None` where the chart or a plant cannot be read.
+pub fn model(tokens: TokenStream, sink: &mut Sink) -> Option<Model> {
+    match Call::of(&tokens) {
+        Some(call) => system(&call, sink),
+        None => parse::chart(tokens, sink).map(|chart| model::resolve(&chart, sink)),
+    }
+}
+
+/// The plants as types for the host, and what the chart claims with them; `sound`: nothing is wrong with the chart alone.
+pub(crate) fn items(
+    call: &Call,
+    sound: bool,
+    prover: Option<&Prover>,
+    root: &TokenStream,
+    compile: &dyn Fn(TokenStream) -> (TokenStream, bool),
+) -> TokenStream {
+    let (mut items, mut all_sound, mut sink) = (TokenStream::new(), sound, Sink::new());
+    for plant in &call.plants {
+        let plain = written::plain(plant, call, &mut sink);
+        let mut said = Sink::new();
+        if let Some(chart) = parse::chart(plain.tokens.clone(), &mut said) {
+            written::refuse(&chart.body, &mut sink);
+        }
+        // Compiling says the same.
+        _ = said.finish();
+        let (tokens, sound) = compile(plain.tokens);
+        all_sound &= sound;
+        let cfgs = &plant.cfgs;
+        items.extend(if cfgs.is_empty() {
+            tokens
+        } else {
+            let root = crate::place::moved(root);
+            quote!(#root::__private::under! { [cfg(all(#cfgs))] #tokens })
+        });
+    }
+    if all_sound && !sink.has_errors() {
+        if let Some(model) = system(call, &mut sink) {
+            if !sink.has_errors() {
+                check::with_plants(&model, &Facts::of(&model), prover, &mut sink);
+            }
+        }
+    }
+    let mut tokens = diagnostic::tokens(&sink.finish(), root);
+    tokens.extend(items);
+    tokens
+}
+
+/// The chart with its plants.
+fn system(call: &Call, sink: &mut Sink) -> Option<Model> {
+    let mut list = Vec::new();
+    for plant in &call.plants {
+        let plain = written::plain(plant, call, sink);
+        let chart = parse::chart(plain.tokens, sink)?;
+        let model = model::resolve(&chart, sink);
+        check::drawing(&model, sink);
+        written::refuse(&chart.body, sink);
+        list.push((model, plain.free));
+    }
+    let models: Vec<&Model> = list.iter().map(|(model, _)| model).collect();
+    let mentions = mentions::replaced(call, &models, sink);
+    let chart = parse::chart(mentions.tokens.clone(), sink)?;
+    let mut system = model::resolve(&chart, sink);
+    mentions::only_in_claims(&system, &mentions, sink);
+    let (driven, wires) = wires::of(&system, &list, sink);
+    let watched = mentions.watched(&system);
+    mentions.name(&mut system);
+    let list = list.into_iter().zip(wires).map(|((model, _), wires)| Plant { model, wires }).collect();
+    system.plants = Plants { list, driven, watched };
+    Some(system)
+}
+
+/// Leaves out of a chart what it claims with its plants: all properties but ways home, and assumptions over plants.
+pub(crate) fn leave_out(chart: &mut Chart, plants: Vec<String>) {
+    let stays = |item: &Item| match item {
+        Item::Property(property) => matches!(property, Property::Home { .. }),
+        Item::Setting(Setting::AssumeNever { condition, .. } | Setting::AssumeOften { condition, .. }) => {
+            !mentions::any(condition, &plants)
+        }
+        _ => true,
+    };
+    let Body { items, .. } = &mut chart.body;
+    items.retain(stays);
+    chart.plants = plants;
+}

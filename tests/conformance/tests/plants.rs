@@ -1,0 +1,220 @@
+//! Charts with their plants: what is proved of them, and their circuit beside the interpreters of both.
+
+use std::time::Duration;
+
+use grafcet_compiler::analysis::{Facts, Prover};
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::{Id, Model, Wire};
+use grafcet_compiler::plant;
+use grafcet_compiler::program::{Encoding, Role, counted};
+use grafcet_compiler::{Wanted, compile_with};
+use grafcet_prove::circuit::{Circuit, Source};
+use grafcet_prove::play::Player;
+use grafcet_prove::{Limit, Verdict, decide, decide_live};
+use grafcet_sim::interp::{ClosedLoop, Value};
+use quote::quote;
+
+/// A press, and a cylinder that a spring lifts.
+fn press(condition: &str, claims: &str) -> String {
+    format!(
+        "sfc Press {{
+            clock 500ms;
+            input start, top, bottom: bool;
+            input parts: u8;
+            output lower, alarm: bool;
+
+            initial step Rest;
+            step Down {{ lower; }}
+            step Up;
+            step Stopped {{ alarm; }}
+
+            Rest -[start && top && parts < 5]-> Down -[bottom]-> Up -[{condition}]-> Rest;
+            Down -[5s/Down]-> Stopped -[start && top]-> Rest;
+            assume cycle within 500ms;
+            {claims}
+        }}
+        plant Cylinder {{
+            input lower: bool;
+            output top, bottom: bool;
+            output parts: u8;
+            var done: u8 = 0;
+            fault jammed, blind;
+
+            initial step Top {{ top; N parts = done; }}
+            step Going;
+            step Bottom {{ N bottom if !blind; P1 done = (done + 1) % 5; }}
+            step Coming;
+            step Slipped;
+
+            Top -[lower && !jammed]-> Going;
+            either Going -[1s..2s/Going && !jammed]-> (Bottom or Slipped);
+            Going -[!lower]-> Coming;
+            Bottom -[!lower]-> Coming;
+            Slipped -[!lower]-> Coming -[1s..2s/Coming]-> Top;
+        }}"
+    )
+}
+
+fn read(text: &str) -> Model {
+    let mut sink = Sink::new();
+    let model = plant::model(text.parse().expect("tokens"), &mut sink).expect("a chart");
+    let messages: Vec<String> =
+        sink.finish().into_iter().flat_map(|one| one.notes).map(|(_, message)| message).collect();
+    assert!(messages.is_empty(), "{messages:?}");
+    model
+}
+
+fn verdicts(model: &Model) -> Vec<Verdict> {
+    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let limit = || Limit::time(Duration::from_secs(60));
+    let verdict = |property| match circuit.bad.iter().find(|bad| bad.property == property) {
+        Some(bad) => decide(&program, &circuit, *bad, &limit()),
+        None => {
+            let live = circuit.live.iter().find(|live| live.property == property).expect("it is modelled");
+            decide_live(&program, &circuit, *live, &limit())
+        }
+    };
+    (0..model.properties.len()).map(verdict).collect::<Result<_, _>>().expect("no internal error")
+}
+
+/// How many cycles the shortest way to where each is broken has; none where it is proved.
+fn broken(claims: &str, condition: &str) -> Vec<Option<usize>> {
+    let length = |verdict| match verdict {
+        Verdict::Proved(_) => None,
+        Verdict::Violated(way) | Verdict::Endless { way, .. } => Some(way.len()),
+        Verdict::Undecided(why) => panic!("{why}"),
+    };
+    verdicts(&read(&press(condition, claims))).into_iter().map(length).collect()
+}
+
+#[test]
+fn properties_hold_with_the_plant() {
+    let claims = "never Rest.X && Cylinder::Bottom.X;
+                  never Down.X && Cylinder::Coming.X;
+                  always Cylinder::done < 5;
+                  never parts > 4;
+                  Down leads_to Up.X || alarm within 6s;
+                  Up leads_to Rest;";
+    assert_eq!(broken(claims, "top"), [None; 6]);
+    // With a cylinder that need not be up the next stroke begins too early: the third row is that of the plant at the bottom.
+    let without = broken("never Rest.X && Cylinder::Coming.X; never top && bottom;", "true");
+    assert_eq!(without, [Some(6), None]);
+}
+
+#[test]
+fn faults_happen_unless_they_are_excluded() {
+    let claim = "never alarm;";
+    let with = broken(claim, "top");
+    // Down in cycle 2, ten ticks of half a second later it is over.
+    assert_eq!(with, [Some(12)]);
+    let never = "assume never Cylinder::jammed || Cylinder::blind || Cylinder::choose_slipped;";
+    assert_eq!(broken(&format!("{never} {claim}"), "top"), [None]);
+    let one_left = "assume never Cylinder::jammed || Cylinder::choose_slipped;";
+    assert_eq!(broken(&format!("{one_left} {claim}"), "top"), [Some(12)]);
+}
+
+#[test]
+fn what_comes_may_rely_on_the_plant() {
+    let often = "assume never Cylinder::jammed;";
+    assert_eq!(broken(&format!("{often} Cylinder::Going leads_to Cylinder::Top;"), "top"), [None]);
+    let stuck = broken("Cylinder::Going leads_to Cylinder::Bottom;", "top");
+    assert!(stuck[0].is_some());
+}
+
+/// The macro says it with the plant; without a solver it is open.
+#[test]
+fn the_macro_says_that_it_is_with_the_plant() {
+    let chart = |claim: &str| press("top", claim).parse().expect("tokens");
+    let root = quote!(::grafcet);
+    let compiled = |claim: &str, prover: Option<&Prover>| {
+        compile_with(&root, chart(claim), Wanted { prover, ..Wanted::default() }).to_string()
+    };
+    let broken = compiled("never alarm;", Some(&grafcet_prove::rule));
+    assert!(broken.contains("at the end of cycle 12 `alarm` holds with the plant `Cylinder`"), "{broken}");
+    let open = compiled("never alarm;", None);
+    assert!(open.contains("whether this holds with the plant `Cylinder` is not decided"), "{open}");
+    let proved = compiled("never Rest.X && Cylinder::Bottom.X;", Some(&grafcet_prove::rule));
+    assert!(!proved.contains("compile_error"), "{proved}");
+}
+
+/// What the controller gets does not depend on a plant, nor on what is claimed with it.
+#[test]
+fn a_plant_costs_the_controller_nothing() {
+    let call = press("top", "never alarm; never Rest.X && Cylinder::Bottom.X;");
+    let alone = call.split("plant").next().expect("the chart").replace("never", "//");
+    let root = quote!(::grafcet);
+    let prover: &Prover = &|_, _, open| open.iter().map(|_| grafcet_compiler::analysis::Ruling::Holds).collect();
+    let wanted = Wanted { prover: Some(prover), recorded: false };
+    let alone = compile_with(&root, alone.parse().expect("tokens"), wanted).to_string();
+    let whole = compile_with(&root, call.parse().expect("tokens"), wanted).to_string();
+    let places = |text: &str| text.replace(char::is_whitespace, "");
+    assert!(places(&whole).starts_with(&places(&alone)));
+}
+
+/// Cycle by cycle, what the circuit remembers of chart and plant is what their interpreters show.
+#[test]
+fn the_circuit_does_what_the_closed_loop_does() {
+    let model = read(&press("top", "never alarm; never Cylinder::done > 4 || Cylinder::Slipped.X;"));
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let mut seed = 7_u32;
+    let mut random = |below: u32| {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (seed >> 16) % below
+    };
+    let (mut visited, mut strokes) = (std::collections::BTreeSet::new(), 0);
+    for _ in 0..50 {
+        let (mut player, mut closed) = (Player::new(&circuit), ClosedLoop::new(&model).expect("understood"));
+        let (mut now, faulty) = (0, random(3) == 0);
+        for _ in 0..200 {
+            let (mut inputs, mut free) = closed.nothing();
+            inputs[0] = Value::Bool(random(2) == 0);
+            for (value, wire) in free[0].iter_mut().zip(&model.plants.list[0].wires) {
+                if *wire == Wire::Free {
+                    *value = Value::Bool(random(if faulty { 4 } else { 40 }) == 0);
+                }
+            }
+            let elapsed = random(2);
+            now += elapsed;
+            let (given, chosen) = (inputs.clone(), free.clone());
+            let number = |value: &Value| i128::from(*value == Value::Bool(true));
+            player.cycle(|source| match source {
+                Source::Input(id) => number(&given[id.index()]),
+                Source::Plant(plant, id) => number(&chosen[*plant][id.index()]),
+                Source::Elapsed => i128::from(elapsed),
+                _ => 0,
+            });
+            let round = closed.cycle(&mut inputs, &free, now).expect("understood");
+            for (bad, property) in circuit.bad.iter().zip(&model.properties) {
+                let violation = property.claim.violation().expect("about an end");
+                let holds = closed.holds(&violation, &inputs).expect("understood");
+                assert_eq!(player.holds(bad.certain), holds);
+            }
+            for field in &circuit.fields {
+                let Some(place) = field.place else { continue };
+                let (machine, active) = match field.plant {
+                    None => (closed.chart(), &round.chart.active),
+                    Some(plant) => (&closed.plants()[plant], &round.plants[plant].active),
+                };
+                let program = field.program(&program);
+                let expected = match program.places[place.0].role {
+                    Role::Var(id) => match machine.vars()[id.index()] {
+                        Value::Int(value) => value,
+                        ref other => number(other),
+                    },
+                    Role::State(region) => {
+                        let place = program.regions[region].iter().position(|step| active.contains(step));
+                        place.map_or(0, |place| i128::try_from(place).expect("small") + 1)
+                    }
+                    _ => continue,
+                };
+                assert_eq!(player.field(field), expected, "{}", field.name);
+            }
+            visited.extend(round.plants[0].active.iter().copied());
+            strokes += usize::from(round.chart.evolutions > 0);
+        }
+    }
+    assert_eq!(visited.len(), model.plants.list[0].model.steps.len(), "every step of the plant is seen");
+    assert!(strokes > 500, "{strokes}");
+}
