@@ -58,6 +58,7 @@ pub(super) fn replaced(call: &Call, plants: &[&Model], sink: &mut Sink) -> Menti
             token => tokens.extend([token]),
         }
     }
+    tokens.extend(call.rest.clone());
     Mentions { tokens, all: replacer.all }
 }
 

@@ -50,6 +50,7 @@ pub(crate) fn items(
     compile: &dyn Fn(TokenStream) -> (TokenStream, bool),
 ) -> TokenStream {
     let (mut items, mut all_sound, mut sink) = (TokenStream::new(), sound, Sink::new());
+    named_once(call, &mut sink);
     for plant in &call.plants {
         let plain = written::plain(plant, call, &mut sink);
         let mut said = Sink::new();
@@ -80,8 +81,18 @@ pub(crate) fn items(
     tokens
 }
 
+/// Two plants of one name could not be told apart.
+fn named_once(call: &Call, sink: &mut Sink) {
+    for (index, plant) in call.plants.iter().enumerate() {
+        if call.plants[..index].iter().any(|other| other.name == plant.name) {
+            sink.notation(&plant.name, format!("a plant of this call is called `{}` already", plant.name));
+        }
+    }
+}
+
 /// The chart with its plants.
 fn system(call: &Call, sink: &mut Sink) -> Option<Model> {
+    named_once(call, sink);
     let mut list = Vec::new();
     for plant in &call.plants {
         let plain = written::plain(plant, call, sink);

@@ -104,6 +104,33 @@ grafcet! {
 }
 
 grafcet! {
+    sfc Twice {
+        input start, top: bool;
+        output lower: bool;
+
+        initial step Rest;
+        step Down { lower; }
+        Rest -[start && top]-> Down -[!top]-> Rest;
+    }
+
+    plant Same {
+        input lower: bool;
+        output top: bool;
+        initial step Top { top; }
+        step Bottom;
+        Top -[lower]-> Bottom -[!lower]-> Top;
+    }
+
+    #[cfg(all(test, not(test)))]
+    plant Same {
+        input lower: bool;
+        initial step Off;
+        step On;
+        Off -[lower]-> On -[!lower]-> Off;
+    }
+}
+
+grafcet! {
     plant Alone {
         input lower: bool;
         output top: bool;
