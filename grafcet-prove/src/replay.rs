@@ -58,13 +58,13 @@ pub(crate) fn replay(program: &Program<'_>, circuit: &Circuit, goal: &Goal<'_>, 
     }
 }
 
-/// So many times the interpreter goes the cycles that come again and again.
-const AGAIN: usize = 3;
+/// So many times the interpreter goes the cycles that come again and again, waiting in all of them.
+const AGAIN: usize = 16;
 
 /// The way, as the interpreter goes it, whose cycles from `again` on come again and again.
 ///
 /// # Errors
-/// What is waited for comes in them, or they show something else when they come again.
+/// What is waited for comes in them, or they show the last time what they have not shown before.
 pub(crate) fn endless(
     program: &Program<'_>,
     circuit: &Circuit,
@@ -80,7 +80,10 @@ pub(crate) fn endless(
         (&one.active, &one.cleared, &one.outputs, &one.plants)
             == (&other.active, &other.cleared, &other.outputs, &other.plants)
     };
-    let repeats = (length..shown.len()).all(|cycle| same(&shown[cycle], &shown[cycle - turn]));
+    // What does not decide about the property may still settle, or turn at another pace.
+    let last = shown.len() - turn;
+    let is_last = |start: usize| (0..turn).all(|cycle| same(&shown[start + cycle], &shown[last + cycle]));
+    let repeats = (again..last).step_by(turn).any(is_last);
     if !repeats || !watch.waits_since_before(again) {
         return Err(Why::Differs("cycles that do not come again and again for the interpreter".to_owned()));
     }

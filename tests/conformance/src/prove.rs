@@ -34,6 +34,8 @@ pub struct Kind {
 pub struct Counts {
     /// Charts with properties.
     pub charts: usize,
+    /// Of these, charts with a param in a range.
+    pub params: usize,
     /// Of properties.
     pub proved: usize,
     /// Of properties.
@@ -55,16 +57,18 @@ pub struct Counts {
 pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, String> {
     let mut text = make::counting(number, kind.grafcet, kind.timed);
     if kind.several {
-        text = make::of_several_cycles(&text, number, kind.timed);
+        text = make::by_recipe(&make::of_several_cycles(&text, number, kind.timed), number);
     }
     let Ok(model) = resolve(&text) else { return Ok(false) };
+    let judged = resolve(&make::with_param(&text))?;
     if !model.properties.iter().any(is_of_ends) {
         return Ok(false);
     }
     let Some(graph) = Graph::of(&model, kind.cycles).map_err(|error| format!("{error}\n{text}"))? else {
         return Ok(false);
     };
-    compare(&model, &graph, kind, number, counts).map_err(|error| format!("{number}: {error}\n{text}"))?;
+    counts.params += usize::from(!judged.params.is_empty());
+    compare((&model, &judged), &graph, kind, number, counts).map_err(|error| format!("{number}: {error}\n{text}"))?;
     Ok(true)
 }
 
@@ -72,9 +76,16 @@ fn is_of_ends(property: &Property) -> bool {
     !matches!(property.claim, Claim::Home(..))
 }
 
-fn compare(model: &Model, graph: &Graph, kind: Kind, number: u64, counts: &mut Counts) -> Result<(), String> {
+/// The first model is that of brute force, which has inputs for params.
+fn compare(
+    (model, judged): (&Model, &Model),
+    graph: &Graph,
+    kind: Kind,
+    number: u64,
+    counts: &mut Counts,
+) -> Result<(), String> {
     let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
-    let program = counted(model, &Facts::of(model), encoding).map_err(|refused| refused.to_string())?;
+    let program = counted(judged, &Facts::of(judged), encoding).map_err(|refused| refused.to_string())?;
     counts.charts += 1;
     let Ok(circuit) = Circuit::of(&program) else {
         counts.refused += 1;

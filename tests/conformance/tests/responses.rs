@@ -180,3 +180,21 @@ fn what_is_not_always_so_is_no_lemma() {
     let first = circuit.latches[first.first];
     assert!(is_inductive(Lit::TRUE, Lit::TRUE) && !is_inductive(first.now, first.next));
 }
+
+/// What does not decide about a property may go on while its cycles come again and again.
+#[test]
+fn what_comes_again_and_again_is_what_decides() {
+    for (dialect, chain) in [
+        ("sfc", "A -[true]-> B -[true]-> C -[true]-> D -[a]-> A;"),
+        ("grafcet", "A -[rising(a)]-> B -[rising(b)]-> C -[rising(a)]-> D -[rising(b)]-> A;"),
+        ("sfc", "A -[true]-> B -[true]-> C -[true]-> D -[true]-> A;"),
+    ] {
+        let model = read(&format!(
+            "{dialect} C {{ input a, b: bool; var n: u8 = 0; initial step A; step B; step C; step D; {chain} n == 0 leads_to n == 1; }}"
+        ));
+        let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+        let circuit = Circuit::of(&program).expect("a circuit");
+        let verdict = decide_live(&program, &circuit, circuit.live[0], &Limit::none()).expect("no internal error");
+        assert!(matches!(verdict, Verdict::Endless { .. }), "{chain}: {verdict:?}");
+    }
+}

@@ -95,6 +95,31 @@ pub fn counting(number: u64, grafcet: bool, timed: bool) -> String {
     lines.join("\n") + "\n"
 }
 
+/// What brute force takes for a param with a range: an input has another value in each cycle, too, and an assumption keeps it in the range.
+const AS_INPUT: &str = "input k: u8;\nassume never k < 1 || k > 3;\n";
+
+/// A counting chart that counts by a value between two bounds and claims something of it: every third one.
+#[must_use]
+pub fn by_recipe(chart: &str, number: u64) -> String {
+    // Brute force goes through all values of numbers.
+    if number % 3 != 0
+        || chart.contains("u8;\ninput")
+        || chart.contains("input level")
+        || !chart.contains("var n: u8 = 0;\n")
+    {
+        return chart.to_owned();
+    }
+    let chart = chart.replace("P1 n = 3;", "P1 n = k;").replace("P1 n = n / 2;", "P1 n = (n + k) % 4;");
+    let claims = chart.replace("n == 2", "n == k").replace("n < 3", "n < k");
+    claims.replacen("var n: u8 = 0;\n", &format!("{AS_INPUT}var n: u8 = 0;\n"), 1)
+}
+
+/// The same with the param.
+#[must_use]
+pub fn with_param(chart: &str) -> String {
+    chart.replace(AS_INPUT, "param k: u8 in 1..=3 = 2;\n")
+}
+
 /// A counting chart, which claims something over several cycles, too, and may say which inputs come again and again.
 #[must_use]
 pub fn of_several_cycles(chart: &str, number: u64, timed: bool) -> String {
