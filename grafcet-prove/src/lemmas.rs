@@ -22,6 +22,18 @@ const MOST: usize = 400;
 pub struct Lemma {
     pub now: Lit,
     pub next: Lit,
+    pub about: About,
+}
+
+/// What it says, and of which step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct About {
+    pub region: usize,
+    /// None where no step of the region is active.
+    pub step: Option<StepId>,
+    pub relation: Relation,
+    /// The region has a clock of its own; without one the deadline's is meant.
+    pub has_clock: bool,
 }
 
 /// The circuit in which it is known, of all cycles, how this deadline's clock goes with those of the steps.
@@ -33,7 +45,7 @@ pub(crate) fn strengthened(
     circuit: &Circuit,
     deadline: Deadline,
     limit: &Limit,
-) -> Result<Circuit, Over> {
+) -> Result<(Circuit, Vec<About>), Over> {
     let mut circuit = circuit.clone();
     let mut lemmas = candidates(program, &mut circuit, deadline);
     lemmas.truncate(MOST);
@@ -42,17 +54,18 @@ pub(crate) fn strengthened(
         lemmas = left;
     }
     // The same once more, by the checker of proofs: what is wrong here would be a false proof.
-    if certificate::is_inductive(&circuit, &lemmas, limit)? {
-        for lemma in lemmas {
-            circuit.constraint = circuit.aig.and(circuit.constraint, lemma.now);
-        }
+    if !certificate::is_inductive(&circuit, &lemmas, limit)? {
+        lemmas.clear();
     }
-    Ok(circuit)
+    for lemma in &lemmas {
+        circuit.constraint = circuit.aig.and(circuit.constraint, lemma.now);
+    }
+    Ok((circuit, lemmas.iter().map(|lemma| lemma.about).collect()))
 }
 
 /// What may be so of a step, or of it while something is waited for.
-#[derive(Clone, Copy)]
-enum Relation {
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Relation {
     Inactive,
     /// Something is waited for, always.
     Active,
@@ -134,15 +147,19 @@ fn of_one(program: &Program<'_>, plant: Option<usize>, circuit: &mut Circuit, de
     let mut all = Vec::new();
     for (region, steps) in program.regions.iter().enumerate() {
         // Without a clock of its own it is compared with the deadline's, which says nothing.
-        let clock = field(Role::Time(region)).unwrap_or_else(|| timer.clone());
+        let own = field(Role::Time(region));
+        let (has_clock, clock) = (own.is_some(), own.unwrap_or_else(|| timer.clone()));
         let Some(state) = field(Role::State(region)) else { continue };
         let codes = [None].into_iter().chain(steps.iter().copied().map(Some));
-        all.extend((0_i128..).zip(codes).map(|(code, step)| (clock.clone(), state.clone(), code, step)));
+        all.extend(
+            (0_i128..).zip(codes).map(|(code, step)| (clock.clone(), state.clone(), code, (region, step, has_clock))),
+        );
     }
     let offsets = offsets(program.model);
     let mut lemmas = Vec::new();
-    for (clock, state, code, step) in all {
+    for (clock, state, code, (region, step, has_clock)) in all {
         for relation in relations(program.model, step, &offsets) {
+            let about = About { region, step, relation, has_clock };
             let mut at = |of: fn(&Latch) -> Lit| {
                 let bits = |field: &Field| {
                     let latches = &circuit.latches[field.first..field.first + field.width];
@@ -155,7 +172,7 @@ fn of_one(program: &Program<'_>, plant: Option<usize>, circuit: &mut Circuit, de
                 let wrong = wrong(&mut circuit.aig, relation, (waits, first), &timer, &clock);
                 !circuit.aig.and(active, wrong)
             };
-            lemmas.push(Lemma { now: at(|latch| latch.now), next: at(|latch| latch.next) });
+            lemmas.push(Lemma { now: at(|latch| latch.now), next: at(|latch| latch.next), about });
         }
     }
     lemmas

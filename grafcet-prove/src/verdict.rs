@@ -7,7 +7,7 @@ use crate::bmc;
 use crate::certificate;
 use crate::circuit::{Bad, Circuit, Deadline};
 use crate::goal::Goal;
-use crate::lemmas::strengthened;
+use crate::lemmas::{About, strengthened};
 use crate::pdr::{Answer, Pdr};
 use crate::replay::{Shown, Why};
 use crate::sat::{Limit, Over};
@@ -20,6 +20,8 @@ pub struct Proof {
     pub invariant: Invariant,
     /// The circuit whose invariant it is, where that is not the chart's own.
     pub beside: Option<Box<Circuit>>,
+    /// What it knows of the clocks of steps and of the property, beside the invariant.
+    pub clocks: Vec<About>,
 }
 
 /// What is found out about a property.
@@ -99,11 +101,11 @@ fn in_time(
     limit: &Limit,
 ) -> Result<Verdict, Internal> {
     match strengthened(program, circuit, deadline, limit) {
-        Ok(known) => {
+        Ok((known, clocks)) => {
             let verdict = decide_on(program, &known, bad, goal, limit)?;
             Ok(match verdict {
                 Verdict::Proved(Proof { invariant, .. }) => {
-                    Verdict::Proved(Proof { invariant, beside: Some(Box::new(known)) })
+                    Verdict::Proved(Proof { invariant, beside: Some(Box::new(known)), clocks })
                 }
                 verdict => verdict,
             })
@@ -123,7 +125,7 @@ fn decide_on(
     // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
     match judge(circuit, bad.possible, limit) {
         Err(fault) => fault.map_or_else(|| Ok(over(Over)), Err),
-        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(Proof { invariant, beside: None })),
+        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(Proof { invariant, beside: None, clocks: Vec::new() })),
         Ok(Judged::Fails(way)) => shown(program, circuit, bad, goal, &way, limit),
     }
 }

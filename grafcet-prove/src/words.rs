@@ -1,8 +1,10 @@
 //! Proofs in the words of the chart: what a cube excludes, place by place.
 
+use grafcet_compiler::model::StepId;
 use grafcet_compiler::program::{Program, Type};
 
 use crate::circuit::{Circuit, Field};
+use crate::lemmas::{About, Relation};
 use crate::task::{Invariant, entry};
 
 /// A field of more bits is not gone through value by value.
@@ -29,6 +31,67 @@ pub fn lines(program: &Program<'_>, circuit: &Circuit, invariant: &Invariant) ->
         lines.push(format!("never {}", parts.join(" and ")));
     }
     lines
+}
+
+/// One line for each step of which a proof knows how its clock goes with that of the property.
+#[must_use]
+pub fn clocks(program: &Program<'_>, known: &[About]) -> Vec<String> {
+    let mut lines: Vec<(usize, Option<StepId>, Vec<String>)> = Vec::new();
+    for about in known {
+        let says = |relation: Relation| known.contains(&About { relation, ..*about });
+        // It never comes to that.
+        if says(Relation::Inactive) && says(Relation::Active) && says(Relation::Later) {
+            continue;
+        }
+        let Some(said) = of_clock(program, *about, known) else { continue };
+        match lines.iter_mut().find(|(region, step, _)| (*region, *step) == (about.region, about.step)) {
+            Some((_, _, all)) => all.push(said),
+            None => lines.push((about.region, about.step, vec![said])),
+        }
+    }
+    let line = |(region, step, all): (usize, Option<StepId>, Vec<String>)| {
+        let name = |step: &StepId| program.model.steps[*step].name.to_string();
+        let place = match step {
+            Some(step) => format!("in {}", name(&step)),
+            None => {
+                format!("in none of {{{}}}", program.regions[region].iter().map(name).collect::<Vec<_>>().join(", "))
+            }
+        };
+        format!("{place}: {}", all.join(", "))
+    };
+    lines.into_iter().map(line).collect()
+}
+
+/// What one of them says; none of what another one says, too. What comes at most so much later is the time waited.
+fn of_clock(program: &Program<'_>, about: About, known: &[About]) -> Option<String> {
+    let clock = match about.step {
+        Some(step) if about.has_clock => format!("{}.T", program.model.steps[step].name),
+        _ => "the time waited".to_owned(),
+    };
+    let others = || known.iter().filter(|other| (other.region, other.step) == (about.region, about.step));
+    let never_waits = others().any(|other| other.relation == Relation::Inactive);
+    Some(match about.relation {
+        Relation::Inactive => "nothing is waited for".to_owned(),
+        Relation::Active => "something is waited for".to_owned(),
+        Relation::Later => "not before the first cycle".to_owned(),
+        Relation::Below(limit) => {
+            let less = |other: &About| matches!(other.relation, Relation::Below(lower) if lower < limit);
+            if others().any(less) {
+                return None;
+            }
+            format!("{clock} < {limit} ticks")
+        }
+        Relation::Behind(offset) => {
+            let less = |other: &About| matches!(other.relation, Relation::Behind(lower) if lower < offset);
+            if !about.has_clock || about.step.is_none() || never_waits || others().any(less) {
+                return None;
+            }
+            let more = if offset == 0 { String::new() } else { format!(" + {offset} ticks") };
+            format!("the time waited <= {clock}{more}")
+        }
+        Relation::Ahead if !about.has_clock || about.step.is_none() || never_waits => return None,
+        Relation::Ahead => format!("the time waited >= {clock}"),
+    })
 }
 
 fn part(program: &Program<'_>, field: &Field, bits: &[Option<bool>]) -> String {

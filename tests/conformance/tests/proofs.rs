@@ -9,7 +9,7 @@ use grafcet_compiler::{Wanted, compile_with};
 use grafcet_conformance::prove::{Counts, Kind, number};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::{Invariant, Task};
-use grafcet_prove::{Limit, Verdict, certificate, decide};
+use grafcet_prove::{Limit, Verdict, certificate, decide, words};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::time::Duration;
@@ -305,4 +305,25 @@ fn what_says_nothing_is_found_by_the_solver() {
     // What leaves nothing, so that the conditions alone do not show it.
     let nothing = said("assume never (x ^ y) & y == y & !x; always parts <= 3;", prover);
     assert!(matches!(&nothing[..], [one] if one.contains("exclude every")), "{nothing:?}");
+}
+
+/// A proof about a time says what it knows of clocks, step by step, the narrowest bound of several.
+#[test]
+fn what_is_known_of_clocks_is_said() {
+    let model = read(
+        "sfc Press { input start, down: bool; output lower: bool; initial step Rest; step Press { lower; } step Full; \
+         Rest -[start]-> Press -[10s/Press || down]-> Full -[5s/Full]-> Rest; assume cycle within 100ms; \
+         Press leads_to Rest within 16s; }",
+    );
+    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
+    let [Verdict::Proved(proof)] = &verdicts(&model)[..] else { panic!("it is proved") };
+    let said = words::clocks(&program, &proof.clocks);
+    let expected = [
+        "in Rest: nothing is waited for",
+        "in Press: something is waited for, not before the first cycle, the time waited >= Press.T, Press.T < 10000 ticks, \
+         the time waited <= Press.T",
+        "in Full: something is waited for, not before the first cycle, the time waited >= Full.T, Full.T < 5000 ticks, \
+         the time waited <= Full.T + 10100 ticks",
+    ];
+    assert_eq!(said, expected);
 }

@@ -227,6 +227,9 @@ fn say(program: &Program<'_>, circuit: &Circuit, property: usize, verdict: &Verd
             println!("  proved in {seconds:.2} s: {text}");
             if why {
                 let circuit = proof.beside.as_deref().unwrap_or(circuit);
+                for line in words::clocks(program, &proof.clocks) {
+                    println!("    {line}");
+                }
                 for line in words::lines(program, circuit, &proof.invariant) {
                     println!("    {line}");
                 }
