@@ -10,7 +10,7 @@ use grafcet_compiler::program::{Encoding, counted};
 use grafcet_conformance::prove::{Counts, Kind, number};
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
-use grafcet_prove::lemmas::Lemma;
+use grafcet_prove::lemmas::{About, Lemma, Relation};
 use grafcet_prove::{Limit, Verdict, certificate, decide, decide_live};
 
 fn read(text: &str) -> Model {
@@ -170,7 +170,8 @@ fn what_is_not_always_so_is_no_lemma() {
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
     let is_inductive = |now, next| {
-        let lemma = Lemma { now, next };
+        let about = About { region: 0, step: None, relation: Relation::Later, has_clock: false };
+        let lemma = Lemma { now, next, about };
         certificate::is_inductive(&circuit, &[lemma], &Limit::none()).expect("no limit")
     };
     let waits = circuit.latches[circuit.deadlines[0].waits];

@@ -15,4 +15,19 @@ grafcet! {
     }
 }
 
+// In a property a step may stand alone.
+grafcet! {
+    sfc Heater {
+        input on: bool;
+        output heat: bool;
+
+        initial step Off;
+        step On { heat; }
+
+        Off -[on]-> On -[!on]-> Off;
+
+        on leads_to Onn;
+    }
+}
+
 fn main() {}

@@ -132,7 +132,12 @@ impl Resolver<'_> {
                 };
                 self.claimed(&syn::Expr::Field(active))
             }
-            None => self.claimed(condition),
+            None => {
+                if name.is_some_and(|name| self.scope.is_misspelt_step(name, self.sink)) {
+                    self.lose();
+                }
+                self.claimed(condition)
+            }
         }
     }
 

@@ -230,6 +230,25 @@ impl Scope {
         }
     }
 
+    /// Reports a name alone, where a step may stand, that is nearly one; a constant of the surrounding Rust is not written so.
+    pub(super) fn is_misspelt_step(&self, name: &Ident, sink: &mut Sink) -> bool {
+        let text = key(name);
+        let is_camel = text.starts_with(char::is_uppercase) && text.contains(char::is_lowercase);
+        if !is_camel || self.names.get(&text).is_some() || self.is_broken(name) {
+            return false;
+        }
+        let steps = self.steps().list();
+        // Of a short name one letter too many is a third or more of it.
+        let one_off = || {
+            let longer = |step: &&&Ident| text.starts_with(&key(step)) && similar::distance(&text, &key(step)) == 1;
+            let near = steps.iter().find(longer).filter(|_| !text.ends_with(char::is_numeric));
+            near.map(|step| format!("did you mean `{step}`?"))
+        };
+        let Some(hint) = nearest(name, &steps).or_else(one_off) else { return false };
+        sink.rule(&rules::UNKNOWN_STEP, &[], vec![(name.into(), format!("no step is called `{name}`; {hint}"))]);
+        true
+    }
+
     fn suggest(&self, name: &Ident, fits: fn(Meaning) -> bool) -> Option<String> {
         let declared =
             self.names.values().flatten().filter(|(meaning, _)| fits(*meaning)).map(|(_, declared)| declared);
