@@ -16,6 +16,7 @@ use proc_macro2::TokenStream;
 /// The files of `tests/golden/shapes`, and what each of them shows.
 const SHAPES: &[(&str, Form, Search)] = &[
     ("program_sfc", Form::Program, Search::None),
+    ("program_timed", Form::Program, Search::None),
     ("program_long", Form::Program, Search::None),
     ("sequence_sfc", Form::Sequence, Search::None),
     ("long_sfc", Form::LongSequence, Search::None),

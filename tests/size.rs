@@ -172,7 +172,7 @@ chart! { sfc TimedRecipe { param soak: time = 5s; step Second; Second -[soak/Sec
 fn time() {
     // The reading of the clock; and of the single bytes: the situation, and whether anything is due at once.
     let with = |words: usize, bytes: usize| (4 * (1 + words) + 2 + bytes).next_multiple_of(4);
-    assert_eq!(size_of::<Timed>(), with(1, 0), "the time of the active step");
+    assert_eq!(size_of::<Timed>(), with(0, 0), "when the active step was entered, and nothing else of the clock");
     assert_eq!(
         size_of::<TimedBranches>(),
         with(0, 2 * 2 + 1),
@@ -180,10 +180,18 @@ fn time() {
     );
     assert_eq!(size_of::<LongBranches>(), with(2, 1), "the same with one that takes more than 16 bits");
     assert_eq!(size_of::<TimedOnce>(), with(1, 0), "one time, however often it is looked at");
-    assert_eq!(size_of::<Limited>(), with(1, 0), "the time of the active step");
-    assert_eq!(size_of::<LimitedTwice>(), with(2, 0), "a timer: its time, and the input of the cycle before");
-    assert_eq!(size_of::<Kept>(), with(2, 1), "a timer and a flip-flop");
-    assert_eq!(size_of::<Delayed>(), with(2, 0), "a delay: its time, and input and output of the cycle before");
+    assert_eq!(size_of::<Limited>(), with(0, 0), "the same");
+    assert_eq!(
+        size_of::<LimitedTwice>(),
+        with(1, 0),
+        "a timer: how long it has run, and the input of the cycle before"
+    );
+    assert_eq!(size_of::<Kept>(), with(1, 2), "a timer and a flip-flop");
+    assert_eq!(
+        size_of::<Delayed>(),
+        with(1, 2),
+        "a delay: how long, and its input and output; what the last cycle began with"
+    );
     assert_eq!(size_of::<TimedRecipe>(), with(2, 0));
 }
 

@@ -18,6 +18,8 @@ pub(super) struct Machine<'m> {
     pub(super) fields: Vec<Field>,
     /// The field with the clock's reading in the last cycle.
     pub(super) clock: Option<Ident>,
+    /// The fields with readings at which times began: they say how much has elapsed, as seen from that.
+    pub(super) began: Vec<Ident>,
     /// The declared types among theirs: whether the chart is `Copy` depends on them.
     pub(super) stored: Vec<&'m Ty>,
     pub(super) cycle: TokenStream,
@@ -70,6 +72,7 @@ impl<'m> Machine<'m> {
             regions: state::regions(cx),
             fields: cx.fields(),
             clock: plan.memory.time.then(|| names::local("now")),
+            began: Vec::new(),
             stored: remembered.chain(vars).list(),
             cycle: cx.cycle_body(),
             evolve: cx.evolve_function(),

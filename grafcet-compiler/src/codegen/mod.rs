@@ -70,7 +70,7 @@ pub(crate) fn generate(
 ) -> TokenStream {
     let cx = Cx::new(model, plan, root);
     let machine = match plan.shape.form {
-        Form::Program => match crate::program::optimised(model, facts) {
+        Form::Program => match crate::program::optimised(model, facts, fingerprint.is_some()) {
             Ok(program) => program::machine(&cx, &program),
             Err(refused) => return refuse(&refused),
         },

@@ -24,15 +24,17 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
         });
         quote!(#name { #fields } #in_range)
     });
-    let is_clock = |field: &&Field| machine.clock.as_ref() == Some(&field.name);
+    let began = machine.began.iter().map(|name| quote!(#name)).tokens();
+    let is_reading = |field: &&Field| machine.clock.iter().chain(&machine.began).any(|reading| *reading == field.name);
     let state =
-        machine.fields.iter().filter(|field| !is_clock(field)).map(|Field { name, ty, .. }| quote!(#name: #ty,));
+        machine.fields.iter().filter(|field| !is_reading(field)).map(|Field { name, ty, .. }| quote!(#name: #ty,));
     let (state, clock, enums) = (state.tokens(), &machine.clock, enums(cx, machine));
     let foreign = foreign(model, machine).into_iter().map(|ty| quote!(#ty,)).tokens();
     let layout = {
         let mut hash = Hash::new();
         hash.word(&fingerprint.to_string());
         hash.tokens(state.clone());
+        hash.tokens(began.clone());
         hash.tokens(enums.clone());
         Literal::u32_suffixed(hash.finish())
     };
@@ -46,7 +48,7 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
             inputs #inputs { #input_fields }
             params { #params }
             state { #state }
-            clock { #clock }
+            clock { #clock #began }
             foreign { #foreign }
             possible { #possible }
             enums { #enums }

@@ -249,7 +249,7 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
     }
     if is_sequence(model, plan, only_situation) {
         // What a program does with a situation that is given is not said yet.
-        let planned = model.is_grafcet() || model.uses_time() || model.forceable;
+        let planned = model.is_grafcet() || model.forceable;
         return match (planned, is_long(model, plan)) {
             (false, true) if !suits_program(model, plan.evolution) => Form::LongSequence,
             (false, _) => Form::Program,
@@ -282,10 +282,11 @@ fn is_long(model: &Model, plan: &Known<'_>) -> bool {
 }
 
 /// Whether a long sequence is as small by way of a program, which has one table, that of the next steps, and this where each step has one
-/// transition.
+/// transition. Where something reads a time it always is: arms that ask whether the same time is over are one.
 fn suits_program(model: &Model, evolution: &Evolution) -> bool {
     let has_one = |step| evolution.only_exit(model, step).is_some();
-    !model.optimize_size && !copies_few(model, evolution) && model.steps.ids().all(has_one)
+    let is_table = || !copies_few(model, evolution) && model.steps.ids().all(has_one);
+    !model.optimize_size && (model.uses_time() || is_table())
 }
 
 /// Whether a few steps of a long sequence wait for something that no other one waits for. LLVM copies the actions of such a step

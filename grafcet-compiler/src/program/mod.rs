@@ -29,12 +29,15 @@ use crate::sorted::Set;
 
 pub use lower::{Encoding, Refused, counted, naive};
 
-/// The program from which the macro prints the cycle of a chart.
+/// The program from which the macro prints the cycle of a chart; of one that is recorded it keeps the reading of the clock.
 ///
 /// # Errors
 /// The chart has not passed the checks.
-pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>) -> Result<Program<'m>, Refused> {
+pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Result<Program<'m>, Refused> {
     let mut program = naive(model, facts, Encoding::Regions)?;
+    if let (Some(reading), true) = (program.place(Role::Reading), recorded) {
+        program.places[reading.0].role = Role::Recorded;
+    }
     passes::optimise(&mut program, &passes::Pass::ALL);
     Ok(program)
 }
@@ -79,6 +82,8 @@ pub enum Role {
     Stable,
     /// The reading of the clock in the last cycle.
     Reading,
+    /// The same where a recorder asks for it.
+    Recorded,
     /// The next cycle would do the same as the last one, were it not for inputs and time.
     Settled,
     /// The state that the last cycle began with, or what tells that it was in the next one's, or that a time is over.

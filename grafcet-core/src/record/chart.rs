@@ -67,7 +67,7 @@ macro_rules! __recorded {
         inputs $inputs:ident { $($input:ident: $input_ty:ty,)* }
         params { $($params:ident { $($param:ident: $param_ty:ty,)* } $(in $out_of_range:ident)?)? }
         state { $($field:ident: $field_ty:ty,)* }
-        clock { $($clock:ident)? }
+        clock { $($clock:ident $($began:ident)*)? }
         foreign { $($foreign:ty,)* }
         possible { $possible:expr }
         enums { $($state:ident $($of:ident)? { $($variant:ident)* })* }
@@ -122,17 +122,20 @@ macro_rules! __recorded {
                 const TIMED: __r::bool = $crate::__recorded_clock!(timed self $($clock)?);
                 const POSSIBLE: __r::Possible = $possible;
                 const PARAM_BITS: __r::usize = 0 $(+ <$params as __r::Record>::BITS)?;
-                const STATE_BITS: __r::usize = 0 $(+ <$field_ty as __r::Record>::BITS)*;
+                const STATE_BITS: __r::usize =
+                    0 $(+ <$field_ty as __r::Record>::BITS)* $($(+ $crate::__recorded_clock!(bits $began))*)?;
                 fn write_params(&self, _to: &mut __r::Writer<'_>) {
                     $(<$params as __r::Record>::write(&self.params, _to);)?
                 }
                 fn write_state(&self, _to: &mut __r::Writer<'_>) {
                     $(__r::Record::write(&self.$field, _to);)*
+                    $($(__r::Record::write(&self.$clock.since(self.$began), _to);)*)?
                 }
                 fn read(_params: &mut __r::Reader<'_>, _state: &mut __r::Reader<'_>, _now: __r::Ticks) -> __r::Option<Self> {
                     __r::Option::Some(Self {
                         $(params: <$params as __r::Record>::read(_params)?,)?
                         $($field: <$field_ty as __r::Record>::read(_state)?,)*
+                        $($($began: _now.since(<__r::Ticks as __r::Record>::read(_state)?),)*)?
                         $($clock: _now,)?
                     })
                 }
@@ -140,6 +143,7 @@ macro_rules! __recorded {
                 fn is_same_state(&self, _other: &Self) -> __r::bool {
                     true $(&& <$params as __r::Record>::is_same(&self.params, &_other.params))?
                         $(&& __r::Record::is_same(&self.$field, &_other.$field))*
+                        $($(&& self.$clock.since(self.$began) == _other.$clock.since(_other.$began))*)?
                 }
                 fn reading(&self) -> __r::Ticks { $crate::__recorded_clock!(reading self $($clock)?) }
                 fn wakes_at(&self) -> __r::Option<__r::Ticks> { $crate::__recorded_clock!(deadline self $($clock)?) }
@@ -171,6 +175,9 @@ macro_rules! __recorded_clock {
     };
     (timed $chart:ident $clock:ident) => {
         true
+    };
+    (bits $began:ident) => {
+        <__r::Ticks as __r::Record>::BITS
     };
     (reading $chart:ident) => {
         __r::Ticks::ZERO

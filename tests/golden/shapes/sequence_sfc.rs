@@ -16,12 +16,13 @@ impl Lamp {
         self.now = now;
         self.since = self.since + elapsed;
         let before = self.situation;
-        self.situation_before = before;
+        self.settled = true;
         let since_before = self.since;
         let after = match before {
             __LampState::Off => {
                 if inputs.on {
                     self.since = Ticks::ZERO;
+                    self.settled = false;
                     __LampState::On
                 } else {
                     __LampState::Off
@@ -29,12 +30,16 @@ impl Lamp {
             }
             __LampState::On => {
                 if self.since >= Ticks::new(5000u32) {
+                    self.settled = false;
                     __LampState::Off
                 } else {
                     __LampState::On
                 }
             }
-            __LampState::INIT => __LampState::Off,
+            __LampState::INIT => {
+                self.settled = false;
+                __LampState::Off
+            }
         };
         self.situation = after;
         let in_second = after == __LampState::On;

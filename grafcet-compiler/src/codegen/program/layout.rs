@@ -158,7 +158,7 @@ fn bit(index: usize) -> (Ident, Literal, Literal) {
 
 fn kind(place: &PlaceInfo<'_>, used: bool) -> Kind {
     // What others than the cycle look at.
-    let shown = matches!(place.role, Role::State(_) | Role::Stable | Role::Var(_));
+    let shown = matches!(place.role, Role::State(_) | Role::Stable | Role::Var(_) | Role::Recorded);
     match place.role {
         Role::Param(_) => Kind::Param,
         Role::Bit(step) => Kind::Bit(step.index()),
@@ -347,6 +347,16 @@ impl<'m> Printer<'_, 'm> {
             }
         }
         fields
+    }
+
+    /// The fields with readings at which times began.
+    pub(super) fn began(&self) -> Vec<Ident> {
+        let places = self.program.places.iter().zip(&self.layout.slots);
+        let began = |role| matches!(role, Role::Began(_) | Role::MacroBegan(_));
+        places
+            .filter(|(place, slot)| began(place.role) && slot.kind == Kind::Field)
+            .map(|(_, slot)| slot.name.clone())
+            .list()
     }
 
     /// The declared types in fields.

@@ -43,7 +43,8 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
     Machine {
         types: printer.types(),
         regions: printer.regions(),
-        clock: program.place(Role::Reading).map(|reading| printer.layout.name(reading).clone()),
+        clock: program.place(Role::Recorded).map(|reading| printer.layout.name(reading).clone()),
+        began: printer.began(),
         fields: printer.fields(),
         stored: printer.stored(),
         cycle: printer.cycle(&cycle),

@@ -70,9 +70,10 @@ impl<'m> Lower<'_, 'm> {
             self.turned = Some(self.truth("turned".to_owned()));
         }
         let opaque = |effect: &&Effect| match effect {
-            Effect::Block(code) => code.statements.is_none(),
+            Effect::Block(code) => self.is_opaque(code),
             Effect::Call(..) => true,
-            Effect::Assign(..) | Effect::Control(_) => false,
+            Effect::Assign(place, _) => self.is_untold(*place),
+            Effect::Control(_) => false,
         };
         if model.effects().iter().any(opaque) {
             self.opaque_ran = Some(self.truth("opaque_ran".to_owned()));

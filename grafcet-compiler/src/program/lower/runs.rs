@@ -4,7 +4,7 @@
 use super::Lower;
 use super::control::{Target, What, drives};
 use super::view::Moment;
-use crate::model::{ActionId, AssociationId, Effect, Id, Place, Qualifier, Read};
+use crate::model::{ActionId, AssociationId, Code, Effect, Id, Place, Qualifier, Read, Ty};
 use crate::program::build::{all, any, at_least, choose, differ, no, not, number, part, when};
 use crate::program::{Expr, Phase, PlaceId, Run, Statement, Value, Write};
 
@@ -154,7 +154,13 @@ impl<'m> Lower<'_, 'm> {
     fn effect(&mut self, effect: &'m Effect, moment: Moment, phase: Expr<'m>) -> Vec<Statement<'m>> {
         match effect {
             Effect::Control(_) => Vec::new(),
-            Effect::Assign(place, value) => vec![Statement::Set(self.place(*place), self.user(value, moment))],
+            Effect::Assign(place, value) => {
+                let mut body = vec![Statement::Set(self.place(*place), self.user(value, moment))];
+                if self.is_untold(*place) {
+                    body.extend(self.note_opaque());
+                }
+                body
+            }
             Effect::Call(action, args) => {
                 let args = args.iter().map(|arg| self.user(arg, moment)).collect();
                 self.call(*action, phase, args)
@@ -169,7 +175,7 @@ impl<'m> Lower<'_, 'm> {
 
     /// A block writes variables at once ("a variable written by one action is seen by the next"). An output it has read as it was in
     /// the cycle before: it writes a copy, which is taken over where it really has written it.
-    fn block(&mut self, code: &'m crate::model::Code, moment: Moment, into: &mut Vec<Statement<'m>>) {
+    fn block(&mut self, code: &'m Code, moment: Moment, into: &mut Vec<Statement<'m>>) {
         let mut writes = Vec::new();
         let mut copies = Vec::new();
         for name in &code.writes {
@@ -195,12 +201,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// The block itself.
-    pub(super) fn run_block(
-        &self,
-        code: &'m crate::model::Code,
-        writes: Vec<Write>,
-        moment: Moment,
-    ) -> Vec<Statement<'m>> {
+    pub(super) fn run_block(&self, code: &'m Code, writes: Vec<Write>, moment: Moment) -> Vec<Statement<'m>> {
         let mut binds = Vec::new();
         for read in &code.reads {
             let written = writes.iter().find(|write| Read::Name(write.name.into()) == *read);
@@ -208,10 +209,26 @@ impl<'m> Lower<'_, 'm> {
             binds.push((*read, value));
         }
         let mut body = vec![Statement::Run(Box::new(Run { code, binds, writes }))];
-        if code.statements.is_none() {
+        if self.is_opaque(code) {
             body.extend(self.note_opaque());
         }
         body
+    }
+
+    /// Whether nobody can tell if a block leaves something to the next cycle.
+    pub(super) fn is_opaque(&self, code: &Code) -> bool {
+        code.statements.is_none() || code.writes.iter().any(|place| self.is_untold(*place))
+    }
+
+    /// Whether nobody can tell if the next cycle reads another value: that of a type of the user, of which `==` may not see all.
+    pub(super) fn is_untold(&self, place: Place) -> bool {
+        let model = self.model;
+        let ty = match place {
+            Place::Var(id) => &model.vars[id].ty,
+            Place::Output(id) => &model.outputs[id].ty,
+        };
+        let is_foreign = !model.is_grafcet() && matches!(ty, Ty::Other(_)) && !ty.is_float();
+        is_foreign && model.expressions().concat().contains(&Read::Name(place.into()))
     }
 
     /// A call of a declared action.
