@@ -81,6 +81,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
             /// Whether the plant keeps to what the chart assumes of it (`assume never …;`): what was proved when the chart
             /// was compiled holds as long as this is true in every cycle.
             #[must_use]
+            #[allow(clippy::all, clippy::pedantic)]
             #vis fn assumptions_hold(#of_recipe inputs: &#inputs) -> #p::bool {
                 #copied
                 #unread

@@ -93,8 +93,12 @@ impl Stability {
     }
 }
 
-/// The steps that are active alone and that no transition can leave in the cycle in which another one has entered them.
+/// The steps that are active alone and that no transition can leave in the cycle in which another one has entered them. An edge of what
+/// changes within a search, as of a step or of another edge, has to be looked at once more: the next cycle compares with the last evolution.
 fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
+    if !model.edges.values().flat_map(|edge| &edge.of.reads).all(is_constant_read) {
+        return Ends::default();
+    }
     let is_sequence = model.partials.len() == 1
         && model.steps.values().filter(|step| step.initial).count() == 1
         && model.transitions.values().all(|t| t.sources.len() == 1 && t.targets.len() == 1);
