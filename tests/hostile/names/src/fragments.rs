@@ -8,7 +8,7 @@ macro_rules! beside {
         grafcet! {
             /// Operators beside fragments.
             pub $dialect $name {
-                #![allow(grafcet::undriven_output, grafcet::unused_variable)]
+                #![allow(grafcet::undriven_output, grafcet::unused_variable, grafcet::vacuous_assumption)]
                 input estop, door, go: bool;
                 input n: $ty;
                 output motor, lamp, bell, late: bool;
