@@ -77,6 +77,7 @@ fn assumptions_hold(cx: &Cx<'_>) -> Option<TokenStream> {
     let copied = requirements::copied(model, p);
     let unread = reads_nothing.then(|| quote!(let _ = inputs;));
     (!excluded.is_empty()).then(|| {
+        // What the user wrote is an assumption, and not the Rust of a function: its style is nobody's business.
         quote! {
             /// Whether the plant keeps to what the chart assumes of it (`assume never …;`): what was proved when the chart
             /// was compiled holds as long as this is true in every cycle.

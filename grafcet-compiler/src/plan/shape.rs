@@ -282,7 +282,7 @@ fn is_long(model: &Model, plan: &Known<'_>) -> bool {
 }
 
 /// Whether a long sequence is as small by way of a program, which has one table, that of the next steps, and this where each step has one
-/// transition. Where something reads a time it always is: arms that ask whether the same time is over are one.
+/// transition. Where something reads a time it was in all that were measured: arms that ask whether the same time is over are one.
 fn suits_program(model: &Model, evolution: &Evolution) -> bool {
     let has_one = |step| evolution.only_exit(model, step).is_some();
     let is_table = || !copies_few(model, evolution) && model.steps.ids().all(has_one);
