@@ -1,6 +1,33 @@
 //! How far one word is from another.
 
+use proc_macro2::Ident;
+
 use crate::list::List;
+
+/// The name that was meant, where one is near enough. `S5` is not a slip of the pen for `S1`.
+pub(crate) fn nearest<'n>(name: &Ident, candidates: &[&'n Ident]) -> Option<&'n Ident> {
+    let plain = |name: &Ident| name.to_string().trim_start_matches("r#").to_lowercase();
+    let lower = plain(name);
+    // Half of a name is nearer than it looks by its letters.
+    let begun = |candidate: &&&Ident| {
+        let other = plain(candidate);
+        lower.chars().count() >= 4
+            && other.strip_prefix(&lower).is_some_and(|rest| rest.starts_with(char::is_alphabetic))
+    };
+    let mut beginning = candidates.iter().filter(begun);
+    let only = beginning.next().filter(|_| beginning.next().is_none());
+    let letters = |name: &str| name.chars().filter(|c| !c.is_numeric()).collect::<String>();
+    candidates
+        .iter()
+        .map(|candidate| (plain(candidate), candidate))
+        .filter(|(other, _)| *other == lower || letters(other) != letters(&lower))
+        .map(|(other, candidate)| (distance(&lower, &other), other.chars().count(), candidate))
+        .filter(|(distance, length, _)| *distance <= length / 3)
+        .min_by_key(|(distance, ..)| *distance)
+        .map(|(.., candidate)| candidate)
+        .or(only)
+        .copied()
+}
 
 /// How many letters have to be added, left out, changed or swapped with their neighbour.
 pub(crate) fn distance(one: &str, other: &str) -> usize {

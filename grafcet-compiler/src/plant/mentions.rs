@@ -201,11 +201,12 @@ impl Replacer<'_> {
         if let Some(value) = value.filter(|_| !is_step) {
             return Some(Seen::Value(value));
         }
-        let mut known: Vec<String> = values(model).iter().map(|value| model.value_name(*value).to_string()).list();
-        known.extend(model.steps.values().map(|step| format!("{}.X", step.name)));
-        let name_of = |known: &str| known.trim_end_matches(".X").to_owned();
-        let near = known.iter().find(|other| similar::distance(&name_of(other), &name.to_string()) < 3);
-        let hint = near.map_or_else(String::new, |near| format!("; did you mean `{}::{near}`?", model.name));
+        let mut known = values(model).into_iter().map(|value| model.value_name(value)).list();
+        known.extend(model.steps.values().map(|step| &step.name));
+        let near = similar::nearest(name, &known);
+        let field = |near: &Ident| if model.steps.values().any(|step| step.name == *near) { ".X" } else { "" };
+        let hint =
+            near.map_or_else(String::new, |near| format!("; did you mean `{}::{near}{}`?", model.name, field(near)));
         self.sink.notation(name, format!("the plant `{}` has nothing that is called `{name}`{hint}", model.name));
         None
     }

@@ -106,6 +106,5 @@ fn text(ty: &Ty) -> String {
 }
 
 fn hint(name: &Ident, known: &[&Ident]) -> String {
-    let near = known.iter().filter(|other| similar::distance(&other.to_string(), &name.to_string()) < 3).min();
-    near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+    similar::nearest(name, known).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }

@@ -261,28 +261,9 @@ fn key(name: &Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 
-/// "did you mean `Off`?", where something is near enough. `S5` is not a slip of the pen for `S1`.
+/// "did you mean `Off`?", where something is near enough.
 fn nearest(name: &Ident, candidates: &[&Ident]) -> Option<String> {
-    let lower = key(name).to_lowercase();
-    // Half of a name is nearer than it looks by its letters.
-    let begun = |candidate: &&&Ident| {
-        let other = key(candidate).to_lowercase();
-        lower.chars().count() >= 4
-            && other.strip_prefix(&lower).is_some_and(|rest| rest.starts_with(char::is_alphabetic))
-    };
-    let mut beginning = candidates.iter().filter(begun);
-    let only = beginning.next().filter(|_| beginning.next().is_none());
-    let letters = |name: &str| name.chars().filter(|c| !c.is_numeric()).collect::<String>();
-    candidates
-        .iter()
-        .map(|candidate| (key(candidate).to_lowercase(), candidate))
-        .filter(|(other, _)| *other == lower || letters(other) != letters(&lower))
-        .map(|(other, candidate)| (similar::distance(&lower, &other), other.chars().count(), candidate))
-        .filter(|(distance, length, _)| *distance <= length / 3)
-        .min_by_key(|(distance, ..)| *distance)
-        .map(|(.., candidate)| candidate)
-        .or(only)
-        .map(|candidate| format!("did you mean `{candidate}`?"))
+    similar::nearest(name, candidates).map(|candidate| format!("did you mean `{candidate}`?"))
 }
 
 /// Reports a name that the notation or Rust needs.
