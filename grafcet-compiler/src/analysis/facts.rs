@@ -1,6 +1,8 @@
 //! What is known of a chart, computed once: the checks and the plan ask here.
 
-use super::{Concurrency, hierarchy};
+use std::cell::OnceCell;
+
+use super::{Concurrency, Searches, hierarchy};
 use crate::model::{Model, PartialId, StepId, Tree};
 use crate::sorted::Set;
 
@@ -16,6 +18,8 @@ pub struct Facts<'m> {
     pub initial: Set<StepId>,
     /// The partial grafcets, what forces or encloses before what is forced or enclosed.
     pub top_down: Vec<PartialId>,
+    /// Found out when somebody asks.
+    searches: OnceCell<Searches>,
 }
 
 impl<'m> Facts<'m> {
@@ -31,6 +35,13 @@ impl<'m> Facts<'m> {
             assumed,
             initial: hierarchy::initial_situation(model),
             top_down: hierarchy::top_down(model),
+            searches: OnceCell::new(),
         }
+    }
+
+    /// What is known of the searches of this model for stability.
+    #[must_use]
+    pub fn searches(&self, model: &Model) -> &Searches {
+        self.searches.get_or_init(|| Searches::of(model, &self.concurrency))
     }
 }

@@ -2,18 +2,18 @@
 
 use proc_macro2::{Ident, TokenStream};
 
+use super::state::StateEnum;
 use super::{Cx, chart_impl, names, state};
 use crate::list::List;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::plan::RegionId;
 
 /// The state of a chart and the code of its cycle.
 pub(super) struct Machine<'m> {
     /// The private types of the fields.
     pub(super) types: TokenStream,
-    /// The regions whose states are enums: whether none of their steps may be active, and whether the first cycle is a state of its own.
-    pub(super) regions: Vec<(RegionId, bool, bool)>,
+    /// The regions whose states are enums.
+    pub(super) regions: Vec<StateEnum>,
     /// What `new` writes, beside the recipe.
     pub(super) fields: Vec<Field>,
     /// The field with the clock's reading in the last cycle.

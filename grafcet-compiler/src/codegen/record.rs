@@ -4,7 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::ToTokens;
 
 use super::machine::{Field, Machine};
-use super::{Cx, force, recipe, state, types};
+use super::state::{self, StateEnum};
+use super::{Cx, force, recipe, types};
 use crate::analysis::Situations;
 use crate::fingerprint::Hash;
 use crate::list::List;
@@ -101,9 +102,9 @@ fn fields<'m>(fields: impl Iterator<Item = (&'m proc_macro2::Ident, &'m Ty)>, p:
 
 /// The enums of the regions with their variants, and the first one's with the mark above it.
 fn enums(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
-    let one = |&(region, empty, start): &(_, _, _)| {
-        let (name, variants) = (cx.names.region(region, cx.plan), state::variants(cx, region, empty, start));
-        let marked = cx.is_marked(region).then(|| {
+    let one = |states: &StateEnum| {
+        let (name, variants) = (cx.names.region(states.region, cx.plan), state::variants(cx, states));
+        let marked = states.marked.then(|| {
             let marked = cx.names.marked(cx.plan);
             quote!(#marked #name {})
         });

@@ -10,35 +10,55 @@ use crate::model::{Place, Qualifier};
 use crate::place::quote;
 use crate::plan::{RegionId, Target, What};
 
-/// The enums of the regions.
-pub(super) fn enums(cx: &Cx<'_>) -> TokenStream {
-    regions(cx).into_iter().map(|(region, empty, start)| region_enum(cx, region, empty, start)).tokens()
+/// The enum of a region: the steps, of which at most one is active, what it has beside them, and how it is stored.
+#[derive(Clone, Copy)]
+pub(super) struct StateEnum {
+    pub(super) region: RegionId,
+    /// None of the steps may be active.
+    pub(super) empty: bool,
+    /// The first cycle may be still to come.
+    pub(super) start: bool,
+    /// A bit above the state tells that the last search did not become stable (A30).
+    pub(super) marked: bool,
+    /// It is as wide as a register, which saves widening it in every evolution. The field holds a byte all the same.
+    pub(super) wide: bool,
 }
 
-/// Which enums there are, and which states they have beside the steps.
-pub(super) fn regions(cx: &Cx<'_>) -> Vec<(RegionId, bool, bool)> {
+/// The enums of the regions.
+pub(super) fn enums(cx: &Cx<'_>) -> TokenStream {
+    regions(cx).iter().map(|states| region_enum(cx, states)).tokens()
+}
+
+/// Which enums there are.
+pub(super) fn regions(cx: &Cx<'_>) -> Vec<StateEnum> {
     let enums = if cx.plan.shape.is_flags() { 0 } else { cx.plan.regions.all().len() };
-    let states = |region: RegionId| (region, cx.plan.regions.all()[region].may_be_empty, cx.has_start_variant(region));
+    let states = |region: RegionId| StateEnum {
+        region,
+        empty: cx.plan.regions.all()[region].may_be_empty,
+        start: cx.has_start_variant(region),
+        marked: cx.is_marked(region),
+        wide: cx.is_wide(),
+    };
     (0..enums).map(states).list()
 }
 
 /// The variants of a region's enum.
-pub(super) fn variants(cx: &Cx<'_>, id: RegionId, empty: bool, start: bool) -> Vec<Ident> {
-    let steps = cx.plan.regions.all()[id].steps.iter().map(|step| names::private_variant(cx.model, *step));
-    let empty = empty.then(|| cx.names.empty.clone());
-    let start = start.then(|| cx.names.start.clone());
+pub(super) fn variants(cx: &Cx<'_>, states: &StateEnum) -> Vec<Ident> {
+    let steps = cx.plan.regions.all()[states.region].steps.iter().map(|step| names::private_variant(cx.model, *step));
+    let empty = states.empty.then(|| cx.names.empty.clone());
+    let start = states.start.then(|| cx.names.start.clone());
     steps.chain(empty).chain(start).list()
 }
 
-/// The steps of a region; at most one of them is active.
-pub(super) fn region_enum(cx: &Cx<'_>, id: RegionId, empty: bool, start: bool) -> TokenStream {
+/// The type and what belongs to it.
+pub(super) fn region_enum(cx: &Cx<'_>, states: &StateEnum) -> TokenStream {
     let p = &cx.p;
     let derives = derives::of_states().attributes(cx.model, p);
-    let name = cx.names.region(id, cx.plan);
-    let variants = variants(cx, id, empty, start);
-    let marked = cx.is_marked(id).then(|| marked(cx, &variants));
+    let name = cx.names.region(states.region, cx.plan);
+    let variants = variants(cx, states);
+    let marked = states.marked.then(|| marked(cx, &variants));
     let texts = variants.iter().map(|variant| variant.to_string().trim_start_matches("r#").to_owned()).list();
-    let wide = cx.is_wide().then(|| quote!(#[repr(u32)]));
+    let wide = states.wide.then(|| quote!(#[repr(u32)]));
     quote! {
         #derives
         #[doc(hidden)]
@@ -84,6 +104,11 @@ fn marked(cx: &Cx<'_>, variants: &[Ident]) -> TokenStream {
             const fn state(self) -> #state {
                 let number = self.0 & #below;
                 #numbered
+            }
+
+            /// Another state, and the mark as it is.
+            const fn with(self, state: #state) -> Self {
+                Self(self.0 & #mark | state as #number)
             }
 
             const fn unmarked(self) -> Self {

@@ -27,12 +27,9 @@ pub use regions::{Region, RegionId, Regions};
 pub use shape::{Form, Search, Shape, Undo};
 pub use stored::{Stored, is_stored};
 
-use crate::analysis::{Ends, Facts, Races, Stability, explore};
+use crate::analysis::{Ends, Facts, Races};
 use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
-
-/// How many units of work it is worth to find out that the searches of a chart end, where its circles do not tell.
-const WORK: u64 = 100_000;
 
 /// The plan for one chart.
 pub struct Plan {
@@ -107,15 +104,14 @@ impl Plan {
         if model.flags {
             regions = Regions::flags(model, &initial);
         }
-        let stability = model.is_grafcet().then(|| Stability::of(model, concurrency));
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         let stored = Stored::of(model, races);
         let memory = Memory::of(model, &regions, &drives, &control);
         let nests = Nest::all(model, &regions, &evolution, concurrency);
         let descent = Descent::of(model, &regions, concurrency);
-        let may_be_unstable = stability.as_ref().is_some_and(|stability| may_be_unstable(model, &stored, stability));
-        let search_ends = stability.map(Stability::ends).unwrap_or_default();
-        let comes_back = Stability::is_memoryless(model) && max_evolutions(model) as usize >= model.steps.len();
+        let may_be_unstable = model.is_grafcet() && may_be_unstable(model, &stored, facts);
+        let searches = facts.searches(model);
+        let search_ends = searches.ends.clone();
         let shape = Shape::of(
             model,
             &shape::Known {
@@ -127,7 +123,7 @@ impl Plan {
                 search_ends: &search_ends,
                 nests: nests.is_some(),
                 may_be_unstable,
-                comes_back,
+                comes_back: searches.comes_back,
             },
         );
         let left_over = LeftOver::of(
@@ -154,7 +150,7 @@ impl Plan {
             sees_reentry,
             may_be_unstable,
             search_ends,
-            max_evolutions: max_evolutions(model),
+            max_evolutions: searches.bound,
             stored,
             regions,
             evolution,
@@ -223,17 +219,7 @@ fn has_start(model: &Model, initial: &Set<StepId>, memory: &Memory) -> bool {
 }
 
 /// A30: the search may clear in a circle, or store a value that says of itself that it is another one.
-fn may_be_unstable(model: &Model, stored: &Stored, stability: &Stability) -> bool {
+fn may_be_unstable(model: &Model, stored: &Stored, facts: &Facts<'_>) -> bool {
     let compared = |place: &Place| matches!(model.place_ty(*place), Ty::Other(_)) && !model.place_ty(*place).is_float();
-    // Where each transition clears at most once, the chart gives the search long enough.
-    let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
-    let open = !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound));
-    // Who forces a chart can bring situations and values together that no exploration has seen.
-    stored.collected.iter().any(compared) || open && (model.forceable || !explore::settles(model, WORK))
-}
-
-/// A30: what the chart states, or twice the number of steps plus two.
-fn max_evolutions(model: &Model) -> u32 {
-    let steps = u32::try_from(model.steps.len()).unwrap_or(u32::MAX);
-    model.max_evolutions.unwrap_or_else(|| steps.saturating_mul(2).saturating_add(2))
+    stored.collected.iter().any(compared) || facts.searches(model).may_go_on
 }

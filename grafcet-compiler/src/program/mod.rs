@@ -52,11 +52,22 @@ pub struct Program<'m> {
     pub regions: Vec<Vec<StepId>>,
     /// By step: which others may be active beside it, before and after each evolution; empty where all steps share a place.
     pub beside: Vec<Set<StepId>>,
+    pub search: Search,
     pub cycle: Vec<Statement<'m>>,
     /// The plants of a `counted` program, in the order of the model.
     pub plants: Vec<Program<'m>>,
     /// Of a chart that uses time.
     pub deadline: Option<Deadline<'m>>,
+}
+
+/// What is known of the search for stability of a `grafcet` in which one step is active.
+#[derive(Default)]
+pub struct Search {
+    /// Where nothing but the situation makes it go on: after as many evolutions as the bound says, it has come back to a step and goes on for
+    /// ever.
+    pub comes_back: bool,
+    /// With the activation of one of these it ends.
+    pub ends: Set<StepId>,
 }
 
 /// An index into [`Program::places`].
@@ -135,6 +146,8 @@ pub enum Role {
     SetBy(AssociationId, Qualifier),
     /// Whether an action was active in the last cycle.
     Active(AssociationId),
+    /// How many evolutions of a search have changed something, where a bound stops it.
+    Evolutions,
     /// The association that acted last.
     Acted(AssociationId),
     /// Whether an association with N, L or D held its action up in the last cycle.
@@ -211,8 +224,16 @@ pub enum Statement<'m> {
     Run(Box<Run<'m>>),
     Call(ActionId, Expr<'m>, Vec<Expr<'m>>),
     Mark(Mark),
-    /// Keeps the optimiser after from moving code across it.
-    Fence,
+    Fence(Fence),
+}
+
+/// What keeps the optimiser from making more of the code than it has to.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fence {
+    /// No access to memory is moved across it.
+    Memory,
+    /// What has been found out of the inputs in front of it is not known any more: none is read before it is asked for.
+    Inputs,
 }
 
 /// Some values, and what is done for them.

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write as _};
 
-use super::{Comparison, Expr, Initial, Mark, Phase, PlaceId, Program, Statement, Type, User, Value};
+use super::{Comparison, Expr, Fence, Initial, Mark, Phase, PlaceId, Program, Statement, Type, User, Value};
 use crate::model::{Binary, Model, Read, Tree, Ty, Unary};
 
 /// No line of the list of locals is longer.
@@ -188,7 +188,8 @@ impl Program<'_> {
         Some(match statement {
             Statement::Set(place, value) => format!("{} = {}", self.name(*place), self.expr(value, 0)),
             Statement::Break => "break".to_owned(),
-            Statement::Fence => "fence".to_owned(),
+            Statement::Fence(Fence::Memory) => "fence".to_owned(),
+            Statement::Fence(Fence::Inputs) => "fence inputs".to_owned(),
             Statement::Run(run) => {
                 let writes = run.writes.iter().map(|write| self.name(write.to).to_owned()).collect::<Vec<_>>();
                 let reads: Vec<String> = run.binds.iter().map(|(read, value)| self.bind(*read, value)).collect();

@@ -67,7 +67,7 @@ impl Scan<'_, '_> {
                 }
                 Statement::Run(run) => self.run(run),
                 Statement::Call(_, _, args) => args.iter().for_each(|arg| self.expr(arg)),
-                Statement::Break | Statement::Mark(_) | Statement::Fence => {}
+                Statement::Break | Statement::Mark(_) | Statement::Fence(_) => {}
             }
         }
     }

@@ -59,7 +59,7 @@ impl<'m> Lowering<'_, 'm> {
                     self.placed(value, Type::User(ty))?;
                 }
             }
-            Statement::Mark(_) | Statement::Fence => {}
+            Statement::Mark(_) | Statement::Fence(_) => {}
         }
         Ok((env, Lit::FALSE))
     }

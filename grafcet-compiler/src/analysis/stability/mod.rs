@@ -28,7 +28,7 @@ pub struct Stability {
 }
 
 /// The steps with whose activation a search ends, in a chart that is one sequence: nothing can leave them in the same cycle.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Ends {
     steps: Set<StepId>,
     always: bool,

@@ -19,6 +19,8 @@ pub(super) struct Layout {
     slots: Vec<Slot>,
     /// The enums of the regions; none, where steps are bits.
     pub(super) regions: Vec<States>,
+    /// Of a search that may have no end: what tells that is a bit above the state of the first region.
+    pub(super) mark: Option<Mark>,
     /// The highest number that a place of [`Type::Number`] holds.
     highest: u32,
 }
@@ -28,6 +30,12 @@ pub(super) struct Layout {
 pub(super) struct States {
     pub(super) empty: bool,
     pub(super) start: Option<Start>,
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    /// The state is a register wide as long as the search goes on, as no table has it.
+    pub(super) is_wide: bool,
 }
 
 /// The first cycle is still to come; seen from outside this step is active.
@@ -53,6 +61,10 @@ enum Kind {
     Param,
     /// In the bytes of the situation.
     Bit(usize),
+    /// A field with the mark above it.
+    Marked,
+    /// That mark, which is not there where the place is true.
+    Mark,
 }
 
 impl Layout {
@@ -61,8 +73,14 @@ impl Layout {
         let mut taken: [Set<String>; 2] = [Set::new(), Set::new()];
         taken[0].extend(["params", "situation"].map(str::to_owned));
         let mut slots = Vec::new();
+        let regions = if cx.plan.shape.is_flags() { 0 } else { program.regions.len() };
+        let is_marked = regions > 0 && program.place(Role::Stable).is_some();
         for (index, place) in program.places.iter().enumerate() {
-            let kind = kind(place, used.places.contains(&PlaceId(index)));
+            let kind = match place.role {
+                Role::State(0) if is_marked => Kind::Marked,
+                Role::Stable if is_marked => Kind::Mark,
+                _ => kind(place, used.places.contains(&PlaceId(index))),
+            };
             let name = match place.role {
                 Role::Param(id) => cx.model.params[id].name.clone(),
                 Role::Output(id) if kind == Kind::Result => cx.model.outputs[id].name.clone(),
@@ -74,9 +92,9 @@ impl Layout {
             }
             slots.push(Slot { name, kind });
         }
-        let regions = if cx.plan.shape.is_flags() { 0 } else { program.regions.len() };
         used.regions.truncate(regions);
-        Self { slots, regions: used.regions, highest: used.highest }
+        let mark = is_marked.then(|| Mark { is_wide: regions == 1 && !used.has_tables });
+        Self { slots, regions: used.regions, mark, highest: used.highest }
     }
 
     /// Whether a match has an arm for each value.
@@ -112,6 +130,11 @@ impl Layout {
         all.extend(states.empty.then_some(Value::Step(None)));
         all.extend(states.start.map(|Start(seen)| Value::Start(seen)));
         all
+    }
+
+    /// Whether a place is that of the mark above the first region's state.
+    pub(super) fn is_mark(&self, place: PlaceId) -> bool {
+        self.slot(place).kind == Kind::Mark
     }
 
     fn slot(&self, place: PlaceId) -> &Slot {
@@ -202,6 +225,8 @@ struct Used {
     places: Set<PlaceId>,
     regions: Vec<States>,
     highest: u32,
+    /// Something looks up a state in a table.
+    has_tables: bool,
 }
 
 impl Used {
@@ -213,6 +238,7 @@ impl Used {
                 used.highest = used.highest.max(u32::try_from(number).unwrap_or(u32::MAX));
             }
             Seen::Set(place, value) | Seen::Arm(place, value) => used.state(program.places[place.0].ty, value),
+            Seen::Entry(value) => used.has_tables |= matches!(value, Value::Step(_)),
             Seen::Value(_) => {}
         };
         visit::block(cycle, &mut note);
@@ -261,6 +287,11 @@ impl<'m> Printer<'_, 'm> {
                 quote!(self.#name.unwrap_or_else(|| #initial))
             }
             Kind::Param => quote!(self.params.#name),
+            Kind::Marked => quote!(self.#name.state()),
+            Kind::Mark => {
+                let state = self.marked();
+                quote!(!self.#state.is_marked())
+            }
             Kind::Bit(index) => {
                 let (field, byte, mask) = bit(*index);
                 quote!((self.#field[#byte] & #mask != 0))
@@ -281,6 +312,15 @@ impl<'m> Printer<'_, 'm> {
                 quote!(self.#name = #p::Option::Some(#value);)
             }
             Kind::Param => quote!(self.params.#name = #value;),
+            Kind::Marked => quote!(self.#name = self.#name.with(#value);),
+            Kind::Mark => {
+                let state = self.marked();
+                match value.to_string().as_str() {
+                    "true" => quote!(self.#state = self.#state.unmarked();),
+                    "false" => quote!(self.#state = self.#state.marked();),
+                    _ => quote!(self.#state = if #value { self.#state.unmarked() } else { self.#state.marked() };),
+                }
+            }
             Kind::Bit(index) => {
                 let (field, byte, mask) = bit(*index);
                 match value.to_string().as_str() {
@@ -290,6 +330,21 @@ impl<'m> Printer<'_, 'm> {
                 }
             }
         }
+    }
+
+    /// The field with the mark.
+    fn marked(&self) -> Ident {
+        names::region_field(0, self.cx.plan)
+    }
+
+    /// The same as [`put`](Self::put) where the mark is set next.
+    pub(super) fn put_unmarked(&self, place: PlaceId, value: &TokenStream) -> TokenStream {
+        let Slot { name, kind } = self.layout.slot(place);
+        if *kind != Kind::Marked {
+            return self.put(place, value);
+        }
+        let marked = self.cx.names.marked(self.cx.plan);
+        quote!(self.#name = #marked::of(#value);)
     }
 
     /// The type of a place.
@@ -305,6 +360,8 @@ impl<'m> Printer<'_, 'm> {
             (Type::Bool, _) => quote!(#p::bool),
             (Type::Ticks, _) => quote!(#p::Ticks),
             (Type::State(region), _) => self.cx.names.region(region, self.cx.plan).to_token_stream(),
+            // What is counted in a loop is in a register.
+            (Type::Number, _) if self.info(place).role == Role::Evolutions => quote!(#p::u32),
             (Type::Number, _) => self.layout.number(p),
             (Type::Phase, _) => quote!(#p::Phase),
         }
@@ -343,7 +400,11 @@ impl<'m> Printer<'_, 'm> {
                 Kind::Late => {
                     fields.push(Field { name, ty: quote!(#p::Option<#ty>), initial: quote!(#p::Option::None) });
                 }
-                Kind::Unused | Kind::Local | Kind::Result | Kind::Param | Kind::Bit(_) => {}
+                Kind::Marked => {
+                    let (marked, initial) = (self.cx.names.marked(self.cx.plan), self.initial(place));
+                    fields.push(Field { name, ty: marked.to_token_stream(), initial: quote!(#marked::of(#initial)) });
+                }
+                Kind::Unused | Kind::Local | Kind::Result | Kind::Param | Kind::Bit(_) | Kind::Mark => {}
             }
         }
         fields

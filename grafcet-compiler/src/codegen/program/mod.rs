@@ -15,14 +15,14 @@ mod visit;
 
 use proc_macro2::TokenStream;
 
-use self::layout::{Layout, Start};
+use self::layout::{Layout, Mark, Start};
 use self::scope::Scope;
 use super::machine::{Deadline, Machine};
+use super::state::StateEnum;
 use super::{Cx, chart_impl, names, state, types};
 use crate::list::List;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::plan::RegionId;
 use crate::program::{self, Program, Role, Statement};
 
 /// What is printed, and what is known about it meanwhile.
@@ -108,13 +108,21 @@ impl<'m> Printer<'_, 'm> {
 
     /// The private enums of the regions.
     fn types(&self) -> TokenStream {
-        let regions = self.regions().into_iter();
-        regions.map(|(region, empty, start)| state::region_enum(self.cx, region, empty, start)).tokens()
+        self.regions().iter().map(|states| state::region_enum(self.cx, states)).tokens()
     }
 
-    fn regions(&self) -> Vec<(RegionId, bool, bool)> {
-        let regions = self.layout.regions.iter().enumerate();
-        regions.map(|(region, states)| (region, states.empty, states.start.is_some())).list()
+    fn regions(&self) -> Vec<StateEnum> {
+        let (mut regions, mark) = (Vec::new(), self.layout.mark);
+        for (region, states) in self.layout.regions.iter().enumerate() {
+            regions.push(StateEnum {
+                region,
+                empty: states.empty,
+                start: states.start.is_some(),
+                marked: region == 0 && mark.is_some(),
+                wide: region == 0 && mark.is_some_and(|Mark { is_wide }| is_wide),
+            });
+        }
+        regions
     }
 
     fn is_active(&self, step: StepId) -> TokenStream {

@@ -116,7 +116,7 @@ impl<'s, 'm> Walk<'s, 'm> {
             visit::statement(statement, &mut |seen| match seen {
                 Seen::Read(place) => self.mention(place, false, false),
                 Seen::Written(place) => self.mention(place, true, is_set),
-                Seen::Set(..) | Seen::Arm(..) | Seen::Value(_) => {}
+                Seen::Set(..) | Seen::Arm(..) | Seen::Entry(_) | Seen::Value(_) => {}
             });
             let is_loop = matches!(statement, Statement::Loop { .. });
             for inner in visit::blocks(statement) {

@@ -7,7 +7,7 @@ use super::Printer;
 use super::scope::Scope;
 use crate::list::List;
 use crate::place::{self, quote};
-use crate::program::{Arm, Expr, Phase, PlaceId, Role, Statement, Type, Value};
+use crate::program::{Arm, Expr, Fence, Phase, PlaceId, Role, Statement, Type, Value};
 
 /// The statements without what observers are told, and without what is there for them alone.
 pub(super) fn unwatched<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
@@ -89,6 +89,12 @@ impl<'m> Printer<'_, 'm> {
                 let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
                 tokens.extend(quote!(let #mutable #name: #ty = #value;));
             }
+            if let (Statement::Set(place, value), Some(Statement::Set(next, _))) = (statement, behind.first()) {
+                if self.layout.is_mark(*next) {
+                    tokens.extend(self.put_unmarked(*place, &self.set_to(*place, value)));
+                    continue;
+                }
+            }
             tokens.extend(self.statement(statement, number, lines));
         }
         tokens
@@ -134,7 +140,11 @@ impl<'m> Printer<'_, 'm> {
                 let args = args.iter().map(|arg| self.value(arg)).list();
                 quote!(actions.#name(#phase, #(#args),*);)
             }
-            Statement::Fence => {
+            Statement::Fence(Fence::Inputs) => {
+                let p = &self.cx.p;
+                quote!(let inputs = #p::core::hint::black_box(inputs);)
+            }
+            Statement::Fence(Fence::Memory) => {
                 let p = &self.cx.p;
                 let atomic = quote!(#p::core::sync::atomic);
                 quote!(#atomic::compiler_fence(#atomic::Ordering::SeqCst);)

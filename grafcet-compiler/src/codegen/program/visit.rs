@@ -11,6 +11,8 @@ pub(super) enum Seen {
     Set(PlaceId, Value),
     /// A place is looked at for a constant.
     Arm(PlaceId, Value),
+    /// A table has a constant.
+    Entry(Value),
     /// A constant elsewhere.
     Value(Value),
 }
@@ -78,14 +80,20 @@ pub(super) fn statement(statement: &Statement<'_>, note: &mut dyn FnMut(Seen)) {
                 expr(arg, note);
             }
         }
-        Statement::Part(..) | Statement::Loop { .. } | Statement::Break | Statement::Mark(_) | Statement::Fence => {}
+        Statement::Part(..) | Statement::Loop { .. } | Statement::Break | Statement::Mark(_) | Statement::Fence(_) => {}
     }
 }
 
 pub(super) fn expr(expr: &Expr<'_>, note: &mut dyn FnMut(Seen)) {
     match expr {
         Expr::Value(value) => note(Seen::Value(*value)),
-        Expr::Place(place) | Expr::Is(place, _) | Expr::Table(place, _) | Expr::Next(place) => note(Seen::Read(*place)),
+        Expr::Place(place) | Expr::Is(place, _) | Expr::Next(place) => note(Seen::Read(*place)),
+        Expr::Table(place, table) => {
+            note(Seen::Read(*place));
+            for (_, value) in table {
+                note(Seen::Entry(*value));
+            }
+        }
         Expr::Initial(_) | Expr::Input(_) | Expr::Now => {}
         Expr::Not(inner) => self::expr(inner, note),
         Expr::All(parts) | Expr::Any(parts) => parts.iter().for_each(|part| self::expr(part, note)),

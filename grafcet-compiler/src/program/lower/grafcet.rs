@@ -29,7 +29,7 @@ impl<'m> Lower<'_, 'm> {
             part(&mut cycle, "activation of the initial situation (A37)", first);
         }
         let body = self.evolution(stable, &mut stored);
-        let rounds = self.bound().saturating_add(1);
+        let rounds = self.bound.saturating_add(1);
         part(&mut cycle, "search for stability (A24, A25, A30)", vec![Statement::Loop { rounds, body }]);
         self.continuous(&mut cycle);
         self.remember_passed();
@@ -41,12 +41,6 @@ impl<'m> Lower<'_, 'm> {
         end.push(Statement::Set(self.first, no()));
         part(&mut cycle, "end", end);
         cycle
-    }
-
-    /// A30: what the chart states, or twice the number of steps plus two.
-    fn bound(&self) -> u32 {
-        let steps = u32::try_from(self.model.steps.len()).unwrap_or(u32::MAX);
-        self.model.max_evolutions.unwrap_or_else(|| steps.saturating_mul(2).saturating_add(2))
     }
 
     /// One round of the search.
@@ -73,7 +67,7 @@ impl<'m> Lower<'_, 'm> {
             let mut stop = vec![Statement::Set(stable, no())];
             stop.extend(self.take_back());
             stop.push(Statement::Break);
-            let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound() as usize));
+            let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound as usize));
             part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
         }
         let mut commit = calls;

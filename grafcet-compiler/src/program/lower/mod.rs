@@ -29,8 +29,8 @@ mod view;
 
 use std::fmt;
 
-use super::{Expr, PlaceId, PlaceInfo, Program};
-use crate::analysis::{Facts, Stability, combinational, hierarchy::masters};
+use super::{Expr, PlaceId, PlaceInfo, Program, Search};
+use crate::analysis::{Facts, combinational, hierarchy::masters};
 use crate::model::{Blinker, Effect, Model, PartialId, Place, Qualifier, StepId, Ty};
 use crate::plan::Regions;
 use crate::sorted::Set;
@@ -114,7 +114,9 @@ fn program<'m>(
             beside.push(facts.concurrency.beside(step).collect());
         }
     }
-    Ok(Program { model, places: lower.places, regions, beside, cycle, plants: Vec::new(), deadline })
+    let searches = facts.searches(model);
+    let search = Search { comes_back: searches.comes_back, ends: searches.ends.steps().clone() };
+    Ok(Program { model, places: lower.places, regions, beside, search, cycle, plants: Vec::new(), deadline })
 }
 
 /// What is made for one chart, and what is known about it meanwhile.
@@ -179,16 +181,16 @@ struct Lower<'r, 'm> {
     evolutions: PlaceId,
     /// Each search is certain to end: no bound stops it (A30).
     search_ends: bool,
+    /// After so many evolutions a search is given up.
+    bound: u32,
 }
 
-/// Whether each search is certain to end, as far as the structure tells: no circle turns for ever, and no value that is stored says of itself that
-/// it is another one.
+/// Whether each search is certain to end, and no value that is stored says of itself that it is another one.
 fn ends(model: &Model, facts: &Facts<'_>) -> bool {
     let compared = |ty: &Ty| matches!(ty, Ty::Other(_)) && !ty.is_float();
     let opaque =
         model.outputs.values().any(|output| compared(&output.ty)) || model.vars.values().any(|var| compared(&var.ty));
-    let free = !opaque && model.is_grafcet() && model.max_evolutions.is_none();
-    free && Stability::of(model, &facts.concurrency).is_certain()
+    !opaque && model.is_grafcet() && !facts.searches(model).may_go_on
 }
 
 /// What the rules of the dialect and of the hierarchy exclude.

@@ -77,6 +77,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             free: vec![None; model.partials.len()],
             evolutions: PlaceId(0),
             search_ends: clocks == Clocks::Read && super::ends(model, facts),
+            bound: facts.searches(model).bound,
         };
         lower.first = lower.field("first".to_owned(), Role::First, Type::Bool, truth(true));
         lower.situation();
@@ -263,6 +264,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             return;
         }
         self.evolutions = self.local("evolutions".to_owned(), Type::Number);
+        self.places[self.evolutions.0].role = Role::Evolutions;
         for (id, partial) in model.partials.iter() {
             if partial.enclosed_by.is_some() || model.forces.values().any(|force| force.target == id) {
                 let name = partial.name.as_ref().map_or_else(|| "chart".to_owned(), plain);

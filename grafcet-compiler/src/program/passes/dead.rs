@@ -337,7 +337,7 @@ fn renumber(statements: &mut [Statement<'_>], new: &dyn Fn(PlaceId) -> PlaceId) 
                     write.noted = write.noted.map(new);
                 }
             }
-            Statement::Break | Statement::Call(..) | Statement::Mark(_) | Statement::Fence => {}
+            Statement::Break | Statement::Call(..) | Statement::Mark(_) | Statement::Fence(_) => {}
         }
     }
 }

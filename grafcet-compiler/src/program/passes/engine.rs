@@ -382,7 +382,7 @@ impl<'e, 'm> Engine<'e, 'm> {
                 }
                 out.push(statement.clone());
             }
-            Statement::Break | Statement::Mark(_) | Statement::Fence => out.push(statement.clone()),
+            Statement::Break | Statement::Mark(_) | Statement::Fence(_) => out.push(statement.clone()),
         }
     }
 

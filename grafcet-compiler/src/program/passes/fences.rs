@@ -11,18 +11,43 @@
 //!   764 bytes and 64.6 instructions so, and 740 and 57.2 with fences.
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
 
-use super::super::{Program, Role, Statement};
+use super::super::{Fence, Program, Role, Statement};
+use super::tables::goes_by_table;
+
+/// With fewer steps the code is smaller where the inputs are found once for all evolutions.
+const FEW: usize = 3;
+
+/// Up to so many steps LLVM copies what they do into the evolution in front of it.
+const SHORT: usize = 24;
 
 /// Neighbours that LLVM writes one by one.
 const NEIGHBOURS: usize = 3;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     if program.regions.len() < 2 {
-        return;
+        return search(program);
     }
     let mut cycle = std::mem::take(&mut program.cycle);
     block(program, &mut cycle);
     program.cycle = cycle;
+}
+
+/// The search over the steps of one region.
+fn search(program: &mut Program<'_>) {
+    let steps = program.regions.iter().flatten().count();
+    let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
+    let Some(at) = program.cycle.iter().position(is_search) else { return };
+    if program.model.inputs.is_empty() {
+        return;
+    }
+    let inputs = Statement::Fence(Fence::Inputs);
+    if steps <= SHORT {
+        program.cycle.insert(at + 1, Statement::Fence(Fence::Memory));
+    }
+    match &mut program.cycle[at] {
+        Statement::Loop { body, .. } if steps >= FEW && !goes_by_table(body) => body.insert(0, inputs),
+        _ => program.cycle.insert(at, inputs),
+    }
 }
 
 fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
@@ -50,7 +75,7 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
         neighbours = if is_state(&statement) { neighbours + 1 } else { 0 };
         let dispatches = matches!((all.last(), &statement), (Some(Statement::Match(one, ..)), Statement::Match(other, ..)) if one != other);
         if dispatches || neighbours > NEIGHBOURS {
-            all.push(Statement::Fence);
+            all.push(Statement::Fence(Fence::Memory));
             neighbours = usize::from(neighbours > NEIGHBOURS);
         }
         all.push(statement);

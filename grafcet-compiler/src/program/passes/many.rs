@@ -116,7 +116,7 @@ impl Sum {
                     self.expr(phase);
                     self.all(args);
                 }
-                Statement::Break | Statement::Mark(_) | Statement::Fence => self.add(1),
+                Statement::Break | Statement::Mark(_) | Statement::Fence(_) => self.add(1),
             }
         }
     }

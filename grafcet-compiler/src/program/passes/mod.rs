@@ -18,6 +18,7 @@
 //! - `next`: steps that wait for the same share an arm, and a table says which step is next
 //! - `passed`: a time is computed once for all states that ask for it
 //! - `records`: few outputs are one constant in each state
+//! - `working`: while a search goes on, the state is a local
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
@@ -52,6 +53,7 @@ mod split;
 mod store;
 mod tables;
 mod uses;
+mod working;
 
 use super::{Program, Statement};
 
@@ -80,12 +82,13 @@ pub enum Pass {
     Next,
     Passed,
     Records,
+    Working,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -105,6 +108,7 @@ impl Pass {
         Self::Next,
         Self::Passed,
         Self::Records,
+        Self::Working,
         Self::Fences,
     ];
 }
@@ -162,6 +166,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Records) {
         records::pass(program);
+    }
+    if wants(Pass::Working) {
+        working::pass(program);
     }
     if wants(Pass::Fences) {
         fences::pass(program);

@@ -18,14 +18,15 @@
 //! Needs: the situation is the state of one region; one loop, nothing in front of it writes the state; on each way through it the state is
 //! known.
 
-use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Value};
+use super::super::{Arm, Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
 use super::dead::{Live, is_seen, needed};
-use super::engine::{End, Engine, Fact, Lost, Tree};
+use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
 use super::flat::flat;
 use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
-use super::uses::Effects;
+use super::uses::{Effects, same_block};
+use crate::model::StepId;
 use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
@@ -40,6 +41,8 @@ struct Search<'m> {
     rounds: u32,
     body: Vec<Statement<'m>>,
     behind: Vec<Statement<'m>>,
+    /// What stands at the end of each round.
+    tail: Vec<Statement<'m>>,
 }
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -48,7 +51,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let search = Search::of(program, &mut places);
     program.places = places;
     let Some(search) = search else { return program.places.truncate(count) };
-    match search.cycle(program) {
+    let circle = search.circle(program);
+    match circle.map_or(Err(Lost), |circle| circle.cycle(program)).or_else(|Lost| search.cycle(program)) {
         Ok(cycle) => program.cycle = cycle,
         Err(Lost) => program.places.truncate(count),
     }
@@ -73,11 +77,41 @@ impl<'m> Search<'m> {
         }
         let body = flat(&body, None, true, places);
         let points = States::of(step, program.regions.first()?);
-        Some(Self { state, begin, points, before: list, rounds, body, behind })
+        Some(Self { state, begin, points, before: list, rounds, body, behind, tail: Vec::new() })
+    }
+
+    /// The same search where the bound is looked at behind the evolutions instead of within them: what has come back to a step by then
+    /// goes on for ever.
+    fn circle(&self, program: &Program<'m>) -> Option<Self> {
+        let is_count = |place: PlaceId| program.places[place.0].role == Role::Evolutions;
+        let is_bound = |statement: &Statement<'m>| matches!(statement, Statement::If(Expr::Compare(Comparison::Equal, count, _), ..) if matches!(**count, Expr::Place(place) if is_count(place)));
+        let at = self.body.iter().position(is_bound).filter(|_| program.search.comes_back)?;
+        let mut body = self.body.clone();
+        let Statement::If(at_bound, mut stop, _) = body.remove(at) else { return None };
+        // The situation stays what it is, and no evolution is taken back.
+        stop.retain(|one| !matches!(one, Statement::Set(place, _) if *place == self.state));
+        let written = Effects::of_all(&body).writes;
+        let seen = Effects::of_all(&self.behind).reads;
+        let mut copies = Vec::new();
+        for place in seen.iter().filter(|place| written.contains(place)) {
+            let info = &program.places[place.0];
+            let is_copy = |one: &Statement<'m>| matches!(one, Statement::Set(to, Expr::Place(from)) if to == place && *from == self.state);
+            match info.role {
+                Role::Local if body.iter().any(is_copy) => copies.push(Statement::Set(*place, Expr::Place(self.state))),
+                _ if info.is_field || is_seen(info) || is_count(*place) => {}
+                _ => return None,
+            }
+        }
+        stop.splice(0..0, copies);
+        let tail = vec![Statement::If(at_bound, stop, Vec::new())];
+        let (points, before, behind) = (self.points.clone(), self.before.clone(), self.behind.clone());
+        Some(Self { points, before, body, behind, tail, ..*self })
     }
 
     fn cycle(&self, program: &Program<'m>) -> Result<Vec<Statement<'m>>, Lost> {
-        let flips = live(program, &self.body, &self.behind);
+        let mut round = self.body.clone();
+        round.extend(self.tail.iter().cloned());
+        let flips = live(program, &round, &self.behind);
         let mut assumed = Vec::with_capacity(program.places.len());
         let mut carried = Vec::new();
         for (index, place) in program.places.iter().enumerate() {
@@ -107,13 +141,17 @@ impl<'m> Search<'m> {
         }
         behind.extend(rest);
         // What is of no use at the ends of the ways would keep them from being alike.
-        let flips =
-            live(program, &[self.turn(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())], &behind);
+        let mut round = vec![self.turn(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())];
+        round.extend(self.tail.iter().cloned());
+        let flips = live(program, &round, &behind);
         let base = base(program);
         for tree in trees.iter_mut().flatten() {
             tree.each_leaf_mut(&mut |leaf| {
                 Live { base: &base, flips: flips.clone(), left: flips.clone() }.sweep(&mut leaf.body);
             });
+        }
+        if self.tail.is_empty() {
+            self.end_early(&mut trees, &program.search.ends, &assumed);
         }
         let mut going = Vec::new();
         for tree in trees.iter_mut().flatten() {
@@ -125,6 +163,7 @@ impl<'m> Search<'m> {
         let shared = share::ends(&mut going, &may);
         let mut body = vec![self.turn(trees)];
         body.extend(shared);
+        body.extend(self.tail.iter().cloned());
         let mut cycle = self.before.clone();
         cycle.push(Statement::Loop { rounds: self.rounds, body });
         cycle.extend(behind);
@@ -154,7 +193,12 @@ impl<'m> Search<'m> {
             each_leaf(&tree, &mut |leaf| match self.points.point(leaf.state) {
                 None => lost = true,
                 Some(to) if leaf.breaks => _ = meet(&mut ends[to], leaf.facts.clone()),
+                // What only looks as if it went on would not come back to a step.
+                Some(to) if !self.tail.is_empty() && to == point => lost = true,
                 Some(to) => {
+                    if !self.tail.is_empty() {
+                        _ = meet(&mut ends[to], self.at_bound(carried, &leaf.facts, to));
+                    }
                     if trees[to].is_none() && to != point {
                         open.insert(to);
                     }
@@ -168,6 +212,42 @@ impl<'m> Search<'m> {
         // A cycle may begin wherever another one has ended.
         let begun = ends.iter().zip(&trees).all(|(end, tree)| end.is_none() || tree.is_some());
         if begun { Ok((trees, ends)) } else { Err(Lost) }
+    }
+
+    /// What is known where the bound stops the search in a state that an evolution has just led to.
+    fn at_bound(&self, carried: &[PlaceId], facts: &[Fact], to: usize) -> Vec<Fact> {
+        let mut facts = facts.to_vec();
+        let Some(Statement::If(_, stop, _)) = self.tail.first() else { return facts };
+        for statement in stop {
+            let Statement::Set(place, value) = statement else { continue };
+            let fact = match value {
+                Expr::Value(value) => Fact::Is(*value),
+                _ => Fact::Is(self.points.all[to]),
+            };
+            if let Some(at) = carried.iter().position(|one| one == place) {
+                facts[at] = fact;
+            }
+        }
+        facts
+    }
+
+    /// A way to a step that nothing can leave in the same search leaves it at once, with what that step does where it rests.
+    fn end_early(&self, trees: &mut [Option<Tree<'m>>], ends: &Set<StepId>, assumed: &[bool]) {
+        let mut rests: Vec<Option<Vec<Statement<'m>>>> = vec![None; trees.len()];
+        for ((rest, tree), point) in rests.iter_mut().zip(&*trees).zip(&self.points.all) {
+            if matches!(point, Value::Step(Some(step)) if ends.contains(step)) {
+                *rest = tree.as_ref().and_then(|tree| at_rest(tree, *point, assumed));
+            }
+        }
+        for tree in trees.iter_mut().flatten() {
+            tree.each_leaf_mut(&mut |leaf| {
+                let to = self.points.point(leaf.state).filter(|_| !leaf.breaks);
+                if let Some(rest) = to.and_then(|to| rests[to].as_ref()) {
+                    leaf.body.extend(rest.iter().cloned());
+                    leaf.breaks = true;
+                }
+            });
+        }
     }
 
     /// What is done after the loop, by the state in which it was left.
@@ -211,6 +291,39 @@ impl<'m> Search<'m> {
         }
         Statement::Match(self.state, arms, Vec::new())
     }
+}
+
+/// What is done where the loop is left in a state, if that is the same on all ways. What stays in the state and goes on all the same would
+/// be left out.
+fn at_rest<'m>(tree: &Tree<'m>, state: Value, assumed: &[bool]) -> Option<Vec<Statement<'m>>> {
+    let (mut rest, mut is_one) = (None, true);
+    each_way(tree, &mut Vec::new(), &mut |way, leaf| {
+        if !leaf.breaks {
+            return is_one &= leaf.state != state;
+        }
+        // What no other round looks at.
+        let mut way = way.to_vec();
+        way.retain(|one| !matches!(one, Statement::Set(place, _) if assumed[place.0]));
+        match &rest {
+            None => rest = Some(way),
+            Some(rest) => is_one &= same_block(rest, &way),
+        }
+    });
+    rest.filter(|_| is_one)
+}
+
+/// Each way to a leaf, with all that is done on it.
+fn each_way<'m>(tree: &Tree<'m>, way: &mut Vec<Statement<'m>>, each: &mut dyn FnMut(&[Statement<'m>], &Leaf<'m>)) {
+    let begun = way.len();
+    way.extend(tree.body.iter().cloned());
+    match &tree.end {
+        End::Leaf(leaf) => {
+            way.extend(leaf.body.iter().cloned());
+            each(way, leaf);
+        }
+        End::Fork(_, ways) => ways.iter().for_each(|one| each_way(one, way, each)),
+    }
+    way.truncate(begun);
 }
 
 /// Paragraphs opened.

@@ -10,6 +10,7 @@ use crate::model::{Id, StepId};
 use crate::sorted::Set;
 
 /// The states that a region may have, the first cycle among them.
+#[derive(Clone)]
 pub(super) struct States {
     pub(super) all: Vec<Value>,
     by_step: Vec<Option<usize>>,

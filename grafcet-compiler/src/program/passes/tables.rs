@@ -17,7 +17,7 @@
 use super::super::build::{not, yes};
 use super::super::{Arm, Expr, PlaceId, Program, Role, Statement, Value};
 use super::many::{groups, sum_of};
-use super::uses::{is_pure, same};
+use super::uses::{is_pure, same, same_block};
 use crate::list::List;
 
 /// About so many bytes take an arm with a condition, the same in front of a table, and a table beside its bytes, in code for Thumb.
@@ -35,6 +35,65 @@ struct Wait<'m> {
 }
 
 pub(super) fn pass(program: &mut Program<'_>) {
+    for statement in &mut program.cycle {
+        if let Statement::Loop { rounds: 2.., body } = statement {
+            return search(body);
+        }
+    }
+    scan(program);
+}
+
+/// Whether a search goes on by a table.
+pub(super) fn goes_by_table(body: &[Statement<'_>]) -> bool {
+    body.iter().any(|one| matches!(one, Statement::Set(_, Expr::Table(..))))
+}
+
+/// The same in the search of a `grafcet`: what a step waits for leaves the loop where it does not hold.
+fn search(body: &mut Vec<Statement<'_>>) {
+    let Some(Statement::Match(state, arms, otherwise)) = body.first() else { return };
+    let state = *state;
+    let (mut conditions, mut table, mut leaves) = (Vec::with_capacity(arms.len()), Vec::new(), None);
+    for (values, arm) in arms {
+        let Some((condition, to)) = onward(arm, state, &mut leaves) else { return };
+        table.extend(values.iter().map(|value| (*value, to)));
+        conditions.push((values.clone(), condition));
+    }
+    let waits = shared(conditions);
+    if !otherwise.is_empty() || !is_smaller(waits.len(), table.len()) {
+        return;
+    }
+    let leave = leaves.cloned().unwrap_or_default();
+    let mut tests: Vec<Arm<'_>> = Vec::with_capacity(waits.len());
+    for wait in waits {
+        let test = match not(wait.condition) {
+            Expr::Value(_) => Vec::new(),
+            stays => vec![Statement::If(stays, leave.clone(), Vec::new())],
+        };
+        tests.push((wait.from, test));
+    }
+    let onward = Statement::Set(state, Expr::Table(state, table));
+    body.splice(..1, [Statement::Match(state, tests, Vec::new()), onward]);
+}
+
+/// What an arm waits for, and the step that is next; all leave the loop alike.
+fn onward<'s, 'm>(
+    arm: &'s [Statement<'m>],
+    state: PlaceId,
+    leaves: &mut Option<&'s Vec<Statement<'m>>>,
+) -> Option<(Expr<'m>, Value)> {
+    match arm {
+        [Statement::Set(place, Expr::Value(to))] if *place == state => Some((yes(), *to)),
+        [Statement::If(condition, then, otherwise)] if is_pure(condition) => {
+            let to = goes(then, state)?;
+            let leave = leaves.get_or_insert(otherwise);
+            let is_end = matches!(leave.last(), Some(Statement::Break));
+            (is_end && same_block(leave, otherwise)).then(|| (condition.clone(), to))
+        }
+        _ => None,
+    }
+}
+
+fn scan(program: &mut Program<'_>) {
     let found = program.cycle.windows(2).position(|pair| {
         let [Statement::Match(state, _, otherwise), Statement::Set(set, Expr::Place(after))] = pair else {
             return false;

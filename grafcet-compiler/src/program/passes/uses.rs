@@ -157,7 +157,7 @@ impl Effects {
                 }
                 self.outside = true;
             }
-            Statement::Mark(_) | Statement::Fence => self.outside = true,
+            Statement::Mark(_) | Statement::Fence(_) => self.outside = true,
         }
     }
 
@@ -218,7 +218,8 @@ pub(super) fn same_statement(a: &Statement<'_>, b: &Statement<'_>) -> bool {
         (Statement::Loop { rounds: a, body }, Statement::Loop { rounds: b, body: other }) => {
             a == b && same_block(body, other)
         }
-        (Statement::Break, Statement::Break) | (Statement::Fence, Statement::Fence) => true,
+        (Statement::Break, Statement::Break) => true,
+        (Statement::Fence(a), Statement::Fence(b)) => a == b,
         (Statement::Run(a), Statement::Run(b)) => {
             let write = |(a, b): (&Write, &Write)| (a.name, a.to, a.noted) == (b.name, b.to, b.noted);
             let bound = || a.binds.iter().zip(&b.binds).all(|((one, a), (other, b))| one == other && same(a, b));
@@ -273,7 +274,7 @@ pub(super) fn rewrite<'m>(statements: &mut [Statement<'m>], new: &mut dyn FnMut(
                     *arg = new(arg);
                 }
             }
-            Statement::Mark(_) | Statement::Break | Statement::Fence => {}
+            Statement::Mark(_) | Statement::Break | Statement::Fence(_) => {}
         }
     }
 }
@@ -311,5 +312,37 @@ pub(super) fn replaced<'m>(expr: &Expr<'m>, leaf: &dyn Fn(&Expr<'m>) -> Option<E
             Expr::User(Box::new(User { tokens: user.tokens, tree: user.tree, binds }))
         }
         other => other.clone(),
+    }
+}
+
+/// The blocks within a statement.
+pub(super) fn blocks<'s, 'm>(statement: &'s Statement<'m>) -> Vec<&'s Vec<Statement<'m>>> {
+    match statement {
+        Statement::Part(_, body) | Statement::Loop { body, .. } => vec![body],
+        Statement::If(_, then, otherwise) => vec![then, otherwise],
+        Statement::Match(_, arms, otherwise) => {
+            let mut all: Vec<&Vec<Statement<'m>>> = vec![otherwise];
+            for (_, body) in arms {
+                all.push(body);
+            }
+            all
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The same to change them.
+pub(super) fn blocks_mut<'s, 'm>(statement: &'s mut Statement<'m>) -> Vec<&'s mut Vec<Statement<'m>>> {
+    match statement {
+        Statement::Part(_, body) | Statement::Loop { body, .. } => vec![body],
+        Statement::If(_, then, otherwise) => vec![then, otherwise],
+        Statement::Match(_, arms, otherwise) => {
+            let mut all: Vec<&mut Vec<Statement<'m>>> = vec![otherwise];
+            for (_, body) in arms {
+                all.push(body);
+            }
+            all
+        }
+        _ => Vec::new(),
     }
 }

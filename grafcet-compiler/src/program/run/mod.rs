@@ -266,7 +266,7 @@ impl<'m> Running<'_, 'm> {
                 self.done.calls.push(Call { action: *action, phase, args: given });
             }
             Statement::Mark(mark) => self.done.marks.push(*mark),
-            Statement::Fence => {}
+            Statement::Fence(_) => {}
         }
         Ok(End::Goes)
     }

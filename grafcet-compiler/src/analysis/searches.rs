@@ -1,0 +1,47 @@
+//! What is known of the searches for stability of a `grafcet` (A30): where they end, and after how many evolutions they are given up.
+
+use super::{Concurrency, Ends, Stability, explore};
+use crate::model::Model;
+
+/// How many units of work it is worth to find out that the searches of a chart end, where its circles do not tell.
+const WORK: u64 = 100_000;
+
+/// Whether and where searches end.
+#[derive(Default)]
+pub struct Searches {
+    /// A search may have no end, as far as the situation decides about that.
+    pub may_go_on: bool,
+    /// Where a search ends without another look.
+    pub ends: Ends,
+    /// After so many evolutions that changed something a search is given up.
+    pub bound: u32,
+    /// The situation after an evolution follows from the one before it, and nothing else makes a search go on. One that has made as
+    /// many evolutions as the bound says has come back to a situation, and goes on for ever; of a chart in which one step is active.
+    pub comes_back: bool,
+}
+
+impl Searches {
+    pub(super) fn of(model: &Model, concurrency: &Concurrency) -> Self {
+        let bound = bound(model);
+        if !model.is_grafcet() {
+            return Self { bound, ..Self::default() };
+        }
+        let stability = Stability::of(model, concurrency);
+        // Where each transition clears at most once, the chart gives the search long enough.
+        let is_long = |bound: u32| stability.is_at_once() && (bound as usize) >= model.transitions.len();
+        let open = !stability.is_certain() || model.max_evolutions.is_some_and(|bound| !is_long(bound));
+        Self {
+            // Who forces a chart can bring situations and values together that no exploration has seen.
+            may_go_on: open && (model.forceable || !explore::settles(model, WORK)),
+            comes_back: Stability::is_memoryless(model) && bound as usize >= model.steps.len(),
+            ends: stability.ends(),
+            bound,
+        }
+    }
+}
+
+/// A30: what the chart states, or twice the number of steps plus two.
+fn bound(model: &Model) -> u32 {
+    let steps = u32::try_from(model.steps.len()).unwrap_or(u32::MAX);
+    model.max_evolutions.unwrap_or_else(|| steps.saturating_mul(2).saturating_add(2))
+}

@@ -1,0 +1,108 @@
+//! While a search goes on, the state is a local.
+//!
+//! ```text
+//! loop                          now.state = state
+//!   match state                 loop
+//!     Off:                        match now.state
+//!       if on: state = On   ->      Off:
+//!       else: leave                   if on: now.state = On
+//! match state                         else: leave
+//!   …                           state = now.state
+//!                               match now.state
+//!                                 …
+//! ```
+//!
+//! LLVM does not keep a field in a register where a loop may be left before it is written. What tells that the search was stable is stored beside
+//! the state, so that one byte holds both.
+//!
+//! Needs: one loop of several rounds that reads and writes the state of the only region.
+
+use super::super::build::yes;
+use super::super::{Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
+use super::tables::goes_by_table;
+use super::uses::{Effects, blocks, blocks_mut, replaced, rewrite};
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
+    let Some(at) = program.cycle.iter().position(is_search) else { return };
+    let Some(state) = program.place(Role::State(0)).filter(|_| program.regions.len() == 1) else { return };
+    let [Statement::Loop { body, .. }, behind @ ..] = &program.cycle[at..] else { return };
+    let Some(last) = body.iter().rposition(|one| Effects::of(one).writes.contains(&state)) else { return };
+    if Effects::of_all(behind).writes.contains(&state) {
+        return;
+    }
+    // Where no table says which step is next, LLVM copies what the steps do into the ways to them, unless it has to read the state anew.
+    let last_renamed = if goes_by_table(body) { program.cycle.len() - 1 } else { at };
+    let now = local(program, state);
+    rename(&mut program.cycle[at..=last_renamed], state, now);
+    let mut stored = vec![Statement::Set(state, Expr::Place(now))];
+    let Statement::Loop { body, .. } = &mut program.cycle[at] else { return };
+    let mut front = vec![Statement::Set(now, Expr::Place(state))];
+    if let Some(stable) = program.places.iter().position(|place| place.role == Role::Stable).map(PlaceId) {
+        if falls_last(body, stable) {
+            without_rise(body, stable);
+            stored.push(Statement::Set(stable, yes()));
+            front.extend(stored.iter().cloned());
+        }
+    }
+    body.splice(last + 1..last + 1, stored);
+    program.cycle.splice(at..at, front);
+}
+
+/// A local that begins as a field does.
+fn local(program: &mut Program<'_>, of: PlaceId) -> PlaceId {
+    let PlaceInfo { name, ty, initial, .. } = &program.places[of.0];
+    let (name, ty, initial) = (format!("now.{name}"), *ty, *initial);
+    program.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
+    PlaceId(program.places.len() - 1)
+}
+
+/// A truth that begins as true need not be set to true, if the loop is left where it falls.
+fn falls_last(statements: &[Statement<'_>], place: PlaceId) -> bool {
+    let mut falls = true;
+    for (at, statement) in statements.iter().enumerate() {
+        falls &= match statement {
+            Statement::Set(set, value) if *set == place => {
+                let rises = matches!(value, Expr::Value(Value::Bool(true)));
+                rises || matches!(statements.get(at + 1), Some(Statement::Break))
+            }
+            other => blocks(other).into_iter().all(|block| falls_last(block, place)),
+        };
+    }
+    falls
+}
+
+fn without_rise(statements: &mut Vec<Statement<'_>>, place: PlaceId) {
+    let rises =
+        |one: &Statement<'_>| matches!(one, Statement::Set(set, Expr::Value(Value::Bool(true))) if *set == place);
+    statements.retain_mut(|one| {
+        for block in blocks_mut(one) {
+            without_rise(block, place);
+        }
+        !rises(one)
+    });
+}
+
+/// Another place in all statements.
+fn rename<'m>(statements: &mut [Statement<'m>], from: PlaceId, to: PlaceId) {
+    let leaf = |expr: &Expr<'m>| match expr {
+        Expr::Place(place) if *place == from => Some(Expr::Place(to)),
+        Expr::Is(place, steps) if *place == from => Some(Expr::Is(to, steps.clone())),
+        Expr::Table(place, table) if *place == from => Some(Expr::Table(to, table.clone())),
+        _ => None,
+    };
+    rewrite(statements, &mut |expr| replaced(expr, &leaf));
+    targets(statements, from, to);
+}
+
+fn targets(statements: &mut [Statement<'_>], from: PlaceId, to: PlaceId) {
+    for statement in statements {
+        match statement {
+            Statement::Set(place, _) | Statement::Match(place, ..) if *place == from => *place = to,
+            _ => {}
+        }
+        for block in blocks_mut(statement) {
+            targets(block, from, to);
+        }
+    }
+}
