@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use super::{Concurrency, Searches, hierarchy};
+use super::{Concurrency, Searches, exclusive, hierarchy};
 use crate::model::{Model, PartialId, StepId, Tree};
 use crate::sorted::Set;
 
@@ -20,6 +20,7 @@ pub struct Facts<'m> {
     pub top_down: Vec<PartialId>,
     /// Found out when somebody asks.
     searches: OnceCell<Searches>,
+    exclusive: OnceCell<Vec<bool>>,
 }
 
 impl<'m> Facts<'m> {
@@ -36,7 +37,14 @@ impl<'m> Facts<'m> {
             initial: hierarchy::initial_situation(model),
             top_down: hierarchy::top_down(model),
             searches: OnceCell::new(),
+            exclusive: OnceCell::new(),
         }
+    }
+
+    /// Per step, whether at most one of its transitions can clear at a time: by priority in an `sfc`, by their conditions in a `grafcet`.
+    #[must_use]
+    pub fn exclusive(&self, model: &Model) -> &[bool] {
+        self.exclusive.get_or_init(|| exclusive::exclusive(model))
     }
 
     /// What is known of the searches of this model for stability.

@@ -9,6 +9,7 @@ mod constant;
 mod dead;
 mod differences;
 mod edges;
+mod exclusive;
 pub mod explore;
 mod facts;
 pub mod hierarchy;

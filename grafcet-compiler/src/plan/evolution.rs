@@ -1,6 +1,6 @@
 //! How one evolution is computed: which transitions are looked at together, and where.
 
-use crate::analysis::{Concurrency, Facts, Logic};
+use crate::analysis::{Concurrency, Facts};
 use crate::list::List;
 use crate::model::{Id, Model, PartialId, StepId, TransitionId};
 use crate::sorted::Set;
@@ -31,24 +31,10 @@ impl Evolution {
                 owned[first.index()].push(id);
             }
         }
-        let exclusive = exclusive(model);
+        let exclusive = facts.exclusive(model).to_vec();
         let entered_last = entered_last(model, &facts.concurrency, &exclusive);
         Self { partials: facts.top_down.clone(), owned, exclusive, contests, entered_last }
     }
-}
-
-/// Whether all transitions that leave a step exclude each other.
-fn exclusive(model: &Model) -> Vec<bool> {
-    let logic = Logic::new(model);
-    let all_exclude = |ids: &Vec<TransitionId>| {
-        let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).list();
-        let all: Vec<_> = ids.iter().zip(&conditions).list();
-        let apart = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
-            model.exclude_each_other(*a, *b) || logic.exclusive(first, second)
-        };
-        all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
-    };
-    model.leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).list()
 }
 
 /// Groups of transitions that share source steps, where one of them has several.

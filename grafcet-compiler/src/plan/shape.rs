@@ -22,7 +22,7 @@ const FEW_STEPS: usize = 24;
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// The cycle is printed from a program (`program/`): an `sfc` of one region without times.
+    /// The cycle is printed from a program (`program/`): an `sfc` of one region, and a `grafcet` of one without times.
     Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
     Flags,
@@ -39,7 +39,7 @@ pub enum Form {
 /// How a `grafcet` searches for stability.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Search {
-    /// An `sfc` evolves once in a cycle.
+    /// An `sfc` evolves once in a cycle; of a program, what that says.
     None,
     /// Nothing can follow the first evolution.
     Once,
@@ -162,7 +162,8 @@ impl Shape {
     }
 
     fn search_of(&self, model: &Model, plan: &Known<'_>, walks: bool) -> Search {
-        if !model.is_grafcet() {
+        // That of a program is its own.
+        if !model.is_grafcet() || self.form == Form::Program {
             return Search::None;
         }
         match (plan.may_be_unstable, walks) {
@@ -249,7 +250,7 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
     }
     if is_sequence(model, plan, only_situation) {
         // What a program does with a situation that is given is not said yet.
-        let planned = model.is_grafcet() || model.forceable;
+        let planned = model.is_grafcet() && model.uses_time() || model.forceable;
         return match (planned, is_long(model, plan)) {
             (false, true) if !suits_program(model, plan.evolution) => Form::LongSequence,
             (false, _) => Form::Program,

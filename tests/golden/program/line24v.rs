@@ -2,21 +2,19 @@
 
 pub struct Line24V {
     first: bool,
-    situation: __Line24VState,
+    situation: __Line24VStateMark,
     q1_: bool,
     q2_: bool,
     q3_: bool,
-    stable: bool,
 }
 impl Line24V {
     pub const fn new() -> Self {
         Self {
             first: true,
-            situation: __Line24VState::S1,
+            situation: __Line24VStateMark::of(__Line24VState::S1),
             q1_: false,
             q2_: false,
             q3_: false,
-            stable: true,
         }
     }
 }
@@ -30,9 +28,9 @@ impl Line24V {
             }
         };
         let mut was_state: __Line24VState = __Line24VState::NONE;
-        let mut evolutions: u8 = 0;
+        let mut evolutions: u32 = 0;
         loop {
-            was_state = self.situation;
+            was_state = self.situation.state();
             let clears_s1_s2_: bool = was_state
                 == __Line24VState::S1 && inputs.b1;
             let clears_s2_s3_: bool = was_state
@@ -42,43 +40,47 @@ impl Line24V {
             let clears_s4_s1_: bool = was_state
                 == __Line24VState::S4 && inputs.b4;
             if clears_s1_s2_ {
-                self.situation = __Line24VState::NONE;
+                self.situation = self.situation.with(__Line24VState::NONE);
             }
             if clears_s2_s3_ {
-                self.situation = __Line24VState::NONE;
+                self.situation = self.situation.with(__Line24VState::NONE);
             }
             if clears_s3_s4_ {
-                self.situation = __Line24VState::NONE;
+                self.situation = self.situation.with(__Line24VState::NONE);
             }
             if clears_s4_s1_ {
-                self.situation = __Line24VState::NONE;
+                self.situation = self.situation.with(__Line24VState::NONE);
             }
             if clears_s4_s1_ {
-                self.situation = __Line24VState::S1;
+                self.situation = self.situation.with(__Line24VState::S1);
             }
             if clears_s1_s2_ {
-                self.situation = __Line24VState::S2;
+                self.situation = self.situation.with(__Line24VState::S2);
             }
             if clears_s2_s3_ {
-                self.situation = __Line24VState::S3;
+                self.situation = self.situation.with(__Line24VState::S3);
             }
             if clears_s3_s4_ {
-                self.situation = __Line24VState::S4;
+                self.situation = self.situation.with(__Line24VState::S4);
             }
             let mut next_q2_: bool = self.q2_;
-            if was_state != __Line24VState::S2 && self.situation == __Line24VState::S2 {
+            if was_state != __Line24VState::S2
+                && self.situation.state() == __Line24VState::S2
+            {
                 next_q2_ = true;
             }
-            if was_state != __Line24VState::S4 && self.situation == __Line24VState::S4 {
+            if was_state != __Line24VState::S4
+                && self.situation.state() == __Line24VState::S4
+            {
                 next_q2_ = false;
             }
-            if !(was_state != self.situation || self.q2_ != next_q2_) {
-                self.stable = true;
+            if !(was_state != self.situation.state() || self.q2_ != next_q2_) {
+                self.situation = self.situation.unmarked();
                 break;
             }
             if evolutions == 10 {
-                self.stable = false;
-                self.situation = was_state;
+                self.situation = self.situation.marked();
+                self.situation = self.situation.with(was_state);
                 break;
             }
             self.q2_ = next_q2_;

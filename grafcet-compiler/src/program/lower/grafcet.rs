@@ -109,7 +109,11 @@ impl<'m> Lower<'_, 'm> {
     /// situation it has led to, and no output that is read has another value now.
     fn settle_search(&self, stable: Option<PlaceId>, kept: &[(PlaceId, PlaceId)]) -> Vec<Statement<'m>> {
         let Some(settled) = self.settled else { return Vec::new() };
-        let mut moves = vec![Expr::Place(self.first), not(stable.map_or_else(yes, Expr::Place)), self.has_edges()];
+        let mut moves = vec![not(stable.map_or_else(yes, Expr::Place)), self.has_edges()];
+        // Otherwise the first search has gone on until nothing more happens, as any other.
+        if !(self.delays.is_empty() && self.model.edges.is_empty() && self.model.actions.is_empty()) {
+            moves.insert(0, Expr::Place(self.first));
+        }
         if !self.delays.is_empty() {
             moves.push(compare(Comparison::Differs, Expr::Place(self.evolutions), number(0)));
         }

@@ -31,7 +31,8 @@ use std::fmt;
 
 use super::{Expr, PlaceId, PlaceInfo, Program, Search};
 use crate::analysis::{Facts, combinational, hierarchy::masters};
-use crate::model::{Blinker, Effect, Model, PartialId, Place, Qualifier, StepId, Ty};
+use crate::list::List;
+use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, StepId, Ty};
 use crate::plan::Regions;
 use crate::sorted::Set;
 
@@ -115,7 +116,15 @@ fn program<'m>(
         }
     }
     let searches = facts.searches(model);
-    let search = Search { comes_back: searches.comes_back, ends: searches.ends.steps().clone() };
+    let mut excluding = Vec::new();
+    if model.is_grafcet() && regions.len() == 1 {
+        for (leaving, exclusive) in model.leaving.iter().zip(facts.exclusive(model)) {
+            if *exclusive && leaving.len() > 1 {
+                excluding.push(leaving.iter().map(|id| lower.clears[id.index()]).list());
+            }
+        }
+    }
+    let search = Search { comes_back: searches.comes_back, ends: searches.ends.steps().clone(), excluding };
     Ok(Program { model, places: lower.places, regions, beside, search, cycle, plants: Vec::new(), deadline })
 }
 

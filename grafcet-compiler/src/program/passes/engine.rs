@@ -71,6 +71,8 @@ pub(super) struct Engine<'e, 'm> {
     pub(super) lists: Vec<Among>,
     /// The ends of ways know all places, and what is a copy of what, not the fields alone.
     pub(super) tells_all: bool,
+    /// Of the truths in one of these one at most becomes true.
+    pub(super) excluding: &'e [Vec<PlaceId>],
     ways: usize,
 }
 
@@ -123,6 +125,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             copies: Vec::new(),
             lists: Vec::new(),
             tells_all: false,
+            excluding: &[],
             ways: 0,
         }
     }
@@ -238,6 +241,10 @@ impl<'e, 'm> Engine<'e, 'm> {
                 forks.push((std::mem::take(&mut body), condition, tree));
                 continue;
             }
+            if let Some(place) = self.excluded(&list[at]) {
+                self.set(place, Expr::Value(Value::Bool(false)), &mut body);
+                continue;
+            }
             let Some((place, condition)) = self.fork(&list[at]) else {
                 self.statement(&list[at], &mut body);
                 if matches!(body.last(), Some(Statement::Break)) {
@@ -299,6 +306,14 @@ impl<'e, 'm> Engine<'e, 'm> {
             });
         }
         Ok(Leaf { body, state, facts, breaks })
+    }
+
+    /// A truth that is set, and cannot become true any more.
+    fn excluded(&self, statement: &Statement<'m>) -> Option<PlaceId> {
+        let Statement::Set(place, _) = statement else { return None };
+        let group = self.excluding.iter().find(|group| group.contains(place))?;
+        let is_true = |other: &&PlaceId| *other != place && self.env[other.0] == Fact::Is(Value::Bool(true));
+        group.iter().find(is_true).map(|_| *place)
     }
 
     /// A truth on which the next state depends, and that is not known.

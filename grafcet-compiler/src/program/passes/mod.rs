@@ -7,6 +7,7 @@
 //! - `split`: one match on the state before, one on the state after; what fields hold in each state
 //! - `moved`: the state that the cycle began with tells whether it has moved
 //! - `search`: the same in the loop of a `grafcet`, and after it
+//! - `starting`: the first cycle of a `grafcet` is a state
 //! - `several`: of several regions, each looked at by itself as far as that is possible
 //! - `rounds`: of the search over several regions, what forces and encloses first, and one match for each region
 //! - `hoist`: what all arms do first
@@ -50,6 +51,7 @@ mod several;
 mod share;
 mod sparse;
 mod split;
+mod starting;
 mod store;
 mod tables;
 mod uses;
@@ -71,6 +73,7 @@ pub enum Pass {
     /// The state before tells whether the cycle has moved, within `Split`.
     Moved,
     Search,
+    Starting,
     Several,
     Rounds,
     Hoist,
@@ -88,7 +91,7 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -97,6 +100,7 @@ impl Pass {
         Self::Join,
         Self::Moved,
         Self::Search,
+        Self::Starting,
         Self::Several,
         Self::Rounds,
         Self::Hoist,
@@ -133,6 +137,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Search) {
         search::pass(program);
+    }
+    if wants(Pass::Starting) {
+        starting::pass(program);
     }
     if wants(Pass::Several) {
         several::pass(program);

@@ -20,15 +20,82 @@
 //!
 //! Needs: the match stands in no loop, and each way through it ends in one state at most.
 
-use super::super::build::{compare, yes};
+use super::super::build::{compare, no, not, yes};
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::many::complete;
 use super::split::merged;
 use super::store::writes_state;
-use super::uses::{Effects, is_pure, same};
+use super::uses::{Effects, blocks_mut, is_pure, same};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
+    let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
+    match program.cycle.iter().position(is_search) {
+        Some(at) => search(program, at),
+        None => scan(program),
+    }
+}
+
+/// The same in the search of a `grafcet`, whose ways leave the loop where nothing goes on.
+fn search(program: &mut Program<'_>, at: usize) {
+    let goes = PlaceId(program.places.len());
+    let Statement::Loop { body, .. } = &mut program.cycle[at] else { return };
+    let Some(Statement::Match(state, arms, otherwise)) = body.first() else { return };
+    let state = *state;
+    let mut next = Next { state, goes, begins: Vec::new(), table: Vec::new() };
+    let mut new: Vec<Arm<'_>> = Vec::with_capacity(arms.len());
+    for (values, arm) in arms {
+        let [own] = values[..] else { return };
+        let Some(arm) = next.arm(own, arm) else { return };
+        new.push((values.clone(), arm));
+    }
+    let (before, mut new) = (new.len(), merged(new));
+    if next.table.is_empty() || !is_smaller(before, new.len()) {
+        return;
+    }
+    let onward = Statement::Set(state, Expr::Table(state, next.table));
+    // Where each way takes what is next from the table, nothing has to tell that.
+    if new.iter().any(|(_, body)| Effects::of_all(body).writes.contains(&state)) {
+        let otherwise = otherwise.clone();
+        let reset = Statement::Set(goes, no());
+        let goes_on = Statement::If(Expr::Place(goes), vec![onward], Vec::new());
+        body.splice(..1, [reset, Statement::Match(state, new, otherwise), goes_on]);
+        program.places.push(truth("goes"));
+        return;
+    }
+    for (_, arm) in &mut new {
+        without_set(arm, goes);
+    }
+    body.splice(..1, [Statement::Match(state, new, otherwise.clone()), onward]);
+}
+
+/// Without what tells that a way goes on.
+fn without_set(statements: &mut Vec<Statement<'_>>, goes: PlaceId) {
+    statements.retain(|one| !matches!(one, Statement::Set(place, _) if *place == goes));
+    for statement in statements {
+        for block in blocks_mut(statement) {
+            without_set(block, goes);
+        }
+        if let Statement::If(condition, then, otherwise) = statement {
+            if then.is_empty() {
+                let stays = not(condition.clone());
+                *statement = Statement::If(stays, std::mem::take(otherwise), Vec::new());
+            }
+        }
+    }
+}
+
+fn truth<'m>(name: &str) -> PlaceInfo<'m> {
+    PlaceInfo {
+        name: name.to_owned(),
+        role: Role::Local,
+        ty: Type::Bool,
+        initial: Initial::Value(Value::Bool(false)),
+        is_field: false,
+    }
+}
+
+fn scan(program: &mut Program<'_>) {
     let Some(at) = program.cycle.iter().position(|statement| writes_state(program, statement)) else { return };
     let [Statement::Match(state, arms, _), behind @ ..] = &program.cycle[at..] else { return };
     let (state, goes) = (*state, PlaceId(program.places.len()));
@@ -52,13 +119,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     then.extend(next.begins);
     let new = [Statement::Match(state, new, Vec::new()), Statement::If(Expr::Place(goes), then, Vec::new())];
     program.cycle.splice(at..=at + usize::from(was.is_some()), new);
-    program.places.push(PlaceInfo {
-        name: "goes".to_owned(),
-        role: Role::Local,
-        ty: Type::Bool,
-        initial: Initial::Value(Value::Bool(false)),
-        is_field: false,
-    });
+    program.places.push(truth("goes"));
     if let Some(was) = was {
         without(&mut program.cycle, was);
     }

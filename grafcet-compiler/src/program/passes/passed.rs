@@ -22,29 +22,35 @@ const ARMS: usize = 2;
 pub(super) fn pass(program: &mut Program<'_>) {
     for index in 0..program.places.len() {
         if matches!(program.places[index].role, Role::Began(_)) {
-            one(program, PlaceId(index));
+            let (cycle, places) = (&mut program.cycle, &mut program.places);
+            for statement in cycle.iter_mut() {
+                if let Statement::Loop { body, .. } = statement {
+                    one(body, places, PlaceId(index));
+                }
+            }
+            one(cycle, places, PlaceId(index));
         }
     }
 }
 
-fn one(program: &mut Program<'_>, since: PlaceId) {
+fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, since: PlaceId) {
     let asks = |statement: &Statement<'_>| match statement {
         Statement::Match(_, arms, _) => count(arms, since) >= ARMS,
         _ => false,
     };
-    let Some(at) = program.cycle.iter().position(asks) else { return };
-    let Statement::Match(_, arms, otherwise) = &mut program.cycle[at] else { return };
-    if !otherwise.is_empty() || arms.iter().any(|(_, body)| !asks_first(body, since)) {
+    let Some(at) = block.iter().position(asks) else { return };
+    let Statement::Match(_, arms, otherwise) = &mut block[at] else { return };
+    if Effects::of_all(otherwise).reads.contains(&since) || arms.iter().any(|(_, body)| !asks_first(body, since)) {
         return;
     }
-    let passed = PlaceId(program.places.len());
+    let passed = PlaceId(places.len());
     let time = |expr: &Expr<'_>| is_time(expr, since).then_some(Expr::Place(passed));
     for (_, body) in arms {
         rewrite(body, &mut |expr| replaced(expr, &time));
     }
     let since = Expr::Since(Box::new(Expr::Now), Box::new(Expr::Place(since)));
-    program.cycle.insert(at, Statement::Set(passed, since));
-    program.places.push(PlaceInfo {
+    block.insert(at, Statement::Set(passed, since));
+    places.push(PlaceInfo {
         name: "passed".to_owned(),
         role: Role::Local,
         ty: Type::Ticks,

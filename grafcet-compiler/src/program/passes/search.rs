@@ -18,14 +18,14 @@
 //! Needs: the situation is the state of one region; one loop, nothing in front of it writes the state; on each way through it the state is
 //! known.
 
-use super::super::{Arm, Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
+use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::{Live, is_seen, needed};
 use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
 use super::flat::flat;
 use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
-use super::uses::{Effects, same_block};
+use super::uses::{Effects, blocks_mut, same_block};
 use crate::model::StepId;
 use crate::sorted::Set;
 
@@ -59,7 +59,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
 }
 
 impl<'m> Search<'m> {
-    fn of(program: &Program<'m>, places: &mut Vec<super::super::PlaceInfo<'m>>) -> Option<Self> {
+    fn of(program: &Program<'m>, places: &mut Vec<PlaceInfo<'m>>) -> Option<Self> {
         let is_situation = |role| matches!(role, Role::State(_) | Role::Bit(_));
         if places.iter().filter(|place| is_situation(place.role)).count() != 1 {
             return None;
@@ -150,24 +150,47 @@ impl<'m> Search<'m> {
                 Live { base: &base, flips: flips.clone(), left: flips.clone() }.sweep(&mut leaf.body);
             });
         }
-        if self.tail.is_empty() {
-            self.end_early(&mut trees, &program.search.ends, &assumed);
+        let mut tail = self.tail.clone();
+        if tail.is_empty() {
+            tail = self.end_early(&mut trees, &program.search.ends, &assumed);
         }
+        let mut rounds = 1;
+        for tree in trees.iter().flatten() {
+            each_leaf(tree, &mut |leaf| rounds = if leaf.breaks { rounds } else { self.rounds });
+        }
+        let mut cycle = self.before.clone();
+        if rounds == 1 {
+            cycle.extend(self.once(trees));
+        } else {
+            let mut body = self.round(trees);
+            body.extend(tail);
+            cycle.push(Statement::Loop { rounds, body });
+        }
+        cycle.extend(behind);
+        Ok(cycle)
+    }
+
+    /// One round of several.
+    fn round(&self, mut trees: Vec<Option<Tree<'m>>>) -> Vec<Statement<'m>> {
         let mut going = Vec::new();
         for tree in trees.iter_mut().flatten() {
             collect(tree, &mut going);
         }
-        let may = |statement: &Statement<'m>| {
-            !matches!(statement, Statement::Mark(_)) && !Effects::of(statement).writes.contains(&self.state)
-        };
-        let shared = share::ends(&mut going, &may);
+        let shared = share::ends(&mut going, &|one| self.may_follow(one));
         let mut body = vec![self.turn(trees)];
         body.extend(shared);
-        body.extend(self.tail.iter().cloned());
-        let mut cycle = self.before.clone();
-        cycle.push(Statement::Loop { rounds: self.rounds, body });
-        cycle.extend(behind);
-        Ok(cycle)
+        body
+    }
+
+    /// The only round: each way ends it.
+    fn once(&self, trees: Vec<Option<Tree<'m>>>) -> Vec<Statement<'m>> {
+        let mut body = vec![self.turn(trees)];
+        without_break(&mut body);
+        body
+    }
+
+    fn may_follow(&self, statement: &Statement<'m>) -> bool {
+        !matches!(statement, Statement::Mark(_)) && !Effects::of(statement).writes.contains(&self.state)
     }
 
     /// What a round does in each state, and what is known where the loop is left.
@@ -181,6 +204,7 @@ impl<'m> Search<'m> {
         let places = &program.places;
         let index = Index::of(places, &self.body, self.state, None, assumed, &self.points).ok_or(Lost)?;
         let mut engine = Engine::new(places, (&self.body, &index), self.state, &self.points, carried, assumed, true);
+        engine.excluding = &program.search.excluding;
         let mut ends: Vec<Option<Vec<Fact>>> = vec![None; self.points.all.len()];
         let mut trees: Vec<Option<Tree<'m>>> = Vec::new();
         trees.resize_with(self.points.all.len(), || None);
@@ -231,23 +255,40 @@ impl<'m> Search<'m> {
         facts
     }
 
-    /// A way to a step that nothing can leave in the same search leaves it at once, with what that step does where it rests.
-    fn end_early(&self, trees: &mut [Option<Tree<'m>>], ends: &Set<StepId>, assumed: &[bool]) {
+    /// The search ends with the activation of a step that nothing can leave in it. Where that is so of all ways each does at once what its
+    /// step does where it rests; else it stands at the end of the round, if all these steps do the same.
+    fn end_early(&self, trees: &mut [Option<Tree<'m>>], ends: &Set<StepId>, assumed: &[bool]) -> Vec<Statement<'m>> {
         let mut rests: Vec<Option<Vec<Statement<'m>>>> = vec![None; trees.len()];
+        let mut steps = Vec::new();
         for ((rest, tree), point) in rests.iter_mut().zip(&*trees).zip(&self.points.all) {
-            if matches!(point, Value::Step(Some(step)) if ends.contains(step)) {
-                *rest = tree.as_ref().and_then(|tree| at_rest(tree, *point, assumed));
+            if let Value::Step(Some(step)) = point {
+                *rest = tree.as_ref().filter(|_| ends.contains(step)).and_then(|tree| at_rest(tree, *point, assumed));
+                steps.extend(rest.as_ref().map(|_| *step));
             }
+        }
+        let to = |leaf: &Leaf<'m>| self.points.point(leaf.state).filter(|_| !leaf.breaks);
+        let mut all_end = true;
+        for tree in trees.iter().flatten() {
+            each_leaf(tree, &mut |leaf| all_end &= to(leaf).is_none_or(|to| rests[to].is_some()));
+        }
+        if !all_end {
+            let mut alike = rests.into_iter().flatten();
+            let Some(mut rest) = alike.next() else { return Vec::new() };
+            if !alike.all(|other| same_block(&rest, &other)) {
+                return Vec::new();
+            }
+            rest.push(Statement::Break);
+            return vec![Statement::If(Expr::Is(self.state, steps), rest, Vec::new())];
         }
         for tree in trees.iter_mut().flatten() {
             tree.each_leaf_mut(&mut |leaf| {
-                let to = self.points.point(leaf.state).filter(|_| !leaf.breaks);
-                if let Some(rest) = to.and_then(|to| rests[to].as_ref()) {
+                if let Some(rest) = to(leaf).and_then(|to| rests[to].as_ref()) {
                     leaf.body.extend(rest.iter().cloned());
                     leaf.breaks = true;
                 }
             });
         }
+        Vec::new()
     }
 
     /// What is done after the loop, by the state in which it was left.
@@ -269,7 +310,7 @@ impl<'m> Search<'m> {
             let Some(facts) = facts else { continue };
             let mut known = vec![(self.state, Fact::Is(self.points.all[point]))];
             for (index, place) in places.iter().enumerate() {
-                let value = super::fold::initial(place).filter(|_| !matches!(place.ty, super::super::Type::User(_)));
+                let value = super::fold::initial(place).filter(|_| !matches!(place.ty, Type::User(_)));
                 if !place.is_field && !touched.writes.contains(&PlaceId(index)) {
                     known.push((PlaceId(index), value.map_or(Fact::Initial, Fact::Is)));
                 }
@@ -324,6 +365,13 @@ fn each_way<'m>(tree: &Tree<'m>, way: &mut Vec<Statement<'m>>, each: &mut dyn Fn
         End::Fork(_, ways) => ways.iter().for_each(|one| each_way(one, way, each)),
     }
     way.truncate(begun);
+}
+
+fn without_break(statements: &mut Vec<Statement<'_>>) {
+    for block in statements.iter_mut().flat_map(blocks_mut) {
+        without_break(block);
+    }
+    statements.retain(|one| !matches!(one, Statement::Break));
 }
 
 /// Paragraphs opened.

@@ -46,6 +46,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         }
     }
     body.splice(last + 1..last + 1, stored);
+    store_where_it_ends(body, now, state);
     program.cycle.splice(at..at, front);
 }
 
@@ -55,6 +56,17 @@ fn local(program: &mut Program<'_>, of: PlaceId) -> PlaceId {
     let (name, ty, initial) = (format!("now.{name}"), *ty, *initial);
     program.places.push(PlaceInfo { name, role: Role::Local, ty, initial, is_field: false });
     PlaceId(program.places.len() - 1)
+}
+
+/// A way that goes to a step and leaves the loop stores the state itself.
+fn store_where_it_ends(statements: &mut Vec<Statement<'_>>, now: PlaceId, state: PlaceId) {
+    for block in statements.iter_mut().flat_map(blocks_mut) {
+        store_where_it_ends(block, now, state);
+    }
+    let is_set = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if *place == now);
+    if matches!(statements.last(), Some(Statement::Break)) && statements.iter().any(is_set) {
+        statements.insert(statements.len() - 1, Statement::Set(state, Expr::Place(now)));
+    }
 }
 
 /// A truth that begins as true need not be set to true, if the loop is left where it falls.

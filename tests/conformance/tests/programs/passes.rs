@@ -33,6 +33,7 @@ fn each_pass_is_as_recorded() {
         "sfc Waits { input a: bool; output p: bool; initial step A; step B { p; } A -[a && 9ms/A]-> B -[5ms/B]-> A; }";
     let drum = "sfc Drum { input empty, again, full: bool; output pump, valve: bool; initial step Drain { pump; } step Fill { valve; } step Spin; \
                 Drain -[empty && again]-> Fill -[full]-> Drain; Drain -[empty && !again]-> Spin -[!empty]-> Drain; }";
+    let watch = "grafcet Watch { input on: bool; output lamp: bool; initial step Off; step On { lamp; } Off -[on]-> On -[5ms/On]-> Off; }";
     for (pass, chart) in [
         (Pass::Marks, lamp),
         (Pass::Apart, lamp),
@@ -42,6 +43,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Join, twice),
         (Pass::Moved, waits),
         (Pass::Search, stairs),
+        (Pass::Starting, watch),
         (Pass::Several, pair),
         (Pass::Rounds, PLANT),
         (Pass::Hoist, timed),
@@ -53,13 +55,23 @@ fn each_pass_is_as_recorded() {
         (Pass::Next, &wash()),
         (Pass::Passed, &wash()),
         (Pass::Records, lamp),
+        (Pass::Working, stairs),
         (Pass::Fences, pair),
     ] {
         let model = read(chart);
         let at = Pass::ALL.iter().position(|other| *other == pass).expect("a pass");
         // The passes after `Split` are read without what the last ones take away.
-        let shaping = [Pass::Known, Pass::Join, Pass::Moved, Pass::Search, Pass::Several, Pass::Rounds, Pass::Hoist]
-            .contains(&pass);
+        let shaping = [
+            Pass::Known,
+            Pass::Join,
+            Pass::Moved,
+            Pass::Search,
+            Pass::Starting,
+            Pass::Several,
+            Pass::Rounds,
+            Pass::Hoist,
+        ]
+        .contains(&pass);
         let tidy = if shaping { &[Pass::Dead][..] } else { &[] };
         let before = optimised(&model, Encoding::Regions, &[&Pass::ALL[..at], tidy].concat()).expect("a program");
         let after = optimised(&model, Encoding::Regions, &[&Pass::ALL[..=at], tidy].concat()).expect("a program");
@@ -96,6 +108,37 @@ fn wash() -> String {
         _ = write!(text, "S{step} -[{condition}]-> S{}; ", step + 1);
     }
     text + "S8 -[b]-> S9; S8 -[!b && 5ms/S8]-> S2; S9 -[5ms/S9 && n]-> S1; S9 -[5ms/S9 && !n]-> S0; }"
+}
+
+/// The searches of a `grafcet` of one region: one that turns for ever while both inputs are there, one that goes on by a table, one that
+/// ends with one of its steps, and one that ends with each of them; and by time, with two ways and with one that has no end.
+#[test]
+fn searches_of_one_region_end_where_they_have_to() {
+    let (belt, wash) = (belt().replacen("sfc", "grafcet", 1), wash().replacen("sfc", "grafcet", 1));
+    let turns = "grafcet Turns { input a, b: bool; output p: bool; initial step A { R p; } step B { S p; } A -[a]-> B -[b]-> A; }";
+    let ends = "grafcet Ends { input a, b: bool; output p, q: bool; initial step A; step B { p; } step C { p; q; } A -[a]-> B -[b]-> C -[!a]-> A; }";
+    let once = "grafcet Once { input a, b: bool; output p: bool; output n: u8 = 0; initial step A { P1 n = 1; } step B { p; P1 n = 2; } \
+                A -[a]-> B -[!a]-> A; }";
+    let ways = "grafcet Ways { input a, b: bool; output p: bool; initial step A; step B { p; } step C; \
+                A -[a && 2ms/A]-> B; A -[!a && b]-> C; B -[4ms/B || b]-> A; C -[a]-> A; }";
+    for (chart, has) in [
+        (belt.as_str(), "table("),
+        (wash.as_str(), "since"),
+        (turns, "evolutions == 6"),
+        (ends, "if now.state is A"),
+        (once, "match state"),
+        (ways, "loop"),
+    ] {
+        let model = read(chart);
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        assert!(program.to_string().contains(has), "{program}");
+        let mut text = "---\n---\n".to_owned();
+        for cycle in 0..200_u32 {
+            let inputs = ["", "a", "b", "a b", "a", "b", "a b"][(cycle / 2 % 7) as usize];
+            _ = writeln!(text, "{inputs} @{} | |", cycle * 2 - cycle % 3);
+        }
+        each_left_out(&model, &text, 60);
+    }
 }
 
 /// A stop that forces two modes, one of which encloses two branches; a part beside them that looks at the branches.

@@ -1,16 +1,14 @@
 // Recorded by `cargo xtask bless`: state and cycle of the program, without the facade's path.
 
 pub struct Line24V {
-    situation: __Line24VState,
+    situation: __Line24VStateMark,
     q2_: bool,
-    stable: bool,
 }
 impl Line24V {
     pub const fn new() -> Self {
         Self {
-            situation: __Line24VState::S1,
+            situation: __Line24VStateMark::of(__Line24VState::S1),
             q2_: false,
-            stable: true,
         }
     }
 }
@@ -23,67 +21,56 @@ impl Line24V {
                 q3: false,
             }
         };
-        let mut evolutions: u8 = 0;
+        let mut now_state: __Line24VState = self.situation.state();
+        self.situation = __Line24VStateMark::of(now_state);
+        self.situation = self.situation.unmarked();
+        let mut evolutions: u32 = 0;
         loop {
-            match self.situation {
+            let inputs = core::hint::black_box(inputs);
+            match now_state {
                 __Line24VState::S1 => {
                     if inputs.b1 {
-                        if evolutions == 10 {
-                            self.stable = false;
-                            break;
-                        } else {
-                            self.situation = __Line24VState::S2;
-                            self.q2_ = true;
-                        }
+                        now_state = __Line24VState::S2;
+                        self.q2_ = true;
                     } else {
-                        self.stable = true;
                         break;
                     }
                 }
                 __Line24VState::S2 => {
                     if inputs.b2 {
-                        if evolutions == 10 {
-                            self.stable = false;
-                            break;
-                        } else {
-                            self.situation = __Line24VState::S3;
-                        }
+                        now_state = __Line24VState::S3;
                     } else {
-                        self.stable = true;
                         break;
                     }
                 }
                 __Line24VState::S3 => {
                     if inputs.b3 {
-                        if evolutions == 10 {
-                            self.stable = false;
-                            break;
-                        } else {
-                            self.situation = __Line24VState::S4;
-                            self.q2_ = false;
-                        }
+                        now_state = __Line24VState::S4;
+                        self.q2_ = false;
                     } else {
-                        self.stable = true;
                         break;
                     }
                 }
                 __Line24VState::S4 => {
                     if inputs.b4 {
-                        if evolutions == 10 {
-                            self.stable = false;
-                            break;
-                        } else {
-                            self.situation = __Line24VState::S1;
-                        }
+                        now_state = __Line24VState::S1;
                     } else {
-                        self.stable = true;
                         break;
                     }
                 }
             }
+            self.situation = __Line24VStateMark::of(now_state);
+            self.situation = self.situation.unmarked();
             evolutions = evolutions.wrapping_add(1);
+            if evolutions == 10 {
+                self.situation = self.situation.marked();
+                break;
+            }
         }
-        match self.situation {
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        match self.situation.state() {
             __Line24VState::S1 => {
                 outputs.q1 = true;
             }

@@ -1,0 +1,19 @@
+//! Which steps have transitions that exclude each other.
+
+use super::Logic;
+use crate::list::List;
+use crate::model::{Model, TransitionId};
+
+/// Per step, whether at most one of its transitions can clear at a time: by priority in an `sfc`, by their conditions in a `grafcet`.
+pub(super) fn exclusive(model: &Model) -> Vec<bool> {
+    let logic = Logic::new(model);
+    let all_exclude = |ids: &Vec<TransitionId>| {
+        let conditions: Vec<_> = ids.iter().map(|id| logic.condition(&model.transitions[*id].condition.tree)).list();
+        let all: Vec<_> = ids.iter().zip(&conditions).list();
+        let apart = |(a, first): (&TransitionId, _), (b, second): (&TransitionId, _)| {
+            model.exclude_each_other(*a, *b) || logic.exclusive(first, second)
+        };
+        all.iter().enumerate().all(|(i, a)| all[i + 1..].iter().all(|b| apart(*a, *b)))
+    };
+    model.leaving.iter().map(|transitions| !model.is_grafcet() || all_exclude(transitions)).list()
+}

@@ -1,0 +1,144 @@
+//! In a `grafcet` of one region the first cycle is a state, and what tells that the next cycle would do the same is no field where others tell it.
+//!
+//! ```text
+//! fields                       fields
+//!   first = true                 state = start
+//!   state = A            ->
+//! if first: since = now        first = state is start
+//! …                            if first: state = A
+//! settled = true               if first: since = now
+//! first = false                …
+//! at reading if !settled       at since if state is start
+//! ```
+//!
+//! Needs: the deadline does not ask whether the first cycle is still to come.
+
+use super::super::build::{all, compare, not};
+use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
+use super::uses::{Effects, each_read, mentions, replaced};
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    let (Some(state), Some(first)) = (program.place(Role::State(0)), program.place(Role::First)) else { return };
+    let Initial::Value(Value::Step(begin @ Some(_))) = program.places[state.0].initial else { return };
+    if !program.model.is_grafcet() || program.regions.len() != 1 {
+        return;
+    }
+    let ends =
+        |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == first);
+    let rest = program.cycle.iter().filter(|one| !ends(one));
+    let mut effects = Effects::default();
+    rest.for_each(|one| effects.add(one));
+    if effects.writes.contains(&first) || is_asked(program, first) {
+        return;
+    }
+    if !effects.reads.contains(&first) && !is_settled_apart(program) {
+        return;
+    }
+    // In the loop no state is that of the first cycle.
+    for statement in program
+        .cycle
+        .iter_mut()
+        .filter_map(|one| if let Statement::Loop { body, .. } = one { Some(body) } else { None })
+        .flatten()
+    {
+        match statement {
+            Statement::Match(place, _, otherwise) if *place == state && otherwise.is_empty() => {
+                otherwise.push(Statement::Break);
+            }
+            _ => {}
+        }
+    }
+    program.cycle.retain(|one| !ends(one));
+    let start = Expr::Value(Value::Start(begin));
+    let is_start = compare(Comparison::Equal, Expr::Place(state), start);
+    let enters = Statement::Set(state, Expr::Value(Value::Step(begin)));
+    let front = [Statement::Set(first, is_start.clone()), Statement::If(Expr::Place(first), vec![enters], Vec::new())];
+    program.cycle.splice(0..0, front);
+    program.places[state.0].initial = Initial::Value(Value::Start(begin));
+    program.places[first.0].is_field = false;
+    settle(program, &is_start);
+    outlasted(program);
+}
+
+/// Whether the deadline asks for a place.
+fn is_asked(program: &Program<'_>, place: PlaceId) -> bool {
+    let Some(deadline) = &program.deadline else { return false };
+    let waits = deadline.waits.iter().any(|(condition, time)| mentions(condition, place) || mentions(time, place));
+    mentions(&deadline.at_once, place) || waits || deadline.late.iter().any(|(_, over)| mentions(over, place))
+}
+
+/// What is stored of whether the next cycle would do the same, if only fields tell that.
+fn told<'m>(program: &Program<'m>) -> Option<(PlaceId, Expr<'m>)> {
+    let settled = program.place(Role::Settled)?;
+    let mut told = None;
+    for (at, statement) in program.cycle.iter().enumerate() {
+        match statement {
+            Statement::Set(place, value) if *place == settled && told.is_none() => told = Some((at, value.clone())),
+            other if Effects::of(other).writes.contains(&settled) => return None,
+            _ => {}
+        }
+    }
+    let (at, value) = told?;
+    let later = Effects::of_all(&program.cycle[at..]).writes;
+    let mut lasts = true;
+    each_read(&value, &mut |place| lasts &= program.places[place.0].is_field && !later.contains(&place));
+    lasts.then_some((settled, value))
+}
+
+fn is_settled_apart(program: &Program<'_>) -> bool {
+    told(program).is_some()
+}
+
+/// Before the first cycle nothing is settled.
+fn settle<'m>(program: &mut Program<'m>, is_start: &Expr<'m>) {
+    let Some((settled, value)) = told(program) else { return };
+    let told = all(vec![not(is_start.clone()), value.clone()]);
+    let leaf = |expr: &Expr<'m>| matches!(expr, Expr::Place(place) if *place == settled).then(|| told.clone());
+    let Some(deadline) = &mut program.deadline else { return };
+    let alone =
+        matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == settled));
+    // Both begin with the same reading.
+    if alone && matches!(value, Expr::Value(Value::Bool(true))) {
+        deadline.reading = deadline.from;
+    }
+    deadline.at_once = replaced(&deadline.at_once, &leaf);
+    for (condition, _) in &mut deadline.waits {
+        *condition = replaced(condition, &leaf);
+    }
+    program.cycle.retain(|one| !matches!(one, Statement::Set(place, _) if *place == settled));
+}
+
+/// That a time of the active step is over is stored where the deadline asks for it.
+fn outlasted(program: &mut Program<'_>) {
+    let (Some(passed), Some(state)) = (program.place(Role::Passed), program.place(Role::State(0))) else { return };
+    let Some(deadline) = &program.deadline else { return };
+    let mut asked = Vec::new();
+    for (condition, _) in &deadline.waits {
+        if !mentions(condition, passed) {
+            continue;
+        }
+        let Expr::All(parts) = condition else { return };
+        let of = parts.iter().find_map(|part| match part {
+            Expr::Is(place, steps) if *place == state => Some(steps),
+            _ => None,
+        });
+        let Some(steps) = of else { return };
+        asked.extend(steps.iter().map(|step| Value::Step(Some(*step))));
+    }
+    if mentions(&deadline.at_once, passed) || Effects::of_all(&program.cycle).reads.contains(&passed) {
+        return;
+    }
+    for statement in &mut program.cycle {
+        let Statement::Match(place, arms, otherwise) = statement else { continue };
+        if *place != state {
+            continue;
+        }
+        let sets = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if *place == passed);
+        for (values, body) in arms.iter_mut() {
+            if !values.iter().any(|value| asked.contains(value)) {
+                body.retain(|one| !sets(one));
+            }
+        }
+        arms.retain(|(_, body)| !body.is_empty() || !otherwise.is_empty());
+    }
+}
