@@ -230,6 +230,10 @@ impl __CellRegion0Mark {
             }
         }
     }
+    /// Another state, and the mark as it is.
+    const fn with(self, state: __CellRegion0) -> Self {
+        Self(self.0 & 4u8 | state as ::grafcet::__private::u8)
+    }
     const fn unmarked(self) -> Self {
         Self(self.0 & 3u8)
     }

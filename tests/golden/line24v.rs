@@ -198,6 +198,10 @@ impl __Line24VStateMark {
             }
         }
     }
+    /// Another state, and the mark as it is.
+    const fn with(self, state: __Line24VState) -> Self {
+        Self(self.0 & 4u8 | state as ::grafcet::__private::u8)
+    }
     const fn unmarked(self) -> Self {
         Self(self.0 & 3u8)
     }
@@ -225,7 +229,7 @@ The situation takes one byte: which of its 4 steps is active.*/
 )]
 pub struct Line24V {
     situation: __Line24VStateMark,
-    out_q2: ::grafcet::__private::core::primitive::bool,
+    q2_: ::grafcet::__private::core::primitive::bool,
 }
 impl Line24V {
     ///A chart `Line24V` in its initial situation; its activation belongs to the first cycle.
@@ -233,7 +237,7 @@ impl Line24V {
     pub const fn new() -> Self {
         Self {
             situation: __Line24VStateMark::of(__Line24VState::S1),
-            out_q2: false,
+            q2_: false,
         }
     }
 }
@@ -246,61 +250,72 @@ impl Line24V {
     /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
     /// situation.
     pub fn cycle(&mut self, inputs: &Line24VInputs) -> Line24VOutputs {
-        let mut outputs = Line24VOutputs {
-            q1: false,
-            q2: false,
-            q3: false,
-        };
-        let mut state = self.situation.state();
-        self.situation = __Line24VStateMark::of(state);
-        'search: {
-            for _ in 0..10u32 {
-                let inputs = ::grafcet::__private::core::hint::black_box(inputs);
-                let before = state;
-                let after = match before {
-                    __Line24VState::S1 => {
-                        if inputs.b1 { __Line24VState::S2 } else { break 'search }
-                    }
-                    __Line24VState::S2 => {
-                        if inputs.b2 { __Line24VState::S3 } else { break 'search }
-                    }
-                    __Line24VState::S3 => {
-                        if inputs.b3 { __Line24VState::S4 } else { break 'search }
-                    }
-                    __Line24VState::S4 => {
-                        if inputs.b4 { __Line24VState::S1 } else { break 'search }
-                    }
-                };
-                match after {
-                    __Line24VState::S2 => {
-                        self.out_q2 = true;
-                    }
-                    __Line24VState::S4 => {
-                        self.out_q2 = false;
-                    }
-                    _ => {}
-                }
-                state = after;
-                self.situation = __Line24VStateMark::of(after);
+        let mut outputs = const {
+            Line24VOutputs {
+                q1: false,
+                q2: false,
+                q3: false,
             }
-            self.situation = self.situation.marked();
+        };
+        let mut now_state: __Line24VState = self.situation.state();
+        self.situation = __Line24VStateMark::of(now_state);
+        self.situation = self.situation.unmarked();
+        let mut evolutions: ::grafcet::__private::u32 = 0;
+        loop {
+            let inputs = ::grafcet::__private::core::hint::black_box(inputs);
+            match now_state {
+                __Line24VState::S1 => {
+                    if inputs.b1 {
+                        now_state = __Line24VState::S2;
+                        self.q2_ = true;
+                    } else {
+                        break;
+                    }
+                }
+                __Line24VState::S2 => {
+                    if inputs.b2 {
+                        now_state = __Line24VState::S3;
+                    } else {
+                        break;
+                    }
+                }
+                __Line24VState::S3 => {
+                    if inputs.b3 {
+                        now_state = __Line24VState::S4;
+                        self.q2_ = false;
+                    } else {
+                        break;
+                    }
+                }
+                __Line24VState::S4 => {
+                    if inputs.b4 {
+                        now_state = __Line24VState::S1;
+                    } else {
+                        break;
+                    }
+                }
+            }
+            self.situation = __Line24VStateMark::of(now_state);
+            self.situation = self.situation.unmarked();
+            evolutions = evolutions.wrapping_add(1);
+            if evolutions == 10 {
+                self.situation = self.situation.marked();
+                break;
+            }
         }
         ::grafcet::__private::core::sync::atomic::compiler_fence(
             ::grafcet::__private::core::sync::atomic::Ordering::SeqCst,
         );
-        let after = self.situation.state();
-        match after {
+        match self.situation.state() {
             __Line24VState::S1 => {
                 outputs.q1 = true;
             }
             __Line24VState::S3 => {
-                if inputs.b5 {
-                    outputs.q3 = true;
-                }
+                outputs.q3 = inputs.b5;
             }
             _ => {}
         }
-        outputs.q2 = self.out_q2;
+        outputs.q2 = self.q2_;
         outputs
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

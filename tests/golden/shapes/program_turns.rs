@@ -1,0 +1,99 @@
+// Recorded by `cargo xtask bless`: the cycle of the chart beside it, without the facade's path.
+
+impl Long {
+    /// One cycle: evaluates the transition conditions on `inputs`, clears, acts, and returns the outputs of the new
+    /// situation.
+    fn cycle(&mut self, inputs: &LongInputs) -> LongOutputs {
+        let mut outputs = LongOutputs { lamp: false };
+        let mut now_state: __LongState = self.situation.state();
+        self.situation = __LongStateMark::of(now_state);
+        self.situation = self.situation.unmarked();
+        let inputs = core::hint::black_box(inputs);
+        let mut evolutions: u32 = 0;
+        loop {
+            match now_state {
+                __LongState::S0
+                | __LongState::S2
+                | __LongState::S4
+                | __LongState::S6
+                | __LongState::S8
+                | __LongState::S10
+                | __LongState::S12
+                | __LongState::S14
+                | __LongState::S16
+                | __LongState::S18
+                | __LongState::S20
+                | __LongState::S22 => {
+                    if !inputs.a {
+                        break;
+                    }
+                }
+                __LongState::S1
+                | __LongState::S3
+                | __LongState::S5
+                | __LongState::S7
+                | __LongState::S9
+                | __LongState::S11
+                | __LongState::S13
+                | __LongState::S15
+                | __LongState::S17
+                | __LongState::S19
+                | __LongState::S21
+                | __LongState::S23 => {
+                    if !inputs.b {
+                        break;
+                    }
+                }
+            }
+            now_state = {
+                const TABLE: [__LongState; 24usize] = [
+                    __LongState::S1,
+                    __LongState::S2,
+                    __LongState::S3,
+                    __LongState::S4,
+                    __LongState::S5,
+                    __LongState::S6,
+                    __LongState::S7,
+                    __LongState::S8,
+                    __LongState::S9,
+                    __LongState::S10,
+                    __LongState::S11,
+                    __LongState::S12,
+                    __LongState::S13,
+                    __LongState::S14,
+                    __LongState::S15,
+                    __LongState::S16,
+                    __LongState::S17,
+                    __LongState::S18,
+                    __LongState::S19,
+                    __LongState::S20,
+                    __LongState::S21,
+                    __LongState::S22,
+                    __LongState::S23,
+                    __LongState::S0,
+                ];
+                match TABLE.get(now_state as usize) {
+                    Option::Some(found) => *found,
+                    Option::None => now_state,
+                }
+            };
+            self.situation = __LongStateMark::of(now_state);
+            self.situation = self.situation.unmarked();
+            evolutions = evolutions.wrapping_add(1);
+            if evolutions == 50 {
+                self.situation = self.situation.marked();
+                break;
+            }
+        }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
+        match now_state {
+            __LongState::S5 => {
+                outputs.lamp = true;
+            }
+            _ => {}
+        }
+        outputs
+    }
+}
