@@ -61,7 +61,7 @@ pub struct Exploration {
     /// Per watched expression whether it can hold.
     watched: Vec<Answer>,
     settles: bool,
-    /// Some search does not, and all combinations were tried.
+    /// Some search for stability was stopped by its bound.
     turns: bool,
     limit: u64,
     work: u64,
@@ -115,7 +115,7 @@ impl Exploration {
         let ways =
             (!whole.complete && !is_told).then(|| some_ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
-            turns: sooner.is_none() && whole.complete && whole.unstable,
+            turns: whole.unstable || sooner.as_ref().is_some_and(|graph| graph.unstable),
             settles: sooner.is_none() && stability::settled(&net, &whole),
             sources: model.transitions.values().map(|transition| transition.sources.clone()).list(),
             unsafe_steps: Map::new(),

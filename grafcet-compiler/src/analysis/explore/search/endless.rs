@@ -2,7 +2,8 @@
 //!
 //! A circle is entered where a transition clears in a stable situation and the search turns in it. It is a fault where
 //! none of its transitions ever begins a search that comes to rest, and neither does one that leads into it. What lies
-//! after a search without end is not looked at.
+//! after a search without end is not looked at, and a search that turns is followed for one turn only: so this can come to its end
+//! where the budget is not enough for the whole chart.
 
 use std::rc::Rc;
 
@@ -29,6 +30,8 @@ pub(crate) fn circles(model: &Model, net: &Net, limit: u64) -> Option<Vec<Vec<Tr
         search = search.with_time();
     }
     search.valuation.to_the_turn = true;
+    // What the chart claims has nothing to do with its circles.
+    search.graph.watched.clear();
     search.roots();
     let mut found = Found::new(model, net);
     let mut number = 0;
