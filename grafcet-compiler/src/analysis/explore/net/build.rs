@@ -1,7 +1,7 @@
 //! From a model to a net.
 
 use super::compile::Compiler;
-use super::formula::{Formula, Kind};
+use super::formula::{AtomId, Formula, Kind};
 use super::links::Links;
 use super::slice::Slice;
 use super::slots::Slots;
@@ -9,7 +9,7 @@ use super::{Arc, Net, Order, Part};
 use super::{actions, clocks, unfollowed, units};
 use crate::analysis::explore::verdicts::rivals::Rival;
 use crate::list::List;
-use crate::model::{ForceOrder, Id, Model, PartialId, Step, TransitionId, Tree};
+use crate::model::{Arena, ForceOrder, Id, Model, PartialId, Step, TransitionId, Tree};
 use crate::sorted::Map;
 
 /// What a chart is explored for.
@@ -58,7 +58,7 @@ impl Net {
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
-        let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).list();
+        let calls = atoms.ids().filter(|atom| atoms[*atom].what.may_differ()).list();
         let links = Links::of(model, &atoms, &differences, &numbers);
         let presumed = unfollowed::presumed(&atoms, &links);
         let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
@@ -95,8 +95,8 @@ impl Net {
             macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).list()).list(),
             edge_atoms: vec![Vec::new(); model.steps.len()],
             common_edge_atoms: Vec::new(),
-            is_edge_atom: vec![false; count],
-            is_common: vec![false; count],
+            is_edge_atom: Arena::filled(count, false),
+            is_common: Arena::filled(count, false),
             unfollowed,
             presumed,
             bound,
@@ -118,7 +118,7 @@ impl Net {
         net.note_common();
         net.note_confluence();
         net.clocks = clocks::of(&net);
-        let assumed: Vec<usize> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
+        let assumed: Vec<AtomId> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
         net.beside = unfollowed::beside(&net.atoms, &net.unfollowed, &assumed);
         net
     }
@@ -150,7 +150,7 @@ impl Net {
             }
             // Its own sources are active when it is asked; an edge of them is another matter.
             let is_step =
-                |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
+                |atom: &AtomId| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
             reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
             let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
             let targets = transition.targets.iter().map(|step| step.index()).list();
@@ -171,7 +171,7 @@ impl Net {
     }
 
     /// The atoms of a condition, those of its edges beside; and what they are tied to.
-    pub(crate) fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
+    pub(crate) fn collect(&self, formula: &Formula, atoms: &mut Vec<AtomId>, edge_atoms: &mut Vec<AtomId>) {
         match formula {
             Formula::Const(_) => {}
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
@@ -240,7 +240,7 @@ impl Net {
                 }
             }
         }
-        let mut common: Vec<usize> = Vec::new();
+        let mut common: Vec<AtomId> = Vec::new();
         for formula in self.actions.formulas() {
             self.collect(formula, &mut Vec::new(), &mut common);
         }
@@ -249,7 +249,7 @@ impl Net {
                 add(&mut common, *atom);
             }
         }
-        let assumed: Vec<Vec<usize>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).list();
+        let assumed: Vec<Vec<AtomId>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).list();
         self.common_edge_atoms = with_assumed(common, &assumed);
         for atoms in &mut self.edge_atoms {
             *atoms = with_assumed(std::mem::take(atoms), &assumed);
@@ -258,7 +258,7 @@ impl Net {
     }
 }
 
-fn add(atoms: &mut Vec<usize>, atom: usize) {
+fn add(atoms: &mut Vec<AtomId>, atom: AtomId) {
     if !atoms.contains(&atom) {
         atoms.push(atom);
     }
@@ -295,7 +295,7 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
 
 /// With what assumptions connect these atoms with: what is known of one of them in the cycle before may exclude a value of
 /// another.
-fn with_assumed(mut atoms: Vec<usize>, assumed: &[Vec<usize>]) -> Vec<usize> {
+fn with_assumed(mut atoms: Vec<AtomId>, assumed: &[Vec<AtomId>]) -> Vec<AtomId> {
     let mut next = 0;
     while let Some(atom) = atoms.get(next).copied() {
         for other in assumed.iter().filter(|assumed| assumed.contains(&atom)).flatten() {

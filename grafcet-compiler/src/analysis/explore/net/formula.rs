@@ -1,18 +1,23 @@
 //! Conditions over numbered atoms.
 
 use crate::analysis::is_constant_read;
-use crate::model::Tree;
+use crate::model::{Tree, ids};
+
+ids! {
+    /// Something that conditions read.
+    pub(crate) AtomId;
+}
 
 /// A condition.
 #[derive(Debug)]
 pub(crate) enum Formula {
     Const(bool),
     /// A boolean atom.
-    Is(usize),
+    Is(AtomId),
     /// A number is below a constant.
-    Below(usize, i128),
+    Below(AtomId, i128),
     /// A number is a constant.
-    Equals(usize, i128),
+    Equals(AtomId, i128),
     Not(Box<Formula>),
     And(Box<Formula>, Box<Formula>),
     Or(Box<Formula>, Box<Formula>),

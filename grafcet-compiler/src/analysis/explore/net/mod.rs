@@ -13,12 +13,12 @@ pub(crate) mod units;
 
 use self::actions::Actions;
 use self::clocks::Clock;
-use self::formula::{Atom, Formula, Kind};
+use self::formula::{Atom, AtomId, Formula, Kind};
 use self::links::Links;
 use self::slots::Bit;
 use crate::analysis::Concurrency;
 use crate::list::List;
-use crate::model::{Id, StepId};
+use crate::model::{Arena, Id, StepId};
 use crate::sorted::Map;
 
 /// A transition.
@@ -28,13 +28,13 @@ pub(crate) struct Arc {
     pub(crate) condition: Formula,
     pub(crate) partial: usize,
     /// The atoms of the condition.
-    pub(crate) atoms: Vec<usize>,
+    pub(crate) atoms: Vec<AtomId>,
     /// Steps that the condition reads, its sources excepted.
     pub(crate) reads_steps: Vec<usize>,
     /// The condition reads variables that are followed.
     pub(crate) reads_slots: bool,
     /// The atoms that the edges in its condition look at.
-    pub(crate) edge_atoms: Vec<usize>,
+    pub(crate) edge_atoms: Vec<AtomId>,
     /// It is one of those for which an `any` stands.
     pub(crate) is_any: bool,
 }
@@ -60,10 +60,10 @@ pub(crate) struct Net {
     /// Per step the transitions that leave it.
     pub(crate) leaving: Vec<Vec<usize>>,
     pub(crate) sourceless: Vec<usize>,
-    pub(crate) atoms: Vec<Atom>,
+    pub(crate) atoms: Arena<AtomId, Atom>,
     pub(crate) links: Links,
     /// Atoms whose values may differ in each evaluation.
-    pub(crate) calls: Vec<usize>,
+    pub(crate) calls: Vec<AtomId>,
     pub(crate) edges: Vec<Option<Formula>>,
     pub(crate) shared: Vec<Formula>,
     pub(crate) actions: Actions,
@@ -88,21 +88,21 @@ pub(crate) struct Net {
     pub(crate) is_final: Vec<bool>,
     pub(crate) macros: Vec<Vec<usize>>,
     /// Per step the atoms that edges in the conditions of its transitions look at.
-    pub(crate) edge_atoms: Vec<Vec<usize>>,
+    pub(crate) edge_atoms: Vec<Vec<AtomId>>,
     /// Those that edges in actions and in source transitions look at.
-    pub(crate) common_edge_atoms: Vec<usize>,
+    pub(crate) common_edge_atoms: Vec<AtomId>,
     /// Atoms that edges look at.
-    pub(crate) is_edge_atom: Vec<bool>,
+    pub(crate) is_edge_atom: Arena<AtomId, bool>,
     /// Atoms of assumptions and watched expressions.
-    pub(crate) is_common: Vec<bool>,
+    pub(crate) is_common: Arena<AtomId, bool>,
     /// See [`unfollowed::atoms`].
-    pub(crate) unfollowed: Vec<bool>,
+    pub(crate) unfollowed: Arena<AtomId, bool>,
     /// See [`unfollowed::presumed`].
-    pub(crate) presumed: Vec<bool>,
+    pub(crate) presumed: Arena<AtomId, bool>,
     /// See [`unfollowed::bound`].
-    pub(crate) bound: Vec<bool>,
+    pub(crate) bound: Arena<AtomId, bool>,
     /// See [`unfollowed::beside`].
-    pub(crate) beside: Map<usize, Vec<usize>>,
+    pub(crate) beside: Map<AtomId, Vec<AtomId>>,
     /// Times that have to be followed, where that is asked for.
     pub(crate) clocks: Vec<Clock>,
     /// Steps and transitions with actions that write what is not followed.
@@ -126,8 +126,13 @@ impl Net {
         unit.map_or(self.confluent.0, |unit| self.confluent.1[unit])
     }
 
+    /// Whether anything is not followed that conditions read; see [`unfollowed::atoms`].
+    pub(crate) fn has_unfollowed(&self) -> bool {
+        self.unfollowed.values().any(|is| *is)
+    }
+
     /// Whether the edge looks at one of these atoms.
-    pub(crate) fn edge_reads(&self, edge: usize, among: &[usize]) -> bool {
+    pub(crate) fn edge_reads(&self, edge: usize, among: &[AtomId]) -> bool {
         let read = |of| self.atoms_of(of).iter().any(|atom| among.binary_search(atom).is_ok());
         self.edges[edge].as_ref().is_some_and(read)
     }
@@ -139,7 +144,7 @@ impl Net {
         conditions.chain(parts).chain(self.actions.formulas())
     }
 
-    fn atoms_of(&self, formula: &Formula) -> Vec<usize> {
+    fn atoms_of(&self, formula: &Formula) -> Vec<AtomId> {
         let mut atoms = Vec::new();
         self.collect(formula, &mut atoms, &mut Vec::new());
         atoms
@@ -152,7 +157,7 @@ impl Net {
     }
 
     /// The values a number can have.
-    pub(crate) fn range(&self, atom: usize) -> (i128, i128) {
+    pub(crate) fn range(&self, atom: AtomId) -> (i128, i128) {
         match self.atoms[atom].kind {
             Kind::Number(low, high) => (low, high),
             _ => (0, i128::from(u32::MAX)),

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use crate::analysis::Relation;
 use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::valuation::State;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::sorted::Map;
@@ -51,9 +52,9 @@ pub(crate) struct Origin {
 /// One cycle.
 #[derive(Clone, Debug)]
 pub(crate) struct Cycle {
-    pub(crate) given: Vec<(usize, Known)>,
+    pub(crate) given: Vec<(AtomId, Known)>,
     /// What it demands of the cycle before, because of edges.
-    pub(crate) past: Vec<(usize, Known)>,
+    pub(crate) past: Vec<(AtomId, Known)>,
     /// What it takes for granted of atoms that are not followed.
     pub(crate) granted: Learnt,
     pub(crate) cleared: Vec<usize>,
@@ -70,7 +71,7 @@ pub(crate) struct Edge {
     pub(crate) changed: Box<[usize]>,
     /// In a thorough search what it takes for granted, as values that atoms have before the cycle; none where it is not that
     /// simple.
-    pub(crate) granted: Option<Box<[(usize, Known)]>>,
+    pub(crate) granted: Option<Box<[(AtomId, Known)]>>,
 }
 
 /// A cycle that activates a step while it is active.
@@ -90,7 +91,7 @@ pub(crate) struct End {
     pub(crate) state: usize,
     pub(crate) work: u64,
     /// The atoms that its cycles asked for last.
-    pub(crate) asked: Vec<usize>,
+    pub(crate) asked: Vec<AtomId>,
 }
 
 /// The states of a chart, or of a piece of it.

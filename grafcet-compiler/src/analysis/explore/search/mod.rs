@@ -17,6 +17,7 @@ use std::rc::Rc;
 use self::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
 use self::leaf::Leaf;
 use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::semantics;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
@@ -287,7 +288,7 @@ impl<'n, 's> Search<'n, 's> {
     /// What a cycle takes for granted, with what cannot be chosen whatever that is.
     fn demands(&self, cycle: &Cycle) -> Learnt {
         let net = self.valuation.net;
-        let is_bound = |(atom, _): &&(usize, Known)| net.bound[*atom] && !net.unfollowed[*atom];
+        let is_bound = |(atom, _): &&(AtomId, Known)| net.bound[*atom] && !net.unfollowed[*atom];
         let mut demands = cycle.granted.clone();
         demands.extend(cycle.given.iter().filter(is_bound));
         sort(&mut demands);

@@ -12,7 +12,7 @@
 
 use crate::analysis::Union;
 use crate::analysis::explore::net::Net;
-use crate::analysis::explore::net::formula::Formula;
+use crate::analysis::explore::net::formula::{AtomId, Formula};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
 use crate::list::List;
@@ -23,7 +23,7 @@ use crate::sorted::{Map, sort};
 pub(crate) enum Wait {
     No,
     /// With these values of what edges look at; nothing is said about the others.
-    With(Vec<(usize, Known)>),
+    With(Vec<(AtomId, Known)>),
     /// With some values of what edges look at, which cannot be said in this way.
     Unclear,
 }
@@ -38,7 +38,7 @@ pub(crate) type Waits = Map<Key, Wait>;
 pub(crate) struct Groups {
     members: Vec<Vec<usize>>,
     /// Atoms that several groups read, ascending.
-    shared: Vec<usize>,
+    shared: Vec<AtomId>,
     /// Where no atom is shared, how each group can wait.
     waits: Option<Vec<Wait>>,
 }
@@ -152,8 +152,8 @@ pub(crate) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// The atoms that more than one group reads, ascending.
-fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
-    let mut uses: Vec<(usize, usize)> = Vec::new();
+fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<AtomId> {
+    let mut uses: Vec<(AtomId, usize)> = Vec::new();
     for (number, group) in groups.iter().enumerate() {
         for transition in group {
             uses.extend(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
@@ -162,7 +162,7 @@ fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
     sort(&mut uses);
     uses.dedup();
     let twice = uses.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[0].0);
-    let mut shared: Vec<usize> = twice.list();
+    let mut shared: Vec<AtomId> = twice.list();
     shared.extend(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
     shared.sort_unstable();
     shared.dedup();
@@ -170,7 +170,7 @@ fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
 }
 
 /// Decides the comparisons of shared atoms, so that what a group does is left to atoms of its own.
-fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[usize]) {
+fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[AtomId]) {
     if shared.is_empty() {
         return;
     }
@@ -207,7 +207,7 @@ fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[usi
 /// Whether no transition of the group clears under some values of the atoms that are not decided yet.
 fn can_wait(valuation: &mut Valuation<'_>, group: &[usize]) -> Wait {
     let net = valuation.net;
-    let mut atoms: Vec<usize> = Vec::new();
+    let mut atoms: Vec<AtomId> = Vec::new();
     let mut just_entered: Vec<usize> = Vec::new();
     let mut steps_matter = false;
     for transition in group {
@@ -232,11 +232,11 @@ fn can_wait(valuation: &mut Valuation<'_>, group: &[usize]) -> Wait {
     wait
 }
 
-fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms: &[usize]) -> Wait {
+fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms: &[AtomId]) -> Wait {
     let net = valuation.net;
     let mut trial = valuation.trial.take().unwrap_or_else(|| Box::new(Valuation::new(net, valuation.unit)));
-    let edge_atoms: Vec<usize> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().list();
-    let mut ways: Vec<Vec<(usize, Known)>> = Vec::new();
+    let edge_atoms: Vec<AtomId> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().list();
+    let mut ways: Vec<Vec<(AtomId, Known)>> = Vec::new();
     let mut unclear = false;
     trial.tape.restart();
     loop {
@@ -255,7 +255,7 @@ fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms:
     }
     valuation.work += std::mem::take(&mut trial.work);
     valuation.trial = Some(trial);
-    let known = |way: &Vec<(usize, Known)>| way.iter().all(|pair| key.1.contains(pair));
+    let known = |way: &Vec<(AtomId, Known)>| way.iter().all(|pair| key.1.contains(pair));
     match &ways[..] {
         [] => Wait::No,
         _ if unclear => Wait::Unclear,
@@ -267,12 +267,12 @@ fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms:
 }
 
 /// Whether ways that differ in one boolean atom cover both of its values.
-fn covers(ways: &[Vec<(usize, Known)>], given: &[(usize, Known)]) -> bool {
-    let new = |way: &Vec<(usize, Known)>| -> Vec<(usize, Known)> {
+fn covers(ways: &[Vec<(AtomId, Known)>], given: &[(AtomId, Known)]) -> bool {
+    let new = |way: &Vec<(AtomId, Known)>| -> Vec<(AtomId, Known)> {
         way.iter().filter(|pair| !given.contains(pair)).copied().list()
     };
-    let ways: Vec<Vec<(usize, Known)>> = ways.iter().map(new).list();
-    let mut atoms: Vec<usize> = ways.iter().flatten().map(|(atom, _)| *atom).list();
+    let ways: Vec<Vec<(AtomId, Known)>> = ways.iter().map(new).list();
+    let mut atoms: Vec<AtomId> = ways.iter().flatten().map(|(atom, _)| *atom).list();
     atoms.sort_unstable();
     atoms.dedup();
     // All combinations of boolean values, each atom decided in all of them.

@@ -2,19 +2,19 @@
 
 use super::knowledge::Known;
 use super::{Snapshot, Valuation, When};
-use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::slots::Bit;
 
 impl Valuation<'_> {
     /// What is known of an atom.
-    pub(super) fn value(&mut self, atom: usize, when: When) -> Known {
+    pub(super) fn value(&mut self, atom: AtomId, when: When) -> Known {
         if self.reserved[atom] {
             self.spoilt = true;
         }
         self.value_of(atom, when)
     }
 
-    pub(super) fn value_of(&self, atom: usize, when: When) -> Known {
+    pub(super) fn value_of(&self, atom: AtomId, when: When) -> Known {
         let net = self.net;
         let kind = net.atoms[atom].kind;
         if when == When::Before && self.previous.is_none() {
@@ -53,7 +53,7 @@ impl Valuation<'_> {
     }
 
     /// Whether an atom is a time that is zero at this moment.
-    pub(super) fn is_zero(&self, atom: usize, when: When) -> bool {
+    pub(super) fn is_zero(&self, atom: AtomId, when: When) -> bool {
         let is_time = matches!(self.net.atoms[atom].kind, Kind::Since(_) | Kind::MacroSince(_));
         is_time && !(when == When::Before && self.previous.is_none()) && self.value_of(atom, when) == Known::Range(0, 0)
     }
@@ -71,7 +71,7 @@ impl Valuation<'_> {
         when == When::Now && self.start.as_ref().is_some_and(was)
     }
 
-    fn recorded_value(&self, atom: usize, kind: Kind) -> Known {
+    fn recorded_value(&self, atom: AtomId, kind: Kind) -> Known {
         match (self.recorded.get(atom), kind) {
             (Known::Unknown, Kind::Number(low, high)) => Known::Range(low, high),
             (Known::Unknown, Kind::Since(_) | Kind::MacroSince(_)) => Known::Range(0, i128::from(u32::MAX)),
@@ -92,7 +92,7 @@ impl Valuation<'_> {
         }
     }
 
-    fn time(&self, atom: usize, zero: bool) -> Known {
+    fn time(&self, atom: AtomId, zero: bool) -> Known {
         match self.given.get(atom) {
             _ if zero => Known::Range(0, 0),
             Known::Unknown => Known::Range(0, i128::from(u32::MAX)),

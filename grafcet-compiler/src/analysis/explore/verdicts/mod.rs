@@ -11,7 +11,7 @@ pub(crate) mod table;
 use self::future::Future;
 use self::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
 use crate::analysis::explore::net::Net;
-use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::search::graph::{Cycle, Doubled, Graph};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::List;
@@ -43,7 +43,7 @@ impl Report<'_> {
     }
 
     /// The same, where at its end this is known of the atoms.
-    fn path_with(&self, state: usize, known: &[(usize, Known)]) -> Path {
+    fn path_with(&self, state: usize, known: &[(AtomId, Known)]) -> Path {
         let mut path = Path::default();
         let (mut at, mut known) = (state, known.to_vec());
         while let Some(origin) = &self.graph.origins[at] {
@@ -88,8 +88,8 @@ impl Report<'_> {
     }
 
     /// A cycle; `later` is what the next one demands of it.
-    fn cycle(&self, cycle: &Cycle, later: &[(usize, Known)], active: &[usize]) -> PathCycle {
-        let inputs = |(atom, _): &&(usize, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
+    fn cycle(&self, cycle: &Cycle, later: &[(AtomId, Known)], active: &[usize]) -> PathCycle {
+        let inputs = |(atom, _): &&(AtomId, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
         let later: Vec<_> = later.iter().filter(inputs).list();
         let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
         let given = sooner.chain(later.iter().copied()).filter_map(|known| self.given(known));
@@ -100,7 +100,7 @@ impl Report<'_> {
         }
     }
 
-    fn given(&self, (atom, known): &(usize, Known)) -> Option<Given> {
+    fn given(&self, (atom, known): &(AtomId, Known)) -> Option<Given> {
         let demand = match known {
             Known::Unknown => return None,
             Known::Bool(value) => Demand::Is(*value),

@@ -91,7 +91,7 @@ pub fn rivals_meeting(model: &Model, limits: &Limits, pairs: &[(Rival<'_>, Rival
         return all;
     }
     let net = Net::beside(model, pairs, never);
-    if !net.atoms.iter().all(is_told) {
+    if !net.atoms.values().all(is_told) {
         return all;
     }
     let mut seen = Seen::nothing(&net);

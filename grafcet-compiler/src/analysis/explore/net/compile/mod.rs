@@ -2,13 +2,13 @@
 
 mod numbers;
 
-use crate::analysis::explore::net::formula::{Atom, Formula, Kind};
+use crate::analysis::explore::net::formula::{Atom, AtomId, Formula, Kind};
 use crate::analysis::explore::net::links::Difference;
 use crate::analysis::{combinational, mixed};
 use crate::list::List;
 use crate::model::{
-    Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree, Ty,
-    Unary, VarId,
+    Arena, Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree,
+    Ty, Unary, VarId,
 };
 use crate::sorted::Map;
 
@@ -17,10 +17,10 @@ pub(crate) struct Compiler<'m> {
     model: &'m Model,
     /// The number of each place that is followed from cycle to cycle.
     slots: &'m Map<Place, usize>,
-    pub(crate) atoms: Vec<Atom>,
-    pub(crate) numbers: Map<Tree, usize>,
+    pub(crate) atoms: Arena<AtomId, Atom>,
+    pub(crate) numbers: Map<Tree, AtomId>,
     pub(crate) differences: Vec<Difference>,
-    differences_of: Map<(Tree, Tree), usize>,
+    differences_of: Map<(Tree, Tree), AtomId>,
     /// What the edges look at, where they are used.
     pub(crate) edges: Vec<Option<Formula>>,
     pub(crate) shared: Vec<Formula>,
@@ -40,7 +40,7 @@ impl<'m> Compiler<'m> {
         Self {
             model,
             slots,
-            atoms: Vec::new(),
+            atoms: Arena::default(),
             numbers: Map::new(),
             differences: Vec::new(),
             differences_of: Map::new(),
@@ -276,12 +276,11 @@ impl<'m> Compiler<'m> {
         Formula::Is(self.atom(tree, Kind::Free))
     }
 
-    fn atom(&mut self, tree: &Tree, kind: Kind) -> usize {
+    fn atom(&mut self, tree: &Tree, kind: Kind) -> AtomId {
         if let Some(number) = self.numbers.get(tree) {
             return *number;
         }
-        let number = self.atoms.len();
-        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree), is_time: false });
+        let number = self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree), is_time: false });
         self.numbers.insert(tree.clone(), number);
         number
     }
