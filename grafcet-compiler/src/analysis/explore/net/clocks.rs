@@ -7,7 +7,7 @@ use super::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
 use crate::list::List;
-use crate::model::Arena;
+use crate::model::{Arena, StepId};
 use crate::sorted::Set;
 
 /// The time of a step or of a macro-step.
@@ -22,7 +22,7 @@ pub(crate) struct Clock {
 /// each for its own steps.
 pub(crate) fn of(net: &Net) -> Vec<Clock> {
     let mut reader = Reader { net, followed: Arena::filled(net.atoms.len(), false) };
-    for arc in &net.arcs {
+    for arc in net.arcs.values() {
         reader.read(&arc.condition, &arc.sources, Some(true));
     }
     for formula in net.actions.formulas() {
@@ -43,7 +43,7 @@ struct Reader<'n> {
 impl Reader<'_> {
     /// Notes the times that a formula does not only wait for while these steps are active. It is wanted to be `wanted`, if
     /// that can be said.
-    fn read(&mut self, formula: &Formula, own: &[usize], wanted: Option<bool>) {
+    fn read(&mut self, formula: &Formula, own: &[StepId], wanted: Option<bool>) {
         let net = self.net;
         match formula {
             Formula::Const(_) | Formula::Is(_) => {}
@@ -69,7 +69,7 @@ impl Reader<'_> {
     }
 
     /// Whether the time runs as long as the steps are active.
-    fn is_own(&self, atom: AtomId, steps: &[usize]) -> bool {
+    fn is_own(&self, atom: AtomId, steps: &[StepId]) -> bool {
         match self.net.atoms[atom].kind {
             Kind::Since(step) => steps.contains(&step),
             Kind::MacroSince(id) => steps.iter().any(|step| self.net.macros[id].contains(step)),
@@ -93,7 +93,7 @@ fn note_marks(formula: &Formula, marks: &mut Arena<AtomId, Set<i128>>) {
 
 impl Valuation<'_> {
     /// Decides how late it is at the end of a cycle that began with some steps active. Returns what stays so.
-    pub(crate) fn ages(&mut self, before: &[usize]) -> Learnt {
+    pub(crate) fn ages(&mut self, before: &[StepId]) -> Learnt {
         let net = self.net;
         let mut ages = Vec::new();
         for Clock { atom, marks } in &net.clocks {
@@ -108,13 +108,13 @@ impl Valuation<'_> {
     }
 
     /// Whether a time did not begin in this cycle, and goes on in the next.
-    fn runs_on(&self, atom: AtomId, before: &[usize]) -> bool {
-        let is_in = |active: &[usize], step: &usize| active.binary_search(step).is_ok();
+    fn runs_on(&self, atom: AtomId, before: &[StepId]) -> bool {
+        let is_in = |active: &[StepId], step: &StepId| active.binary_search(step).is_ok();
         let after = &self.now.active;
         match self.net.atoms[atom].kind {
             Kind::Since(step) => is_in(before, &step) && is_in(after, &step) && !self.just_entered.contains(&step),
             Kind::MacroSince(id) => {
-                let any = |active: &[usize]| self.net.macros[id].iter().any(|step| is_in(active, step));
+                let any = |active: &[StepId]| self.net.macros[id].iter().any(|step| is_in(active, step));
                 any(before) && any(after)
             }
             _ => false,

@@ -5,7 +5,7 @@ use super::links::Links;
 use super::slots::Slots;
 use crate::analysis::Union;
 use crate::list::List;
-use crate::model::{Arena, Association, Binary, Effect, Id, Model, Name, Read, Step, Tree};
+use crate::model::{Arena, Association, Binary, Effect, Id, Model, Name, Read, Step, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
 /// Which atoms have values that nobody can choose freely: they depend on variables that are not followed, on Rust that is
@@ -136,10 +136,10 @@ fn names(tree: &Tree) -> Vec<Name> {
 }
 
 /// The steps and the transitions with stored actions that write what is not followed.
-pub(crate) fn writers(model: &Model, slots: &Slots) -> (Vec<bool>, Vec<bool>) {
+pub(crate) fn writers(model: &Model, slots: &Slots) -> (Arena<StepId, bool>, Arena<TransitionId, bool>) {
     let more = |effect: &Effect| effect.writes().iter().any(|place| !slots.numbers.contains_key(place));
     let stored = |association: &Association| !association.qualifier.is_continuous() && more(&association.effect);
     let of_step = |step: &Step| step.associations.iter().any(|id| stored(&model.associations[*id]));
-    let steps = model.steps.values().map(of_step).list();
-    (steps, model.transitions.values().map(|transition| transition.clearing.iter().any(more)).list())
+    let steps = Arena::of(&model.steps, |_, step| of_step(step));
+    (steps, Arena::of(&model.transitions, |_, transition| transition.clearing.iter().any(more)))
 }

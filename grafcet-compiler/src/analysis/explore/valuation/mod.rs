@@ -8,7 +8,7 @@ mod sample;
 mod values;
 
 use crate::list::List;
-use crate::model::Arena;
+use crate::model::{Arena, StepId, TransitionId};
 use std::rc::Rc;
 
 use self::knowledge::{Knowledge, Known, Learnt, Tape};
@@ -24,7 +24,7 @@ pub(crate) struct State {
     /// Before the first cycle.
     pub(crate) first: bool,
     /// Active steps, ascending.
-    pub(crate) active: Box<[usize]>,
+    pub(crate) active: Box<[StepId]>,
     pub(crate) slots: Box<[Bit]>,
     /// What edges compare with: the atoms' values in the last snapshot, as far as they were decided. All values that
     /// agree with this are possible.
@@ -37,7 +37,7 @@ pub(crate) struct State {
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub(crate) struct Snapshot {
     /// Ascending.
-    pub(crate) active: Vec<usize>,
+    pub(crate) active: Vec<StepId>,
     pub(crate) slots: Vec<Bit>,
 }
 
@@ -70,7 +70,7 @@ pub(crate) struct Valuation<'n> {
     /// The snapshot has no predecessor: no edges (A26).
     pub(crate) edgeless: bool,
     /// Steps entered in this cycle: their time is zero.
-    pub(crate) just_entered: Vec<usize>,
+    pub(crate) just_entered: Vec<StepId>,
     /// What the running block has written.
     pub(crate) own: Vec<(usize, Bit)>,
     /// Searches for stability are not stopped by the bound, but where they are seen to turn for ever.
@@ -80,8 +80,8 @@ pub(crate) struct Valuation<'n> {
     /// How those that are enabled at the start are tried.
     pub(crate) groups: Option<Rc<Groups>>,
     /// Transitions that wait in this run.
-    still: Vec<usize>,
-    is_still: Vec<bool>,
+    still: Vec<TransitionId>,
+    is_still: Arena<TransitionId, bool>,
     /// Atoms that only they read; asking for one spoils the run.
     reserved: Arena<AtomId, bool>,
     reserved_atoms: Vec<AtomId>,
@@ -130,7 +130,7 @@ impl<'n> Valuation<'n> {
             lazy: false,
             groups: None,
             still: Vec::new(),
-            is_still: vec![false; net.arcs.len()],
+            is_still: Arena::filled(net.arcs.len(), false),
             reserved: Arena::filled(atoms, false),
             reserved_atoms: Vec::new(),
             spoilt: false,
@@ -227,7 +227,7 @@ impl<'n> Valuation<'n> {
     }
 
     /// The transitions wait in this cycle, under these values of what edges look at.
-    pub(crate) fn wait(&mut self, transitions: &[usize], values: &[(AtomId, Known)]) {
+    pub(crate) fn wait(&mut self, transitions: &[TransitionId], values: &[(AtomId, Known)]) {
         let net = self.net;
         for (atom, known) in values {
             self.given.learn(*atom, *known);
@@ -262,7 +262,7 @@ impl<'n> Valuation<'n> {
     }
 
     /// Whether the transition waits in this cycle.
-    pub(crate) fn is_still(&self, transition: usize) -> bool {
+    pub(crate) fn is_still(&self, transition: TransitionId) -> bool {
         self.is_still[transition]
     }
 

@@ -4,6 +4,7 @@ use super::knowledge::Known;
 use super::{Snapshot, Valuation, When};
 use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::slots::Bit;
+use crate::model::StepId;
 
 impl Valuation<'_> {
     /// What is known of an atom.
@@ -60,13 +61,13 @@ impl Valuation<'_> {
 
     /// Whether the time of a step begins in this cycle. `sfc`: to the edges, which look at the start of the cycle, a step that
     /// is left and entered has the time it had reached.
-    fn begins(&self, step: usize, when: When) -> bool {
+    fn begins(&self, step: StepId, when: When) -> bool {
         let later = when == When::Sample && self.start.is_some() && !self.edgeless;
         !later && self.just_entered.contains(&step)
     }
 
     /// `sfc`: whether the actions run of a cycle in which one of the steps was left: it has the time it had reached (A34).
-    fn is_left(&self, steps: &[usize], when: When) -> bool {
+    fn is_left(&self, steps: &[StepId], when: When) -> bool {
         let was = |start: &Snapshot| steps.iter().any(|step| start.active.binary_search(step).is_ok());
         when == When::Now && self.start.as_ref().is_some_and(was)
     }
@@ -109,7 +110,7 @@ impl Valuation<'_> {
     }
 
     /// Whether the step belongs to what is explored.
-    pub(super) fn is_own(&self, step: usize) -> bool {
+    pub(super) fn is_own(&self, step: StepId) -> bool {
         self.unit.is_none_or(|unit| self.net.unit_of[step] == unit)
     }
 

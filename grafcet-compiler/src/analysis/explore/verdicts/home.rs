@@ -15,7 +15,7 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::graph::{Edge, Graph, Seen};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::List;
-use crate::model::{Id, StepId, Tree};
+use crate::model::{StepId, Tree};
 
 /// In how many cases it is looked whether one of several ways exists.
 const CASES: usize = 1000;
@@ -30,10 +30,9 @@ pub(crate) struct Stay {
 }
 
 impl Stay {
-    fn holds(&self, active: &[usize]) -> bool {
-        let is_in = |steps: &[StepId], step: usize| steps.iter().any(|other| other.index() == step);
-        self.active.iter().all(|step| active.contains(&step.index()))
-            && self.within.as_ref().is_none_or(|within| active.iter().all(|step| is_in(within, *step)))
+    fn holds(&self, active: &[StepId]) -> bool {
+        self.active.iter().all(|step| active.contains(step))
+            && self.within.as_ref().is_none_or(|within| active.iter().all(|step| within.contains(step)))
     }
 }
 
@@ -99,11 +98,11 @@ struct At {
 
 impl At {
     fn of(net: &Net, graph: &Graph, home: &[StepId], others: &[Stay]) -> Self {
-        let mut steps: Vec<usize> = home.iter().map(|step| step.index()).list();
+        let mut steps = home.to_vec();
         steps.sort_unstable();
         let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).list();
         parts.sort_unstable();
-        let is_concerned = |step: &&usize| parts.binary_search(&net.part_of[**step]).is_ok();
+        let is_concerned = |step: &&StepId| parts.binary_search(&net.part_of[**step]).is_ok();
         let states = graph.states.iter().enumerate().filter(|(_, state)| !state.first);
         let at_home = states.filter(|(_, state)| {
             state.active.iter().filter(is_concerned).eq(&steps) || others.iter().any(|stay| stay.holds(&state.active))
@@ -159,7 +158,7 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
         Kind::Slot(slot) => is_any(slot),
         _ => net.unfollowed[**atom] || net.links.is_computed(**atom),
     };
-    let mut atoms: Vec<AtomId> = net.arcs.iter().flat_map(|arc| &arc.atoms).filter(open).copied().list();
+    let mut atoms: Vec<AtomId> = net.arcs.values().flat_map(|arc| &arc.atoms).filter(open).copied().list();
     if atoms.is_empty() {
         let all: Vec<AtomId> = net.atoms.ids().list();
         atoms.extend(all.iter().filter(open));

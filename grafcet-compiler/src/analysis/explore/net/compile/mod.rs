@@ -62,8 +62,8 @@ impl<'m> Compiler<'m> {
             Tree::Binary(operator, a, b) => self.binary(tree, *operator, a, b),
             Tree::Elapsed(time, step) => {
                 let since = Tree::Read(Read::Since(*step));
-                let active = Formula::Is(self.atom(&Tree::Read(Read::Active(*step)), Kind::Step(step.index())));
-                let elapsed = self.elapsed(tree, *time, &since, Kind::Since(step.index()));
+                let active = Formula::Is(self.atom(&Tree::Read(Read::Active(*step)), Kind::Step(*step)));
+                let elapsed = self.elapsed(tree, *time, &since, Kind::Since(*step));
                 active.and(elapsed)
             }
             Tree::MacroElapsed(time, id) => {
@@ -119,7 +119,7 @@ impl<'m> Compiler<'m> {
             Read::MacroActive(id) if self.was => {
                 any(self.model.macros[id].steps.iter().map(|step| self.was_active(*step)).collect())
             }
-            Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step.index()))),
+            Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step))),
             Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id.index()))),
             Read::Name(Name::Input(_) | Name::Param(_)) => Formula::Is(self.atom(tree, Kind::Free)),
             Read::Name(Name::Var(id)) => self.place(tree, Place::Var(id)),
@@ -130,7 +130,7 @@ impl<'m> Compiler<'m> {
             Read::Blink(blink) => {
                 self.approximate = true;
                 let phase = match blink.of {
-                    Blinker::Step(step) => Kind::Phase(step.index()),
+                    Blinker::Step(step) => Kind::Phase(step),
                     Blinker::Macro(_) => Kind::Free,
                 };
                 let active = self.formula(&Tree::Read(blink.of.active()));
@@ -173,7 +173,7 @@ impl<'m> Compiler<'m> {
         let text = format!("{} at the begin of the cycle", self.model.steps[step].name);
         let tree =
             Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false, open: false, of: None };
-        Formula::Is(self.atom(&tree, Kind::Was(step.index())))
+        Formula::Is(self.atom(&tree, Kind::Was(step)))
     }
 
     /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.

@@ -74,7 +74,7 @@ impl Compiler<'_> {
     /// The atom of a number.
     fn number(&mut self, tree: &Tree) -> Option<AtomId> {
         let kind = match tree {
-            Tree::Read(Read::Since(step)) => Kind::Since(step.index()),
+            Tree::Read(Read::Since(step)) => Kind::Since(*step),
             Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(id.index()),
             _ if !self.is_number(tree) && self.model.variants_of_tree(tree).is_none() => return None,
             _ => {
