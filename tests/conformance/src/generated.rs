@@ -137,12 +137,12 @@ pub fn steps<C: Chart>(chart: &C, active: &[C::Step]) -> BTreeSet<String> {
     if asked.len() != active.len() || !asked.iter().all(|step| active.contains(step)) {
         steps.insert(format!("active_steps={active:?}!=is_active"));
     }
-    compare_with(format!("{:?}", chart.situation()), &mut steps);
+    compare_with(&format!("{:?}", chart.situation()), &mut steps);
     steps
 }
 
 /// Adds what a situation shows, where that is not exactly these steps. No part of [`steps`], which is built for each chart anew.
-fn compare_with(situation: String, steps: &mut BTreeSet<String>) {
+fn compare_with(situation: &str, steps: &mut BTreeSet<String>) {
     let words = situation.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
     let shown: BTreeSet<&str> = words.collect();
     if !shown.iter().eq(steps.iter()) {
