@@ -51,6 +51,20 @@ fn steps_of_an_enclosure() {
 }
 
 #[test]
+fn an_enclosing_step_that_is_left_and_entered_at_once() {
+    // `Auto` stays active where both clear, so that its enclosure goes on beside what leaves it.
+    let around = |back: &str| {
+        format!(
+            "initial enclosing step Auto {{ partial In {{ initial linked step A; step B {{ P1 n = 1; }} A -[b]-> B -[!b]-> A; }} }} \
+             initial step Other; step Out {{ P1 n = 2; }} Auto -[a]-> Out -[!a]-> Auto; {back}"
+        )
+    };
+    race(&around("Other -[c]-> Auto;"));
+    // Without the other way back it is left, and its enclosure with it.
+    fine(&around("Other -[c]-> Other;"));
+}
+
+#[test]
 fn self_loops_of_the_enclosing_step() {
     // It keeps the enclosure as it is (A4g).
     let inside = "linked step A { P1 n = 1; P0 n = 2; } step B { P1 n = 3; } A -[b]-> B -[c]-> A;";

@@ -8,10 +8,6 @@ use crate::project::cargo;
 /// # Errors
 /// A chart differs, or a crate cannot be built.
 pub(crate) fn run(arguments: &[&str]) -> Result {
-    if let ["--program", rest @ ..] = arguments {
-        let program = ["run", "--quiet", "--release", "--package", "grafcet-conformance", "--bin", "program", "--"];
-        return run_command(cargo(&program).args(rest));
-    }
     // The program builds crates of its own: cargo must not hold its lock meanwhile, so it is run and not tested.
     let program = ["run", "--quiet", "--package", "grafcet-conformance", "--bin", "conformance", "--"];
     run_command(cargo(&program).args(arguments))

@@ -44,7 +44,7 @@ Usage: cargo xtask <task>
   brute [--charts N] [--first N] [--cycles N] [--shrink N]
             what the checker says about random charts, beside a naive exploration
   bless     record the expansions and messages anew that the tests compare with
-  ci        every check that CI runs, with a summary
+  ci [STEP] every check that CI runs, with a summary; or one step of it
   conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N] [--shrink N] [--recorded N]
             random charts, compiled through the macro, beside the interpreter; one in N also in a recorder, and restored at random moments
   conformance --program [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--number N]
@@ -94,6 +94,7 @@ fn main() -> ExitCode {
         ["bless"] => bless::run(),
         ["brute", ref rest @ ..] => conformance::brute(rest),
         ["ci"] => ci::run(),
+        ["ci", step] => ci::one(step),
         ["conformance", ref rest @ ..] => conformance::run(rest),
         ["firmware"] => firmware::run(),
         ["first-chart"] => first_chart::run(),

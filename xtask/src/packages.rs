@@ -82,7 +82,11 @@ fn check_with(wanted: impl Fn(&[&str], usize) -> bool) -> Result {
         for set in different.iter().map(|set| set.join(",")) {
             println!("features: {} with {}", package.name, if set.is_empty() { "none" } else { &set });
             let check = ["clippy", "--locked", "--quiet", "--lib", "--no-default-features", "--package", &package.name];
-            run_command(cargo(&check).args(["--features", &set, "--", "-D", "warnings"]))?;
+            // In a folder of its own, so that it need not wait for another build.
+            let folder = project::target("features");
+            let mut command = cargo(&check);
+            command.args(["--features", &set, "--target-dir"]).arg(folder).args(["--", "-D", "warnings"]);
+            run_command(&mut command)?;
         }
     }
     Ok(())

@@ -82,6 +82,25 @@ impl<I: Id, T> Arena<I, T> {
         I::new(self.items.len() - 1)
     }
 
+    /// The same value for so many ids.
+    #[must_use]
+    pub(crate) fn filled(count: usize, value: T) -> Self
+    where
+        T: Clone,
+    {
+        Self { items: vec![value; count], id: PhantomData }
+    }
+
+    /// What is found out of each value of another arena.
+    #[must_use]
+    pub(crate) fn of<S>(values: &Arena<I, S>, mut found: impl FnMut(I, &S) -> T) -> Self {
+        let mut all = Self::default();
+        for (id, value) in values.iter() {
+            all.push(found(id, value));
+        }
+        all
+    }
+
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -200,13 +219,14 @@ impl<I: Id, T> DoubleEndedIterator for Entries<'_, I, T> {
 
 impl<I: Id, T> ExactSizeIterator for Entries<'_, I, T> {}
 
+/// Ids, each of an arena of its own.
 macro_rules! ids {
-    ($($(#[$doc:meta])* $name:ident;)*) => {$(
+    ($($(#[$doc:meta])* $seen:vis $name:ident;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Hash)]
-        pub struct $name(u32);
+        $seen struct $name(u32);
 
-        impl Id for $name {
+        impl $crate::model::Id for $name {
             fn new(index: usize) -> Self {
                 // A chart with 2^32 items does not fit into a source file.
                 Self(u32::try_from(index).unwrap_or(u32::MAX))
@@ -218,35 +238,37 @@ macro_rules! ids {
     )*};
 }
 
+pub(crate) use ids;
+
 ids! {
     /// An `input`.
-    InputId;
+    pub InputId;
     /// An `output`.
-    OutputId;
+    pub OutputId;
     /// A `var`.
-    VarId;
+    pub VarId;
     /// A `param`.
-    ParamId;
+    pub ParamId;
     /// A `let`.
-    LetId;
+    pub LetId;
     /// An `action`.
-    ActionId;
+    pub ActionId;
     /// A step (never a macro-step: those are expanded).
-    StepId;
+    pub StepId;
     /// A macro-step.
-    MacroId;
+    pub MacroId;
     /// A transition.
-    TransitionId;
+    pub TransitionId;
     /// An `any`.
-    AnyId;
+    pub AnyId;
     /// A partial grafcet; 0 is what stands directly in the chart.
-    PartialId;
+    pub PartialId;
     /// An association of a step with an action.
-    AssociationId;
+    pub AssociationId;
     /// A forcing order.
-    ForceId;
+    pub ForceId;
     /// The memory of `rising(e)` and `falling(e)`.
-    EdgeId;
+    pub EdgeId;
     /// A general delay `t1/e/t2`.
-    DelayId;
+    pub DelayId;
 }

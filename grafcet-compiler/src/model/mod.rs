@@ -21,6 +21,7 @@ pub use crate::qualifier::{Qualifier, Trigger};
 pub use expr::{
     Binary, Blink, Blinker, Code, Computed, Expr, How, Integer, Name, Place, Read, Statement, TimeRef, Tree, Unary,
 };
+pub(crate) use ids::ids;
 pub use ids::{
     ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, OutputId, ParamId,
     PartialId, StepId, TransitionId, VarId,

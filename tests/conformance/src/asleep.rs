@@ -13,6 +13,43 @@ const FAR: u32 = 1_000_000;
 /// The lines played; a timeline of ticks is many times as long as one of cycles.
 const LINES: usize = 120;
 
+/// The one that sleeps. What it shows and until when it sleeps changes with its own cycles alone, so that each is asked for once and
+/// not at every tick.
+struct Sleeper<'s> {
+    subject: &'s mut dyn Subject,
+    deadline: Option<u32>,
+    /// Without calls; none where it has not been asked for yet.
+    shown: Option<Shown>,
+    /// What it was last scanned with.
+    last: Option<(Values, u32)>,
+}
+
+impl<'s> Sleeper<'s> {
+    fn new(subject: &'s mut dyn Subject) -> Self {
+        Self { deadline: subject.next_deadline(), subject, shown: None, last: None }
+    }
+
+    /// Something has been done to it: with a cycle by these inputs and at this time, or without one.
+    fn changed(&mut self, last: Option<(Values, u32)>) {
+        self.deadline = self.subject.next_deadline();
+        self.shown = None;
+        self.last = last;
+    }
+
+    /// Whether it has to be scanned.
+    fn is_due(&self, inputs: &Values, time: u32) -> bool {
+        self.last.as_ref().is_none_or(|(before, then)| {
+            let slept = time.wrapping_sub(*then);
+            before != inputs || self.deadline.is_some_and(|deadline| deadline.wrapping_sub(*then) <= slept)
+        })
+    }
+
+    fn shown(&mut self) -> &Shown {
+        let subject = &self.subject;
+        self.shown.get_or_insert_with(|| Shown { calls: Vec::new(), ..subject.shown() })
+    }
+}
+
 /// Plays a timeline on two instances of one chart: `awake` is scanned at every tick, `asleep` only where an input or the recipe
 /// changes and where its `next_deadline` says so.
 ///
@@ -20,8 +57,7 @@ const LINES: usize = 120;
 /// The first tick at which one shows other outputs or active steps, or calls that are not repetitions.
 pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]) -> Result<(), Difference> {
     let mut now = None;
-    // What the sleeper was last scanned with.
-    let mut last: Option<(Values, u32)> = None;
+    let mut asleep = Sleeper::new(asleep);
     let mut seen = vec![awake.shown().steps];
     for line in lines.iter().take(LINES) {
         let (inputs, then) = match &line.kind {
@@ -32,39 +68,42 @@ pub fn compare(asleep: &mut dyn Subject, awake: &mut dyn Subject, lines: &[Line]
                 let from = now.unwrap_or(*then);
                 let time = from.wrapping_add(Moments::new(then.wrapping_sub(from), false).last);
                 let expected = awake.force(&steps, inputs, time).map_err(|error| failure(line, time, &error, ""))?;
-                let found = asleep.force(&steps, inputs, time).map_err(|error| failure(line, time, &error, ""))?;
+                let found = asleep.subject.force(&steps, inputs, time);
+                let found = found.map_err(|error| failure(line, time, &error, ""))?;
                 if let (Some(expected), Some(found)) = (expected, found) {
                     let (expected, found) = (without_repetitions(expected), without_repetitions(found));
                     if expected != found {
                         return Err(failure(line, time, &expected.to_string(), &found.to_string()));
                     }
-                    (now, last) = (Some(time), Some((inputs.clone(), time)));
+                    now = Some(time);
+                    asleep.changed(Some((inputs.clone(), time)));
                 }
                 continue;
             }
             Kind::Shows(_) | Kind::Wakes(_) | Kind::Refuses(_) => continue,
             Kind::Init => {
-                awake.init().and_then(|()| asleep.init()).map_err(|error| failure(line, 0, &error, ""))?;
-                last = None;
+                let init = awake.init().and_then(|()| asleep.subject.init());
+                init.map_err(|error| failure(line, 0, &error, ""))?;
+                asleep.changed(None);
                 continue;
             }
             Kind::Params(changed) => {
-                let set = awake.set_params(changed).and_then(|()| asleep.set_params(changed));
+                let set = awake.set_params(changed).and_then(|()| asleep.subject.set_params(changed));
                 set.map_err(|error| failure(line, 0, &error, ""))?;
-                last = None;
+                asleep.changed(None);
                 continue;
             }
         };
         let from = now.unwrap_or(then);
         // An input changes in the instant of the line; until then the old ones hold.
-        let mut held = last.as_ref().map_or_else(|| inputs.clone(), |(inputs, _)| inputs.clone());
+        let mut held = asleep.last.as_ref().map_or_else(|| inputs.clone(), |(inputs, _)| inputs.clone());
         let mut moments = Moments::new(then.wrapping_sub(from), now.is_none());
-        while let Some(moment) = moments.next(asleep.next_deadline().map(|deadline| deadline.wrapping_sub(from))) {
+        while let Some(moment) = moments.next(asleep.deadline.map(|deadline| deadline.wrapping_sub(from))) {
             let time = from.wrapping_add(moment);
             if moments.is_last(moment) {
                 held.clone_from(inputs);
             }
-            scan(awake, asleep, &held, time, &mut last, line)?;
+            scan(awake, &mut asleep, &held, time, line)?;
             now = Some(time);
         }
         let shown = awake.shown();
@@ -118,31 +157,26 @@ impl Moments {
 
 fn scan(
     awake: &mut dyn Subject,
-    asleep: &mut dyn Subject,
+    asleep: &mut Sleeper<'_>,
     inputs: &Values,
     time: u32,
-    last: &mut Option<(Values, u32)>,
     line: &Line,
 ) -> Result<(), Difference> {
     let shown = awake.cycle(inputs, time).map_err(|error| failure(line, time, &error, ""))?;
-    let due = match &*last {
-        None => true,
-        Some((before, then)) => {
-            let slept = time.wrapping_sub(*then);
-            before != inputs || asleep.next_deadline().is_some_and(|deadline| deadline.wrapping_sub(*then) <= slept)
-        }
-    };
+    let expected = without_repetitions(shown);
+    let due = asleep.is_due(inputs, time);
     let found = if due {
-        *last = Some((inputs.clone(), time));
-        asleep.cycle(inputs, time).map_err(|error| failure(line, time, &error, ""))?
+        let found = asleep.subject.cycle(inputs, time).map_err(|error| failure(line, time, &error, ""))?;
+        asleep.changed(Some((inputs.clone(), time)));
+        &without_repetitions(found)
     } else {
-        Shown { calls: Vec::new(), ..asleep.shown() }
+        asleep.shown()
     };
-    let (expected, found) = (without_repetitions(shown), without_repetitions(found));
-    if expected == found {
+    if expected == *found {
         return Ok(());
     }
-    let state = format!("{found} (scanned: {due}, next deadline: {:?})", asleep.next_deadline());
+    let found = found.to_string();
+    let state = format!("{found} (scanned: {due}, next deadline: {:?})", asleep.deadline);
     Err(failure(line, time, &expected.to_string(), &state))
 }
 

@@ -131,20 +131,21 @@ pub fn named<C: Chart>(_: &C, names: &BTreeSet<String>) -> Vec<C::Step> {
 
 /// The active steps, by all ways the chart has to say it; where these disagree, a name says so.
 pub fn steps<C: Chart>(chart: &C, active: &[C::Step]) -> BTreeSet<String> {
-    let name = |step: &C::Step| format!("{step:?}");
-    let mut steps: BTreeSet<String> = active.iter().map(name).collect();
-    let asked = C::STEPS.iter().filter(|step| chart.is_active(**step)).map(name);
-    if steps != asked.collect() || steps.len() != active.len() {
+    let mut steps: BTreeSet<String> = active.iter().map(|step| format!("{step:?}")).collect();
+    let asked: Vec<C::Step> = C::STEPS.iter().copied().filter(|step| chart.is_active(*step)).collect();
+    // As each step is asked for once, equal counts leave no place for one that is listed twice.
+    if asked.len() != active.len() || !asked.iter().all(|step| active.contains(step)) {
         steps.insert(format!("active_steps={active:?}!=is_active"));
     }
-    let situation = format!("{:?}", chart.situation());
-    let shown: BTreeSet<String> = situation
-        .split(|c: char| !c.is_alphanumeric() && c != '_')
-        .filter(|word| !word.is_empty())
-        .map(str::to_owned)
-        .collect();
-    if shown != steps {
+    compare_with(&format!("{:?}", chart.situation()), &mut steps);
+    steps
+}
+
+/// Adds what a situation shows, where that is not exactly these steps. No part of [`steps`], which is built for each chart anew.
+fn compare_with(situation: &str, steps: &mut BTreeSet<String>) {
+    let words = situation.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+    let shown: BTreeSet<&str> = words.collect();
+    if !shown.iter().eq(steps.iter()) {
         steps.insert(format!("situation={situation}"));
     }
-    steps
 }

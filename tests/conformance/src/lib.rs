@@ -4,7 +4,7 @@
 //! - the corpus: the `.chart` files of this folder, run by `cargo test`
 //! - [`random`]: well-formed charts made from a number, run by `cargo xtask conformance`
 //! - [`recorded`]: some of these in a recorder, and with a loss of power now and then
-//! - [`program`]: the naive programs of both beside the interpreter, without rustc
+//! - [`program`]: the naive programs of both beside the interpreter, without rustc; [`programs`]: of random charts
 //! - [`circuit`]: the circuits made of these, beside them
 #![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
@@ -20,6 +20,7 @@ pub mod generated;
 pub mod oracle;
 pub mod play;
 pub mod program;
+pub mod programs;
 pub mod prove;
 pub mod random;
 #[path = "../reader.rs"]

@@ -18,7 +18,13 @@ use project::{Case, Outcome, PRINTED, Project};
 const BATCH: usize = 100;
 
 fn main() -> ExitCode {
-    let result = Options::read(std::env::args().skip(1)).and_then(|options| run(&options));
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let result = match words.split_first() {
+        Some((first, rest)) if first == "--program" => {
+            Project::new(None, None).and_then(|project| project.compare_programs(rest))
+        }
+        _ => Options::read(words.into_iter()).and_then(|options| run(&options)),
+    };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {

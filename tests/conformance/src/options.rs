@@ -8,6 +8,7 @@ const USAGE: &str = "\
 conformance [--charts N] [--cycles N] [--seed N] [--dialect sfc|grafcet] [--with WORDS] [--number N] [--shrink N]
             [--least N] [--recorded N] [--soak N [--seconds N]]
             [--folder PATH] [--printed]
+conformance --program …: their programs, without rustc
 
   --charts   charts of each dialect (default 150)
   --cycles   cycles of each chart (default 500)

@@ -20,6 +20,14 @@ pub struct Programmed<'p, 'm> {
     outputs: Vec<PlaceId>,
     vars: Vec<PlaceId>,
     stable: Option<PlaceId>,
+    names: Names,
+}
+
+/// The names of a chart as text, which is asked for in every cycle.
+struct Names {
+    inputs: Vec<String>,
+    outputs: Vec<String>,
+    steps: Vec<String>,
 }
 
 impl<'p, 'm> Programmed<'p, 'm> {
@@ -37,12 +45,19 @@ impl<'p, 'm> Programmed<'p, 'm> {
                 _ => {}
             }
         }
-        Ok(Self { program, machine, outputs, vars, stable: program.place(Role::Stable) })
+        let model = program.model;
+        let names = Names {
+            inputs: model.inputs.values().map(|input| plain(&input.name)).collect(),
+            outputs: model.outputs.values().map(|output| plain(&output.name)).collect(),
+            steps: model.steps.values().map(|step| plain(&step.name)).collect(),
+        };
+        Ok(Self { program, machine, outputs, vars, stable: program.place(Role::Stable), names })
     }
 
     fn step(&mut self, inputs: &Values, now: u32) -> Result<Cycle, String> {
         let model = self.program.model;
-        let inputs: Vec<Value> = model.inputs.values().map(|i| value(given(inputs, &plain(&i.name)), &i.ty)).collect();
+        let inputs = model.inputs.values().zip(&self.names.inputs).map(|(i, name)| value(given(inputs, name), &i.ty));
+        let inputs: Vec<Value> = inputs.collect();
         self.machine.cycle(&inputs, now, &mut Nothing).map_err(|error| error.to_string())
     }
 
@@ -82,16 +97,17 @@ impl Subject for Programmed<'_, '_> {
     }
 
     fn shown(&self) -> Shown {
-        let model = self.program.model;
         let mut outputs = BTreeMap::new();
-        for (id, output) in model.outputs.iter() {
-            outputs.insert(plain(&output.name), number(self.output(id)));
+        for (id, name) in self.program.model.outputs.ids().zip(&self.names.outputs) {
+            match number(self.output(id)) {
+                0 => {}
+                value => _ = outputs.insert(name.clone(), value),
+            }
         }
-        outputs.retain(|_, value| *value != 0);
         for step in self.machine.late_steps(&mut Nothing).unwrap_or_default() {
-            outputs.insert(format!("late({})", plain(&model.steps[step].name)), 1);
+            outputs.insert(format!("late({})", self.names.steps[step.index()]), 1);
         }
-        let steps = self.machine.active().iter().map(|step| plain(&model.steps[*step].name)).collect();
+        let steps = self.machine.active().iter().map(|step| self.names.steps[step.index()].clone()).collect();
         Shown { steps, stable: true, outputs, calls: Vec::new() }
     }
 

@@ -45,14 +45,41 @@ fn grafcet_with_times() {
     agree(Kind { grafcet: true, timed: true, cycles: FAST }, 0);
 }
 
+/// Both say the same of a chart that once made a difference, and everything in it is looked at.
+fn agree_on(head: &str, chart: &str) {
+    let text = format!("{head} {{\n{}\n{chart}\n}}\n", make::allowed());
+    let Outcome::Compared(comparison) = run::chart(&text, 20_000).expect("understood") else { panic!("{text}") };
+    assert!(comparison.exact, "{text}");
+    assert_eq!(comparison.differences, []);
+}
+
 /// What is entered by a step that is left and entered at once is left in the next evolution, whatever clears there.
 #[test]
 fn an_enclosure_behind_two_transitions_at_once() {
-    let chart = "initial step S1; initial step S2; step S3; enclosing step S5 { partial G { linked step S6; step S7; S6 -[true]-> S7; } } \
+    let chart = "input a, c: bool; initial step S1; initial step S2; step S3; \
+                 enclosing step S5 { partial G { linked step S6; step S7; S6 -[true]-> S7; } } \
                  S1 -[c]-> S3 -[a]-> S5; S2 -[a]-> S1;";
-    let text = format!("grafcet C {{\n{}\ninput a, c: bool;\n{chart}\n}}\n", make::allowed());
-    let Outcome::Compared(comparison) = run::chart(&text, FAST).expect("understood") else { panic!("{text}") };
-    assert_eq!(comparison.differences, []);
+    agree_on("grafcet C", chart);
+}
+
+/// From `(S2, S4)` the `any` leads to `S4`, which is active: that is what it says, and no step is unsafe by it. The shortest way
+/// that makes `S4` unsafe is a longer one.
+#[test]
+fn an_active_target_of_an_any() {
+    let chart = "input b, e: bool; input level: u8; initial step S1; step S2; step S4; \
+                 S1 -[b]-> (S4, S2); S4 -[e]-> S2; S2 -[e]-> S1; any except S4 -[level > 200]-> S4;";
+    agree_on("sfc C", chart);
+}
+
+/// `S1 -> S4 -> S5 -> S1` turns whenever `d` is held. With all that the inputs can do beside, in searches that turn until their
+/// bound, the situations behind these are more than the budget is enough for; the circle is found all the same.
+#[test]
+fn a_circle_in_a_chart_that_is_not_explored_to_its_end() {
+    let chart = "input a, c, d, e: bool; input level: u8; var v0: bool; \
+                 initial step S1; step S3; step S4; step S5; step S6; step S7; step S8 { on rising(c) v0 = a; } \
+                 S1 -[level != 0]-> S3; S1 -[d]-> S4; S4 -[true]-> S5; S5 -[a]-> S7; S5 -[d]-> S8; S1 -[e]-> S6; \
+                 S5 -[d]-> S1; any -[v0]-> S1;";
+    agree_on("grafcet C", chart);
 }
 
 /// The verdicts of brute force on charts that were thought through by hand.

@@ -5,7 +5,7 @@ use super::search::graph::Graph;
 use super::verdicts::Report;
 use super::verdicts::path::Path;
 use crate::list::List;
-use crate::model::{Id, Name, Read, StepId, Tree};
+use crate::model::{Name, Read, StepId, Tree};
 
 /// How much is explored before the search gives up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -99,7 +99,7 @@ pub(super) fn budget_doubt(net: &Net, graph: &Graph) -> Doubt {
     if inputs.len() < FEW {
         return Doubt::Budget(graph.states.len());
     }
-    let at = graph.states[end.state].active.iter().map(|step| StepId::new(*step)).list();
+    let at = graph.states[end.state].active.to_vec();
     Doubt::Inputs { at, inputs }
 }
 

@@ -61,7 +61,7 @@ pub struct Exploration {
     /// Per watched expression whether it can hold.
     watched: Vec<Answer>,
     settles: bool,
-    /// Some search does not, and all combinations were tried.
+    /// Some search for stability was stopped by its bound.
     turns: bool,
     limit: u64,
     work: u64,
@@ -115,7 +115,7 @@ impl Exploration {
         let ways =
             (!whole.complete && !is_told).then(|| some_ways::go(&net, limits.work / 3 + length(&net), &mut seen));
         let mut exploration = Self {
-            turns: sooner.is_none() && whole.complete && whole.unstable,
+            turns: whole.unstable || sooner.as_ref().is_some_and(|graph| graph.unstable),
             settles: sooner.is_none() && stability::settled(&net, &whole),
             sources: model.transitions.values().map(|transition| transition.sources.clone()).list(),
             unsafe_steps: Map::new(),
@@ -215,21 +215,21 @@ impl Exploration {
     #[must_use]
     pub fn reachable(&self, step: StepId) -> bool {
         let may_be = |structure: &Concurrency| structure.reachable(step);
-        (self.seen.reachable[step.index()] || !self.covered[self.net.unit_of[step.index()]])
+        (self.seen.reachable[step] || !self.covered[self.net.unit_of[step]])
             && self.net.structure.as_ref().is_none_or(may_be)
     }
 
     /// Whether some situation enables the transition, or that could not be excluded.
     #[must_use]
     pub fn is_enabled(&self, transition: TransitionId) -> bool {
-        self.seen.enabled[transition.index()] || self.may_be_enabled(transition)
+        self.seen.enabled[transition] || self.may_be_enabled(transition)
     }
 
     /// Whether the condition of the transition can hold while it is enabled (`sfc`: also where an earlier branch takes
     /// precedence), or that could not be excluded.
     #[must_use]
     pub fn can_clear(&self, transition: TransitionId) -> bool {
-        (self.seen.able[transition.index()] || !self.covered[self.net.unit_of_arc(transition.index())])
+        (self.seen.able[transition] || !self.covered[self.net.unit_of_arc(transition)])
             && self.net.structure.as_ref().is_none_or(|structure| structure.can_clear(transition))
     }
 
@@ -243,7 +243,7 @@ impl Exploration {
     fn may_be_enabled(&self, transition: TransitionId) -> bool {
         let Some(structure) = &self.net.structure else { return false };
         let sources = &self.sources[transition.index()];
-        !self.covered[self.net.unit_of_arc(transition.index())]
+        !self.covered[self.net.unit_of_arc(transition)]
             && sources.iter().all(|source| structure.reachable(*source))
             && sources.iter().enumerate().all(|(i, a)| sources[i + 1..].iter().all(|b| structure.together(*a, *b)))
     }
@@ -271,8 +271,8 @@ impl Exploration {
     /// be excluded.
     #[must_use]
     pub fn together(&self, a: StepId, b: StepId) -> bool {
-        let unit = self.net.unit_of[a.index()];
-        let covered = self.covered[unit] && (self.whole.complete || unit == self.net.unit_of[b.index()]);
+        let unit = self.net.unit_of[a];
+        let covered = self.covered[unit] && (self.whole.complete || unit == self.net.unit_of[b]);
         (self.seen.together.contains(a.index(), b.index()) || !covered)
             && self.net.structure.as_ref().is_none_or(|structure| structure.together(a, b))
     }

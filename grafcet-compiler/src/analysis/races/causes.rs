@@ -91,8 +91,8 @@ impl<'m> Race<'m> {
 
     /// Whether what a transition brings about keeps another from clearing in the same evolution: it leaves or empties what
     /// encloses it (A19), or brings an order on its partial grafcet (A13).
-    fn prevents(&self, clears: TransitionId, other: TransitionId) -> bool {
-        let (clears, mut partial) = (&self.model.transitions[clears], self.model.transitions[other].partial);
+    fn prevents(&self, id: TransitionId, other: TransitionId) -> bool {
+        let (clears, mut partial) = (&self.model.transitions[id], self.model.transitions[other].partial);
         let orders = || clears.targets.iter().flat_map(|step| &self.model.steps[*step].forces);
         let mut orders = orders().map(|id| &self.model.forces[*id]).list();
         if orders.iter().any(|force| force.target == partial) {
@@ -103,11 +103,19 @@ impl<'m> Race<'m> {
             let Some(outer) = self.model.partials[partial].enclosed_by else { return false };
             partial = self.model.steps[outer].partial;
             let left = clears.sources.contains(&outer) && !clears.targets.contains(&outer);
-            if left || orders.iter().any(|force| force.target == partial && !self.activates(&force.order, outer)) {
+            if left && !self.is_entered_beside(outer, id)
+                || orders.iter().any(|force| force.target == partial && !self.activates(&force.order, outer))
+            {
                 return true;
             }
         }
         false
+    }
+
+    /// Whether another transition can enter the step in the evolution in which this one leaves it: then it stays active, and what it
+    /// encloses goes on (A4g, A19).
+    fn is_entered_beside(&self, step: StepId, leaving: TransitionId) -> bool {
+        self.entering[step.index()].iter().any(|id| *id != leaving && self.enabled_together(*id, leaving))
     }
 
     /// Whether the transition can clear while the step is active.

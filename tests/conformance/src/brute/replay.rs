@@ -8,6 +8,7 @@ use grafcet_sim::interp::{Evolution, Value};
 
 use super::compare::Difference;
 use super::graph::{Edge, Graph};
+use super::verdicts::activated_while_active;
 
 const NOT_SHORTEST: &str = "not the shortest way";
 
@@ -16,16 +17,17 @@ const NOT_SHORTEST: &str = "not the shortest way";
 pub(super) fn check(model: &Model, graph: &Graph, explored: &Exploration) -> Vec<Difference> {
     let depths = graph.depths();
     let mut wrong = Vec::new();
+    let activates_again = |evolution: &Evolution, step| activated_while_active(evolution, model).contains(&step);
     for step in model.steps.ids() {
         let Some(activation) = explored.unsafe_step(step) else { continue };
         let name = &model.steps[step].name;
         // The way may end in the middle of a cycle, after the evolution that activates the step.
         let activates = |edge: &Edge, end: &PathCycle| {
             let mut entered = false;
-            starts_with(edge.done(model), &end.cleared, &mut |evolution| entered |= enters(model, evolution, step))
+            starts_with(edge.done(model), &end.cleared, &mut |evolution| entered |= activates_again(evolution, step))
                 && entered
         };
-        let entered = |edge: &Edge| edge.done(model).iter().any(|evolution| enters(model, evolution, step));
+        let entered = |edge: &Edge| edge.done(model).iter().any(|evolution| activates_again(evolution, step));
         let shortest = graph.cycles().filter(|(_, edge)| entered(edge)).map(|(from, _)| depths[&from] + 1).min();
         let found = way(model, graph, &activation.path, activates);
         wrong.extend(judge(&format!("{name} unsafe"), model, &activation.path, found, shortest));
@@ -80,14 +82,6 @@ fn judge(what: &str, model: &Model, path: &Path, found: bool, shortest: Option<u
         }
         _ => None,
     }
-}
-
-/// Whether an evolution activates a step that is active and that it does not leave.
-fn enters(model: &Model, evolution: &Evolution, step: StepId) -> bool {
-    let cleared = || evolution.cleared.iter().map(|id| &model.transitions[*id]);
-    let left = cleared().any(|transition| transition.sources.contains(&step));
-    let entered = cleared().any(|transition| transition.targets.contains(&step));
-    evolution.before.contains(&step) && entered && !left
 }
 
 /// Whether a way exists: from the start, or from what can be there after the first cycle.

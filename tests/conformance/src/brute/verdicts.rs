@@ -76,12 +76,17 @@ impl Verdicts {
     fn done(&mut self, evolution: &Evolution, model: &Model) {
         self.seen(&evolution.after);
         self.cleared.extend(&evolution.cleared);
-        let left = |step: &StepId| evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(step));
-        // An active target of an `any` stays active: that is what it says.
-        let entering = evolution.cleared.iter().map(|id| &model.transitions[*id]).filter(|one| one.any.is_none());
-        let entered = entering.flat_map(|transition| &transition.targets);
-        self.unsafe_steps.extend(entered.filter(|step| evolution.before.contains(step) && !left(step)));
+        self.unsafe_steps.extend(activated_while_active(evolution, model));
     }
+}
+
+/// The steps that an evolution activates while they are active and does not leave: those that are unsafe.
+pub(super) fn activated_while_active(evolution: &Evolution, model: &Model) -> BTreeSet<StepId> {
+    let left = |step: &StepId| evolution.cleared.iter().any(|id| model.transitions[*id].sources.contains(step));
+    // An active target of an `any` stays active: that is what it says.
+    let entering = evolution.cleared.iter().map(|id| &model.transitions[*id]).filter(|one| one.any.is_none());
+    let entered = entering.flat_map(|transition| &transition.targets);
+    entered.filter(|step| evolution.before.contains(step) && !left(step)).copied().collect()
 }
 
 /// Steps that transitions connect: a partial grafcet, or one of those that it consists of.

@@ -5,7 +5,7 @@ use super::formula::Formula;
 use super::slots::{Bit, Slots};
 use crate::analysis::explore::verdicts::rivals::Watched;
 use crate::list::List;
-use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, Tree};
+use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, StepId, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
 /// An action with the conditions under which it runs.
@@ -13,12 +13,20 @@ pub(crate) struct Action {
     /// Its place in the source.
     pub(crate) position: usize,
     pub(crate) qualifier: Qualifier,
-    pub(crate) step: usize,
+    /// None where it is done on the clearing of a transition.
+    pub(crate) step: Option<StepId>,
     pub(crate) event: Option<Formula>,
     pub(crate) condition: Option<Formula>,
     pub(crate) program: Vec<Command>,
     /// Beside what is followed it does something that counts as a change (A25): a call, or a value that is not followed.
     pub(crate) more: bool,
+}
+
+impl Action {
+    /// Whether its step is among these.
+    pub(crate) fn is_of(&self, steps: &[StepId]) -> bool {
+        self.step.is_some_and(|step| steps.contains(&step))
+    }
 }
 
 /// A statement of an action.
@@ -46,19 +54,19 @@ pub(crate) struct Timed {
 }
 
 /// The step whose action writes, or the transition on whose clearing is written.
-pub(crate) type Writer = (Option<usize>, Option<usize>);
+pub(crate) type Writer = (Option<StepId>, Option<TransitionId>);
 
 /// All actions of a chart that write what is followed.
 #[derive(Default)]
 pub(crate) struct Actions {
     /// `grafcet`: the stored actions, in source order, and those of each step.
     pub(crate) stored: Vec<Action>,
-    pub(crate) stored_of: Map<usize, Vec<usize>>,
+    pub(crate) stored_of: Map<StepId, Vec<usize>>,
     /// `grafcet`: the actions on clearing of each transition.
-    pub(crate) clearing: Map<usize, Vec<Action>>,
+    pub(crate) clearing: Map<TransitionId, Vec<Action>>,
     /// `sfc`: the targets in the order in which they first stand in the source, and those of each step.
     pub(crate) targets: Vec<Target>,
-    pub(crate) targets_of: Map<usize, Vec<usize>>,
+    pub(crate) targets_of: Map<StepId, Vec<usize>>,
     /// `sfc`: targets that go on as long as a flip-flop is set.
     pub(crate) lasting: Vec<(usize, usize)>,
     /// `grafcet`: pairs of stored actions of which it is asked whether they run in the same evolution.
@@ -93,7 +101,7 @@ impl Actions {
     pub(crate) fn writers(&self) -> Vec<(usize, Writer)> {
         let mut writers = Vec::new();
         for action in &self.stored {
-            slots_of(&action.program, &mut |slot| writers.push((slot, (Some(action.step), None))));
+            slots_of(&action.program, &mut |slot| writers.push((slot, (action.step, None))));
         }
         for (transition, actions) in &self.clearing {
             for action in actions {
@@ -154,7 +162,7 @@ impl Compile<'_, '_> {
             let stored = association.is_stored();
             let on = association.qualifier == Qualifier::On;
             if stored && (on || self.is_followed(&association.effect)) {
-                actions.stored_of.or_default(association.step.index()).push(actions.stored.len());
+                actions.stored_of.or_default(association.step).push(actions.stored.len());
                 actions.stored.push(self.action(id.index(), association));
             }
         }
@@ -165,13 +173,13 @@ impl Compile<'_, '_> {
             let clearing = transition.clearing.iter().map(|effect| Action {
                 position: id.index(),
                 qualifier: Qualifier::On,
-                step: usize::MAX,
+                step: None,
                 event: None,
                 condition: None,
                 program: self.program(effect, None),
                 more: self.does_more(effect),
             });
-            actions.clearing.insert(id.index(), clearing.list());
+            actions.clearing.insert(id, clearing.list());
         }
     }
 
@@ -206,7 +214,7 @@ impl Compile<'_, '_> {
                 }
                 (None, None) => actions.targets.push(Target::Own(action)),
             }
-            let of_step = actions.targets_of.or_default(association.step.index());
+            let of_step = actions.targets_of.or_default(association.step);
             if !of_step.contains(&number) {
                 of_step.push(number);
             }
@@ -250,7 +258,7 @@ impl Compile<'_, '_> {
         Action {
             position,
             qualifier: association.qualifier,
-            step: association.step.index(),
+            step: Some(association.step),
             event: association.event.as_ref().map(|expr| self.compiler.formula(&expr.tree)),
             condition: association.condition.as_ref().map(|expr| self.compiler.formula(&expr.tree)),
             program: self.program(&association.effect, value),

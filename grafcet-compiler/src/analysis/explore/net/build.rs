@@ -1,7 +1,7 @@
 //! From a model to a net.
 
 use super::compile::Compiler;
-use super::formula::{Formula, Kind};
+use super::formula::{AtomId, Formula, Kind};
 use super::links::Links;
 use super::slice::Slice;
 use super::slots::Slots;
@@ -9,7 +9,7 @@ use super::{Arc, Net, Order, Part};
 use super::{actions, clocks, unfollowed, units};
 use crate::analysis::explore::verdicts::rivals::Rival;
 use crate::list::List;
-use crate::model::{ForceOrder, Id, Model, PartialId, Step, TransitionId, Tree};
+use crate::model::{Arena, ForceOrder, Id, Model, PartialId, Step, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
 /// What a chart is explored for.
@@ -58,7 +58,7 @@ impl Net {
         let approximate = compiler.approximate;
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
-        let calls = (0..atoms.len()).filter(|atom| atoms[*atom].what.may_differ()).list();
+        let calls = atoms.ids().filter(|atom| atoms[*atom].what.may_differ()).list();
         let links = Links::of(model, &atoms, &differences, &numbers);
         let presumed = unfollowed::presumed(&atoms, &links);
         let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
@@ -67,8 +67,8 @@ impl Net {
         let (unit_of, units) = units::of(model);
         let mut net = Self {
             grafcet: model.is_grafcet(),
-            arcs: Vec::new(),
-            leaving: vec![Vec::new(); model.steps.len()],
+            arcs: Arena::default(),
+            leaving: Arena::filled(model.steps.len(), Vec::new()),
             sourceless: Vec::new(),
             atoms,
             links,
@@ -81,22 +81,22 @@ impl Net {
             initial: crate::analysis::hierarchy::initial_situation(model)
                 .iter()
                 .filter(|step| slice.is_none_or(|slice| slice.has_step(model, **step)))
-                .map(|step| step.index())
+                .copied()
                 .list(),
             parts: parts(model, slice),
-            commands: model.steps.values().map(|step| !step.forces.is_empty()).list(),
-            governs: model.steps.values().map(|step| !step.forces.is_empty() || !step.encloses.is_empty()).list(),
+            commands: Arena::of(&model.steps, |_, step| !step.forces.is_empty()),
+            governs: Arena::of(&model.steps, |_, step| !step.forces.is_empty() || !step.encloses.is_empty()),
             hierarchy: Vec::new(),
-            part_of: model.steps.values().map(|step| step.partial.index()).list(),
+            part_of: Arena::of(&model.steps, |_, step| step.partial.index()),
             has_arcs: vec![false; units],
             unit_of,
             units,
-            is_final: model.steps.values().map(|step| step.is_final).list(),
-            macros: model.macros.values().map(|m| m.steps.iter().map(|step| step.index()).list()).list(),
-            edge_atoms: vec![Vec::new(); model.steps.len()],
+            is_final: Arena::of(&model.steps, |_, step| step.is_final),
+            macros: model.macros.values().map(|m| m.steps.clone()).list(),
+            edge_atoms: Arena::filled(model.steps.len(), Vec::new()),
             common_edge_atoms: Vec::new(),
-            is_edge_atom: vec![false; count],
-            is_common: vec![false; count],
+            is_edge_atom: Arena::filled(count, false),
+            is_common: Arena::filled(count, false),
             unfollowed,
             presumed,
             bound,
@@ -118,27 +118,27 @@ impl Net {
         net.note_common();
         net.note_confluence();
         net.clocks = clocks::of(&net);
-        let assumed: Vec<usize> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
+        let assumed: Vec<AtomId> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
         net.beside = unfollowed::beside(&net.atoms, &net.unfollowed, &assumed);
         net
     }
 
     fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
-        for (index, (transition, condition)) in model.transitions.values().zip(conditions).enumerate() {
-            let mut sources: Vec<usize> = transition.sources.iter().map(|step| step.index()).list();
+        for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
+            let mut sources: Vec<StepId> = transition.sources.clone();
             sources.sort_unstable();
             for source in &sources {
-                self.leaving[*source].push(index);
+                self.leaving[*source].push(id);
             }
             if sources.is_empty() {
-                self.sourceless.push(index);
+                self.sourceless.push(id);
             }
             let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
             self.collect(&condition, &mut atoms, &mut edge_atoms);
             for step in transition.sources.iter().chain(&transition.targets) {
-                self.has_arcs[self.unit_of[step.index()]] = true;
+                self.has_arcs[self.unit_of[*step]] = true;
             }
-            let mut reads_steps: Vec<usize> = Vec::new();
+            let mut reads_steps: Vec<StepId> = Vec::new();
             for atom in &atoms {
                 match self.atoms[*atom].kind {
                     Kind::Step(step) | Kind::Was(step) | Kind::Since(step) | Kind::Phase(step) => {
@@ -150,10 +150,10 @@ impl Net {
             }
             // Its own sources are active when it is asked; an edge of them is another matter.
             let is_step =
-                |atom: &usize| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
+                |atom: &AtomId| matches!(self.atoms[*atom].kind, Kind::Step(_) | Kind::Since(_) | Kind::Phase(_));
             reads_steps.retain(|step| !sources.contains(step) || edge_atoms.iter().any(is_step));
             let reads_slots = atoms.iter().any(|atom| matches!(self.atoms[*atom].kind, Kind::Slot(_)));
-            let targets = transition.targets.iter().map(|step| step.index()).list();
+            let targets = transition.targets.clone();
             let partial = transition.partial.index();
             let is_any = transition.any.is_some();
             self.arcs.push(Arc {
@@ -171,7 +171,7 @@ impl Net {
     }
 
     /// The atoms of a condition, those of its edges beside; and what they are tied to.
-    pub(crate) fn collect(&self, formula: &Formula, atoms: &mut Vec<usize>, edge_atoms: &mut Vec<usize>) {
+    pub(crate) fn collect(&self, formula: &Formula, atoms: &mut Vec<AtomId>, edge_atoms: &mut Vec<AtomId>) {
         match formula {
             Formula::Const(_) => {}
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
@@ -205,7 +205,7 @@ impl Net {
         for atom in common {
             self.is_common[atom] = true;
         }
-        for atom in self.arcs.iter().flat_map(|arc| &arc.edge_atoms) {
+        for atom in self.arcs.values().flat_map(|arc| &arc.edge_atoms) {
             self.is_edge_atom[*atom] = true;
         }
         for atom in &self.common_edge_atoms {
@@ -216,10 +216,10 @@ impl Net {
     /// See [`Net::is_confluent`].
     fn note_confluence(&mut self) {
         self.confluent.0 = self.hierarchy.is_empty();
-        for (index, arc) in self.arcs.iter().enumerate() {
-            let unit = self.unit_of_arc(index);
-            let own = |step: &usize| self.unit_of[*step] == unit;
-            let asymmetric = |step: &usize| self.leaving[*step].iter().any(|t| self.arcs[*t].sources != arc.sources);
+        for (id, arc) in self.arcs.iter() {
+            let unit = self.unit_of_arc(id);
+            let own = |step: &StepId| self.unit_of[*step] == unit;
+            let asymmetric = |step: &StepId| self.leaving[*step].iter().any(|t| self.arcs[*t].sources != arc.sources);
             if arc.sources.iter().any(asymmetric) || arc.reads_slots || arc.sources.is_empty() {
                 self.confluent.0 = false;
                 self.confluent.1[unit] = false;
@@ -233,14 +233,14 @@ impl Net {
 
     /// Which atoms' values must be remembered while a step is active, because an edge may be asked for in the next cycle.
     fn note_edges(&mut self) {
-        for arc in &self.arcs {
+        for arc in self.arcs.values() {
             for source in &arc.sources {
                 for atom in &arc.edge_atoms {
                     add(&mut self.edge_atoms[*source], *atom);
                 }
             }
         }
-        let mut common: Vec<usize> = Vec::new();
+        let mut common: Vec<AtomId> = Vec::new();
         for formula in self.actions.formulas() {
             self.collect(formula, &mut Vec::new(), &mut common);
         }
@@ -249,26 +249,26 @@ impl Net {
                 add(&mut common, *atom);
             }
         }
-        let assumed: Vec<Vec<usize>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).list();
+        let assumed: Vec<Vec<AtomId>> = self.assumed_never.iter().map(|formula| self.atoms_of(formula)).list();
         self.common_edge_atoms = with_assumed(common, &assumed);
-        for atoms in &mut self.edge_atoms {
-            *atoms = with_assumed(std::mem::take(atoms), &assumed);
+        for step in self.edge_atoms.ids() {
+            let mut atoms = with_assumed(std::mem::take(&mut self.edge_atoms[step]), &assumed);
             atoms.sort_unstable();
+            self.edge_atoms[step] = atoms;
         }
     }
 }
 
-fn add(atoms: &mut Vec<usize>, atom: usize) {
+fn add(atoms: &mut Vec<AtomId>, atom: AtomId) {
     if !atoms.contains(&atom) {
         atoms.push(atom);
     }
 }
 
 fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
-    let mut orders: Map<usize, Vec<(usize, Order)>> = Map::new();
-    let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<usize> {
-        let mut steps: Vec<usize> =
-            part.steps.iter().filter(|step| wanted(&model.steps[**step])).map(|step| step.index()).list();
+    let mut orders: Map<PartialId, Vec<(StepId, Order)>> = Map::new();
+    let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<StepId> {
+        let mut steps: Vec<StepId> = part.steps.iter().filter(|step| wanted(&model.steps[**step])).copied().list();
         steps.sort_unstable();
         steps
     };
@@ -276,26 +276,26 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
     for force in model.forces.values().filter(|force| !is_left_out(force.target)) {
         let order = match &force.order {
             ForceOrder::Steps(steps) => {
-                let mut steps: Vec<usize> = steps.iter().map(|step| step.index()).list();
+                let mut steps: Vec<StepId> = steps.clone();
                 steps.sort_unstable();
                 Order::To(steps)
             }
             ForceOrder::Init => Order::To(pick(&model.partials[force.target], |step| step.initial)),
             ForceOrder::Hold => Order::Hold,
         };
-        orders.or_default(force.target.index()).push((force.step.index(), order));
+        orders.or_default(force.target).push((force.step, order));
     }
     let part = |(id, partial): (PartialId, &crate::model::Partial)| Part {
-        enclosed_by: partial.enclosed_by.map(Id::index),
+        enclosed_by: partial.enclosed_by,
         linked: if is_left_out(id) { Vec::new() } else { pick(partial, |step| step.linked) },
-        orders: orders.remove(&id.index()).unwrap_or_default(),
+        orders: orders.remove(&id).unwrap_or_default(),
     };
     model.partials.iter().map(part).list()
 }
 
 /// With what assumptions connect these atoms with: what is known of one of them in the cycle before may exclude a value of
 /// another.
-fn with_assumed(mut atoms: Vec<usize>, assumed: &[Vec<usize>]) -> Vec<usize> {
+fn with_assumed(mut atoms: Vec<AtomId>, assumed: &[Vec<AtomId>]) -> Vec<AtomId> {
     let mut next = 0;
     while let Some(atom) = atoms.get(next).copied() {
         for other in assumed.iter().filter(|assumed| assumed.contains(&atom)).flatten() {

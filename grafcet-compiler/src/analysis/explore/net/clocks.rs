@@ -3,16 +3,17 @@
 //! All others count as unknown in each cycle anew, which is as good: who can wait has any time that is wanted.
 
 use super::Net;
-use super::formula::{Formula, Kind};
+use super::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
 use crate::list::List;
+use crate::model::{Arena, StepId};
 use crate::sorted::Set;
 
 /// The time of a step or of a macro-step.
 #[derive(Debug)]
 pub(crate) struct Clock {
-    pub(crate) atom: usize,
+    pub(crate) atom: AtomId,
     /// What conditions compare it with, ascending: it is known by which of these it has reached.
     pub(crate) marks: Set<i128>,
 }
@@ -20,29 +21,29 @@ pub(crate) struct Clock {
 /// The times of a chart that have to be followed: all that conditions do more with than to wait until they have passed,
 /// each for its own steps.
 pub(crate) fn of(net: &Net) -> Vec<Clock> {
-    let mut reader = Reader { net, followed: vec![false; net.atoms.len()] };
-    for arc in &net.arcs {
+    let mut reader = Reader { net, followed: Arena::filled(net.atoms.len(), false) };
+    for arc in net.arcs.values() {
         reader.read(&arc.condition, &arc.sources, Some(true));
     }
     for formula in net.actions.formulas() {
         reader.read(formula, &[], None);
     }
-    let mut marks: Vec<Set<i128>> = vec![Set::new(); net.atoms.len()];
+    let mut marks: Arena<AtomId, Set<i128>> = Arena::filled(net.atoms.len(), Set::new());
     net.formulas().for_each(|formula| note_marks(formula, &mut marks));
-    let followed = reader.followed.iter().zip(marks).enumerate().filter(|(_, (is_followed, _))| **is_followed);
-    followed.map(|(atom, (_, marks))| Clock { atom, marks }).list()
+    let followed = net.atoms.ids().filter(|atom| reader.followed[*atom]);
+    followed.map(|atom| Clock { atom, marks: std::mem::take(&mut marks[atom]) }).list()
 }
 
 struct Reader<'n> {
     net: &'n Net,
     /// Per atom.
-    followed: Vec<bool>,
+    followed: Arena<AtomId, bool>,
 }
 
 impl Reader<'_> {
     /// Notes the times that a formula does not only wait for while these steps are active. It is wanted to be `wanted`, if
     /// that can be said.
-    fn read(&mut self, formula: &Formula, own: &[usize], wanted: Option<bool>) {
+    fn read(&mut self, formula: &Formula, own: &[StepId], wanted: Option<bool>) {
         let net = self.net;
         match formula {
             Formula::Const(_) | Formula::Is(_) => {}
@@ -63,12 +64,12 @@ impl Reader<'_> {
         }
     }
 
-    fn is_time(&self, atom: usize) -> bool {
+    fn is_time(&self, atom: AtomId) -> bool {
         matches!(self.net.atoms[atom].kind, Kind::Since(_) | Kind::MacroSince(_))
     }
 
     /// Whether the time runs as long as the steps are active.
-    fn is_own(&self, atom: usize, steps: &[usize]) -> bool {
+    fn is_own(&self, atom: AtomId, steps: &[StepId]) -> bool {
         match self.net.atoms[atom].kind {
             Kind::Since(step) => steps.contains(&step),
             Kind::MacroSince(id) => steps.iter().any(|step| self.net.macros[id].contains(step)),
@@ -77,7 +78,7 @@ impl Reader<'_> {
     }
 }
 
-fn note_marks(formula: &Formula, marks: &mut [Set<i128>]) {
+fn note_marks(formula: &Formula, marks: &mut Arena<AtomId, Set<i128>>) {
     match formula {
         Formula::Below(atom, bound) => marks[*atom].extend([*bound]),
         Formula::Equals(atom, value) => marks[*atom].extend([*value, value.saturating_add(1)]),
@@ -92,7 +93,7 @@ fn note_marks(formula: &Formula, marks: &mut [Set<i128>]) {
 
 impl Valuation<'_> {
     /// Decides how late it is at the end of a cycle that began with some steps active. Returns what stays so.
-    pub(crate) fn ages(&mut self, before: &[usize]) -> Learnt {
+    pub(crate) fn ages(&mut self, before: &[StepId]) -> Learnt {
         let net = self.net;
         let mut ages = Vec::new();
         for Clock { atom, marks } in &net.clocks {
@@ -107,13 +108,13 @@ impl Valuation<'_> {
     }
 
     /// Whether a time did not begin in this cycle, and goes on in the next.
-    fn runs_on(&self, atom: usize, before: &[usize]) -> bool {
-        let is_in = |active: &[usize], step: &usize| active.binary_search(step).is_ok();
+    fn runs_on(&self, atom: AtomId, before: &[StepId]) -> bool {
+        let is_in = |active: &[StepId], step: &StepId| active.binary_search(step).is_ok();
         let after = &self.now.active;
         match self.net.atoms[atom].kind {
             Kind::Since(step) => is_in(before, &step) && is_in(after, &step) && !self.just_entered.contains(&step),
             Kind::MacroSince(id) => {
-                let any = |active: &[usize]| self.net.macros[id].iter().any(|step| is_in(active, step));
+                let any = |active: &[StepId]| self.net.macros[id].iter().any(|step| is_in(active, step));
                 any(before) && any(after)
             }
             _ => false,

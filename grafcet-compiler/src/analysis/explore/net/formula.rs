@@ -1,18 +1,23 @@
 //! Conditions over numbered atoms.
 
 use crate::analysis::is_constant_read;
-use crate::model::Tree;
+use crate::model::{StepId, Tree, ids};
+
+ids! {
+    /// Something that conditions read.
+    pub(crate) AtomId;
+}
 
 /// A condition.
 #[derive(Debug)]
 pub(crate) enum Formula {
     Const(bool),
     /// A boolean atom.
-    Is(usize),
+    Is(AtomId),
     /// A number is below a constant.
-    Below(usize, i128),
+    Below(AtomId, i128),
     /// A number is a constant.
-    Equals(usize, i128),
+    Equals(AtomId, i128),
     Not(Box<Formula>),
     And(Box<Formula>, Box<Formula>),
     Or(Box<Formula>, Box<Formula>),
@@ -89,17 +94,17 @@ pub(crate) enum Kind {
     /// Any number of a range, once per cycle.
     Number(i128, i128),
     /// Whether the step is active.
-    Step(usize),
+    Step(StepId),
     /// `sfc`: whether the step was active when the cycle began.
-    Was(usize),
+    Was(StepId),
     /// Whether a step of the macro-step's expansion is active.
     Macro(usize),
     /// A boolean that is followed from cycle to cycle.
     Slot(usize),
     /// How long the step has been active; zero if it is not.
-    Since(usize),
+    Since(StepId),
     /// The same of a macro-step.
     MacroSince(usize),
     /// Whether the first part of a period since the activation of the step is under way: true when it is entered.
-    Phase(usize),
+    Phase(StepId),
 }

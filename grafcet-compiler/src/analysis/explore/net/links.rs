@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::formula::{Atom, Kind};
+use super::formula::{Atom, AtomId, Kind};
 use crate::analysis::Union;
 use crate::analysis::differences::{Differences, FAR};
 use crate::analysis::explore::valuation::Valuation;
@@ -11,13 +11,13 @@ use crate::analysis::explore::valuation::computed::Computed;
 use crate::analysis::explore::valuation::knowledge::{Knowledge, Known, Learnt};
 use crate::analysis::numbers::is_computed;
 use crate::list::List;
-use crate::model::{Binary, Model, Tree};
+use crate::model::{Arena, Binary, Model, Tree};
 use crate::sorted::{Map, sort};
 
 /// How far a number lies above another, as an atom.
 #[derive(Debug)]
 pub(crate) struct Difference {
-    pub(crate) atom: usize,
+    pub(crate) atom: AtomId,
     pub(crate) a: Operand,
     pub(crate) b: Operand,
     /// Of two floats, which may be no numbers: then it lies beyond all others.
@@ -36,13 +36,13 @@ pub(crate) struct Operand {
 pub(crate) struct Links {
     groups: Vec<Group>,
     /// Per atom the group, where what is known of it says something about others.
-    group_of: Vec<Option<usize>>,
+    group_of: Arena<AtomId, Option<usize>>,
     /// The two times or numbers of a difference in which a time has part, by atom.
-    times: Map<usize, (usize, usize)>,
+    times: Map<AtomId, (AtomId, AtomId)>,
     /// Per atom whether it is computed of inputs and params, so that it is tried whether there are some.
-    tried: Vec<bool>,
+    tried: Arena<AtomId, bool>,
     /// Per atom whether arithmetic is in it.
-    computed: Vec<bool>,
+    computed: Arena<AtomId, bool>,
 }
 
 #[derive(Debug)]
@@ -54,10 +54,10 @@ enum Group {
 /// Numbers that are compared.
 #[derive(Debug, Default)]
 struct Compared {
-    atoms: Vec<usize>,
+    atoms: Vec<AtomId>,
     /// Each number with the atom that compares it with constants.
-    numbers: Vec<(Option<usize>, (i128, i128))>,
-    differences: Vec<(usize, usize, usize)>,
+    numbers: Vec<(Option<AtomId>, (i128, i128))>,
+    differences: Vec<(AtomId, usize, usize)>,
     is_float: bool,
 }
 
@@ -75,15 +75,20 @@ pub(crate) type Tries = BTreeMap<(usize, Learnt), Allowed>;
 
 impl Links {
     /// `numbers` are the atoms that compare a number with constants, by number.
-    pub(crate) fn of(model: &Model, atoms: &[Atom], differences: &[Difference], numbers: &Map<Tree, usize>) -> Self {
+    pub(crate) fn of(
+        model: &Model,
+        atoms: &Arena<AtomId, Atom>,
+        differences: &[Difference],
+        numbers: &Map<Tree, AtomId>,
+    ) -> Self {
         let computes = |atom: &Atom| match &atom.what {
             Tree::Binary(Binary::Lt, a, b) => is_computed(a) || is_computed(b),
             tree => is_computed(tree) && matches!(atom.kind, Kind::Number(..)),
         };
         let mut links = Self {
-            group_of: vec![None; atoms.len()],
-            tried: vec![false; atoms.len()],
-            computed: atoms.iter().map(computes).list(),
+            group_of: Arena::filled(atoms.len(), None),
+            tried: Arena::filled(atoms.len(), false),
+            computed: Arena::of(atoms, |_, atom| computes(atom)),
             ..Self::default()
         };
         for Difference { atom, a, b, .. } in differences {
@@ -116,12 +121,12 @@ impl Links {
     }
 
     /// The atoms of which something may follow from what is known of this one; itself is among them.
-    pub(crate) fn with(&self, atom: usize) -> &[usize] {
+    pub(crate) fn with(&self, atom: AtomId) -> &[AtomId] {
         self.group_of[atom].map_or(&[], |group| self.groups[group].atoms())
     }
 
     /// The two atoms after a difference in which a time has part.
-    pub(crate) fn times(&self, atom: usize) -> Option<(usize, usize)> {
+    pub(crate) fn times(&self, atom: AtomId) -> Option<(AtomId, AtomId)> {
         self.times.get(&atom).copied()
     }
 
@@ -131,17 +136,17 @@ impl Links {
     }
 
     /// Whether there is arithmetic in an atom.
-    pub(crate) fn is_computed(&self, atom: usize) -> bool {
+    pub(crate) fn is_computed(&self, atom: AtomId) -> bool {
         self.computed[atom]
     }
 
     /// Whether an atom is computed of nothing but what can be chosen: where that was, it was tried.
-    pub(crate) fn is_tried(&self, atom: usize) -> bool {
+    pub(crate) fn is_tried(&self, atom: AtomId) -> bool {
         self.tried[atom]
     }
 
     /// Whether there are numbers of which all this is true; `unclear` are the atoms of which that is not known.
-    fn allow(&self, knowledge: &Knowledge, tries: &mut Tries, left: &mut u64, unclear: &mut Vec<usize>) -> bool {
+    fn allow(&self, knowledge: &Knowledge, tries: &mut Tries, left: &mut u64, unclear: &mut Vec<AtomId>) -> bool {
         let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
         asked.sort_unstable();
         asked.dedup();
@@ -173,7 +178,7 @@ impl Links {
                 Allowed::Yes => {}
                 Allowed::No => return false,
                 Allowed::Unclear => {
-                    let of_group = |atom: &&usize| self.group_of[**atom] == Some(number);
+                    let of_group = |atom: &&AtomId| self.group_of[**atom] == Some(number);
                     unclear.extend(knowledge.learnt().iter().filter(of_group));
                 }
             }
@@ -183,7 +188,7 @@ impl Links {
 }
 
 impl Group {
-    fn atoms(&self) -> &[usize] {
+    fn atoms(&self) -> &[AtomId] {
         match self {
             Self::Compared(compared) => &compared.atoms,
             Self::Computed(computed) => computed.atoms(),
@@ -193,10 +198,10 @@ impl Group {
 
 impl Compared {
     /// The numbers that are compared with each other, directly or by others.
-    fn all(differences: &[&Difference], numbers: &Map<Tree, usize>) -> Vec<Self> {
+    fn all(differences: &[&Difference], numbers: &Map<Tree, AtomId>) -> Vec<Self> {
         let mut known: Map<&Tree, usize> = Map::new();
         let mut all: Vec<&Operand> = Vec::new();
-        let mut pairs: Vec<(usize, usize, usize, bool)> = Vec::new();
+        let mut pairs: Vec<(AtomId, usize, usize, bool)> = Vec::new();
         for Difference { atom, a, b, is_float } in differences.iter().copied() {
             let [a, b] = [a, b].map(|operand| {
                 *known.or_insert_with(&operand.tree, || {
@@ -234,7 +239,7 @@ impl Compared {
     fn is_tied(&self) -> bool {
         let count = self.numbers.len();
         let width = |(low, high): &(i128, i128)| high.saturating_sub(*low);
-        let is_narrow = |(_, range): &(Option<usize>, (i128, i128))| width(range) < 2 * count as i128;
+        let is_narrow = |(_, range): &(Option<AtomId>, (i128, i128))| width(range) < 2 * count as i128;
         // Of floats one that is no number is so in all of its comparisons.
         self.is_float && count > 2
             || self.differences.len() >= count
@@ -275,7 +280,7 @@ impl Compared {
             return Some(vec![false; self.numbers.len()]);
         }
         let known =
-            |atom: usize| if let Known::Range(low, high) = knowledge.get(atom) { Some((low, high)) } else { None };
+            |atom: AtomId| if let Known::Range(low, high) = knowledge.get(atom) { Some((low, high)) } else { None };
         let mut none = vec![true; self.numbers.len()];
         for (atom, a, b) in &self.differences {
             if known(*atom).is_some_and(|(_, high)| high <= FAR) {
@@ -289,7 +294,7 @@ impl Compared {
                 _ => {}
             }
         }
-        let is_apart = |(atom, a, b): &(usize, usize, usize)| {
+        let is_apart = |(atom, a, b): &(AtomId, usize, usize)| {
             known(*atom).is_none_or(|(low, _)| low <= FAR) || none[*a] || none[*b]
         };
         self.differences.iter().all(is_apart).then_some(none)
@@ -312,7 +317,7 @@ impl Valuation<'_> {
         let allowed = links.allow(given, &mut tries, &mut left, &mut unclear)
             && links.allow(recorded, &mut tries, &mut left, &mut past);
         // Whether there were such values in the cycle before, the way there has to answer for.
-        let is_new = |atom: &usize| !self.before.contains(&(*atom, recorded.get(*atom)));
+        let is_new = |atom: &AtomId| !self.before.contains(&(*atom, recorded.get(*atom)));
         if past.iter().any(is_new) {
             unclear.append(&mut past);
         }

@@ -13,57 +13,57 @@ pub(crate) mod units;
 
 use self::actions::Actions;
 use self::clocks::Clock;
-use self::formula::{Atom, Formula, Kind};
+use self::formula::{Atom, AtomId, Formula, Kind};
 use self::links::Links;
 use self::slots::Bit;
 use crate::analysis::Concurrency;
 use crate::list::List;
-use crate::model::{Id, StepId};
+use crate::model::{Arena, StepId, TransitionId};
 use crate::sorted::Map;
 
 /// A transition.
 pub(crate) struct Arc {
-    pub(crate) sources: Vec<usize>,
-    pub(crate) targets: Vec<usize>,
+    pub(crate) sources: Vec<StepId>,
+    pub(crate) targets: Vec<StepId>,
     pub(crate) condition: Formula,
     pub(crate) partial: usize,
     /// The atoms of the condition.
-    pub(crate) atoms: Vec<usize>,
+    pub(crate) atoms: Vec<AtomId>,
     /// Steps that the condition reads, its sources excepted.
-    pub(crate) reads_steps: Vec<usize>,
+    pub(crate) reads_steps: Vec<StepId>,
     /// The condition reads variables that are followed.
     pub(crate) reads_slots: bool,
     /// The atoms that the edges in its condition look at.
-    pub(crate) edge_atoms: Vec<usize>,
+    pub(crate) edge_atoms: Vec<AtomId>,
     /// It is one of those for which an `any` stands.
     pub(crate) is_any: bool,
 }
 
 /// A partial grafcet, as forcing and enclosing see it.
 pub(crate) struct Part {
-    pub(crate) enclosed_by: Option<usize>,
-    pub(crate) linked: Vec<usize>,
+    pub(crate) enclosed_by: Option<StepId>,
+    pub(crate) linked: Vec<StepId>,
     /// The orders it may get: from which step, and which.
-    pub(crate) orders: Vec<(usize, Order)>,
+    pub(crate) orders: Vec<(StepId, Order)>,
 }
 
 /// A forcing order.
 pub(crate) enum Order {
-    To(Vec<usize>),
+    To(Vec<StepId>),
     Hold,
 }
 
 /// A chart.
 pub(crate) struct Net {
     pub(crate) grafcet: bool,
-    pub(crate) arcs: Vec<Arc>,
+    pub(crate) arcs: Arena<TransitionId, Arc>,
     /// Per step the transitions that leave it.
-    pub(crate) leaving: Vec<Vec<usize>>,
-    pub(crate) sourceless: Vec<usize>,
-    pub(crate) atoms: Vec<Atom>,
+    pub(crate) leaving: Arena<StepId, Vec<TransitionId>>,
+    pub(crate) sourceless: Vec<TransitionId>,
+    pub(crate) atoms: Arena<AtomId, Atom>,
     pub(crate) links: Links,
     /// Atoms whose values may differ in each evaluation.
-    pub(crate) calls: Vec<usize>,
+    pub(crate) calls: Vec<AtomId>,
     pub(crate) edges: Vec<Option<Formula>>,
     pub(crate) shared: Vec<Formula>,
     pub(crate) actions: Actions,
@@ -71,42 +71,42 @@ pub(crate) struct Net {
     /// Slots that hold nothing for the next cycle.
     pub(crate) shown_slots: Vec<usize>,
     /// Steps active before the first cycle.
-    pub(crate) initial: Vec<usize>,
+    pub(crate) initial: Vec<StepId>,
     pub(crate) parts: Vec<Part>,
     /// Steps that give orders to other partial grafcets.
-    commands: Vec<bool>,
+    commands: Arena<StepId, bool>,
     /// Those, and the steps that enclose some.
-    pub(crate) governs: Vec<bool>,
+    pub(crate) governs: Arena<StepId, bool>,
     /// From top to bottom; empty where no partial grafcet acts on another.
     pub(crate) hierarchy: Vec<usize>,
-    pub(crate) part_of: Vec<usize>,
+    pub(crate) part_of: Arena<StepId, usize>,
     /// The connected piece of its partial grafcet to which each step belongs, and how many there are.
-    pub(crate) unit_of: Vec<usize>,
+    pub(crate) unit_of: Arena<StepId, usize>,
     pub(crate) units: usize,
     /// Whether the piece has transitions.
     pub(crate) has_arcs: Vec<bool>,
-    pub(crate) is_final: Vec<bool>,
-    pub(crate) macros: Vec<Vec<usize>>,
+    pub(crate) is_final: Arena<StepId, bool>,
+    pub(crate) macros: Vec<Vec<StepId>>,
     /// Per step the atoms that edges in the conditions of its transitions look at.
-    pub(crate) edge_atoms: Vec<Vec<usize>>,
+    pub(crate) edge_atoms: Arena<StepId, Vec<AtomId>>,
     /// Those that edges in actions and in source transitions look at.
-    pub(crate) common_edge_atoms: Vec<usize>,
+    pub(crate) common_edge_atoms: Vec<AtomId>,
     /// Atoms that edges look at.
-    pub(crate) is_edge_atom: Vec<bool>,
+    pub(crate) is_edge_atom: Arena<AtomId, bool>,
     /// Atoms of assumptions and watched expressions.
-    pub(crate) is_common: Vec<bool>,
+    pub(crate) is_common: Arena<AtomId, bool>,
     /// See [`unfollowed::atoms`].
-    pub(crate) unfollowed: Vec<bool>,
+    pub(crate) unfollowed: Arena<AtomId, bool>,
     /// See [`unfollowed::presumed`].
-    pub(crate) presumed: Vec<bool>,
+    pub(crate) presumed: Arena<AtomId, bool>,
     /// See [`unfollowed::bound`].
-    pub(crate) bound: Vec<bool>,
+    pub(crate) bound: Arena<AtomId, bool>,
     /// See [`unfollowed::beside`].
-    pub(crate) beside: Map<usize, Vec<usize>>,
+    pub(crate) beside: Map<AtomId, Vec<AtomId>>,
     /// Times that have to be followed, where that is asked for.
     pub(crate) clocks: Vec<Clock>,
     /// Steps and transitions with actions that write what is not followed.
-    pub(crate) writes_more: (Vec<bool>, Vec<bool>),
+    pub(crate) writes_more: (Arena<StepId, bool>, Arena<TransitionId, bool>),
     /// See [`Net::is_confluent`]: of the whole chart, and of each piece alone.
     confluent: (bool, Vec<bool>),
     pub(crate) watched: Vec<Formula>,
@@ -126,33 +126,38 @@ impl Net {
         unit.map_or(self.confluent.0, |unit| self.confluent.1[unit])
     }
 
+    /// Whether anything is not followed that conditions read; see [`unfollowed::atoms`].
+    pub(crate) fn has_unfollowed(&self) -> bool {
+        self.unfollowed.values().any(|is| *is)
+    }
+
     /// Whether the edge looks at one of these atoms.
-    pub(crate) fn edge_reads(&self, edge: usize, among: &[usize]) -> bool {
+    pub(crate) fn edge_reads(&self, edge: usize, among: &[AtomId]) -> bool {
         let read = |of| self.atoms_of(of).iter().any(|atom| among.binary_search(atom).is_ok());
         self.edges[edge].as_ref().is_some_and(read)
     }
 
     /// All that is evaluated.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
-        let conditions = self.arcs.iter().map(|arc| &arc.condition);
+        let conditions = self.arcs.values().map(|arc| &arc.condition);
         let parts = self.shared.iter().chain(self.edges.iter().flatten()).chain(&self.watched);
         conditions.chain(parts).chain(self.actions.formulas())
     }
 
-    fn atoms_of(&self, formula: &Formula) -> Vec<usize> {
+    fn atoms_of(&self, formula: &Formula) -> Vec<AtomId> {
         let mut atoms = Vec::new();
         self.collect(formula, &mut atoms, &mut Vec::new());
         atoms
     }
 
     /// The piece of a transition.
-    pub(crate) fn unit_of_arc(&self, transition: usize) -> usize {
+    pub(crate) fn unit_of_arc(&self, transition: TransitionId) -> usize {
         let arc = &self.arcs[transition];
         arc.sources.first().or(arc.targets.first()).map_or(0, |step| self.unit_of[*step])
     }
 
     /// The values a number can have.
-    pub(crate) fn range(&self, atom: usize) -> (i128, i128) {
+    pub(crate) fn range(&self, atom: AtomId) -> (i128, i128) {
         match self.atoms[atom].kind {
             Kind::Number(low, high) => (low, high),
             _ => (0, i128::from(u32::MAX)),
@@ -162,7 +167,7 @@ impl Net {
     /// The slots that actions of other pieces than this one write.
     pub(crate) fn foreign_slots(&self, unit: usize) -> Vec<usize> {
         let writers = self.actions.writers();
-        let foreign = |(step, arc): (Option<usize>, Option<usize>)| {
+        let foreign = |(step, arc): (Option<StepId>, Option<TransitionId>)| {
             let unit_of = step.map(|step| self.unit_of[step]).or_else(|| arc.map(|arc| self.unit_of_arc(arc)));
             unit_of != Some(unit)
         };
@@ -174,17 +179,17 @@ impl Net {
     }
 
     /// Whether the structure lets two steps be active together.
-    pub(crate) fn may_meet(&self, a: usize, b: usize) -> bool {
-        self.structure.as_ref().is_none_or(|structure| structure.together(StepId::new(a), StepId::new(b)))
+    pub(crate) fn may_meet(&self, a: StepId, b: StepId) -> bool {
+        self.structure.as_ref().is_none_or(|structure| structure.together(a, b))
     }
 
     /// Whether a situation gives any orders.
-    pub(crate) fn orders_any(&self, active: &[usize]) -> bool {
+    pub(crate) fn orders_any(&self, active: &[StepId]) -> bool {
         active.iter().any(|step| self.commands[*step])
     }
 
     /// The order that a situation gives to a partial grafcet; A14 leaves at most one.
-    pub(crate) fn order(&self, part: usize, active: &[usize]) -> Option<&Order> {
+    pub(crate) fn order(&self, part: usize, active: &[StepId]) -> Option<&Order> {
         let orders = self.parts[part].orders.iter().rev();
         orders.filter(|(step, _)| active.binary_search(step).is_ok()).map(|(_, order)| order).next()
     }

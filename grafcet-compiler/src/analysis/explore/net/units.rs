@@ -1,11 +1,10 @@
 //! The connected pieces of partial grafcets: what evolves by itself.
 
 use crate::analysis::Union;
-use crate::list::List;
-use crate::model::{Id, Model};
+use crate::model::{Arena, Id, Model, StepId};
 
 /// The number of each step's piece, and how many there are.
-pub(crate) fn of(model: &Model) -> (Vec<usize>, usize) {
+pub(crate) fn of(model: &Model) -> (Arena<StepId, usize>, usize) {
     let mut union = Union::new(model.steps.len());
     for transition in model.transitions.values() {
         let mut steps = transition.sources.iter().chain(&transition.targets).map(|step| step.index());
@@ -16,15 +15,13 @@ pub(crate) fn of(model: &Model) -> (Vec<usize>, usize) {
     }
     let mut numbers = vec![usize::MAX; model.steps.len()];
     let mut count = 0;
-    let units = (0..model.steps.len())
-        .map(|step| {
-            let root = union.root(step);
-            if numbers[root] == usize::MAX {
-                numbers[root] = count;
-                count += 1;
-            }
-            numbers[root]
-        })
-        .list();
+    let units = Arena::of(&model.steps, |step, _| {
+        let root = union.root(step.index());
+        if numbers[root] == usize::MAX {
+            numbers[root] = count;
+            count += 1;
+        }
+        numbers[root]
+    });
     (units, count)
 }

@@ -2,7 +2,8 @@
 //!
 //! A circle is entered where a transition clears in a stable situation and the search turns in it. It is a fault where
 //! none of its transitions ever begins a search that comes to rest, and neither does one that leads into it. What lies
-//! after a search without end is not looked at.
+//! after a search without end is not looked at, and a search that turns is followed for one turn only: so this can come to its end
+//! where the budget is not enough for the whole chart.
 
 use std::rc::Rc;
 
@@ -14,7 +15,7 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::semantics;
 use crate::analysis::{Union, circles};
 use crate::list::List;
-use crate::model::{Id, Model, TransitionId};
+use crate::model::{Arena, Id, Model, StepId, TransitionId};
 use crate::sorted::{Set, sort};
 
 /// The transitions of each circle, in the direction of evolution; `None` where so many units of work do not suffice, or something
@@ -29,6 +30,8 @@ pub(crate) fn circles(model: &Model, net: &Net, limit: u64) -> Option<Vec<Vec<Tr
         search = search.with_time();
     }
     search.valuation.to_the_turn = true;
+    // What the chart claims has nothing to do with its circles.
+    search.graph.watched.clear();
     search.roots();
     let mut found = Found::new(model, net);
     let mut number = 0;
@@ -64,14 +67,14 @@ struct Start {
 /// A circle in which some search turns.
 struct Ring {
     transitions: Vec<TransitionId>,
-    steps: Set<usize>,
+    steps: Set<StepId>,
 }
 
 /// A search that turns for ever.
 struct Turn {
     from: Start,
     /// What cleared in its first evolution.
-    entries: Vec<usize>,
+    entries: Vec<TransitionId>,
     rings: Vec<usize>,
     /// It relies on values that are not followed.
     granted: bool,
@@ -83,8 +86,8 @@ struct Found<'m> {
     rings: Vec<Ring>,
     turns: Vec<Turn>,
     /// By transition, whether it begins a search that comes to rest; the same of the first cycle.
-    comes_to_rest: Vec<bool>,
-    rests_at_first: Vec<bool>,
+    comes_to_rest: Arena<TransitionId, bool>,
+    rests_at_first: Arena<TransitionId, bool>,
     /// Whether the first cycle can come to rest, and whether it can leave the chart as it is: the initial situation is then a
     /// stable one.
     first_rests: bool,
@@ -95,14 +98,14 @@ struct Found<'m> {
 
 impl<'m> Found<'m> {
     fn new(model: &'m Model, net: &'m Net) -> Self {
-        let (comes_to_rest, rests_at_first) = (vec![false; net.arcs.len()], vec![false; net.arcs.len()]);
+        let never = Arena::filled(net.arcs.len(), false);
         Self {
             model,
             net,
             rings: Vec::new(),
             turns: Vec::new(),
-            comes_to_rest,
-            rests_at_first,
+            comes_to_rest: never.clone(),
+            rests_at_first: never,
             first_rests: false,
             first_stays: false,
             ways: Vec::new(),
@@ -129,25 +132,25 @@ impl<'m> Found<'m> {
     }
 
     /// The circles of one turn: those that have no step in common, and do not ask for each other's, are different ones.
-    fn separate(&self, turn: Vec<usize>) -> Vec<Vec<TransitionId>> {
+    fn separate(&self, turn: Vec<TransitionId>) -> Vec<Vec<TransitionId>> {
         let mut known = Set::new();
-        let turn: Vec<usize> = turn.into_iter().filter(|transition| known.insert(*transition)).list();
+        let turn: Vec<TransitionId> = turn.into_iter().filter(|transition| known.insert(*transition)).list();
         let mut union = Union::new(self.net.leaving.len());
         for transition in &turn {
             let arc = &self.net.arcs[*transition];
             let mut steps = arc.sources.iter().chain(&arc.targets).chain(&arc.reads_steps);
             if let Some(first) = steps.next() {
-                steps.for_each(|step| union.join(*first, *step));
+                steps.for_each(|step| union.join(first.index(), step.index()));
             }
         }
         let mut groups: Vec<(usize, Vec<TransitionId>)> = Vec::new();
         for transition in turn {
             let arc = &self.net.arcs[transition];
-            let root = arc.sources.first().or(arc.targets.first()).map(|step| union.root(*step));
-            let (Some(root), id) = (root, TransitionId::new(transition)) else { continue };
+            let root = arc.sources.first().or(arc.targets.first()).map(|step| union.root(step.index()));
+            let Some(root) = root else { continue };
             match groups.iter_mut().find(|(of, _)| *of == root) {
-                Some((_, group)) => group.push(id),
-                None => groups.push((root, vec![id])),
+                Some((_, group)) => group.push(transition),
+                None => groups.push((root, vec![transition])),
             }
         }
         let rings = groups.into_iter().map(|(_, group)| circles::without_followers(self.model, group));
@@ -159,7 +162,7 @@ impl<'m> Found<'m> {
         let own = set(&transitions);
         let known = self.rings.iter().position(|ring| set(&ring.transitions) == own);
         known.unwrap_or_else(|| {
-            let arcs = transitions.iter().map(|id| &self.net.arcs[id.index()]);
+            let arcs = transitions.iter().map(|id| &self.net.arcs[*id]);
             let steps = arcs.flat_map(|arc| arc.sources.iter().chain(&arc.targets).copied()).collect();
             self.rings.push(Ring { transitions, steps });
             self.rings.len() - 1
@@ -222,14 +225,13 @@ impl<'m> Found<'m> {
     /// Whether no transition of the circle begins a search that comes to rest, or turns elsewhere.
     fn never_rests(&self, ring: usize) -> bool {
         self.rings[ring].transitions.iter().all(|id| {
-            let id = id.index();
-            let rests = self.comes_to_rest[id] || self.first_stays && self.rests_at_first[id];
-            !rests && self.always_turns(id, ring, false)
+            let rests = self.comes_to_rest[*id] || self.first_stays && self.rests_at_first[*id];
+            !rests && self.always_turns(*id, ring, false)
         })
     }
 
     /// Whether all searches without end that the transition begins turn in the circle, or in one through its steps.
-    fn always_turns(&self, entry: usize, ring: usize, first: bool) -> bool {
+    fn always_turns(&self, entry: TransitionId, ring: usize, first: bool) -> bool {
         let own = &self.rings[ring].steps;
         let touches = |other: &usize| *other == ring || !self.rings[*other].steps.is_disjoint(own);
         let begun = |turn: &&Turn| turn.from.first == first && turn.entries.contains(&entry);
@@ -238,12 +240,12 @@ impl<'m> Found<'m> {
 
     /// Whether clearing the transition has to do with the circle: it is drawn with it, or the circle waits for steps,
     /// variables or commands.
-    fn leads_to(&self, entry: usize, ring: usize) -> bool {
+    fn leads_to(&self, entry: TransitionId, ring: usize) -> bool {
         let unit = self.net.unit_of_arc(entry);
         self.rings[ring].transitions.iter().any(|id| {
-            let arc = &self.net.arcs[id.index()];
+            let arc = &self.net.arcs[*id];
             let part = &self.net.parts[arc.partial];
-            self.net.unit_of_arc(id.index()) == unit
+            self.net.unit_of_arc(*id) == unit
                 || arc.reads_slots
                 || !arc.reads_steps.is_empty()
                 || part.enclosed_by.is_some()

@@ -4,17 +4,19 @@ use std::rc::Rc;
 
 use crate::analysis::Relation;
 use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::valuation::State;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
+use crate::model::{Arena, Id, StepId, TransitionId};
 use crate::sorted::Map;
 
 /// What was seen on the way, in any part of the chart.
 #[derive(Debug)]
 pub(crate) struct Seen {
     /// Steps that were active, transient situations included.
-    pub(crate) reachable: Vec<bool>,
-    pub(crate) enabled: Vec<bool>,
-    pub(crate) able: Vec<bool>,
+    pub(crate) reachable: Arena<StepId, bool>,
+    pub(crate) enabled: Arena<TransitionId, bool>,
+    pub(crate) able: Arena<TransitionId, bool>,
     /// Pairs of steps that were active together.
     pub(crate) together: Relation,
 }
@@ -24,18 +26,18 @@ impl Seen {
         let arcs = net.arcs.len();
         let steps = net.leaving.len();
         Self {
-            reachable: vec![false; steps],
-            enabled: vec![false; arcs],
-            able: vec![false; arcs],
+            reachable: Arena::filled(steps, false),
+            enabled: Arena::filled(arcs, false),
+            able: Arena::filled(arcs, false),
             together: Relation::new(steps),
         }
     }
 
-    pub(crate) fn situation(&mut self, active: &[usize]) {
+    pub(crate) fn situation(&mut self, active: &[StepId]) {
         for (position, step) in active.iter().enumerate() {
             self.reachable[*step] = true;
             for other in &active[position + 1..] {
-                self.together.insert(*step, *other);
+                self.together.insert(step.index(), other.index());
             }
         }
     }
@@ -51,26 +53,26 @@ pub(crate) struct Origin {
 /// One cycle.
 #[derive(Clone, Debug)]
 pub(crate) struct Cycle {
-    pub(crate) given: Vec<(usize, Known)>,
+    pub(crate) given: Vec<(AtomId, Known)>,
     /// What it demands of the cycle before, because of edges.
-    pub(crate) past: Vec<(usize, Known)>,
+    pub(crate) past: Vec<(AtomId, Known)>,
     /// What it takes for granted of atoms that are not followed.
     pub(crate) granted: Learnt,
-    pub(crate) cleared: Vec<usize>,
+    pub(crate) cleared: Vec<TransitionId>,
 }
 
 /// A cycle from one state to another; those that differ in their inputs only are one.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Edge {
     pub(crate) to: usize,
-    pub(crate) cleared: Box<[usize]>,
+    pub(crate) cleared: Box<[TransitionId]>,
     /// AND-convergences enabled by a situation inside the cycle.
-    pub(crate) joins: Box<[usize]>,
+    pub(crate) joins: Box<[TransitionId]>,
     /// Steps that what stands above has left or entered in between.
-    pub(crate) changed: Box<[usize]>,
+    pub(crate) changed: Box<[StepId]>,
     /// In a thorough search what it takes for granted, as values that atoms have before the cycle; none where it is not that
     /// simple.
-    pub(crate) granted: Option<Box<[(usize, Known)]>>,
+    pub(crate) granted: Option<Box<[(AtomId, Known)]>>,
 }
 
 /// A cycle that activates a step while it is active.
@@ -78,9 +80,9 @@ pub(crate) struct Edge {
 pub(crate) struct Doubled {
     pub(crate) from: usize,
     pub(crate) cycle: Cycle,
-    pub(crate) by: usize,
+    pub(crate) by: TransitionId,
     /// The situation at its end.
-    pub(crate) end: Box<[usize]>,
+    pub(crate) end: Box<[StepId]>,
 }
 
 /// Where an exploration was given up.
@@ -90,7 +92,7 @@ pub(crate) struct End {
     pub(crate) state: usize,
     pub(crate) work: u64,
     /// The atoms that its cycles asked for last.
-    pub(crate) asked: Vec<usize>,
+    pub(crate) asked: Vec<AtomId>,
 }
 
 /// The states of a chart, or of a piece of it.
@@ -103,7 +105,7 @@ pub(crate) struct Graph {
     /// States that stand for what another part of the chart does to this one.
     pub(crate) entries: Vec<usize>,
     /// The steps that were activated while they were active.
-    pub(crate) doubled: Map<usize, Doubled>,
+    pub(crate) doubled: Map<StepId, Doubled>,
     /// Per watched expression: from which state on which cycle ends with it holding, and the state at its end.
     pub(crate) watched: Vec<Option<(usize, Cycle, Rc<State>)>>,
     /// All of it was explored.

@@ -2,6 +2,7 @@
 
 use super::Search;
 use super::graph::Cycle;
+use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::semantics::{self, Done};
 use crate::analysis::explore::valuation::knowledge::Learnt;
@@ -76,7 +77,7 @@ impl Search<'_, '_> {
         let (mut atoms, net) = (Vec::new(), self.valuation.net);
         net.collect(&net.watched[index], &mut atoms, &mut Vec::new());
         let own = |before: &Learnt, after: Learnt| -> Learnt {
-            let known = |atom: &usize| before.iter().any(|(other, _)| other == atom);
+            let known = |atom: &AtomId| before.iter().any(|(other, _)| other == atom);
             after.into_iter().filter(|(atom, _)| atoms.contains(atom) || known(atom)).list()
         };
         let (given, past) = self.valuation.decided();

@@ -17,10 +17,12 @@ use std::rc::Rc;
 use self::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
 use self::leaf::Leaf;
 use crate::analysis::explore::net::Net;
+use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::semantics;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
+use crate::model::{StepId, TransitionId};
 use crate::sorted::sort;
 
 /// Explores one piece of a chart, or all of it.
@@ -120,14 +122,16 @@ impl<'n, 's> Search<'n, 's> {
             self.root(true, net.initial.clone());
             return;
         };
-        let own =
-            |steps: &[usize]| -> Vec<usize> { steps.iter().filter(|step| net.unit_of[**step] == unit).copied().list() };
+        let own = |steps: &[StepId]| -> Vec<StepId> {
+            steps.iter().filter(|step| net.unit_of[**step] == unit).copied().list()
+        };
         let initial = own(&net.initial);
         let sourceless = net.sourceless.iter().any(|t| net.arcs[*t].targets.iter().any(|s| net.unit_of[*s] == unit));
         if !initial.is_empty() || sourceless {
             self.root(true, initial);
         }
-        let Some(part) = net.unit_of.iter().position(|of| *of == unit).map(|step| &net.parts[net.part_of[step]]) else {
+        let Some(part) = net.unit_of.iter().find(|(_, of)| **of == unit).map(|(step, _)| &net.parts[net.part_of[step]])
+        else {
             return;
         };
         self.commanded = part.enclosed_by.is_some() || !part.orders.is_empty();
@@ -135,7 +139,7 @@ impl<'n, 's> Search<'n, 's> {
             crate::analysis::explore::net::Order::To(steps) => Some(own(steps)),
             crate::analysis::explore::net::Order::Hold => None,
         });
-        let starts: Vec<Vec<usize>> = orders.chain([own(&part.linked)]).list();
+        let starts: Vec<Vec<StepId>> = orders.chain([own(&part.linked)]).list();
         for start in starts {
             if !start.is_empty() || sourceless && self.commanded {
                 let entry = self.root(false, start);
@@ -144,7 +148,7 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
-    fn root(&mut self, first: bool, active: Vec<usize>) -> usize {
+    fn root(&mut self, first: bool, active: Vec<StepId>) -> usize {
         let mut slots = self.valuation.net.initial_slots.clone();
         if first {
             for slot in &self.foreign {
@@ -219,7 +223,7 @@ impl<'n, 's> Search<'n, 's> {
 
     /// Runs the cycle under all valuations; `lazy`: transitions that have nothing to do with each other one at a time. None
     /// if the budget ran out, or they do have to do with each other.
-    pub(crate) fn runs(&mut self, state: &State, enabled: &[usize], lazy: bool) -> Option<Vec<Leaf>> {
+    pub(crate) fn runs(&mut self, state: &State, enabled: &[TransitionId], lazy: bool) -> Option<Vec<Leaf>> {
         let mut leaves = Vec::new();
         self.valuation.lazy = lazy;
         self.valuation.tape.restart();
@@ -273,7 +277,7 @@ impl<'n, 's> Search<'n, 's> {
                 self.graph.watched[index] = Some((from, cycle, Rc::new(next.clone())));
             }
         }
-        let mut joins: Vec<usize> = done.enabled_later;
+        let mut joins: Vec<TransitionId> = done.enabled_later;
         joins.retain(|transition| net.arcs[*transition].sources.len() > 1);
         joins.sort_unstable();
         joins.dedup();
@@ -287,7 +291,7 @@ impl<'n, 's> Search<'n, 's> {
     /// What a cycle takes for granted, with what cannot be chosen whatever that is.
     fn demands(&self, cycle: &Cycle) -> Learnt {
         let net = self.valuation.net;
-        let is_bound = |(atom, _): &&(usize, Known)| net.bound[*atom] && !net.unfollowed[*atom];
+        let is_bound = |(atom, _): &&(AtomId, Known)| net.bound[*atom] && !net.unfollowed[*atom];
         let mut demands = cycle.granted.clone();
         demands.extend(cycle.given.iter().filter(is_bound));
         sort(&mut demands);
@@ -296,12 +300,12 @@ impl<'n, 's> Search<'n, 's> {
 
     /// The steps that changed in a cycle. Where partial grafcets act on each other that does not follow from what cleared and
     /// from the situation at the end.
-    fn changed(&self, from: usize, next: &State, transient: &[Vec<usize>]) -> Vec<usize> {
+    fn changed(&self, from: usize, next: &State, transient: &[Vec<StepId>]) -> Vec<StepId> {
         let mut changed = Vec::new();
         if self.valuation.net.hierarchy.is_empty() {
             return changed;
         }
-        let mut before: &[usize] = &self.graph.states[from].active;
+        let mut before: &[StepId] = &self.graph.states[from].active;
         for after in transient.iter().map(|active| &active[..]).chain([&next.active[..]]) {
             changed.extend(before.iter().filter(|step| after.binary_search(step).is_err()));
             changed.extend(after.iter().filter(|step| before.binary_search(step).is_err()));
@@ -313,7 +317,7 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     /// `sfc`: whether the conditions of the enabled transitions that never cleared so far can hold at all.
-    fn probe(&mut self, state: &State, enabled: &[usize]) {
+    fn probe(&mut self, state: &State, enabled: &[TransitionId]) {
         let net = self.valuation.net;
         for transition in enabled {
             if self.seen.able[*transition] {

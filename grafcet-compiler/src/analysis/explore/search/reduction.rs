@@ -12,10 +12,11 @@
 
 use crate::analysis::Union;
 use crate::analysis::explore::net::Net;
-use crate::analysis::explore::net::formula::Formula;
+use crate::analysis::explore::net::formula::{AtomId, Formula};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
 use crate::list::List;
+use crate::model::{StepId, TransitionId};
 use crate::sorted::{Map, sort};
 
 /// Whether a group of transitions can wait in a cycle.
@@ -23,28 +24,28 @@ use crate::sorted::{Map, sort};
 pub(crate) enum Wait {
     No,
     /// With these values of what edges look at; nothing is said about the others.
-    With(Vec<(usize, Known)>),
+    With(Vec<(AtomId, Known)>),
     /// With some values of what edges look at, which cannot be said in this way.
     Unclear,
 }
 
 /// All that decides whether a group can wait.
-type Key = (Vec<usize>, Learnt, Learnt, Vec<usize>, bool, bool);
+type Key = (Vec<TransitionId>, Learnt, Learnt, Vec<StepId>, bool, bool);
 
 /// The answers so far.
 pub(crate) type Waits = Map<Key, Wait>;
 
 /// How the transitions that are enabled at the start of a cycle may be tried: the same in all runs from one state.
 pub(crate) struct Groups {
-    members: Vec<Vec<usize>>,
+    members: Vec<Vec<TransitionId>>,
     /// Atoms that several groups read, ascending.
-    shared: Vec<usize>,
+    shared: Vec<AtomId>,
     /// Where no atom is shared, how each group can wait.
     waits: Option<Vec<Wait>>,
 }
 
 /// The groups of what is enabled at the start of a cycle; none where all is tried in all combinations.
-pub(crate) fn at_start(valuation: &mut Valuation<'_>, enabled: &[usize]) -> Option<Groups> {
+pub(crate) fn at_start(valuation: &mut Valuation<'_>, enabled: &[TransitionId]) -> Option<Groups> {
     if enabled.len() < 2 || !may_arbitrate(valuation, enabled) {
         return None;
     }
@@ -58,15 +59,15 @@ pub(crate) fn at_start(valuation: &mut Valuation<'_>, enabled: &[usize]) -> Opti
     Some(found)
 }
 
-fn find(net: &Net, open: &[usize]) -> Groups {
+fn find(net: &Net, open: &[TransitionId]) -> Groups {
     let groups = groups(net, open);
     let shared = shared(net, &groups);
     Groups { members: groups, shared, waits: None }
 }
 
 /// `grafcet`: what becomes enabled later in the cycle waits if it can.
-pub(crate) fn later(valuation: &mut Valuation<'_>, enabled: &[usize]) -> Vec<usize> {
-    let open: Vec<usize> = enabled.iter().filter(|transition| !valuation.is_still(**transition)).copied().list();
+pub(crate) fn later(valuation: &mut Valuation<'_>, enabled: &[TransitionId]) -> Vec<TransitionId> {
+    let open: Vec<TransitionId> = enabled.iter().filter(|transition| !valuation.is_still(**transition)).copied().list();
     if open.is_empty() || !may_arbitrate(valuation, &open) {
         return open;
     }
@@ -75,10 +76,10 @@ pub(crate) fn later(valuation: &mut Valuation<'_>, enabled: &[usize]) -> Vec<usi
 
 /// Decides which of the transitions wait in this evolution and the rest of the cycle, and returns the others in source
 /// order; `may_move` is false where all wait that can.
-pub(crate) fn arbitrate(valuation: &mut Valuation<'_>, found: &Groups, may_move: bool) -> Vec<usize> {
+pub(crate) fn arbitrate(valuation: &mut Valuation<'_>, found: &Groups, may_move: bool) -> Vec<TransitionId> {
     let net = valuation.net;
-    let mut free: Vec<usize> = Vec::new();
-    let mut waiting: Vec<(&Vec<usize>, Wait)> = Vec::new();
+    let mut free: Vec<TransitionId> = Vec::new();
+    let mut waiting: Vec<(&Vec<TransitionId>, Wait)> = Vec::new();
     let mut moved = false;
     for (number, group) in found.members.iter().enumerate() {
         for transition in group {
@@ -118,15 +119,15 @@ pub(crate) fn arbitrate(valuation: &mut Valuation<'_>, found: &Groups, may_move:
 }
 
 /// Whether waiting and moving can be told apart by the inputs alone.
-fn may_arbitrate(valuation: &Valuation<'_>, open: &[usize]) -> bool {
+fn may_arbitrate(valuation: &Valuation<'_>, open: &[TransitionId]) -> bool {
     let net = valuation.net;
     if net.grafcet { net.is_confluent(valuation.unit) } else { open.iter().all(|t| !net.arcs[*t].reads_slots) }
 }
 
 /// The transitions in groups that share sources; `sfc`: and steps that one reads and another changes.
-pub(crate) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
+pub(crate) fn groups(net: &Net, open: &[TransitionId]) -> Vec<Vec<TransitionId>> {
     let mut union = Union::new(open.len());
-    let mut by_source: Vec<(usize, usize)> = Vec::new();
+    let mut by_source: Vec<(StepId, usize)> = Vec::new();
     for (position, transition) in open.iter().enumerate() {
         by_source.extend(net.arcs[*transition].sources.iter().map(|step| (*step, position)));
     }
@@ -144,7 +145,7 @@ pub(crate) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
             }
         }
     }
-    let mut groups: Map<usize, Vec<usize>> = Map::new();
+    let mut groups: Map<usize, Vec<TransitionId>> = Map::new();
     for (position, transition) in open.iter().enumerate() {
         groups.or_default(union.root(position)).push(*transition);
     }
@@ -152,8 +153,8 @@ pub(crate) fn groups(net: &Net, open: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// The atoms that more than one group reads, ascending.
-fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
-    let mut uses: Vec<(usize, usize)> = Vec::new();
+fn shared(net: &Net, groups: &[Vec<TransitionId>]) -> Vec<AtomId> {
+    let mut uses: Vec<(AtomId, usize)> = Vec::new();
     for (number, group) in groups.iter().enumerate() {
         for transition in group {
             uses.extend(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
@@ -162,7 +163,7 @@ fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
     sort(&mut uses);
     uses.dedup();
     let twice = uses.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[0].0);
-    let mut shared: Vec<usize> = twice.list();
+    let mut shared: Vec<AtomId> = twice.list();
     shared.extend(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
     shared.sort_unstable();
     shared.dedup();
@@ -170,7 +171,7 @@ fn shared(net: &Net, groups: &[Vec<usize>]) -> Vec<usize> {
 }
 
 /// Decides the comparisons of shared atoms, so that what a group does is left to atoms of its own.
-fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[usize]) {
+fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[AtomId]) {
     if shared.is_empty() {
         return;
     }
@@ -205,10 +206,10 @@ fn decide_shared(valuation: &mut Valuation<'_>, formula: &Formula, shared: &[usi
 }
 
 /// Whether no transition of the group clears under some values of the atoms that are not decided yet.
-fn can_wait(valuation: &mut Valuation<'_>, group: &[usize]) -> Wait {
+fn can_wait(valuation: &mut Valuation<'_>, group: &[TransitionId]) -> Wait {
     let net = valuation.net;
-    let mut atoms: Vec<usize> = Vec::new();
-    let mut just_entered: Vec<usize> = Vec::new();
+    let mut atoms: Vec<AtomId> = Vec::new();
+    let mut just_entered: Vec<StepId> = Vec::new();
     let mut steps_matter = false;
     for transition in group {
         let arc = &net.arcs[*transition];
@@ -232,11 +233,11 @@ fn can_wait(valuation: &mut Valuation<'_>, group: &[usize]) -> Wait {
     wait
 }
 
-fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms: &[usize]) -> Wait {
+fn try_to_wait(valuation: &mut Valuation<'_>, group: &[TransitionId], key: &Key, atoms: &[AtomId]) -> Wait {
     let net = valuation.net;
     let mut trial = valuation.trial.take().unwrap_or_else(|| Box::new(Valuation::new(net, valuation.unit)));
-    let edge_atoms: Vec<usize> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().list();
-    let mut ways: Vec<Vec<(usize, Known)>> = Vec::new();
+    let edge_atoms: Vec<AtomId> = atoms.iter().filter(|atom| net.is_edge_atom[**atom]).copied().list();
+    let mut ways: Vec<Vec<(AtomId, Known)>> = Vec::new();
     let mut unclear = false;
     trial.tape.restart();
     loop {
@@ -255,7 +256,7 @@ fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms:
     }
     valuation.work += std::mem::take(&mut trial.work);
     valuation.trial = Some(trial);
-    let known = |way: &Vec<(usize, Known)>| way.iter().all(|pair| key.1.contains(pair));
+    let known = |way: &Vec<(AtomId, Known)>| way.iter().all(|pair| key.1.contains(pair));
     match &ways[..] {
         [] => Wait::No,
         _ if unclear => Wait::Unclear,
@@ -267,12 +268,12 @@ fn try_to_wait(valuation: &mut Valuation<'_>, group: &[usize], key: &Key, atoms:
 }
 
 /// Whether ways that differ in one boolean atom cover both of its values.
-fn covers(ways: &[Vec<(usize, Known)>], given: &[(usize, Known)]) -> bool {
-    let new = |way: &Vec<(usize, Known)>| -> Vec<(usize, Known)> {
+fn covers(ways: &[Vec<(AtomId, Known)>], given: &[(AtomId, Known)]) -> bool {
+    let new = |way: &Vec<(AtomId, Known)>| -> Vec<(AtomId, Known)> {
         way.iter().filter(|pair| !given.contains(pair)).copied().list()
     };
-    let ways: Vec<Vec<(usize, Known)>> = ways.iter().map(new).list();
-    let mut atoms: Vec<usize> = ways.iter().flatten().map(|(atom, _)| *atom).list();
+    let ways: Vec<Vec<(AtomId, Known)>> = ways.iter().map(new).list();
+    let mut atoms: Vec<AtomId> = ways.iter().flatten().map(|(atom, _)| *atom).list();
     atoms.sort_unstable();
     atoms.dedup();
     // All combinations of boolean values, each atom decided in all of them.

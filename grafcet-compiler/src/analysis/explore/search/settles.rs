@@ -26,5 +26,5 @@ pub(crate) fn settled(net: &Net, graph: &Graph) -> bool {
 
 /// Whether the values of all atoms are known at each moment of a cycle.
 pub(crate) fn is_followed(net: &Net) -> bool {
-    net.atoms.iter().all(Atom::is_exact)
+    net.atoms.values().all(Atom::is_exact)
 }

@@ -3,8 +3,7 @@
 use super::Search;
 use super::graph::Seen;
 use crate::analysis::explore::net::Net;
-use crate::list::List;
-use crate::model::{Id, Model, StepId};
+use crate::model::{Model, StepId};
 use crate::sorted::Set;
 
 /// The situations in which a cycle can end, whatever the inputs are, and the initial one; none where so many units of work do not suffice to find
@@ -18,7 +17,7 @@ pub(crate) fn situations(model: &Model, work: u64, most: usize) -> Option<Set<Ve
     }
     let mut found = Set::new();
     for state in &graph.states {
-        found.insert(state.active.iter().map(|step| StepId::new(*step)).list());
+        found.insert(state.active.to_vec());
         if found.len() > most {
             return None;
         }

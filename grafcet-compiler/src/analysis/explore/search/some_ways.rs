@@ -18,7 +18,7 @@ use crate::analysis::explore::verdicts::Report;
 use crate::analysis::explore::verdicts::future::{Future, ends};
 use crate::analysis::explore::verdicts::path::{Deadlock, StuckJoin};
 use crate::list::List;
-use crate::model::{Id, TransitionId};
+use crate::model::{Arena, StepId, TransitionId};
 use crate::sorted::sort_by_key;
 
 /// How often the inputs are chosen anew so that a transition clears, or waits.
@@ -68,9 +68,9 @@ fn search<'n, 's>(net: &'n Net, limit: u64, seen: &'s mut Seen) -> Search<'n, 's
 impl Ways {
     /// Goes only what led to each activation of an active step; all else waits.
     fn shorten(&mut self, net: &Net, graph: &Graph, limit: u64, seen: &mut Seen) {
-        let mut plans: Vec<Vec<usize>> = Vec::new();
+        let mut plans: Vec<Vec<TransitionId>> = Vec::new();
         for (step, doubled) in &graph.doubled {
-            let mut cycles: Vec<&[usize]> = vec![&doubled.cycle.cleared];
+            let mut cycles: Vec<&[TransitionId]> = vec![&doubled.cycle.cleared];
             let mut at = doubled.from;
             while let Some(origin) = &graph.origins[at] {
                 cycles.push(&origin.cycle.cleared);
@@ -113,10 +113,10 @@ impl Ways {
 }
 
 /// The transitions that led to both activations of a step, in their order.
-fn led_to(net: &Net, cycles: &[&[usize]], step: usize, by: usize) -> Vec<usize> {
+fn led_to(net: &Net, cycles: &[&[TransitionId]], step: StepId, by: TransitionId) -> Vec<TransitionId> {
     // Who activated each step last, and what each clearing needed.
-    let mut active: Vec<Option<usize>> = vec![None; net.leaving.len()];
-    let mut events: Vec<(usize, Vec<usize>)> = Vec::new();
+    let mut active: Arena<StepId, Option<usize>> = Arena::filled(net.leaving.len(), None);
+    let mut events: Vec<(TransitionId, Vec<usize>)> = Vec::new();
     let last = cycles.len().saturating_sub(1);
     let mut needed: Vec<usize> = Vec::new();
     for (number, cycle) in cycles.iter().enumerate() {
@@ -153,7 +153,7 @@ impl Search<'_, '_> {
     fn wander(mut self, backwards: bool) -> (Graph, Vec<bool>, u64) {
         self.roots();
         let mut expanded = vec![false];
-        let mut turns = vec![TURNS; self.valuation.net.arcs.len()];
+        let mut turns = Arena::filled(self.valuation.net.arcs.len(), TURNS);
         let mut next = 0;
         // All ways go on in turn: one that leads round in a circle must not use up the budget of the others.
         while next < self.graph.states.len() && !self.is_spent() {
@@ -166,7 +166,7 @@ impl Search<'_, '_> {
     }
 
     /// Goes on from a state.
-    fn ways_on(&mut self, number: usize, backwards: bool, turns: &mut [u8]) {
+    fn ways_on(&mut self, number: usize, backwards: bool, turns: &mut Arena<TransitionId, u8>) {
         let net = self.valuation.net;
         let state = Rc::clone(&self.graph.states[number]);
         let enabled = self.open(&state);
@@ -175,8 +175,9 @@ impl Search<'_, '_> {
             clusters.reverse();
         }
         // Branches with common inputs carry each other past alternatives.
-        let is_alternative =
-            |transition: &usize| net.arcs[*transition].sources.iter().any(|source| net.leaving[*source].len() > 1);
+        let is_alternative = |transition: &TransitionId| {
+            net.arcs[*transition].sources.iter().any(|source| net.leaving[*source].len() > 1)
+        };
         for transition in enabled.iter().filter(|transition| is_alternative(transition)) {
             if turns[*transition] > 0 {
                 turns[*transition] -= 1;
@@ -206,7 +207,7 @@ impl Search<'_, '_> {
     }
 
     /// The transitions that can clear first in a cycle.
-    fn open(&mut self, state: &State) -> Vec<usize> {
+    fn open(&mut self, state: &State) -> Vec<TransitionId> {
         let net = self.valuation.net;
         if state.first && !net.grafcet {
             return Vec::new();
@@ -219,11 +220,11 @@ impl Search<'_, '_> {
     }
 
     /// Clears these transitions one after the other.
-    fn follow(mut self, plan: &[usize]) -> (Graph, u64) {
+    fn follow(mut self, plan: &[TransitionId]) -> (Graph, u64) {
         self.roots();
         let mut at = 0;
         // Cleared although it was not their turn.
-        let mut ahead: Vec<usize> = Vec::new();
+        let mut ahead: Vec<TransitionId> = Vec::new();
         for transition in plan {
             if let Some(position) = ahead.iter().position(|other| other == transition) {
                 ahead.remove(position);
@@ -257,13 +258,13 @@ impl Search<'_, '_> {
     }
 
     /// A cycle in which a transition clears (or none, if that is what is wanted), and as few others as the inputs allow.
-    fn aim(&mut self, state: &State, enabled: &[usize], at: Option<usize>) -> Option<Leaf> {
+    fn aim(&mut self, state: &State, enabled: &[TransitionId], at: Option<TransitionId>) -> Option<Leaf> {
         let net = self.valuation.net;
         self.valuation.lazy = false;
         self.valuation.tape.restart();
         self.valuation.begin(state);
         let others = enabled.iter().copied().filter(|transition| Some(*transition) != at);
-        let goals: Vec<usize> = at.into_iter().chain(others).list();
+        let goals: Vec<TransitionId> = at.into_iter().chain(others).list();
         for (number, goal) in goals.iter().enumerate() {
             let clears = Some(*goal) == at;
             let floor = self.valuation.tape.asked();
@@ -301,16 +302,15 @@ impl Search<'_, '_> {
 impl Report<'_> {
     /// The transition on the way to a state with which a convergence was lost: until then arrows led to all its sources.
     fn parting(&self, state: usize, join: TransitionId) -> Option<TransitionId> {
-        let join = join.index();
         let mut at = state;
         while let Some(origin) = &self.graph.origins[at] {
             if self.leads_to(&self.graph.states[origin.from].active, join) {
-                let apart = |t: &&usize| {
+                let apart = |t: &&TransitionId| {
                     let arc = &self.net.arcs[**t];
                     !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
                 };
                 let Cycle { cleared, .. } = &origin.cycle;
-                return cleared.iter().find(apart).or(cleared.first()).map(|t| TransitionId::new(*t));
+                return cleared.iter().find(apart).or(cleared.first()).copied();
             }
             at = origin.from;
         }
@@ -318,8 +318,8 @@ impl Report<'_> {
     }
 
     /// Whether arrows lead from the active steps to all sources of a convergence, not by itself.
-    fn leads_to(&self, active: &[usize], join: usize) -> bool {
-        let mut reached = vec![false; self.net.leaving.len()];
+    fn leads_to(&self, active: &[StepId], join: TransitionId) -> bool {
+        let mut reached = Arena::filled(self.net.leaving.len(), false);
         let mut work = active.to_vec();
         while let Some(step) = work.pop() {
             if !std::mem::replace(&mut reached[step], true) {

@@ -49,7 +49,7 @@ pub(crate) fn explore_whole(
     let may_wait = match detail {
         Detail::Rough => true,
         Detail::Timed => net.clocks.is_empty(),
-        Detail::Thorough => net.clocks.is_empty() && !net.unfollowed.contains(&true) && !net.links.any_computed(),
+        Detail::Thorough => net.clocks.is_empty() && !net.has_unfollowed() && !net.links.any_computed(),
     };
     let lazy = may_wait && (!net.grafcet || net.is_confluent(None));
     let mut run = |lazy: bool, limit: u64| {

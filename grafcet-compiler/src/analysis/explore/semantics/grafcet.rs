@@ -8,7 +8,7 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
 use crate::analysis::explore::verdicts::rivals;
-use crate::model::{Dialect, Trigger};
+use crate::model::{Dialect, StepId, TransitionId, Trigger};
 
 /// What the stored actions of one evolution do together.
 struct Outcome {
@@ -17,12 +17,12 @@ struct Outcome {
     more: bool,
 }
 
-pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize], done: &mut Done) -> When {
+pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId], done: &mut Done) -> When {
     let net = valuation.net;
     if state.first {
         activate(valuation);
     }
-    let mut fireable: Vec<usize> = Vec::new();
+    let mut fireable: Vec<TransitionId> = Vec::new();
     let mut evolutions = 0;
     let mut anchor: Option<Anchor> = None;
     let bound = if valuation.to_the_turn { net.max_evolutions.saturating_mul(FAR) } else { net.max_evolutions };
@@ -90,7 +90,12 @@ fn activate(valuation: &mut Valuation<'_>) {
 }
 
 /// The situation after the evolution, and the transitions cleared in it.
-fn step(valuation: &Valuation<'_>, fireable: &[usize], settled: bool, done: &mut Done) -> (Vec<usize>, Vec<usize>) {
+fn step(
+    valuation: &Valuation<'_>,
+    fireable: &[TransitionId],
+    settled: bool,
+    done: &mut Done,
+) -> (Vec<StepId>, Vec<TransitionId>) {
     let net = valuation.net;
     if settled && fireable.is_empty() {
         return (valuation.now.active.clone(), Vec::new());
@@ -108,12 +113,12 @@ fn step(valuation: &Valuation<'_>, fireable: &[usize], settled: bool, done: &mut
 }
 
 /// Whether the evolution may change values that are not followed.
-fn writes_more(valuation: &Valuation<'_>, after: &[usize], cleared: &[usize]) -> bool {
+fn writes_more(valuation: &Valuation<'_>, after: &[StepId], cleared: &[TransitionId]) -> bool {
     let (steps, transitions) = &valuation.net.writes_more;
     valuation.now.active.iter().chain(after).any(|step| steps[*step]) || cleared.iter().any(|id| transitions[*id])
 }
 
-fn commit(valuation: &mut Valuation<'_>, after: Vec<usize>, writes: Vec<(usize, Bit)>) {
+fn commit(valuation: &mut Valuation<'_>, after: Vec<StepId>, writes: Vec<(usize, Bit)>) {
     let before = valuation.now.clone();
     valuation.just_entered.retain(|step| after.binary_search(step).is_ok());
     let entered = after.iter().filter(|step| before.active.binary_search(step).is_err());
@@ -138,7 +143,7 @@ struct Anchor {
     now: Snapshot,
     previous: Option<Snapshot>,
     /// Ascending.
-    just_entered: Vec<usize>,
+    just_entered: Vec<StepId>,
 }
 
 /// Where the search turns in a circle without asking anything new, it turns until the bound: whole turns are left out.
@@ -182,7 +187,7 @@ fn turned<'a>(
 }
 
 /// The stored actions of an evolution to `after`: all see the values from before it (A5).
-fn actions(valuation: &mut Valuation<'_>, after: &[usize], cleared: &[usize]) -> Outcome {
+fn actions(valuation: &mut Valuation<'_>, after: &[StepId], cleared: &[TransitionId]) -> Outcome {
     let mut outcome = Outcome { writes: Vec::new(), more: false };
     let net = valuation.net;
     if net.actions.is_empty() {
@@ -224,9 +229,8 @@ fn run(valuation: &mut Valuation<'_>, action: &Action, outcome: &mut Outcome) {
 }
 
 /// Whether the event of a stored action occurs in this evolution, and its condition holds.
-fn occurs(valuation: &mut Valuation<'_>, action: &Action, before: &[usize], after: &[usize]) -> bool {
-    let was = before.binary_search(&action.step).is_ok();
-    let is = after.binary_search(&action.step).is_ok();
+fn occurs(valuation: &mut Valuation<'_>, action: &Action, before: &[StepId], after: &[StepId]) -> bool {
+    let (was, is) = (action.is_of(before), action.is_of(after));
     let occurs = match action.qualifier.trigger(Dialect::Grafcet) {
         Trigger::Deactivation => was && !is,
         Trigger::Event => was,

@@ -3,28 +3,34 @@
 use super::{Done, evolve as clear, note_doubled};
 use crate::analysis::explore::net::{Net, Order};
 use crate::list::List;
+use crate::model::{StepId, TransitionId};
 
 /// Whether what stands above imposes nothing new in an evolution from a situation that an evolution has led to: no step
 /// that gives orders or encloses is left or entered.
-pub(crate) fn is_free(net: &Net, fireable: &[usize]) -> bool {
-    let governs = |step: &usize| net.governs[*step];
+pub(crate) fn is_free(net: &Net, fireable: &[TransitionId]) -> bool {
+    let governs = |step: &StepId| net.governs[*step];
     let mut arcs = fireable.iter().map(|transition| &net.arcs[*transition]);
     !arcs.any(|arc| arc.sources.iter().chain(&arc.targets).any(governs))
 }
 
 /// The situation after the evolution, and the transitions cleared in it.
-pub(crate) fn evolve(net: &Net, before: &[usize], fireable: &[usize], done: &mut Done) -> (Vec<usize>, Vec<usize>) {
-    let mut after: Vec<usize> = Vec::new();
+pub(crate) fn evolve(
+    net: &Net,
+    before: &[StepId],
+    fireable: &[TransitionId],
+    done: &mut Done,
+) -> (Vec<StepId>, Vec<TransitionId>) {
+    let mut after: Vec<StepId> = Vec::new();
     let mut cleared = Vec::new();
     for part in &net.hierarchy {
-        let here: Vec<usize> = before.iter().filter(|step| net.part_of[**step] == *part).copied().list();
+        let here: Vec<StepId> = before.iter().filter(|step| net.part_of[**step] == *part).copied().list();
         let later = match imposed(net, *part, &here, before, &after) {
             Some(situation) => situation,
             None => {
                 let own = fireable.iter().filter(|transition| net.arcs[**transition].partial == *part);
-                let own: Vec<usize> = own.copied().list();
-                let left: Vec<usize> = own.iter().flat_map(|t| &net.arcs[*t].sources).copied().list();
-                let targets: Vec<usize> = own.iter().flat_map(|t| &net.arcs[*t].targets).copied().list();
+                let own: Vec<TransitionId> = own.copied().list();
+                let left: Vec<StepId> = own.iter().flat_map(|t| &net.arcs[*t].sources).copied().list();
+                let targets: Vec<StepId> = own.iter().flat_map(|t| &net.arcs[*t].targets).copied().list();
                 note_doubled(net, before, &left, &own, done);
                 cleared.extend(own);
                 clear(&here, &left, &targets)
@@ -39,7 +45,7 @@ pub(crate) fn evolve(net: &Net, before: &[usize], fireable: &[usize], done: &mut
 
 /// The situation that what stands above imposes on a partial grafcet; none where it is free. `above` is the situation
 /// after the evolution of what stands above.
-fn imposed(net: &Net, part: usize, here: &[usize], before: &[usize], above: &[usize]) -> Option<Vec<usize>> {
+fn imposed(net: &Net, part: usize, here: &[StepId], before: &[StepId], above: &[StepId]) -> Option<Vec<StepId>> {
     match net.order(part, above) {
         Some(Order::To(steps)) => return Some(steps.clone()),
         Some(Order::Hold) => return Some(here.to_vec()),

@@ -8,33 +8,34 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::search::reduction::arbitrate;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
 use crate::list::List;
+use crate::model::{StepId, TransitionId};
 
 /// What happened in one run of a cycle.
 #[derive(Default, Debug)]
 pub(crate) struct Done {
     /// The transitions cleared, evolution by evolution.
-    pub(crate) cleared: Vec<usize>,
+    pub(crate) cleared: Vec<TransitionId>,
     /// How many of them cleared in the first evolution.
     pub(crate) at_first: usize,
     /// Transitions whose condition held while they were enabled.
-    pub(crate) able: Vec<usize>,
+    pub(crate) able: Vec<TransitionId>,
     /// Transitions enabled in some evolution; in the first they can be seen from the situation.
-    pub(crate) enabled_later: Vec<usize>,
+    pub(crate) enabled_later: Vec<TransitionId>,
     /// Situations between the first and the last of the cycle.
-    pub(crate) transient: Vec<Vec<usize>>,
+    pub(crate) transient: Vec<Vec<StepId>>,
     /// A step activated while it was active and not left, and the transition that did it.
-    pub(crate) doubled: Vec<(usize, usize)>,
+    pub(crate) doubled: Vec<(StepId, TransitionId)>,
     /// The search for stability was stopped by its bound.
     pub(crate) unstable: bool,
     /// Where it was followed until it turns: the transitions of one turn, which are none of `cleared`.
-    pub(crate) turn: Option<Vec<usize>>,
+    pub(crate) turn: Option<Vec<TransitionId>>,
     /// It came to rest where the bound would have stopped it before.
     pub(crate) too_long: bool,
 }
 
 /// The transitions that are enabled in a situation, in source order.
-pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<usize> {
-    let has = |step: &usize| active.binary_search(step).is_ok();
+pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[StepId]) -> Vec<TransitionId> {
+    let has = |step: &StepId| active.binary_search(step).is_ok();
     let mut enabled = Vec::new();
     for step in active {
         for transition in &net.leaving[*step] {
@@ -63,13 +64,13 @@ pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[usize]) -> Vec<u
 }
 
 /// Runs one cycle from `state`; also returns which snapshot the edges of the next one compare with.
-pub(crate) fn run(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
+pub(crate) fn run(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId]) -> (When, Done) {
     valuation.begin(state);
     go_on(valuation, state, enabled)
 }
 
 /// The same, where something has been decided about its inputs before.
-pub(crate) fn go_on(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize]) -> (When, Done) {
+pub(crate) fn go_on(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId]) -> (When, Done) {
     let mut done = Done::default();
     let when = if valuation.net.grafcet {
         grafcet::cycle(valuation, state, enabled, &mut done)
@@ -92,15 +93,15 @@ pub(crate) fn end(valuation: &Valuation<'_>, when: When) -> State {
 }
 
 /// `(active − left) ∪ targets`, ascending.
-pub(crate) fn evolve(active: &[usize], left: &[usize], targets: &[usize]) -> Vec<usize> {
-    let mut after: Vec<usize> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().list();
+pub(crate) fn evolve(active: &[StepId], left: &[StepId], targets: &[StepId]) -> Vec<StepId> {
+    let mut after: Vec<StepId> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().list();
     after.sort_unstable();
     after.dedup();
     after
 }
 
 /// Notes the steps among the targets of the cleared transitions that are active and not left.
-pub(crate) fn note_doubled(net: &Net, active: &[usize], left: &[usize], cleared: &[usize], done: &mut Done) {
+pub(crate) fn note_doubled(net: &Net, active: &[StepId], left: &[StepId], cleared: &[TransitionId], done: &mut Done) {
     // A target of an `any` that is active stays so.
     for transition in cleared.iter().filter(|transition| !net.arcs[**transition].is_any) {
         for target in &net.arcs[*transition].targets {
@@ -112,7 +113,7 @@ pub(crate) fn note_doubled(net: &Net, active: &[usize], left: &[usize], cleared:
 }
 
 /// The transitions whose conditions are to be looked at, of those enabled at the start of a cycle.
-pub(crate) fn tried(valuation: &mut Valuation<'_>, enabled: &[usize]) -> Vec<usize> {
+pub(crate) fn tried(valuation: &mut Valuation<'_>, enabled: &[TransitionId]) -> Vec<TransitionId> {
     match valuation.groups.clone() {
         Some(groups) if valuation.lazy => arbitrate(valuation, &groups, true),
         _ => enabled.to_vec(),

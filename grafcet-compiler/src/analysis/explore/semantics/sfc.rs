@@ -6,14 +6,14 @@ use crate::analysis::explore::net::formula::Formula;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::list::List;
-use crate::model::{Dialect, Qualifier, Trigger};
+use crate::model::{Dialect, Qualifier, StepId, TransitionId, Trigger};
 use crate::sorted::sort_by_key;
 
 /// How the evolution changed the situation.
 struct Change {
-    left: Vec<usize>,
-    entered: Vec<usize>,
-    before: Vec<usize>,
+    left: Vec<StepId>,
+    entered: Vec<StepId>,
+    before: Vec<StepId>,
 }
 
 /// A29: where in the cycle an action runs.
@@ -31,9 +31,9 @@ enum Effect<'n> {
     Run(&'n [Command]),
 }
 
-pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[usize], done: &mut Done) -> When {
+pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[TransitionId], done: &mut Done) -> When {
     let net = valuation.net;
-    let (mut left, mut targets): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+    let (mut left, mut targets): (Vec<StepId>, Vec<StepId>) = (Vec::new(), Vec::new());
     if !state.first {
         for transition in tried(valuation, enabled) {
             let arc = &net.arcs[transition];
@@ -49,8 +49,8 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[usi
         let cleared = done.cleared.clone();
         note_doubled(net, &state.active, &left, &cleared, done);
     }
-    let stayed: Vec<usize> = state.active.iter().filter(|step| !left.contains(step)).copied().list();
-    let entered: Vec<usize> = if state.first {
+    let stayed: Vec<StepId> = state.active.iter().filter(|step| !left.contains(step)).copied().list();
+    let entered: Vec<StepId> = if state.first {
         state.active.to_vec()
     } else {
         targets.iter().filter(|step| !stayed.contains(step)).copied().list()
@@ -100,7 +100,7 @@ fn act(valuation: &mut Valuation<'_>, change: &Change) {
                     Qualifier::P1 if on => Moment::Entering,
                     Qualifier::N if on => Moment::Rest,
                     // The final scan.
-                    Qualifier::N if change.before.contains(&action.step) => Moment::Leaving,
+                    Qualifier::N if action.is_of(&change.before) => Moment::Leaving,
                     _ => continue,
                 };
                 runs.push((moment, action.position, Effect::Run(&action.program)));
@@ -186,7 +186,7 @@ fn is_on(valuation: &mut Valuation<'_>, change: &Change, action: &Action) -> boo
         Trigger::Deactivation => &change.left,
         Trigger::Active | Trigger::Event => &valuation.now.active,
     };
-    steps.contains(&action.step) && action.condition.as_ref().is_none_or(|condition| evaluate(valuation, condition))
+    action.is_of(steps) && action.condition.as_ref().is_none_or(|condition| evaluate(valuation, condition))
 }
 
 fn evaluate(valuation: &mut Valuation<'_>, formula: &Formula) -> bool {

@@ -2,12 +2,12 @@
 
 use super::knowledge::{Known, Learnt};
 use crate::analysis::Union;
-use crate::analysis::explore::net::formula::{Atom, Kind};
+use crate::analysis::explore::net::formula::{Atom, AtomId, Kind};
 use crate::analysis::explore::net::links::{Allowed, Difference};
 use crate::analysis::numbers::{float, is_computed};
 use crate::analysis::terms::{Demands, Terms, Told, integer};
 use crate::list::List;
-use crate::model::{Model, Name, Read, Tree};
+use crate::model::{Arena, Model, Name, Read, Tree};
 use crate::sorted::Map;
 
 /// What one question may cost, and how much is left to be spent on all of them.
@@ -17,18 +17,18 @@ pub(crate) const ALL: u64 = 3_000_000;
 /// Numbers of which some are computed of others.
 #[derive(Debug, Default)]
 pub(crate) struct Computed {
-    atoms: Vec<usize>,
+    atoms: Vec<AtomId>,
     terms: Terms,
     /// Atoms that compare a term with constants; and booleans that are computed with.
-    numbers: Map<usize, usize>,
+    numbers: Map<AtomId, usize>,
     /// How far a term lies above another.
-    differences: Map<usize, (usize, usize)>,
-    tried: Vec<usize>,
+    differences: Map<AtomId, (usize, usize)>,
+    tried: Vec<AtomId>,
 }
 
 /// An atom with the one or two trees that it is about.
 struct Subject<'a> {
-    atom: usize,
+    atom: AtomId,
     trees: [Option<&'a Tree>; 2],
 }
 
@@ -36,19 +36,19 @@ impl Computed {
     /// The groups of atoms that have to do with each other by what is computed.
     pub(crate) fn all(
         model: &Model,
-        atoms: &[Atom],
+        atoms: &Arena<AtomId, Atom>,
         differences: &[Difference],
-        numbers: &Map<Tree, usize>,
+        numbers: &Map<Tree, AtomId>,
     ) -> Vec<Self> {
         let mut subjects: Vec<Subject<'_>> = Vec::new();
-        let mut is_difference = vec![false; atoms.len()];
+        let mut is_difference = Arena::filled(atoms.len(), false);
         for Difference { atom, a, b, is_float } in differences {
             is_difference[*atom] = true;
             if !is_float {
                 subjects.push(Subject { atom: *atom, trees: [Some(&a.tree), Some(&b.tree)] });
             }
         }
-        for (number, atom) in atoms.iter().enumerate() {
+        for (number, atom) in atoms.iter() {
             let is_number = matches!(atom.kind, Kind::Number(..) | Kind::Since(_) | Kind::MacroSince(_));
             let is_float = float(model, &atom.what).is_some();
             if is_number && !is_difference[number] && !is_float {
@@ -83,7 +83,7 @@ impl Computed {
         groups.filter(|group| group.terms.is_computed()).list()
     }
 
-    fn group(model: &Model, subjects: &[Subject<'_>], members: &[usize], numbers: &Map<Tree, usize>) -> Self {
+    fn group(model: &Model, subjects: &[Subject<'_>], members: &[usize], numbers: &Map<Tree, AtomId>) -> Self {
         let mut group = Self::default();
         for subject in members.iter().map(|member| &subjects[*member]) {
             group.atoms.push(subject.atom);
@@ -110,12 +110,12 @@ impl Computed {
         group
     }
 
-    pub(crate) fn atoms(&self) -> &[usize] {
+    pub(crate) fn atoms(&self) -> &[AtomId] {
         &self.atoms
     }
 
     /// The atoms that are about inputs and params alone.
-    pub(crate) fn tried(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn tried(&self) -> impl Iterator<Item = AtomId> + '_ {
         self.tried.iter().copied()
     }
 

@@ -2,7 +2,7 @@
 
 use super::knowledge::Known;
 use super::{Valuation, When};
-use crate::analysis::explore::net::formula::{Formula, Kind};
+use crate::analysis::explore::net::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::net::slots::Bit;
 
 impl Valuation<'_> {
@@ -86,17 +86,17 @@ impl Valuation<'_> {
         }
     }
 
-    fn ask(&mut self, atom: usize, when: When) -> bool {
+    fn ask(&mut self, atom: AtomId, when: When) -> bool {
         let value = self.can_hold(atom, when) && self.tape.choose(2) == 1;
         self.learn(atom, when, Known::Bool(value));
         value
     }
 
     /// Whether a boolean atom can be true: a step of another piece only beside the steps that are known to be active.
-    fn can_hold(&self, atom: usize, when: When) -> bool {
+    fn can_hold(&self, atom: AtomId, when: When) -> bool {
         let net = self.net;
         let Kind::Step(step) = net.atoms[atom].kind else { return true };
-        let is_apart = |other: &usize| match net.atoms[*other].kind {
+        let is_apart = |other: &AtomId| match net.atoms[*other].kind {
             Kind::Step(of) => of != step && self.given.get(*other) == Known::Bool(true) && !net.may_meet(step, of),
             _ => false,
         };
@@ -104,7 +104,7 @@ impl Valuation<'_> {
             || self.now.active.iter().all(|own| net.may_meet(step, *own)) && !self.given.learnt().iter().any(is_apart)
     }
 
-    fn ask_below(&mut self, atom: usize, bound: i128, when: When) -> bool {
+    fn ask_below(&mut self, atom: AtomId, bound: i128, when: When) -> bool {
         let Known::Range(low, high) = self.value(atom, when) else { return false };
         match self.beside_zero(atom, when) {
             // `0 - b < bound` is `b > -bound`.
@@ -118,7 +118,7 @@ impl Valuation<'_> {
         below
     }
 
-    fn ask_equal(&mut self, atom: usize, bound: i128, when: When) -> bool {
+    fn ask_equal(&mut self, atom: AtomId, bound: i128, when: When) -> bool {
         let Known::Range(low, high) = self.value(atom, when) else { return false };
         if let Some((other, is_less)) = self.beside_zero(atom, when) {
             let bound = if is_less { bound.saturating_neg() } else { bound };
@@ -138,7 +138,7 @@ impl Valuation<'_> {
 
     /// Where an atom is the difference of a time that is zero at this moment and another number: that one, and whether the
     /// time stands first.
-    fn beside_zero(&self, atom: usize, when: When) -> Option<(usize, bool)> {
+    fn beside_zero(&self, atom: AtomId, when: When) -> Option<(AtomId, bool)> {
         let (a, b) = self.net.links.times(atom)?;
         if self.is_zero(a, when) {
             return Some((b, true));
@@ -146,7 +146,7 @@ impl Valuation<'_> {
         self.is_zero(b, when).then_some((a, false))
     }
 
-    fn learn(&mut self, atom: usize, when: When, known: Known) {
+    fn learn(&mut self, atom: AtomId, when: When, known: Known) {
         if self.net.unfollowed[atom] || matches!(self.net.atoms[atom].kind, Kind::Slot(_)) {
             self.late |= self.acted;
             self.granted.retain(|(other, _)| *other != atom);

@@ -1,5 +1,8 @@
 //! What is known of the atoms, and the choices by which it became known.
 
+use crate::analysis::explore::net::formula::AtomId;
+use crate::model::Arena;
+
 /// What is known of an atom's value.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Known {
@@ -11,32 +14,32 @@ pub(crate) enum Known {
 }
 
 /// Atoms by number, with what is known of them.
-pub(crate) type Learnt = Vec<(usize, Known)>;
+pub(crate) type Learnt = Vec<(AtomId, Known)>;
 
 /// What is known of each atom, by number. Clearing costs what was learnt, not the number of atoms.
 #[derive(Debug)]
 pub(crate) struct Knowledge {
-    values: Vec<Known>,
-    learnt: Vec<usize>,
+    values: Arena<AtomId, Known>,
+    learnt: Vec<AtomId>,
 }
 
 impl Knowledge {
     pub(crate) fn new(atoms: usize) -> Self {
-        Self { values: vec![Known::Unknown; atoms], learnt: Vec::new() }
+        Self { values: Arena::filled(atoms, Known::Unknown), learnt: Vec::new() }
     }
 
-    pub(crate) fn get(&self, atom: usize) -> Known {
+    pub(crate) fn get(&self, atom: AtomId) -> Known {
         self.values[atom]
     }
 
-    pub(crate) fn learn(&mut self, atom: usize, known: Known) {
+    pub(crate) fn learn(&mut self, atom: AtomId, known: Known) {
         if self.values[atom] == Known::Unknown {
             self.learnt.push(atom);
         }
         self.values[atom] = known;
     }
 
-    pub(crate) fn forget(&mut self, atom: usize) {
+    pub(crate) fn forget(&mut self, atom: AtomId) {
         self.values[atom] = Known::Unknown;
     }
 
@@ -47,7 +50,7 @@ impl Knowledge {
     }
 
     /// The atoms something was learnt about; one that was forgotten in between may come twice.
-    pub(crate) fn learnt(&self) -> &[usize] {
+    pub(crate) fn learnt(&self) -> &[AtomId] {
         &self.learnt
     }
 }

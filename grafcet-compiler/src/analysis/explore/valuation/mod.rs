@@ -8,11 +8,12 @@ mod sample;
 mod values;
 
 use crate::list::List;
+use crate::model::{Arena, StepId, TransitionId};
 use std::rc::Rc;
 
 use self::knowledge::{Knowledge, Known, Learnt, Tape};
 use crate::analysis::explore::net::Net;
-use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::links::Tries;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction::{Groups, Waits};
@@ -23,20 +24,20 @@ pub(crate) struct State {
     /// Before the first cycle.
     pub(crate) first: bool,
     /// Active steps, ascending.
-    pub(crate) active: Box<[usize]>,
+    pub(crate) active: Box<[StepId]>,
     pub(crate) slots: Box<[Bit]>,
     /// What edges compare with: the atoms' values in the last snapshot, as far as they were decided. All values that
     /// agree with this are possible.
-    pub(crate) before: Box<[(usize, Known)]>,
+    pub(crate) before: Box<[(AtomId, Known)]>,
     /// What times have reached, where they are followed.
-    pub(crate) ages: Box<[(usize, Known)]>,
+    pub(crate) ages: Box<[(AtomId, Known)]>,
 }
 
 /// Situation and followed values at one moment.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub(crate) struct Snapshot {
     /// Ascending.
-    pub(crate) active: Vec<usize>,
+    pub(crate) active: Vec<StepId>,
     pub(crate) slots: Vec<Bit>,
 }
 
@@ -69,7 +70,7 @@ pub(crate) struct Valuation<'n> {
     /// The snapshot has no predecessor: no edges (A26).
     pub(crate) edgeless: bool,
     /// Steps entered in this cycle: their time is zero.
-    pub(crate) just_entered: Vec<usize>,
+    pub(crate) just_entered: Vec<StepId>,
     /// What the running block has written.
     pub(crate) own: Vec<(usize, Bit)>,
     /// Searches for stability are not stopped by the bound, but where they are seen to turn for ever.
@@ -79,11 +80,11 @@ pub(crate) struct Valuation<'n> {
     /// How those that are enabled at the start are tried.
     pub(crate) groups: Option<Rc<Groups>>,
     /// Transitions that wait in this run.
-    still: Vec<usize>,
-    is_still: Vec<bool>,
+    still: Vec<TransitionId>,
+    is_still: Arena<TransitionId, bool>,
     /// Atoms that only they read; asking for one spoils the run.
-    reserved: Vec<bool>,
-    reserved_atoms: Vec<usize>,
+    reserved: Arena<AtomId, bool>,
+    reserved_atoms: Vec<AtomId>,
     /// This run is not independent of what waits in it.
     pub(crate) spoilt: bool,
     /// Another run shows the same.
@@ -129,8 +130,8 @@ impl<'n> Valuation<'n> {
             lazy: false,
             groups: None,
             still: Vec::new(),
-            is_still: vec![false; net.arcs.len()],
-            reserved: vec![false; atoms],
+            is_still: Arena::filled(net.arcs.len(), false),
+            reserved: Arena::filled(atoms, false),
             reserved_atoms: Vec::new(),
             spoilt: false,
             redundant: false,
@@ -195,7 +196,7 @@ impl<'n> Valuation<'n> {
     }
 
     /// Begins in the middle of another valuation's cycle, knowing only this.
-    pub(crate) fn resume(&mut self, other: &Self, given: &[(usize, Known)], recorded: &[(usize, Known)]) {
+    pub(crate) fn resume(&mut self, other: &Self, given: &[(AtomId, Known)], recorded: &[(AtomId, Known)]) {
         self.work += 1;
         self.reset();
         for (atom, known) in given {
@@ -212,8 +213,8 @@ impl<'n> Valuation<'n> {
     }
 
     /// What is known of these atoms in this cycle, and in the snapshot that edges compare with.
-    pub(crate) fn knowledge_of(&self, atoms: &[usize]) -> (Learnt, Learnt) {
-        let known = |knowledge: &Knowledge| -> Vec<(usize, Known)> {
+    pub(crate) fn knowledge_of(&self, atoms: &[AtomId]) -> (Learnt, Learnt) {
+        let known = |knowledge: &Knowledge| -> Vec<(AtomId, Known)> {
             let pairs = atoms.iter().map(|atom| (*atom, knowledge.get(*atom)));
             pairs.filter(|(_, known)| *known != Known::Unknown).list()
         };
@@ -226,7 +227,7 @@ impl<'n> Valuation<'n> {
     }
 
     /// The transitions wait in this cycle, under these values of what edges look at.
-    pub(crate) fn wait(&mut self, transitions: &[usize], values: &[(usize, Known)]) {
+    pub(crate) fn wait(&mut self, transitions: &[TransitionId], values: &[(AtomId, Known)]) {
         let net = self.net;
         for (atom, known) in values {
             self.given.learn(*atom, *known);
@@ -253,15 +254,15 @@ impl<'n> Valuation<'n> {
     }
 
     /// The atoms of which something is known in this run.
-    pub(crate) fn asked(&self) -> Vec<usize> {
-        let mut asked: Vec<usize> = self.given.learnt().iter().chain(self.recorded.learnt()).copied().list();
+    pub(crate) fn asked(&self) -> Vec<AtomId> {
+        let mut asked: Vec<AtomId> = self.given.learnt().iter().chain(self.recorded.learnt()).copied().list();
         asked.sort_unstable();
         asked.dedup();
         asked
     }
 
     /// Whether the transition waits in this cycle.
-    pub(crate) fn is_still(&self, transition: usize) -> bool {
+    pub(crate) fn is_still(&self, transition: TransitionId) -> bool {
         self.is_still[transition]
     }
 
@@ -271,7 +272,7 @@ impl<'n> Valuation<'n> {
     }
 
     /// Whether nothing is left to be asked about the atom.
-    fn is_settled(&self, atom: usize) -> bool {
+    fn is_settled(&self, atom: AtomId) -> bool {
         match self.given.get(atom) {
             Known::Unknown => false,
             Known::Bool(_) => true,

@@ -2,7 +2,7 @@
 
 use super::knowledge::{Knowledge, Known, Learnt};
 use super::{Valuation, When};
-use crate::analysis::explore::net::formula::{Formula, Kind};
+use crate::analysis::explore::net::formula::{AtomId, Formula, Kind};
 use crate::list::List;
 use crate::sorted::sort;
 
@@ -27,7 +27,7 @@ impl Valuation<'_> {
         let knowledge = if when == When::Before { &self.recorded } else { &self.given };
         match formula {
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
-                let known = |atom: &usize| knowledge.get(*atom) != Known::Unknown;
+                let known = |atom: &AtomId| knowledge.get(*atom) != Known::Unknown;
                 let beside = self.net.beside.get(atom).map_or(&[][..], Vec::as_slice);
                 known(atom) || self.net.links.with(*atom).iter().chain(beside).any(known)
             }
@@ -49,8 +49,8 @@ impl Valuation<'_> {
     }
 
     /// The atoms that edges look at which may be asked for in the next cycle, ascending.
-    fn edge_atoms(&self) -> Vec<usize> {
-        let mut atoms: Vec<usize> = Vec::new();
+    fn edge_atoms(&self) -> Vec<AtomId> {
+        let mut atoms: Vec<AtomId> = Vec::new();
         for step in &self.now.active {
             atoms.extend(&self.net.edge_atoms[*step]);
         }
@@ -71,7 +71,7 @@ impl Valuation<'_> {
     }
 
     /// What the edges that may be asked for in the next cycle compare with.
-    pub(crate) fn sample(&self, when: When) -> Vec<(usize, Known)> {
+    pub(crate) fn sample(&self, when: When) -> Vec<(AtomId, Known)> {
         let net = self.net;
         let mut sampled = Vec::new();
         for atom in self.edge_atoms() {

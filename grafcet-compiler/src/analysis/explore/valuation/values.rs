@@ -2,19 +2,20 @@
 
 use super::knowledge::Known;
 use super::{Snapshot, Valuation, When};
-use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::slots::Bit;
+use crate::model::StepId;
 
 impl Valuation<'_> {
     /// What is known of an atom.
-    pub(super) fn value(&mut self, atom: usize, when: When) -> Known {
+    pub(super) fn value(&mut self, atom: AtomId, when: When) -> Known {
         if self.reserved[atom] {
             self.spoilt = true;
         }
         self.value_of(atom, when)
     }
 
-    pub(super) fn value_of(&self, atom: usize, when: When) -> Known {
+    pub(super) fn value_of(&self, atom: AtomId, when: When) -> Known {
         let net = self.net;
         let kind = net.atoms[atom].kind;
         if when == When::Before && self.previous.is_none() {
@@ -53,25 +54,25 @@ impl Valuation<'_> {
     }
 
     /// Whether an atom is a time that is zero at this moment.
-    pub(super) fn is_zero(&self, atom: usize, when: When) -> bool {
+    pub(super) fn is_zero(&self, atom: AtomId, when: When) -> bool {
         let is_time = matches!(self.net.atoms[atom].kind, Kind::Since(_) | Kind::MacroSince(_));
         is_time && !(when == When::Before && self.previous.is_none()) && self.value_of(atom, when) == Known::Range(0, 0)
     }
 
     /// Whether the time of a step begins in this cycle. `sfc`: to the edges, which look at the start of the cycle, a step that
     /// is left and entered has the time it had reached.
-    fn begins(&self, step: usize, when: When) -> bool {
+    fn begins(&self, step: StepId, when: When) -> bool {
         let later = when == When::Sample && self.start.is_some() && !self.edgeless;
         !later && self.just_entered.contains(&step)
     }
 
     /// `sfc`: whether the actions run of a cycle in which one of the steps was left: it has the time it had reached (A34).
-    fn is_left(&self, steps: &[usize], when: When) -> bool {
+    fn is_left(&self, steps: &[StepId], when: When) -> bool {
         let was = |start: &Snapshot| steps.iter().any(|step| start.active.binary_search(step).is_ok());
         when == When::Now && self.start.as_ref().is_some_and(was)
     }
 
-    fn recorded_value(&self, atom: usize, kind: Kind) -> Known {
+    fn recorded_value(&self, atom: AtomId, kind: Kind) -> Known {
         match (self.recorded.get(atom), kind) {
             (Known::Unknown, Kind::Number(low, high)) => Known::Range(low, high),
             (Known::Unknown, Kind::Since(_) | Kind::MacroSince(_)) => Known::Range(0, i128::from(u32::MAX)),
@@ -92,7 +93,7 @@ impl Valuation<'_> {
         }
     }
 
-    fn time(&self, atom: usize, zero: bool) -> Known {
+    fn time(&self, atom: AtomId, zero: bool) -> Known {
         match self.given.get(atom) {
             _ if zero => Known::Range(0, 0),
             Known::Unknown => Known::Range(0, i128::from(u32::MAX)),
@@ -109,7 +110,7 @@ impl Valuation<'_> {
     }
 
     /// Whether the step belongs to what is explored.
-    pub(super) fn is_own(&self, step: usize) -> bool {
+    pub(super) fn is_own(&self, step: StepId) -> bool {
         self.unit.is_none_or(|unit| self.net.unit_of[step] == unit)
     }
 

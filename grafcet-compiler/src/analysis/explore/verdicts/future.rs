@@ -4,6 +4,7 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::search::graph::Graph;
 use crate::analysis::explore::semantics;
 use crate::list::List;
+use crate::model::{StepId, TransitionId};
 
 /// Per strongly connected group of states, what can still happen: which pieces of the chart move, which sources of
 /// AND-convergences are left, which AND-convergences are enabled.
@@ -13,17 +14,19 @@ pub(crate) struct Future {
     rows: Vec<Vec<u64>>,
     units: usize,
     /// Sources of AND-convergences, ascending.
-    pub(crate) waiting: Vec<usize>,
+    pub(crate) waiting: Vec<StepId>,
     /// AND-convergences, ascending.
-    pub(crate) joins: Vec<usize>,
+    pub(crate) joins: Vec<TransitionId>,
 }
 
 impl Future {
     pub(crate) fn of(net: &Net, graph: &Graph) -> Self {
-        let joins: Vec<usize> = (0..net.arcs.len())
+        let joins: Vec<TransitionId> = net
+            .arcs
+            .ids()
             .filter(|t| net.arcs[*t].sources.len() > 1 && graph.unit.is_none_or(|unit| net.unit_of_arc(*t) == unit))
             .list();
-        let mut waiting: Vec<usize> = joins.iter().flat_map(|join| &net.arcs[*join].sources).copied().list();
+        let mut waiting: Vec<StepId> = joins.iter().flat_map(|join| &net.arcs[*join].sources).copied().list();
         waiting.sort_unstable();
         waiting.dedup();
         let (group_of, groups) = groups(graph);
@@ -75,7 +78,7 @@ impl Future {
         row
     }
 
-    fn note_changes(&self, net: &Net, row: &mut [u64], before: &[usize], after: &[usize]) {
+    fn note_changes(&self, net: &Net, row: &mut [u64], before: &[StepId], after: &[StepId]) {
         for step in before.iter().filter(|step| after.binary_search(step).is_err()) {
             set(row, net.unit_of[*step]);
             mark(row, self.wait(*step));
@@ -85,11 +88,11 @@ impl Future {
         }
     }
 
-    fn wait(&self, step: usize) -> Option<usize> {
+    fn wait(&self, step: StepId) -> Option<usize> {
         self.waiting.binary_search(&step).ok().map(|position| self.units + position)
     }
 
-    fn join(&self, transition: usize) -> Option<usize> {
+    fn join(&self, transition: TransitionId) -> Option<usize> {
         let position = self.joins.binary_search(&transition).ok()?;
         Some(self.units + self.waiting.len() + position)
     }
@@ -100,12 +103,12 @@ impl Future {
     }
 
     /// Whether the source of an AND-convergence is left from the state on.
-    pub(crate) fn leaves(&self, state: usize, step: usize) -> bool {
+    pub(crate) fn leaves(&self, state: usize, step: StepId) -> bool {
         self.get(state, self.wait(step))
     }
 
     /// Whether the AND-convergence is enabled from the state on.
-    pub(crate) fn enables(&self, state: usize, join: usize) -> bool {
+    pub(crate) fn enables(&self, state: usize, join: TransitionId) -> bool {
         self.get(state, self.join(join))
     }
 

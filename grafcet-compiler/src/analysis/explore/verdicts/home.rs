@@ -10,12 +10,12 @@ use crate::analysis::explore::Exploration;
 use crate::analysis::explore::explore_whole;
 use crate::analysis::explore::limits::budget_doubt;
 use crate::analysis::explore::net::Net;
-use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::graph::{Edge, Graph, Seen};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::List;
-use crate::model::{Id, StepId, Tree};
+use crate::model::{StepId, Tree};
 
 /// In how many cases it is looked whether one of several ways exists.
 const CASES: usize = 1000;
@@ -30,10 +30,9 @@ pub(crate) struct Stay {
 }
 
 impl Stay {
-    fn holds(&self, active: &[usize]) -> bool {
-        let is_in = |steps: &[StepId], step: usize| steps.iter().any(|other| other.index() == step);
-        self.active.iter().all(|step| active.contains(&step.index()))
-            && self.within.as_ref().is_none_or(|within| active.iter().all(|step| is_in(within, *step)))
+    fn holds(&self, active: &[StepId]) -> bool {
+        self.active.iter().all(|step| active.contains(step))
+            && self.within.as_ref().is_none_or(|within| active.iter().all(|step| within.contains(step)))
     }
 }
 
@@ -63,7 +62,7 @@ impl Exploration {
 pub(crate) fn is_plain(net: &Net) -> bool {
     net.edges.iter().all(Option::is_none)
         && net.clocks.is_empty()
-        && !net.unfollowed.contains(&true)
+        && !net.has_unfollowed()
         && !net.links.any_computed()
         && !net.initial_slots.contains(&Bit::Any)
 }
@@ -99,11 +98,11 @@ struct At {
 
 impl At {
     fn of(net: &Net, graph: &Graph, home: &[StepId], others: &[Stay]) -> Self {
-        let mut steps: Vec<usize> = home.iter().map(|step| step.index()).list();
+        let mut steps = home.to_vec();
         steps.sort_unstable();
         let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).list();
         parts.sort_unstable();
-        let is_concerned = |step: &&usize| parts.binary_search(&net.part_of[**step]).is_ok();
+        let is_concerned = |step: &&StepId| parts.binary_search(&net.part_of[**step]).is_ok();
         let states = graph.states.iter().enumerate().filter(|(_, state)| !state.first);
         let at_home = states.filter(|(_, state)| {
             state.active.iter().filter(is_concerned).eq(&steps) || others.iter().any(|stay| stay.holds(&state.active))
@@ -155,13 +154,13 @@ impl At {
 /// What conditions of transitions read that is not followed, where no more is known of it.
 fn unfollowed(net: &Net) -> Vec<Tree> {
     let is_any = |slot: usize| net.initial_slots[slot] == Bit::Any;
-    let open = |atom: &&usize| match net.atoms[**atom].kind {
+    let open = |atom: &&AtomId| match net.atoms[**atom].kind {
         Kind::Slot(slot) => is_any(slot),
         _ => net.unfollowed[**atom] || net.links.is_computed(**atom),
     };
-    let mut atoms: Vec<usize> = net.arcs.iter().flat_map(|arc| &arc.atoms).filter(open).copied().list();
+    let mut atoms: Vec<AtomId> = net.arcs.values().flat_map(|arc| &arc.atoms).filter(open).copied().list();
     if atoms.is_empty() {
-        let all: Vec<usize> = (0..net.atoms.len()).list();
+        let all: Vec<AtomId> = net.atoms.ids().list();
         atoms.extend(all.iter().filter(open));
     }
     atoms.sort_unstable();
@@ -172,28 +171,29 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
 /// Whether one of the cycles can be taken whatever the values are that they take for granted.
 fn exists<'g>(net: &Net, edges: impl Iterator<Item = &'g Edge>) -> bool {
     // Where nothing can be taken for granted, nothing is written down.
-    let nothing =
-        !net.unfollowed.contains(&true) && !net.links.any_computed() && !net.initial_slots.contains(&Bit::Any);
+    let nothing = !net.has_unfollowed() && !net.links.any_computed() && !net.initial_slots.contains(&Bit::Any);
     let ways = edges.filter_map(|edge| if nothing { Some(&[][..]) } else { edge.granted.as_deref() });
-    let ways: Vec<&[(usize, Known)]> = ways.list();
+    let ways: Vec<&[(AtomId, Known)]> = ways.list();
     covers(net, &ways, &[], &mut CASES.clone())
 }
 
 /// Whether in every case one of the ways is open, where this is `known` already.
-fn covers(net: &Net, ways: &[&[(usize, Known)]], known: &[(usize, Known)], cases: &mut usize) -> bool {
+fn covers(net: &Net, ways: &[&[(AtomId, Known)]], known: &[(AtomId, Known)], cases: &mut usize) -> bool {
     if *cases == 0 {
         return false;
     }
     *cases -= 1;
-    let of = |known: &[(usize, Known)], atom: usize| known.iter().find(|(other, _)| *other == atom).map(|(_, is)| *is);
-    let possible =
-        |way: &&&[(usize, Known)]| way.iter().all(|(atom, demand)| of(known, *atom).is_none_or(|is| meet(is, *demand)));
-    let ways: Vec<&[(usize, Known)]> = ways.iter().filter(possible).copied().list();
+    let of =
+        |known: &[(AtomId, Known)], atom: AtomId| known.iter().find(|(other, _)| *other == atom).map(|(_, is)| *is);
+    let possible = |way: &&&[(AtomId, Known)]| {
+        way.iter().all(|(atom, demand)| of(known, *atom).is_none_or(|is| meet(is, *demand)))
+    };
+    let ways: Vec<&[(AtomId, Known)]> = ways.iter().filter(possible).copied().list();
     let Some(first) = ways.first() else { return false };
     let open = first.iter().find(|(atom, demand)| !of(known, *atom).is_some_and(|is| within(is, *demand)));
     let Some((atom, demand)) = open else { return true };
     let (whole, (first, last)) = (of(known, *atom), net.range(*atom));
-    let others: Vec<(usize, Known)> = known.iter().filter(|(other, _)| other != atom).copied().list();
+    let others: Vec<(AtomId, Known)> = known.iter().filter(|(other, _)| other != atom).copied().list();
     parts(whole.unwrap_or(Known::Range(first, last)), *demand).into_iter().all(|part| {
         let mut known = others.clone();
         known.push((*atom, part));

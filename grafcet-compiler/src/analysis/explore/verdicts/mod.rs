@@ -11,7 +11,7 @@ pub(crate) mod table;
 use self::future::Future;
 use self::path::{Activation, Deadlock, Demand, Given, Path, PathCycle, StuckJoin};
 use crate::analysis::explore::net::Net;
-use crate::analysis::explore::net::formula::Kind;
+use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::search::graph::{Cycle, Doubled, Graph};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::List;
@@ -43,7 +43,7 @@ impl Report<'_> {
     }
 
     /// The same, where at its end this is known of the atoms.
-    fn path_with(&self, state: usize, known: &[(usize, Known)]) -> Path {
+    fn path_with(&self, state: usize, known: &[(AtomId, Known)]) -> Path {
         let mut path = Path::default();
         let (mut at, mut known) = (state, known.to_vec());
         while let Some(origin) = &self.graph.origins[at] {
@@ -58,7 +58,7 @@ impl Report<'_> {
             known.clone_from(&origin.cycle.past);
             at = origin.from;
         }
-        path.start = steps(&self.graph.states[at].active);
+        path.start = self.graph.states[at].active.to_vec();
         path.cycles.reverse();
         path
     }
@@ -70,7 +70,7 @@ impl Report<'_> {
     }
 
     /// A way to a state, and one more cycle.
-    pub(crate) fn path_beyond(&self, from: usize, cycle: &Cycle, active: &[usize]) -> Path {
+    pub(crate) fn path_beyond(&self, from: usize, cycle: &Cycle, active: &[StepId]) -> Path {
         let mut path = self.path_with(from, &cycle.past);
         path.cycles.push(self.cycle(cycle, &[], active));
         self.note(cycle, &mut path);
@@ -88,19 +88,15 @@ impl Report<'_> {
     }
 
     /// A cycle; `later` is what the next one demands of it.
-    fn cycle(&self, cycle: &Cycle, later: &[(usize, Known)], active: &[usize]) -> PathCycle {
-        let inputs = |(atom, _): &&(usize, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
+    fn cycle(&self, cycle: &Cycle, later: &[(AtomId, Known)], active: &[StepId]) -> PathCycle {
+        let inputs = |(atom, _): &&(AtomId, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
         let later: Vec<_> = later.iter().filter(inputs).list();
         let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
         let given = sooner.chain(later.iter().copied()).filter_map(|known| self.given(known));
-        PathCycle {
-            given: given.list(),
-            cleared: cycle.cleared.iter().map(|transition| TransitionId::new(*transition)).list(),
-            active: steps(active),
-        }
+        PathCycle { given: given.list(), cleared: cycle.cleared.clone(), active: active.to_vec() }
     }
 
-    fn given(&self, (atom, known): &(usize, Known)) -> Option<Given> {
+    fn given(&self, (atom, known): &(AtomId, Known)) -> Option<Given> {
         let demand = match known {
             Known::Unknown => return None,
             Known::Bool(value) => Demand::Is(*value),
@@ -114,9 +110,9 @@ impl Report<'_> {
 
     /// The steps that were activated while they were active.
     pub(crate) fn activations(&self) -> Vec<(StepId, Activation)> {
-        let activation = |(step, doubled): &(usize, Doubled)| {
+        let activation = |(step, doubled): &(StepId, Doubled)| {
             let path = self.path_beyond(doubled.from, &doubled.cycle, &doubled.end);
-            (StepId::new(*step), Activation { path, by: TransitionId::new(doubled.by) })
+            (*step, Activation { path, by: doubled.by })
         };
         self.graph.doubled.iter().map(activation).list()
     }
@@ -144,7 +140,7 @@ impl Report<'_> {
                     continue;
                 }
                 let partial = PartialId::new(self.net.part_of[here[0]]);
-                deadlocks.push(Deadlock { partial, steps: steps(&here), path: self.path_to(number) });
+                deadlocks.push(Deadlock { partial, steps: here, path: self.path_to(number) });
             }
         }
         deadlocks
@@ -172,9 +168,9 @@ impl Report<'_> {
                 for join in self.net.leaving[*step].iter().filter(|t| future.joins.binary_search(t).is_ok()) {
                     if !future.enables(number, *join) && known.insert((*join, *step)) {
                         stuck.push(StuckJoin {
-                            join: TransitionId::new(*join),
-                            waiting: StepId::new(*step),
-                            culprit: self.culprit(future, number, *join).map(TransitionId::new),
+                            join: *join,
+                            waiting: *step,
+                            culprit: self.culprit(future, number, *join),
                             path: self.path_to(number),
                         });
                     }
@@ -185,11 +181,11 @@ impl Report<'_> {
     }
 
     /// The transition on the way to a state with which the convergence became impossible.
-    fn culprit(&self, future: &Future, state: usize, join: usize) -> Option<usize> {
+    fn culprit(&self, future: &Future, state: usize, join: TransitionId) -> Option<TransitionId> {
         let mut at = state;
         while let Some(origin) = &self.graph.origins[at] {
             if future.enables(origin.from, join) {
-                let apart = |t: &&usize| {
+                let apart = |t: &&TransitionId| {
                     let arc = &self.net.arcs[**t];
                     !arc.targets.iter().any(|target| self.net.arcs[join].sources.contains(target))
                 };
@@ -201,18 +197,14 @@ impl Report<'_> {
         None
     }
 
-    fn part_of(&self, active: &[usize], unit: usize) -> Vec<usize> {
+    fn part_of(&self, active: &[StepId], unit: usize) -> Vec<StepId> {
         active.iter().filter(|step| self.net.unit_of[**step] == unit).copied().list()
     }
 
     /// Whether the piece may stay where it is: a final step of it is active, or an order holds it.
-    fn is_meant(&self, active: &[usize], unit: usize) -> bool {
+    fn is_meant(&self, active: &[StepId], unit: usize) -> bool {
         let here = self.part_of(active, unit);
-        let held = |step: &usize| self.net.order(self.net.part_of[*step], active).is_some();
+        let held = |step: &StepId| self.net.order(self.net.part_of[*step], active).is_some();
         here.iter().any(|step| self.net.is_final[*step]) || self.graph.unit.is_none() && here.first().is_some_and(held)
     }
-}
-
-fn steps(active: &[usize]) -> Vec<StepId> {
-    active.iter().map(|step| StepId::new(*step)).list()
 }

@@ -9,7 +9,7 @@ use crate::analysis::explore::search::graph::Seen;
 use crate::analysis::explore::valuation::{Valuation, When};
 use crate::analysis::is_constant_read;
 use crate::list::List;
-use crate::model::{Association, Dialect, Id, Model, Name, Qualifier, Read, TransitionId, Tree, Trigger};
+use crate::model::{Association, Dialect, Model, Name, Qualifier, Read, StepId, TransitionId, Tree, Trigger};
 
 /// A stored action of a `grafcet` that is watched beside another.
 #[derive(Clone, Copy)]
@@ -33,8 +33,8 @@ impl<'m> Rival<'m> {
     pub(crate) fn compile(self, compiler: &mut Compiler<'_>) -> Watched {
         let conditions = self.conditions().map(|tree| compiler.formula(tree)).list();
         let at = match self {
-            Self::Action(association) => At::Step(association.step.index(), association.qualifier),
-            Self::Clearing(id) => At::Transition(id.index()),
+            Self::Action(association) => At::Step(association.step, association.qualifier),
+            Self::Clearing(id) => At::Transition(id),
         };
         Watched { at, conditions }
     }
@@ -47,13 +47,13 @@ pub(crate) struct Watched {
 }
 
 enum At {
-    Step(usize, Qualifier),
-    Transition(usize),
+    Step(StepId, Qualifier),
+    Transition(TransitionId),
 }
 
 impl Watched {
     /// Whether it runs in an evolution, as far as the change of the situation tells.
-    fn is_due(&self, before: &[usize], after: &[usize], cleared: &[usize]) -> bool {
+    fn is_due(&self, before: &[StepId], after: &[StepId], cleared: &[TransitionId]) -> bool {
         match &self.at {
             At::Step(step, qualifier) => {
                 let (was, is) = (before.binary_search(step).is_ok(), after.binary_search(step).is_ok());
@@ -69,7 +69,7 @@ impl Watched {
 }
 
 /// Notes which of the watched pairs run in this evolution.
-pub(crate) fn note(valuation: &mut Valuation<'_>, before: &[usize], after: &[usize], cleared: &[usize]) {
+pub(crate) fn note(valuation: &mut Valuation<'_>, before: &[StepId], after: &[StepId], cleared: &[TransitionId]) {
     let net = valuation.net;
     for (number, (a, b)) in net.actions.rivals.iter().enumerate() {
         if valuation.have_met[number] || valuation.met.contains(&number) {
@@ -91,7 +91,7 @@ pub fn rivals_meeting(model: &Model, limits: &Limits, pairs: &[(Rival<'_>, Rival
         return all;
     }
     let net = Net::beside(model, pairs, never);
-    if !net.atoms.iter().all(is_told) {
+    if !net.atoms.values().all(is_told) {
         return all;
     }
     let mut seen = Seen::nothing(&net);

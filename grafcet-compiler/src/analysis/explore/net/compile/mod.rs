@@ -2,13 +2,13 @@
 
 mod numbers;
 
-use crate::analysis::explore::net::formula::{Atom, Formula, Kind};
+use crate::analysis::explore::net::formula::{Atom, AtomId, Formula, Kind};
 use crate::analysis::explore::net::links::Difference;
 use crate::analysis::{combinational, mixed};
 use crate::list::List;
 use crate::model::{
-    Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree, Ty,
-    Unary, VarId,
+    Arena, Binary, Blinker, DelayId, EdgeId, Id, Model, Name, OutputId, Place, Qualifier, Read, StepId, TimeRef, Tree,
+    Ty, Unary, VarId,
 };
 use crate::sorted::Map;
 
@@ -17,10 +17,10 @@ pub(crate) struct Compiler<'m> {
     model: &'m Model,
     /// The number of each place that is followed from cycle to cycle.
     slots: &'m Map<Place, usize>,
-    pub(crate) atoms: Vec<Atom>,
-    pub(crate) numbers: Map<Tree, usize>,
+    pub(crate) atoms: Arena<AtomId, Atom>,
+    pub(crate) numbers: Map<Tree, AtomId>,
     pub(crate) differences: Vec<Difference>,
-    differences_of: Map<(Tree, Tree), usize>,
+    differences_of: Map<(Tree, Tree), AtomId>,
     /// What the edges look at, where they are used.
     pub(crate) edges: Vec<Option<Formula>>,
     pub(crate) shared: Vec<Formula>,
@@ -40,7 +40,7 @@ impl<'m> Compiler<'m> {
         Self {
             model,
             slots,
-            atoms: Vec::new(),
+            atoms: Arena::default(),
             numbers: Map::new(),
             differences: Vec::new(),
             differences_of: Map::new(),
@@ -62,8 +62,8 @@ impl<'m> Compiler<'m> {
             Tree::Binary(operator, a, b) => self.binary(tree, *operator, a, b),
             Tree::Elapsed(time, step) => {
                 let since = Tree::Read(Read::Since(*step));
-                let active = Formula::Is(self.atom(&Tree::Read(Read::Active(*step)), Kind::Step(step.index())));
-                let elapsed = self.elapsed(tree, *time, &since, Kind::Since(step.index()));
+                let active = Formula::Is(self.atom(&Tree::Read(Read::Active(*step)), Kind::Step(*step)));
+                let elapsed = self.elapsed(tree, *time, &since, Kind::Since(*step));
                 active.and(elapsed)
             }
             Tree::MacroElapsed(time, id) => {
@@ -119,7 +119,7 @@ impl<'m> Compiler<'m> {
             Read::MacroActive(id) if self.was => {
                 any(self.model.macros[id].steps.iter().map(|step| self.was_active(*step)).collect())
             }
-            Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step.index()))),
+            Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step))),
             Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id.index()))),
             Read::Name(Name::Input(_) | Name::Param(_)) => Formula::Is(self.atom(tree, Kind::Free)),
             Read::Name(Name::Var(id)) => self.place(tree, Place::Var(id)),
@@ -130,7 +130,7 @@ impl<'m> Compiler<'m> {
             Read::Blink(blink) => {
                 self.approximate = true;
                 let phase = match blink.of {
-                    Blinker::Step(step) => Kind::Phase(step.index()),
+                    Blinker::Step(step) => Kind::Phase(step),
                     Blinker::Macro(_) => Kind::Free,
                 };
                 let active = self.formula(&Tree::Read(blink.of.active()));
@@ -173,7 +173,7 @@ impl<'m> Compiler<'m> {
         let text = format!("{} at the begin of the cycle", self.model.steps[step].name);
         let tree =
             Tree::Opaque { text, reads: vec![Read::Active(step)], call: None, whole: false, open: false, of: None };
-        Formula::Is(self.atom(&tree, Kind::Was(step.index())))
+        Formula::Is(self.atom(&tree, Kind::Was(step)))
     }
 
     /// Whether the time of an action control's qualifier has come: unknown, and of nothing else that is unknown.
@@ -276,12 +276,11 @@ impl<'m> Compiler<'m> {
         Formula::Is(self.atom(tree, Kind::Free))
     }
 
-    fn atom(&mut self, tree: &Tree, kind: Kind) -> usize {
+    fn atom(&mut self, tree: &Tree, kind: Kind) -> AtomId {
         if let Some(number) = self.numbers.get(tree) {
             return *number;
         }
-        let number = self.atoms.len();
-        self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree), is_time: false });
+        let number = self.atoms.push(Atom { kind, what: tree.clone(), volatile: is_volatile(tree), is_time: false });
         self.numbers.insert(tree.clone(), number);
         number
     }

@@ -2,7 +2,7 @@
 
 use super::Compiler;
 use crate::analysis::differences::FAR;
-use crate::analysis::explore::net::formula::{Formula, Kind};
+use crate::analysis::explore::net::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::net::links::{Difference, Operand};
 use crate::analysis::numbers::{Sort, common, constant, domain, float_constant, is_arithmetic, range};
 use crate::model::{Binary, Id, Name, Read, Tree};
@@ -37,7 +37,7 @@ impl Compiler<'_> {
     }
 
     /// The atom of a float.
-    fn float(&mut self, tree: &Tree) -> usize {
+    fn float(&mut self, tree: &Tree) -> AtomId {
         self.approximate |= !matches!(tree, Tree::Read(Read::Name(Name::Input(_) | Name::Param(_))));
         self.atom(tree, Kind::Number(-FAR, FAR + 1))
     }
@@ -72,9 +72,9 @@ impl Compiler<'_> {
     }
 
     /// The atom of a number.
-    fn number(&mut self, tree: &Tree) -> Option<usize> {
+    fn number(&mut self, tree: &Tree) -> Option<AtomId> {
         let kind = match tree {
-            Tree::Read(Read::Since(step)) => Kind::Since(step.index()),
+            Tree::Read(Read::Since(step)) => Kind::Since(*step),
             Tree::Read(Read::MacroSince(id)) => Kind::MacroSince(id.index()),
             _ if !self.is_number(tree) && self.model.variants_of_tree(tree).is_none() => return None,
             _ => {
@@ -99,7 +99,7 @@ impl Compiler<'_> {
     }
 
     /// How far one number lies above another. What a time is compared with is compared with zero where the time is.
-    fn difference(&mut self, a: &Tree, b: &Tree, is_float: bool) -> usize {
+    fn difference(&mut self, a: &Tree, b: &Tree, is_float: bool) -> AtomId {
         let pair = (a.clone(), b.clone());
         if let Some(known) = self.differences_of.get(&pair) {
             return *known;

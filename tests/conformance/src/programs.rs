@@ -9,12 +9,13 @@ use std::time::Instant;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::program::Encoding;
 use grafcet_compiler::program::passes::Pass;
-use grafcet_conformance::program::{Outcome, compare, rests, sleeps};
-use grafcet_conformance::reader::Line;
-use grafcet_conformance::{chart, random, reader};
+
+use crate::program::{Outcome, compare, rests, sleeps};
+use crate::reader::Line;
+use crate::{chart, random, reader};
 
 const USAGE: &str = "\
-program [--charts N] [--cycles N] [--seed N] [--number N] [--dialect sfc|grafcet]
+conformance --program [--charts N] [--cycles N] [--seed N] [--number N] [--dialect sfc|grafcet]
 
   --charts   charts that the compiler accepts, of each dialect (default 2500)
   --cycles   cycles of each (default 200)
@@ -24,7 +25,10 @@ program [--charts N] [--cycles N] [--seed N] [--number N] [--dialect sfc|grafcet
 /// How many differences are shown.
 const SHOWN: usize = 5;
 
-fn main() -> ExitCode {
+/// What the example of this name runs, which [`emit`](crate::emit)'s crates have beside their charts: with the words of its command
+/// line.
+#[must_use]
+pub fn main() -> ExitCode {
     match run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
