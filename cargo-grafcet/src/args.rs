@@ -1,0 +1,147 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Args as Arguments, Parser, Subcommand, ValueEnum};
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::BrightGreen.on_default().bold())
+    .usage(AnsiColor::BrightGreen.on_default().bold())
+    .literal(AnsiColor::BrightCyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+/// What people do with charts of `grafcet!` outside a build
+#[derive(Parser, Debug)]
+#[command(name = "cargo grafcet", bin_name = "cargo grafcet", version, styles = STYLES)]
+#[command(after_help = "Exit codes: 0 all is well; 1 something is wrong with a chart; 2 it could not be done.")]
+pub(crate) struct Args {
+    /// Colours: only on terminals (auto), always or never
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]
+    pub(crate) color: Color,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+pub(crate) enum Command {
+    Check(Check),
+    Draw(Draw),
+}
+
+/// Which charts are meant.
+#[derive(Arguments, Debug)]
+pub(crate) struct Charts {
+    /// Files of Rust with calls of `grafcet!`, or with a chart alone; none: the whole crate, with all its modules, examples and tests
+    #[arg(value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// Only charts of this name; more than once for several
+    #[arg(long, value_name = "NAME")]
+    pub(crate) chart: Vec<String>,
+    /// The crate of this name in the workspace; more than once for several
+    #[arg(long, short, value_name = "NAME", conflicts_with = "files")]
+    pub(crate) package: Vec<String>,
+    /// All crates of the workspace
+    #[arg(long, conflicts_with_all = ["files", "package"])]
+    pub(crate) workspace: bool,
+    /// The `Cargo.toml` of the crate, instead of the one in this folder or above it
+    #[arg(long, value_name = "PATH", conflicts_with = "files")]
+    pub(crate) manifest_path: Option<PathBuf>,
+}
+
+/// Say what the compiler says about charts: rules and properties
+///
+/// It finds every `grafcet!` of a crate and shows its mistakes, warnings and properties that do not hold at their places in the file, as the
+/// build does, and it builds nothing. What `rustc` alone can know, as the types of your functions, only the build tells.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet check                          the crate in this folder
+  cargo grafcet check src/press.rs --chart Press
+  cargo grafcet check --format sarif > charts.sarif    for code scanning in CI
+
+Exit code 1 says that a chart has errors, with --deny-warnings also that it has warnings.")]
+pub(crate) struct Check {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// For people, one JSON object a message, or SARIF 2.1.0
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    pub(crate) format: Format,
+    /// The same as --format json
+    #[arg(long, conflicts_with_all = ["format", "sarif"])]
+    pub(crate) json: bool,
+    /// The same as --format sarif
+    #[arg(long, conflicts_with = "format")]
+    pub(crate) sarif: bool,
+    /// Exit code 1 for warnings, too
+    #[arg(long)]
+    pub(crate) deny_warnings: bool,
+    /// Let a solver decide the properties that the checker leaves open, as the feature `prove` of the crate `grafcet` does
+    #[arg(long)]
+    pub(crate) prove: bool,
+}
+
+/// Draw charts: SVG, text for a terminal, Mermaid
+///
+/// The notation is that of IEC 60848. One chart goes to the output of the program or to a file, several to files in a folder.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet draw --chart Motor              in the terminal
+  cargo grafcet draw --chart Motor -o motor.svg
+  cargo grafcet draw --out drawings             all charts of the crate as drawings/NAME.svg")]
+pub(crate) struct Draw {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// What kind of drawing; else by the end of the file's name, SVG in a folder, and text
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub(crate) format: Option<Picture>,
+    /// Write the one chart to this file
+    #[arg(long, short, value_name = "FILE", conflicts_with = "out")]
+    pub(crate) output: Option<PathBuf>,
+    /// Write each chart to a file of its name in this folder, which is made where it is not there
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) out: Option<PathBuf>,
+    /// Mark these steps as active
+    #[arg(long, value_name = "STEP,…", value_delimiter = ',')]
+    pub(crate) active: Vec<String>,
+    /// The widest text: what stands side by side stands one below the other where there is no room
+    #[arg(long, value_name = "COLUMNS")]
+    pub(crate) width: Option<u16>,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum Format {
+    #[default]
+    Human,
+    Json,
+    Sarif,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Picture {
+    Svg,
+    Text,
+    Mermaid,
+}
+
+/// As `anstream` names it.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum Color {
+    #[default]
+    Auto,
+    Always,
+    Never,
+}
+
+impl Color {
+    /// For everything that is written from here on.
+    pub(crate) fn write_global(self) {
+        let choice = match self {
+            Self::Auto => anstream::ColorChoice::Auto,
+            Self::Always => anstream::ColorChoice::Always,
+            Self::Never => anstream::ColorChoice::Never,
+        };
+        choice.write_global();
+    }
+}
