@@ -27,6 +27,19 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     Check(Check),
     Draw(Draw),
+    #[command(subcommand)]
+    Export(Export),
+}
+
+/// Where the result goes.
+#[derive(Arguments, Debug)]
+pub(crate) struct Target {
+    /// Write the one chart to this file
+    #[arg(long, short, value_name = "FILE", conflicts_with = "out")]
+    pub(crate) output: Option<PathBuf>,
+    /// Write each chart to a file of its name in this folder, which is made where it is not there
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 /// Which charts are meant.
@@ -96,18 +109,61 @@ pub(crate) struct Draw {
     /// What kind of drawing; else by the end of the file's name, SVG in a folder, and text
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub(crate) format: Option<Picture>,
-    /// Write the one chart to this file
-    #[arg(long, short, value_name = "FILE", conflicts_with = "out")]
-    pub(crate) output: Option<PathBuf>,
-    /// Write each chart to a file of its name in this folder, which is made where it is not there
-    #[arg(long, value_name = "FOLDER")]
-    pub(crate) out: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) target: Target,
     /// Mark these steps as active
     #[arg(long, value_name = "STEP,…", value_delimiter = ',')]
     pub(crate) active: Vec<String>,
     /// The widest text: what stands side by side stands one below the other where there is no room
     #[arg(long, value_name = "COLUMNS")]
     pub(crate) width: Option<u16>,
+}
+
+/// Write charts in other notations
+#[derive(Subcommand, Debug)]
+pub(crate) enum Export {
+    St(StructuredText),
+}
+
+/// Structured text (IEC 61131-3): a function block
+///
+/// The header of the program says in which points it differs from the chart. What has no translation is an error at its place, and nothing is written. Rust
+/// functions and code actions become declared functions and function blocks that you have to write; they are listed.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export st --chart Motor
+  cargo grafcet export st --chart Motor --form flip-flops -o motor.st
+  cargo grafcet export st --out st              all charts of the crate as st/NAME.st
+
+Exit code 1 says that a chart has errors or no translation.")]
+pub(crate) struct StructuredText {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) target: Target,
+    /// One CASE for the active step, which acts and then evolves; or a flip-flop for each step, which evolves and then acts
+    #[arg(long, value_enum, default_value_t, value_name = "FORM")]
+    pub(crate) form: StForm,
+    /// The number of the first step of a CASE
+    #[arg(long, default_value_t = 10, value_name = "NUMBER")]
+    pub(crate) first: u32,
+    /// How far the number of the next step is from it
+    #[arg(long, default_value_t = 10, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) by: u32,
+    /// The variable with the number of the active step
+    #[arg(long, default_value = "StepNo", value_name = "NAME")]
+    pub(crate) step: String,
+    /// The input that puts the chart back into its initial situation
+    #[arg(long, default_value = "Init", value_name = "NAME")]
+    pub(crate) init: String,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum StForm {
+    #[default]
+    Case,
+    FlipFlops,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]

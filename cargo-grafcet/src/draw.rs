@@ -1,7 +1,6 @@
 //! `cargo grafcet draw`
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use grafcet_compiler::describe::with_description;
 use grafcet_compiler::diagnostic::Sink;
@@ -11,41 +10,18 @@ use grafcet_compiler::plant;
 use crate::args::{Draw, Picture};
 use crate::find::{self, Found};
 use crate::report::{Message, human};
-use crate::{Failure, Outcome, check, complain, say};
+use crate::{Failure, Outcome, check, complain, output};
 
 pub(crate) fn run(options: &Draw) -> Result<Outcome, Failure> {
     let charts = find::charts(&options.charts)?;
-    let Some(folder) = &options.out else {
-        let [chart] = &charts[..] else {
-            let one = find::one_of(&charts);
-            return Err(Failure::Said(format!(
-                "{} charts, and one goes to one output: {one}; or --out FOLDER for all",
-                charts.len()
-            )));
-        };
-        let kind = options.format.unwrap_or_else(|| kind_of(options.output.as_deref()));
-        let Some(picture) = picture(chart, kind, options)? else { return Ok(Outcome::Wrong) };
-        match &options.output {
-            Some(file) => fs::write(file, picture).map_err(|error| Failure::file(file, &error))?,
-            None => say(&picture)?,
-        }
-        return Ok(Outcome::Well);
+    let in_folder = options.target.out.as_ref().map(|_| Picture::Svg);
+    let kind = options.format.or(in_folder).unwrap_or_else(|| kind_of(options.target.output.as_deref()));
+    let ending = match kind {
+        Picture::Svg => "svg",
+        Picture::Text => "txt",
+        Picture::Mermaid => "mmd",
     };
-    let kind = options.format.unwrap_or(Picture::Svg);
-    fs::create_dir_all(folder).map_err(|error| Failure::file(folder, &error))?;
-    let (mut wrong, mut written) = (false, Vec::new());
-    for chart in &charts {
-        match picture(chart, kind, options)? {
-            Some(picture) => {
-                let file = free(folder, &chart.name, kind, &written);
-                fs::write(&file, picture).map_err(|error| Failure::file(&file, &error))?;
-                say(&format!("{}\n", file.display()))?;
-                written.push(file);
-            }
-            None => wrong = true,
-        }
-    }
-    Ok(Outcome::wrong_if(wrong))
+    output::each(&charts, &options.target, ending, |chart| picture(chart, kind, options))
 }
 
 /// By the end of the file's name.
@@ -55,26 +31,6 @@ fn kind_of(file: Option<&Path>) -> Picture {
         Some("mmd" | "mermaid") => Picture::Mermaid,
         _ => Picture::Text,
     }
-}
-
-/// `Motor.svg`; of charts with one name the second is `Motor-2.svg`, also where the file system takes capitals for small letters.
-fn free(folder: &Path, name: &str, kind: Picture, written: &[PathBuf]) -> PathBuf {
-    let end = match kind {
-        Picture::Svg => "svg",
-        Picture::Text => "txt",
-        Picture::Mermaid => "mmd",
-    };
-    let taken = |file: &Path| {
-        let small = file.display().to_string().to_lowercase();
-        written.iter().any(|other| other.display().to_string().to_lowercase() == small)
-    };
-    let mut file = folder.join(format!("{name}.{end}"));
-    let mut number = 2;
-    while taken(&file) {
-        file = folder.join(format!("{name}-{number}.{end}"));
-        number += 1;
-    }
-    file
 }
 
 /// None where the chart has mistakes that leave nothing to draw, which have been shown.

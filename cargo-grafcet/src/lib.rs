@@ -3,7 +3,9 @@
 mod args;
 mod check;
 mod draw;
+mod export;
 mod find;
+mod output;
 mod report;
 
 use std::ffi::OsString;
@@ -40,6 +42,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let done = match &args.command {
         Command::Check(options) => check::run(options),
         Command::Draw(options) => draw::run(options),
+        Command::Export(options) => export::run(options),
     };
     match done {
         Ok(Outcome::Well) | Err(Failure::Silent) => ExitCode::SUCCESS,

@@ -4,7 +4,9 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use proc_macro2::Span;
 
 use super::{Message, Note, Place};
-use crate::find::Source;
+use grafcet_exchange::Refused;
+
+use crate::find::{Found, Source};
 
 /// One message with all who take part.
 pub(crate) fn shown(message: &Message) -> String {
@@ -33,6 +35,17 @@ pub(crate) fn shown(message: &Message) -> String {
 
 fn snippet<'s>(source: &'s Source, path: &'s str, note: &Note<'_>) -> Snippet<'s, annotate_snippets::Annotation<'s>> {
     Snippet::source(&source.text).path(path).annotation(AnnotationKind::Primary.span(note.place.start..note.place.end))
+}
+
+/// Why a chart has no translation, at its place or at the chart's call.
+pub(crate) fn refused(chart: &Found, refused: &Refused) -> String {
+    let mark = refused.mark.unwrap_or_else(|| chart.call.into());
+    let place = Place::of(mark, &chart.source).unwrap_or_else(|| Place::or_begin(chart.call, &chart.source));
+    let path = chart.source.path.display().to_string();
+    let note = Note { place, sentence: &refused.message, table: "" };
+    let title = format!("{} has no translation: {}", chart.name, refused.message);
+    let group = Group::with_title(Level::ERROR.primary_title(&title)).element(snippet(&chart.source, &path, &note));
+    format!("{}\n", Renderer::styled().render(&[group]))
 }
 
 /// An error at a place, for what is no chart.

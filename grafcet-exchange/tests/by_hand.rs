@@ -1,0 +1,246 @@
+//! Programs worked out by hand: the listings of the source document, timelines, functions, and what has no translation.
+
+#[path = "machine/mod.rs"]
+mod machine;
+
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::Model;
+use grafcet_compiler::plant;
+use grafcet_exchange::st::{Form, Options, structured_text};
+use machine::{Machine, Statement, Value, statements, units};
+
+fn model(chart: &str) -> Model {
+    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
+    let mut sink = Sink::new();
+    let model = plant::model(tokens, &mut sink);
+    let said = sink.finish();
+    assert!(said.is_empty(), "{said:?}");
+    model.expect("a chart")
+}
+
+fn program(chart: &str, form: Form) -> String {
+    match structured_text(&model(chart), &Options { form, ..Options::default() }) {
+        Ok(program) => program.text,
+        Err(refused) => panic!("{refused:?}"),
+    }
+}
+
+const LINE: &str = "grafcet Line24V { input b1, b2, b3, b4, b5: bool; output q1, q2, q3: bool;
+    initial step S1 { q1; } step S2 { S q2; } step S3 { q3 if b5; } step S4 { R q2; }
+    S1 -[b1]-> S2 -[b2]-> S3 -[b3]-> S4 -[b4]-> S1; }";
+
+/// Bild 15 of the source document, statement by statement. Beyond it `Init` resets the outputs: the document says of the flip-flops that an
+/// action would stay set otherwise, and what a step has switched on its transition would never switch off.
+#[test]
+fn bild_15() {
+    let options = Options { numbers: (1, 1), step: "schrittnummer".to_owned(), ..Options::default() };
+    let text = structured_text(&model(LINE), &options).expect("a translation").text;
+    let mut body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let Some(Statement::If(branches, _)) = body.first_mut() else { panic!("{body:?}") };
+    let resets = branches[0].1.split_off(1);
+    assert_eq!(resets, statements("q1 := FALSE; q2 := FALSE; q3 := FALSE;").expect("statements"));
+    assert_eq!(body, statements(include_str!("bild15.st")).expect("the listing"));
+}
+
+/// Bild 5 to 8: a flip-flop for each step and for the stored action, assignments for the continuous ones. A step is reset by the transition to its
+/// successor and not by the successor's flag, which is one scan late.
+#[test]
+fn bild_5_to_8() {
+    let text = program(LINE, Form::FlipFlops);
+    let body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let expected = "
+        IF Init THEN
+            SR_S1 := TRUE; SR_S2 := FALSE; SR_S3 := FALSE; SR_S4 := FALSE; Started := FALSE;
+            q1 := FALSE; q2 := FALSE; q3 := FALSE;
+        END_IF;
+        Tr_1 := Started AND SR_S1 AND b1;
+        Tr_2 := Started AND SR_S2 AND b2;
+        Tr_3 := Started AND SR_S3 AND b3;
+        Tr_4 := Started AND SR_S4 AND b4;
+        SR_S1 := (SR_S1 OR Tr_4) AND NOT Tr_1;
+        SR_S2 := (SR_S2 OR Tr_1) AND NOT Tr_2;
+        SR_S3 := (SR_S3 OR Tr_2) AND NOT Tr_3;
+        SR_S4 := (SR_S4 OR Tr_3) AND NOT Tr_4;
+        q1 := SR_S1;
+        q2_R := SR_S4;
+        q2 := (q2 OR SR_S2) AND NOT q2_R;
+        q3 := SR_S3 AND b5;
+        Started := TRUE;";
+    assert_eq!(body, statements(expected).expect("statements"), "{text}");
+}
+
+/// Sets inputs, makes a scan, and shows the values of these names.
+fn scan(machine: &mut Machine, now: u64, inputs: &[(&str, bool)], shown: &[&str]) -> Vec<i128> {
+    machine.now = now;
+    for (name, value) in inputs {
+        machine.set(name, Value::Bool(*value)).expect("an input");
+    }
+    machine.scan().expect("a scan");
+    shown.iter().map(|name| machine.get(name).expect("a variable").number()).collect()
+}
+
+/// The CASE form acts, then evolves: P1 in the first scan of its step, P0 and the final scan with the transition, the time from the scan in which the step
+/// was entered.
+#[test]
+fn a_timeline_of_the_case_form() {
+    let chart = "sfc Mixer { input go: bool; output run: bool; output lit: bool; var starts: u8 = 0; var turns: u8 = 0; var ends: u8 = 0;
+        initial step Idle { R lit; }
+        step Mix { N run; S lit; P1 starts = starts + 1; N turns = turns + 1; P0 ends = ends + 1; }
+        Idle -[go && ends < 200 && turns < 200 && starts < 200]-> Mix -[3s/Mix]-> Idle; }";
+    let mut machine = Machine::new(&program(chart, Form::Case)).expect("understood");
+    let names = ["StepNo", "run", "lit", "starts", "turns", "ends"];
+    let mut scan = |now, go, init| scan(&mut machine, now, &[("go", go), ("Init", init)], &names);
+    assert_eq!(scan(0, false, false), [10, 0, 0, 0, 0, 0]);
+    // Entered at 1 s; it acts one scan later.
+    assert_eq!(scan(1_000, true, false), [20, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(2_000, false, false), [20, 1, 1, 1, 1, 0]);
+    assert_eq!(scan(3_999, false, false), [20, 1, 1, 1, 2, 0]);
+    // Three seconds after it was entered: a turn, the final scan, P0; what is continuous is off, what is stored stays.
+    assert_eq!(scan(4_000, false, false), [10, 0, 1, 1, 4, 1]);
+    assert_eq!(scan(4_001, true, false), [20, 0, 0, 1, 4, 1]);
+    assert_eq!(scan(4_002, false, false), [20, 1, 1, 2, 5, 1]);
+    // Back to the beginning, with everything, and no P0.
+    assert_eq!(scan(4_003, false, true), [10, 0, 0, 0, 0, 0]);
+    // The time of the step does not go on from before.
+    assert_eq!(scan(4_004, true, false), [20, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(7_003, false, false), [20, 1, 1, 1, 1, 0]);
+    assert_eq!(scan(7_004, false, false), [10, 0, 1, 1, 3, 1]);
+}
+
+/// Rust functions are functions to be written, code actions function blocks.
+#[test]
+fn functions_of_the_program() {
+    let chart = "sfc Oven { input level: u16; output hot: bool; action heat(setpoint: i16); action beep();
+        initial step Off { P1 beep(); } step On { N heat(80); hot; }
+        Off -[limits::valid(level) && level > 5]-> On -[!limits::valid(level)]-> Off; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let done = structured_text(&model(chart), &Options { form, ..Options::default() }).expect("a translation");
+        let names: Vec<&str> = done.to_write.iter().map(|(name, _)| name.as_str()).collect();
+        let mut sorted = names.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, ["FB_beep", "FB_heat", "valid"], "{form:?}");
+        assert!(done.to_write.iter().any(|(_, rust)| rust == "limits::valid(level)"), "{:?}", done.to_write);
+        let mut machine = Machine::new(&done.text).expect("understood");
+        // What the function returns.
+        machine.world = |name, arguments| {
+            assert_eq!(name, "valid");
+            Value::Bool(arguments == [Value::Int(9)])
+        };
+        let mut calls: Vec<Vec<(String, Vec<i128>)>> = Vec::new();
+        for level in [0, 9, 9, 9, 0, 0] {
+            machine.set("level", Value::Int(level)).expect("an input");
+            machine.scan().expect("a scan");
+            calls.push(
+                machine
+                    .calls
+                    .iter()
+                    .map(|call| (call.instance.clone(), call.arguments.iter().map(|value| value.number()).collect()))
+                    .collect(),
+            );
+        }
+        let beep = || ("beep".to_owned(), vec![0]);
+        let heat = |phase| ("heat".to_owned(), vec![phase, 80]);
+        let expected: [Vec<(String, Vec<i128>)>; 6] = match form {
+            // It beeps once, and enters the step; there it heats first, again, and in the scan in which it is left again and for the last time.
+            Form::Case => [vec![beep()], vec![], vec![heat(0)], vec![heat(1)], vec![heat(1), heat(2)], vec![beep()]],
+            Form::FlipFlops => {
+                [vec![beep()], vec![heat(0)], vec![heat(1)], vec![heat(1)], vec![heat(2), beep()], vec![]]
+            }
+        };
+        assert_eq!(calls, expected, "{form:?}");
+    }
+}
+
+/// What has no translation is an error that says why, at its place; nothing else is written.
+#[test]
+fn what_has_no_translation() {
+    let both = [Form::Case, Form::FlipFlops];
+    let case = [Form::Case];
+    let flags = [Form::FlipFlops];
+    let cases: [(&[Form], &str, &str); 14] = [
+        (
+            &both,
+            "grafcet C { input a: bool; partial Net { initial step A; step B; A -[a]-> B -[!a]-> A; } }",
+            "partial grafcets",
+        ),
+        (
+            &both,
+            "grafcet C { input a: bool; initial step A; step B; A -[a]-> B -[!a]-> A; () -[rising(a)]-> A; }",
+            "source and sink transitions",
+        ),
+        (
+            &both,
+            "sfc C { input level: f32; initial step A; step B; A -[level > 1.0]-> B -[level < 0.5]-> A; }",
+            "`level` is of a type of the program or a float",
+        ),
+        (
+            &both,
+            "sfc C { input n: usize; initial step A; step B; A -[n > 1]-> B -[n < 1]-> A; }",
+            "`n` is an integer that no PLC has",
+        ),
+        (
+            &both,
+            "sfc C { clock 1us; input a: bool; initial step A; step B; A -[a]-> B -[1500us/B]-> A; }",
+            "`TIME` counts milliseconds",
+        ),
+        (
+            &both,
+            "sfc C { input n: u8; initial step A; step B; A -[n & 1 == 1]-> B -[n == 0]-> A; }",
+            "on the bits of integers",
+        ),
+        (
+            &both,
+            "sfc C { input a: bool; output q: bool; initial step A; step B { q if blink(1s); } A -[a]-> B -[!a]-> A; }",
+            "`blink`",
+        ),
+        (
+            &both,
+            "sfc C { input a: bool; initial step A; step B; A -[a]-> B -[falling(A.X) && a]-> A; }",
+            "an edge of what the chart itself changes",
+        ),
+        (
+            &both,
+            "sfc C { input a: bool; var n: u8 = 0; initial step A; step B { P1 { for i in 0..3 { n += i; } } } A -[a && n < 9]-> B -[!a]-> A; }",
+            "this Rust has no translation",
+        ),
+        (
+            &case,
+            "sfc C { input a: bool; initial step A; step B; step E; A -[a]-> (B, E); (B, E) -[!a]-> A; }",
+            "`B` and `E` can be active together: use the form of flip-flops",
+        ),
+        (
+            &case,
+            "sfc C { input a: bool; output q: bool; initial step A { R q; } step B { SD 2s q; } A -[a]-> B -[!a]-> A; }",
+            "what `SD` does outlives its step",
+        ),
+        (
+            &case,
+            "sfc C { input a: bool; output q: bool; initial step A { L 2s q; } step B { L 2s q; } A -[a]-> B -[!a]-> A; }",
+            "share the time of `L`",
+        ),
+        (
+            &case,
+            "sfc C { input a: bool; output q, p: bool; initial step A { N q; } step B { N p if q; } A -[a]-> B -[!a]-> A; }",
+            "it reads `q`, which the CASE form switches off",
+        ),
+        (
+            &flags,
+            "sfc C { input a: bool; output q: bool; initial step A { L 2s q; } step B { L 3s q; } A -[a]-> B -[!a]-> A; }",
+            "`L` of `q` has two times",
+        ),
+    ];
+    for (forms, chart, why) in cases {
+        let model = model(chart);
+        for form in [Form::Case, Form::FlipFlops] {
+            let done = structured_text(&model, &Options { form, ..Options::default() });
+            match done {
+                Err(refused) if forms.contains(&form) => {
+                    assert!(refused.iter().any(|one| one.message.contains(why)), "{chart}: {refused:?}");
+                }
+                Ok(_) if !forms.contains(&form) || forms.len() == 1 && forms[0] != form => {}
+                Ok(done) => panic!("{chart}: {form:?} should be refused: {why}\n{}", done.text),
+                Err(refused) => assert!(!forms.contains(&form) && forms.len() == 1, "{chart}: {form:?}: {refused:?}"),
+            }
+        }
+    }
+}
