@@ -29,6 +29,9 @@ pub(crate) enum Command {
     Draw(Draw),
     #[command(subcommand)]
     Export(Export),
+    Replay(Replay),
+    Coverage(Coverage),
+    Prove(Prove),
 }
 
 /// Where the result goes.
@@ -123,6 +126,23 @@ pub(crate) struct Draw {
 #[derive(Subcommand, Debug)]
 pub(crate) enum Export {
     St(StructuredText),
+    Pnml(Pnml),
+}
+
+/// PNML: a chart as a Petri net, for tools that look at these
+///
+/// A place for each step and a transition for each transition; conditions become names. Forcing orders and enclosing steps are none of a net.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export pnml --chart Cell -o cell.pnml
+
+Exit code 1 says that a chart has errors or is no net.")]
+pub(crate) struct Pnml {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) target: Target,
 }
 
 /// Structured text (IEC 61131-3): a function block
@@ -164,6 +184,97 @@ pub(crate) enum StForm {
     #[default]
     Case,
     FlipFlops,
+}
+
+/// Run a record of the flight recorder again, from the chart's source
+///
+/// It shows cycle by cycle what the chart did and what it waited for. What is missing or differs from the recorded states is a warning.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet replay cell.record src/cell.rs --chart Cell
+  cargo grafcet replay cell.record --chart Cell --html cell.html
+
+Exit code 1 says that there are warnings, or that the record cannot be run.")]
+pub(crate) struct Replay {
+    /// The memory of a recorder, or what it has sent over a wire
+    pub(crate) record: PathBuf,
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Write a page with the chart and the chronogram to step through
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    /// Write a waveform (VCD)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) vcd: Option<PathBuf>,
+    /// Write a chronogram (SVG)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Also a record of another version of the chart, with the same inputs and parameters
+    #[arg(long)]
+    pub(crate) even_if_changed: bool,
+}
+
+/// Say what scripts and records have covered of a chart
+///
+/// Steps, transitions, and of each condition the parts that have decided as true and as false (masking MC/DC). A script has one line a cycle with the inputs
+/// that are true.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet coverage --chart Motor --script motor.script
+  cargo grafcet coverage --chart Motor --script a.script --script b.script --lcov motor.info
+
+Exit code 1 says that something is not covered.")]
+pub(crate) struct Coverage {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Cycles as lines; more than once for several
+    #[arg(long, value_name = "FILE", required_unless_present = "record")]
+    pub(crate) script: Vec<PathBuf>,
+    /// A record of the flight recorder; more than once for several
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Vec<PathBuf>,
+    /// What need not be covered: the beginning of a line of the output; more than once for several
+    #[arg(long, value_name = "WORDS")]
+    pub(crate) except: Vec<String>,
+    /// Write an LCOV file about the chart's source
+    #[arg(long, value_name = "FILE")]
+    pub(crate) lcov: Option<PathBuf>,
+    /// One JSON object instead of lines
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Prove or refute what charts claim
+///
+/// Each property is proved for all inputs and all times, or broken by a way of cycles, which is shown.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet prove --chart Crossing
+  cargo grafcet prove --chart Crossing --why     what holds in every situation, from which each proof follows
+  cargo grafcet prove --chart Crossing --aiger crossing.aig
+
+Exit code 1 says that a property is broken, undecided, or not modelled.")]
+pub(crate) struct Prove {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// The longest time for each property
+    #[arg(long, default_value_t = 10, value_name = "SECONDS")]
+    pub(crate) seconds: u64,
+    /// What holds in every situation, from which each proof follows
+    #[arg(long)]
+    pub(crate) why: bool,
+    /// Write the circuit of the one chart as AIGER, as text where the name ends with .aag
+    #[arg(long, value_name = "FILE")]
+    pub(crate) aiger: Option<PathBuf>,
+    /// Write the circuit of the one chart as BTOR2
+    #[arg(long, value_name = "FILE")]
+    pub(crate) btor2: Option<PathBuf>,
+    /// One JSON object a property
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]

@@ -3,14 +3,12 @@
 use std::path::Path;
 
 use grafcet_compiler::describe::with_description;
-use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::plant;
 
 use crate::args::{Draw, Picture};
 use crate::find::{self, Found};
-use crate::report::{Message, human};
-use crate::{Failure, Outcome, check, complain, output};
+use crate::model::drawn;
+use crate::{Failure, Outcome, output};
 
 pub(crate) fn run(options: &Draw) -> Result<Outcome, Failure> {
     let charts = find::charts(&options.charts)?;
@@ -35,16 +33,7 @@ fn kind_of(file: Option<&Path>) -> Picture {
 
 /// None where the chart has mistakes that leave nothing to draw, which have been shown.
 fn picture(chart: &Found, kind: Picture, options: &Draw) -> Result<Option<String>, Failure> {
-    let mut sink = Sink::new();
-    let model = plant::model(chart.tokens.clone(), &mut sink);
-    let said = sink.finish();
-    let whole = model.filter(|model| !model.incomplete && said.iter().all(|one| one.rule.is_some()));
-    let Some(model) = whole else {
-        for message in check::messages_of(chart, None).iter().filter(|message| Message::is_error(message)) {
-            complain(&human::shown(message));
-        }
-        return Ok(None);
-    };
+    let Some(model) = drawn(chart) else { return Ok(None) };
     let active = Active::of(&model, &options.active, chart)?;
     Ok(Some(with_description(&model, |description| match kind {
         Picture::Svg => grafcet_draw::svg(description, &active),

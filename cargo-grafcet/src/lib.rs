@@ -2,10 +2,14 @@
 
 mod args;
 mod check;
+mod coverage;
 mod draw;
 mod export;
 mod find;
+mod model;
 mod output;
+mod prove;
+mod replay;
 mod report;
 
 use std::ffi::OsString;
@@ -43,6 +47,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(options) => check::run(options),
         Command::Draw(options) => draw::run(options),
         Command::Export(options) => export::run(options),
+        Command::Replay(options) => replay::run(options),
+        Command::Coverage(options) => coverage::run(options),
+        Command::Prove(options) => prove::run(options),
     };
     match done {
         Ok(Outcome::Well) | Err(Failure::Silent) => ExitCode::SUCCESS,

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod pnml;
 mod refused;
 pub mod st;
 

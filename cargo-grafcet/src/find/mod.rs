@@ -51,6 +51,18 @@ pub(crate) fn charts(options: &Charts) -> Result<Vec<Found>, Failure> {
     Ok(charts)
 }
 
+/// The one chart that is meant.
+///
+/// # Errors
+/// As of [`charts`], or there are several.
+pub(crate) fn one(options: &Charts) -> Result<Found, Failure> {
+    let mut charts = charts(options)?;
+    match charts.len() {
+        1 => Ok(charts.remove(0)),
+        count => Err(Failure::Said(format!("{count} charts, and one is meant: {}", one_of(&charts)))),
+    }
+}
+
 /// `--chart Motor`, `--chart Valve` or …: how to choose.
 pub(crate) fn one_of(charts: &[Found]) -> String {
     const MOST: usize = 8;
