@@ -107,6 +107,55 @@ fn a_timeline_of_the_case_form() {
     assert_eq!(scan(7_004, false, false), [10, 0, 1, 1, 3, 1]);
 }
 
+/// The form of flip-flops evolves, then acts: a reset dominates a set of the same scan, SD counts on beyond its condition, a limit ends, P1 and P0 run once, and
+/// values are those of the last step in the source.
+#[test]
+fn a_timeline_of_the_flip_flops() {
+    let chart = "sfc Cell { #![allow(grafcet::conflicting_values)]
+        input go, stop: bool; output q, kept, late, short: bool; output speed: u8 = 1; var ins: u8 = 0; var outs: u8 = 0;
+        initial step A; step B { S q; S kept; SD 2s late; L 1s short; N speed = 5; P1 ins = ins + 1; P0 outs = outs + 1; }
+        step E { R q; N speed = 7; } step F { R kept; R late; }
+        A -[go && ins < 200 && outs < 200]-> (B, E); (B, E) -[!go]-> F -[stop]-> A; }";
+    let mut machine = Machine::new(&program(chart, Form::FlipFlops)).expect("understood");
+    let names = ["SR_A", "SR_B", "SR_E", "SR_F", "q", "kept", "late", "short", "speed", "ins", "outs"];
+    let mut scan = |now, go, stop| scan(&mut machine, now, &[("go", go), ("stop", stop)], &names);
+    // The first scan only enters the initial step.
+    assert_eq!(scan(0, true, false), [1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0]);
+    assert_eq!(scan(1_000, true, false), [0, 1, 1, 0, 0, 1, 0, 1, 7, 1, 0]);
+    assert_eq!(scan(1_999, true, false), [0, 1, 1, 0, 0, 1, 0, 1, 7, 1, 0]);
+    assert_eq!(scan(2_000, true, false), [0, 1, 1, 0, 0, 1, 0, 0, 7, 1, 0]);
+    assert_eq!(scan(3_000, true, false), [0, 1, 1, 0, 0, 1, 1, 0, 7, 1, 0]);
+    assert_eq!(scan(4_000, false, false), [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1]);
+    assert_eq!(scan(4_500, true, true), [1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1]);
+    assert_eq!(scan(4_600, true, true), [0, 1, 1, 0, 0, 1, 0, 1, 7, 2, 1]);
+}
+
+/// What is on in the first scan has not risen, nor has it after `Init`.
+#[test]
+fn no_edge_at_the_beginning() {
+    let chart = "grafcet Door { input a: bool; output q: bool; initial step Shut; step Open { q; }
+        Shut -[rising(a)]-> Open -[falling(a)]-> Shut; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let mut machine = Machine::new(&program(chart, form)).expect("understood");
+        let mut after = |a, init| {
+            // Twice, so that what the step does shows in both forms.
+            scan(&mut machine, 0, &[("a", a), ("Init", init)], &[]);
+            scan(&mut machine, 0, &[("Init", false)], &["q"])[0]
+        };
+        assert_eq!(
+            [after(true, false), after(false, false), after(true, false), after(true, false)],
+            [0, 0, 1, 1],
+            "{form:?}"
+        );
+        assert_eq!(
+            [after(true, true), after(true, false), after(false, false), after(true, false)],
+            [0, 0, 0, 1],
+            "{form:?}"
+        );
+        assert_eq!(after(false, false), 0, "{form:?}");
+    }
+}
+
 /// Rust functions are functions to be written, code actions function blocks.
 #[test]
 fn functions_of_the_program() {
@@ -157,7 +206,7 @@ fn what_has_no_translation() {
     let both = [Form::Case, Form::FlipFlops];
     let case = [Form::Case];
     let flags = [Form::FlipFlops];
-    let cases: [(&[Form], &str, &str); 14] = [
+    let cases: [(&[Form], &str, &str); 18] = [
         (
             &both,
             "grafcet C { input a: bool; partial Net { initial step A; step B; A -[a]-> B -[!a]-> A; } }",
@@ -222,6 +271,26 @@ fn what_has_no_translation() {
             &case,
             "sfc C { input a: bool; output q, p: bool; initial step A { N q; } step B { N p if q; } A -[a]-> B -[!a]-> A; }",
             "it reads `q`, which the CASE form switches off",
+        ),
+        (
+            &case,
+            "grafcet C { input a: bool; output q: bool; var n, m: u8 = 0; initial step A { P0 n = 1; } step B { P1 m = n; q if m > 0; } A -[a]-> B -[!a]-> A; }",
+            "it reads `n` as it was before another action of the same moment",
+        ),
+        (
+            &case,
+            "grafcet C { input a, b: bool; var n: u8 = 0; initial step A { on rising(b) n = 1; } step B; A -[a && n > 0]-> B -[!a]-> A; }",
+            "it reads `n` as it was before the action on an event",
+        ),
+        (
+            &case,
+            "sfc C { input a: bool; output speed: u8; var n: u8 = 0; initial step A; step B { N n = 3; speed = n; } A -[a]-> B -[!a]-> A; }",
+            "it shows `n` while that changes in each scan",
+        ),
+        (
+            &flags,
+            "sfc C { input a: bool; output q: bool; var n: u8 = 0; initial step A { P1 n = 1; } step B { P1 n = 4; q if n > 3; } A -[a]-> B -[!a]-> A; }",
+            "the condition reads `n` as it was before the actions of the scan",
         ),
         (
             &flags,
