@@ -156,6 +156,32 @@ fn no_edge_at_the_beginning() {
     }
 }
 
+/// In a `grafcet` a stored action asks its condition, and a call its arguments, of variables too.
+#[test]
+fn conditions_over_variables() {
+    let chart = "grafcet Batch { input a: bool; output q: u8; var m: u8 = 0; action tell(count: u8);
+        initial step A { P1 m = 3; } step B { P1 q = 7 if m > 2; N tell(m) if m > 2; }
+        A -[a]-> B -[!a]-> A; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let Ok(done) = structured_text(&model(chart), &Options { form, ..Options::default() }) else {
+            assert_eq!(form, Form::Case, "whether the call has begun depends on a condition");
+            continue;
+        };
+        let mut machine = Machine::new(&done.text).expect("understood");
+        assert_eq!(scan(&mut machine, 0, &[("a", false)], &["q", "m"]), [0, 3]);
+        assert_eq!(scan(&mut machine, 0, &[("a", true)], &["q", "m"]), [7, 3]);
+        assert_eq!(
+            machine.calls.iter().map(|call| call.arguments.clone()).collect::<Vec<_>>(),
+            [[Value::Int(0), Value::Int(3)]]
+        );
+        assert_eq!(scan(&mut machine, 0, &[("a", true)], &["q", "m"]), [7, 3]);
+        assert_eq!(
+            machine.calls.iter().map(|call| call.arguments.clone()).collect::<Vec<_>>(),
+            [[Value::Int(1), Value::Int(3)]]
+        );
+    }
+}
+
 /// Rust functions are functions to be written, code actions function blocks.
 #[test]
 fn functions_of_the_program() {
@@ -206,7 +232,7 @@ fn what_has_no_translation() {
     let both = [Form::Case, Form::FlipFlops];
     let case = [Form::Case];
     let flags = [Form::FlipFlops];
-    let cases: [(&[Form], &str, &str); 18] = [
+    let cases: [(&[Form], &str, &str); 20] = [
         (
             &both,
             "grafcet C { input a: bool; partial Net { initial step A; step B; A -[a]-> B -[!a]-> A; } }",
@@ -286,6 +312,16 @@ fn what_has_no_translation() {
             &case,
             "sfc C { input a: bool; output speed: u8; var n: u8 = 0; initial step A; step B { N n = 3; speed = n; } A -[a]-> B -[!a]-> A; }",
             "it shows `n` while that changes in each scan",
+        ),
+        (
+            &both,
+            "sfc C { input n: u8; initial step A; step B; A -[n != 0 && 10 / n > 2]-> B -[n == 0]-> A; }",
+            "a division by what may be zero",
+        ),
+        (
+            &case,
+            "sfc C { input a: bool; action run(); initial step A; step B { N run(); } A -[a]-> B -[!a]-> A; B -[a]-> B; }",
+            "`run` goes on where its step is entered anew",
         ),
         (
             &flags,

@@ -294,6 +294,11 @@ impl<'m> Scope<'m> {
                 return Err(refuse(at, what, "write it as arithmetic, or as a function of the program"));
             }
         };
+        // Of `n != 0 && 10 / n > 2` a PLC computes both sides.
+        if matches!(operator, Binary::Div | Binary::Rem) && !matches!(b, Tree::Int(1..)) {
+            let what = "a division by what may be zero";
+            return Err(refuse(at, what, "divide by a number, or write a function of the program"));
+        }
         let compares = strength == strength::EQUAL || strength == strength::ORDER;
         let both = [&left, &right].into_iter().flatten().find(|kind| **kind != Kind::Number).cloned();
         if strength == strength::ORDER && logical {

@@ -70,6 +70,11 @@ fn too_much(model: &Model, association: &Association) -> Option<String> {
                     && follows(model, association.step, other.step)
             };
             let name = &model.actions[*action].name;
+            if sfc && follows(model, association.step, association.step) {
+                return Some(format!(
+                    "`{name}` goes on where its step is entered anew, and the program would begin it"
+                ));
+            }
             if others().any(next) {
                 return Some(format!("two steps one after the other call `{name}`, which goes on between them"));
             }

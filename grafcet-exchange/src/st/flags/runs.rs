@@ -108,10 +108,10 @@ impl Flags<'_> {
         Ok(Statement::when(all(parts).text, done))
     }
 
-    /// A condition that reads what actions write is read before them.
+    /// A condition that reads what actions write is read before them; a `grafcet` has copies of what was there before.
     fn hoisted(&mut self, condition: Text, association: &Association, conditions: &mut Vec<Statement>) -> Text {
         let reads = association.condition.iter().any(|condition| !places(&condition.tree).is_empty());
-        if !reads {
+        if !reads || self.model.is_grafcet() {
             return condition;
         }
         let name = self.local("If_1");
@@ -133,8 +133,14 @@ impl Flags<'_> {
         let (runs, conditional) = (runs.text, association.condition.is_some());
         let ran = self.scope.names.own("Ran_1");
         self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
+        let stable = self.model.is_grafcet();
         let mut phase = |phase| {
-            let sees = |scope: &mut _, at: &At<'_>| run(scope, &association.effect, phase, &At { times: false, ..*at });
+            // A call of a `grafcet` sees what the evolution has led to.
+            let nothing = BTreeMap::new();
+            let sees = |scope: &mut _, at: &At<'_>| {
+                let before = if stable { &nothing } else { at.before };
+                run(scope, &association.effect, phase, &At { times: false, before, ..*at })
+            };
             self.after(association.mark, sees)
         };
         let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
