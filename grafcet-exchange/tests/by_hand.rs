@@ -185,7 +185,7 @@ fn conditions_over_variables() {
 /// Rust functions are functions to be written, code actions function blocks.
 #[test]
 fn functions_of_the_program() {
-    let chart = "sfc Oven { input level: u16; output hot: bool; action heat(setpoint: i16); action beep();
+    let chart = "sfc Oven { input level: u16; output hot: bool; action heat(limit: i16); action beep();
         initial step Off { P1 beep(); } step On { N heat(80); hot; }
         Off -[limits::valid(level) && level > 5]-> On -[!limits::valid(level)]-> Off; }";
     for form in [Form::Case, Form::FlipFlops] {

@@ -7,6 +7,7 @@ use grafcet_compiler::model::{
 };
 
 use super::expr::{At, Scope, kind, plain};
+use super::names::Names;
 use super::syntax::{Statement, Stub, Variable};
 use crate::Refused;
 
@@ -171,8 +172,11 @@ fn call(
     let mut given = vec![format!("phase := {}", phase as u8)];
     let mut inputs = vec![Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final")];
     let params = action.params.clone();
+    // Each block has names of its own.
+    let mut names = Names::new();
+    names.own("phase");
     for ((name, ty), argument) in params.iter().zip(arguments) {
-        let name = plain(name);
+        let name = names.own(&plain(name));
         let Some(kind) = kind(ty) else {
             let message = format!("the parameter `{name}` of `{}` is of no type of structured text", action.name);
             return Err(Refused::at(at.mark, message));

@@ -37,7 +37,7 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// [`Form::Case`], steps in tens, `Step` and `Init`.
+    /// [`Form::Case`], steps in tens, `StepNo` and `Init`.
     fn default() -> Self {
         Self { form: Form::Case, numbers: (10, 10), step: "StepNo".to_owned(), init: "Init".to_owned() }
     }
