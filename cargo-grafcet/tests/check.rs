@@ -179,3 +179,20 @@ fn below(folder: &Path, files: &mut Vec<PathBuf>) {
     }
     files.sort();
 }
+
+/// A plant is a chart of the same call.
+#[test]
+fn mistakes_of_a_plant() {
+    let call = "grafcet! {
+    sfc Press { input top: bool; output down: bool; initial step A { down; } step B; A -[top]-> B -[!top]-> A; }
+    plant Ram { input down: bool; output top: bool; initial step Low; step High { top; } Low -[down]-> High -[!down]-> Lwo; }
+}";
+    let folder = folder(&[("press.rs", call)]);
+    let done = tool(folder.path(), &["check", "press.rs", "--json"]);
+    let said: Vec<Value> = done.out.lines().map(parsed).collect();
+    assert_eq!((done.code, said.len()), (Some(1), 1), "{}", done.out);
+    assert_eq!(
+        [&said[0]["rule"], &said[0]["notes"][0]["start"]["line"]],
+        [&Value::from("grafcet::unknown_step"), &Value::from(3)]
+    );
+}
