@@ -78,7 +78,7 @@
 //! [First chart](manual::first_chart), from `cargo new` to an emulated controller; [the language](manual::language), all that a
 //! chart may hold; [the meaning](manual::semantics), what one cycle does exactly; [the rules](manual::rules) that the compiler
 //! checks; [the names](manual::names); [the cookbook](manual::cookbook); [porting](manual::porting) of CASE and flip-flop
-//! programs.
+//! programs; [the tool](manual::tool) `cargo grafcet`.
 #![no_std]
 
 /// Pictures of a chart, with the steps marked that are active: for the host, with the feature `std`.
@@ -219,6 +219,10 @@ pub mod manual {
     #[doc = "[semantics]: self::semantics\n"]
     #[doc = include_str!("../docs/record.md")]
     pub mod record {}
+
+    #[doc = "[record]: self::record\n"]
+    #[doc = include_str!("../docs/tool.md")]
+    pub mod tool {}
 }
 
 /// The charts of the pages are tests. Those of the rules, half of which are wrong, have a test of their own, and the first
@@ -239,4 +243,6 @@ mod pages {
     struct Cookbook;
     #[doc = include_str!("../docs/porting.md")]
     struct Porting;
+    #[doc = include_str!("../docs/tool.md")]
+    struct Tool;
 }

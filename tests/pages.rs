@@ -5,7 +5,7 @@ mod charts;
 use std::fs;
 
 /// The pages whose charts are examples to follow.
-const PAGES: [&str; 7] = [
+const PAGES: [&str; 8] = [
     "README.md",
     "docs/cookbook.md",
     "docs/drawing.md",
@@ -13,6 +13,7 @@ const PAGES: [&str; 7] = [
     "docs/language.md",
     "docs/porting.md",
     "docs/semantics.md",
+    "docs/tool.md",
 ];
 
 /// The blocks of a page in that language, with the lines that rustdoc hides.

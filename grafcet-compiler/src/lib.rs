@@ -27,7 +27,7 @@ mod visit;
 use proc_macro2::TokenStream;
 
 use analysis::{Facts, Prover};
-use diagnostic::Sink;
+use diagnostic::{Diagnostic, Sink};
 use model::Model;
 use plan::Plan;
 
@@ -52,15 +52,53 @@ pub fn compile(root: &TokenStream, chart: TokenStream) -> TokenStream {
 /// The same with more than the usual.
 #[must_use]
 pub fn compile_with(root: &TokenStream, chart: TokenStream, wanted: Wanted<'_>) -> TokenStream {
-    let Some(call) = plant::Call::of(&chart) else { return alone(chart, root, wanted).0 };
-    let (mut tokens, sound) = alone(chart, root, wanted);
-    let compile = |plant: TokenStream| alone(plant, root, Wanted::default());
-    tokens.extend(plant::items(&call, sound, wanted.prover, root, &compile));
+    let Some(call) = plant::Call::of(&chart) else { return alone(chart, root, wanted).tokens(root) };
+    let compiled = alone(chart, root, wanted);
+    let sound = compiled.sound;
+    let mut tokens = compiled.tokens(root);
+    tokens.extend(plants(&call, sound, root, wanted).0);
     tokens
 }
 
-/// A chart without its plants, and whether nothing is wrong with it.
-fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> (TokenStream, bool) {
+/// What [`compile_with`] says of one macro call, as data for tools: the chart first, then its plants and what is claimed with
+/// them. `wanted.recorded` has no part in it.
+#[must_use]
+pub fn diagnose(chart: TokenStream, wanted: Wanted<'_>) -> Vec<Diagnostic> {
+    // It is compiled and the code thrown away: what is said depends on how far the way of a chart goes.
+    let root = place::quote!(::grafcet);
+    let call = plant::Call::of(&chart);
+    let compiled = alone(chart, &root, wanted);
+    let mut messages = compiled.messages;
+    messages.extend(call.into_iter().flat_map(|call| plants(&call, compiled.sound, &root, wanted).1));
+    messages
+}
+
+/// What is made of one chart.
+pub(crate) struct Compiled {
+    pub(crate) messages: Vec<Diagnostic>,
+    /// The chart's types, or their stub.
+    items: TokenStream,
+    /// Nothing is wrong with it.
+    pub(crate) sound: bool,
+}
+
+impl Compiled {
+    /// The messages, and the items behind them.
+    pub(crate) fn tokens(self, root: &TokenStream) -> TokenStream {
+        let mut tokens = diagnostic::tokens(&self.messages, root);
+        tokens.extend(self.items);
+        tokens
+    }
+}
+
+/// The plants of a call as tokens, and what is said of them.
+fn plants(call: &plant::Call, sound: bool, root: &TokenStream, wanted: Wanted<'_>) -> (TokenStream, Vec<Diagnostic>) {
+    let compile = |plant: TokenStream| alone(plant, root, Wanted::default());
+    plant::items(call, sound, wanted.prover, root, &compile)
+}
+
+/// A chart without its plants.
+fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> Compiled {
     let fingerprint = wanted.recorded.then(|| fingerprint::of(plant::chart_of(&chart)));
     by(chart, root, wanted.prover, &|model, facts, plan| codegen::generate((model, facts, plan), root, fingerprint))
 }
@@ -69,24 +107,24 @@ fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> (TokenSt
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, None, &|model, facts, plan| codegen::print(lower(model, facts), plan, root)).0
+    by(chart, root, None, &|model, facts, plan| codegen::print(lower(model, facts), plan, root)).tokens(root)
 }
 
 /// From the model to a program, such as the naive one.
 #[cfg(feature = "program")]
 pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m>, program::Refused>;
 
-/// What all have in common, and whether nothing is wrong; `generate` writes the items of a chart in which nothing is wrong.
+/// What all have in common; `generate` writes the items of a chart in which nothing is wrong.
 fn by(
     chart: TokenStream,
     root: &TokenStream,
     prover: Option<&Prover>,
     generate: &dyn Fn(&Model, &Facts<'_>, &Plan) -> TokenStream,
-) -> (TokenStream, bool) {
+) -> Compiled {
     let mut sink = Sink::new();
     let written = plant::chart_of(&chart);
     let Some(chart) = parse::chart(chart, &mut sink) else {
-        return (diagnostic::tokens(&sink.finish(), root), false);
+        return Compiled { messages: sink.finish(), items: TokenStream::new(), sound: false };
     };
     let _keyword = place::AtKeyword::at(chart.keyword);
     let model = model::resolve(&chart, &mut sink);
@@ -107,7 +145,5 @@ fn by(
         _ => codegen::stub(&model, model.uses_time() || chart.incomplete && parse::mentions_time(written), root),
     };
     let sound = !sink.has_errors();
-    let mut tokens = diagnostic::tokens(&sink.finish(), root);
-    tokens.extend(items);
-    (tokens, sound)
+    Compiled { messages: sink.finish(), items, sound }
 }

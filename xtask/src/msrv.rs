@@ -10,8 +10,16 @@ use crate::project;
 /// The `rust-version` of the workspace, as in `1.85`.
 const MSRV: &str = env!("CARGO_PKG_RUST_VERSION");
 
-const CRATES: [&str; 6] =
-    ["grafcet", "grafcet-core", "grafcet-draw", "grafcet-macros", "grafcet-compiler", "grafcet-sim"];
+const CRATES: [&str; 8] = [
+    "grafcet",
+    "grafcet-core",
+    "grafcet-draw",
+    "grafcet-macros",
+    "grafcet-compiler",
+    "grafcet-sim",
+    "grafcet-exchange",
+    "cargo-grafcet",
+];
 
 /// A crate with the charts of the source documents and charts in the full language of both dialects.
 const CONSUMER: &str = "hostile-no-std";

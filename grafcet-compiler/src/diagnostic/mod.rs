@@ -23,6 +23,22 @@ pub struct Diagnostic {
     pub notes: Vec<(Mark, String)>,
 }
 
+impl Diagnostic {
+    /// Whether it is about what the chart claims of itself, and not about what it does.
+    #[must_use]
+    pub fn is_about_a_claim(&self) -> bool {
+        let claims = [
+            &rules::PROPERTY_VIOLATED,
+            &rules::PROPERTY_UNDECIDED,
+            &rules::NOT_HOME,
+            &rules::VACUOUS_PROPERTY,
+            &rules::VACUOUS_ASSUMPTION,
+        ]
+        .map(|rule| rule.name);
+        self.rule.is_some_and(|rule| claims.contains(&rule.name))
+    }
+}
+
 /// Collects the mistakes of one chart.
 ///
 /// A sink that is dropped without [`Sink::finish`] loses errors, so tests panic on it.
@@ -135,16 +151,7 @@ impl Sink {
     /// in which rustc may find more.
     #[must_use]
     pub fn has_more_than_claims(&self) -> bool {
-        let claims = [
-            &rules::PROPERTY_VIOLATED,
-            &rules::PROPERTY_UNDECIDED,
-            &rules::NOT_HOME,
-            &rules::VACUOUS_PROPERTY,
-            &rules::VACUOUS_ASSUMPTION,
-        ]
-        .map(|rule| rule.name);
-        let is_claim = |one: &Diagnostic| one.rule.is_some_and(|rule| claims.contains(&rule.name));
-        self.diagnostics.iter().any(|d| d.severity == Severity::Deny && !is_claim(d))
+        self.diagnostics.iter().any(|d| d.severity == Severity::Deny && !d.is_about_a_claim())
     }
 
     /// How much was collected so far.

@@ -16,10 +16,11 @@ mod written;
 
 use proc_macro2::TokenStream;
 
+use crate::Compiled;
 use crate::analysis::{Facts, Prover};
 use crate::ast::{Body, Chart, Item, Property, Setting};
 use crate::check;
-use crate::diagnostic::{self, Sink};
+use crate::diagnostic::{self, Diagnostic, Sink};
 use crate::model::{self, Model, Plant, Plants};
 use crate::parse;
 use crate::place::quote;
@@ -41,15 +42,16 @@ pub fn model(tokens: TokenStream, sink: &mut Sink) -> Option<Model> {
     }
 }
 
-/// The plants as types for the host, and what the chart claims with them; `sound`: nothing is wrong with the chart alone.
+/// The plants as types for the host, and what the chart claims with them, with what is wrong; and this once more as data. `sound`:
+/// nothing is wrong with the chart alone.
 pub(crate) fn items(
     call: &Call,
     sound: bool,
     prover: Option<&Prover>,
     root: &TokenStream,
-    compile: &dyn Fn(TokenStream) -> (TokenStream, bool),
-) -> TokenStream {
-    let (mut items, mut all_sound, mut sink) = (TokenStream::new(), sound, Sink::new());
+    compile: &dyn Fn(TokenStream) -> Compiled,
+) -> (TokenStream, Vec<Diagnostic>) {
+    let (mut items, mut all_sound, mut sink, mut of_plants) = (TokenStream::new(), sound, Sink::new(), Vec::new());
     named_once(call, &mut sink);
     for plant in &call.plants {
         let plain = written::plain(plant, call, &mut sink);
@@ -59,8 +61,10 @@ pub(crate) fn items(
         }
         // Compiling says the same.
         _ = said.finish();
-        let (tokens, sound) = compile(plain.tokens);
-        all_sound &= sound;
+        let compiled = compile(plain.tokens);
+        all_sound &= compiled.sound;
+        of_plants.extend(compiled.messages.iter().cloned());
+        let tokens = compiled.tokens(root);
         let cfgs = &plant.cfgs;
         items.extend(if cfgs.is_empty() {
             tokens
@@ -76,9 +80,11 @@ pub(crate) fn items(
             }
         }
     }
-    let mut tokens = diagnostic::tokens(&sink.finish(), root);
+    let mut messages = sink.finish();
+    let mut tokens = diagnostic::tokens(&messages, root);
     tokens.extend(items);
-    tokens
+    messages.extend(of_plants);
+    (tokens, messages)
 }
 
 /// Two plants of one name could not be told apart.

@@ -1,0 +1,191 @@
+//! From a command line to charts: the files that are meant, and every `grafcet!` in them.
+//!
+//! - `package`: the crates that are meant, as cargo tells
+//! - `modules`: from the first file of a target to all its files
+//! - `calls`: the calls in the tokens of one file
+
+mod calls;
+mod modules;
+mod package;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use proc_macro2::{Span, TokenStream};
+
+use crate::Failure;
+use crate::args::Charts;
+use crate::report::human;
+
+/// A file of the user.
+pub(crate) struct Source {
+    /// As it is shown: from the present folder on, where it lies below.
+    pub(crate) path: PathBuf,
+    pub(crate) text: String,
+}
+
+/// A chart in a file.
+pub(crate) struct Found {
+    pub(crate) source: Rc<Source>,
+    /// `Motor`; empty where its header has none.
+    pub(crate) name: String,
+    /// What stands between the braces of `grafcet! { … }`.
+    pub(crate) tokens: TokenStream,
+    /// Where that call is: `grafcet`.
+    pub(crate) call: Span,
+}
+
+/// The charts that are meant, by file and in the order of the source.
+///
+/// # Errors
+/// A file cannot be read or is no Rust, cargo does not tell, or there is no chart, or none of a name.
+pub(crate) fn charts(options: &Charts) -> Result<Vec<Found>, Failure> {
+    let mut charts = if options.files.is_empty() { of_packages(options)? } else { of_files(&options.files)? };
+    if let Some(name) = options.chart.iter().find(|name| charts.iter().all(|chart| chart.name != **name)) {
+        return Err(Failure::Said(missing(name, &charts)));
+    }
+    if !options.chart.is_empty() {
+        charts.retain(|chart| options.chart.contains(&chart.name));
+    }
+    Ok(charts)
+}
+
+/// The one chart that is meant.
+///
+/// # Errors
+/// As of [`charts`], or there are several.
+pub(crate) fn one(options: &Charts) -> Result<Found, Failure> {
+    let mut charts = charts(options)?;
+    match charts.len() {
+        1 => Ok(charts.remove(0)),
+        count => Err(Failure::Said(format!("{count} charts, and one is meant: {}", one_of(&charts)))),
+    }
+}
+
+/// `--chart Motor`, `--chart Valve` or …: how to choose.
+pub(crate) fn one_of(charts: &[Found]) -> String {
+    const MOST: usize = 8;
+    let mut names: Vec<String> = Vec::new();
+    for chart in charts {
+        let choice = format!("--chart {}", chart.name);
+        if !names.contains(&choice) {
+            names.push(choice);
+        }
+    }
+    if names.len() == 1 {
+        let files: Vec<String> = charts.iter().map(|chart| chart.source.path.display().to_string()).collect();
+        return format!("say which file: {}", files.join(" or "));
+    }
+    let more = if names.len() > MOST { ", …" } else { "" };
+    names.truncate(MOST);
+    format!("say which one: {}{more}", names.join(", "))
+}
+
+fn missing(name: &str, charts: &[Found]) -> String {
+    let others: Vec<&str> = charts.iter().map(|chart| chart.name.as_str()).collect();
+    let lower = name.to_lowercase();
+    if let Some(meant) = others.iter().find(|other| other.to_lowercase() == lower) {
+        return format!("there is no chart `{name}`, but `{meant}`");
+    }
+    format!("there is no chart `{name}`; {}", one_of(charts))
+}
+
+fn of_packages(options: &Charts) -> Result<Vec<Found>, Failure> {
+    let mut files = modules::Files::default();
+    let packages = package::targets(options)?;
+    for target in &packages.files {
+        files.add_target(target)?;
+    }
+    let mut charts = Vec::new();
+    for file in files.all {
+        charts.extend(file.charts());
+    }
+    if charts.is_empty() {
+        return Err(Failure::Said(format!("there is no `grafcet!` in {}", packages.names)));
+    }
+    Ok(charts)
+}
+
+fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
+    let mut charts = Vec::new();
+    for path in files {
+        let file = File::read(path)?;
+        let mut found = file.charts();
+        // A file with a chart alone, as it stands between the braces.
+        if found.is_empty() && calls::name(&file.tokens).is_some() {
+            found.push(Found {
+                name: calls::name(&file.tokens).unwrap_or_default(),
+                tokens: file.tokens,
+                source: file.source,
+                call: Span::call_site(),
+            });
+        }
+        charts.append(&mut found);
+    }
+    if charts.is_empty() {
+        let files: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
+        return Err(Failure::Said(format!("there is no `grafcet!` in {}, and no chart", files.join(", "))));
+    }
+    Ok(charts)
+}
+
+/// A file as tokens.
+struct File {
+    source: Rc<Source>,
+    tokens: TokenStream,
+}
+
+impl File {
+    fn read(path: &Path) -> Result<Self, Failure> {
+        let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
+        let source = Rc::new(Source { path: shown(path), text: plain(text) });
+        let tokens = source.text.parse().map_err(|error: proc_macro2::LexError| {
+            let what = "this is not Rust: it cannot be read beyond this point";
+            Failure::Shown(human::at(&source, error.span(), what))
+        })?;
+        Ok(Self { source, tokens })
+    }
+
+    fn charts(&self) -> Vec<Found> {
+        let found = calls::calls(&self.tokens).into_iter();
+        found
+            .map(|(call, tokens)| Found {
+                source: Rc::clone(&self.source),
+                name: calls::name(&tokens).unwrap_or_default(),
+                tokens,
+                call,
+            })
+            .collect()
+    }
+}
+
+/// Without what the lexer does not know: a byte order mark, and a first line for a shell, whose place stays empty so that all others keep theirs.
+fn plain(text: String) -> String {
+    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+    match text.strip_prefix("#!").filter(|rest| !rest.trim_start().starts_with('[')) {
+        Some(rest) => {
+            let line = rest.find('\n').unwrap_or(rest.len());
+            format!("{}{}", " ".repeat(line + 2), &rest[line..])
+        }
+        None => text,
+    }
+}
+
+/// From the present folder on, where it lies below.
+fn shown(path: &Path) -> PathBuf {
+    let here = std::env::current_dir().unwrap_or_default();
+    path.strip_prefix(&here).unwrap_or(path).to_path_buf()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::plain;
+
+    #[test]
+    fn a_line_for_a_shell_leaves_all_others_where_they_are() {
+        assert_eq!(plain("#!/bin/run\nfn".to_owned()), "          \nfn");
+        assert_eq!(plain("#![allow(x)]\n".to_owned()), "#![allow(x)]\n");
+        assert_eq!(plain("\u{feff}fn".to_owned()), "fn");
+    }
+}

@@ -1,0 +1,106 @@
+//! `replay`, `coverage` and `prove`: what they write, and by which exit code.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{folder, tool};
+use serde_json::Value;
+
+const CHARTS: &str = "
+grafcet! { sfc Motor { input on, hot: bool; output relay: bool; initial step Off; step On { relay; }
+    Off -[on && !hot]-> On -[!on]-> Off;
+    never relay && Off.X;
+    home (Off); } }
+grafcet! { sfc Hoist { input up, down: bool; output raise, lower: bool; initial step Wait; step Up { raise; } step Down { lower; }
+    Wait -[up]-> Up -[!up]-> Wait; Wait -[down && !up]-> Down -[!down]-> Wait;
+    always raise => !up; } }
+";
+
+fn parsed(line: &str) -> Value {
+    serde_json::from_str(line).unwrap_or_else(|error| panic!("{line}: {error}"))
+}
+
+#[test]
+fn what_is_proved() {
+    let folder = folder(&[("charts.rs", CHARTS)]);
+    let prove = |arguments: &[&str]| tool(folder.path(), &[&["prove", "charts.rs"], arguments].concat());
+    let done = prove(&["--chart", "Motor"]);
+    assert_eq!(done.code, Some(0), "{done:?}");
+    assert_eq!(done.out, "Motor: proved: never relay && Off.X\nMotor: left to the checker: home\n");
+    let done = prove(&["--chart", "Hoist"]);
+    assert_eq!(done.code, Some(1), "{done:?}");
+    // Entered in the second cycle.
+    assert!(done.out.starts_with("Hoist: broken in cycle 2: always raise => !up\n    cycle | "), "{}", done.out);
+    let verdicts: Vec<Value> = prove(&["--json"]).out.lines().map(parsed).collect();
+    let said: Vec<(&Value, &Value)> = verdicts.iter().map(|one| (&one["chart"], &one["verdict"])).collect();
+    assert_eq!(said.len(), 3);
+    assert_eq!(said[2], (&Value::from("Hoist"), &Value::from("broken")));
+    assert_eq!(verdicts[2]["cycles"], 2);
+    assert_eq!(prove(&["--aiger", "both.aag"]).code, Some(2));
+    assert_eq!(prove(&["--chart", "Motor", "--aiger", "one.aag", "--btor2", "one.btor2"]).code, Some(0));
+    assert!(fs::read_to_string(folder.path().join("one.aag")).is_ok_and(|text| text.starts_with("aag ")));
+    assert!(fs::read_to_string(folder.path().join("one.btor2")).is_ok_and(|text| text.contains("sort bitvec 1")));
+}
+
+#[test]
+fn what_is_covered() {
+    let files =
+        [("charts.rs", CHARTS), ("a.script", "-\non\n-\n"), ("b.script", "-\non hot\n"), ("bad.script", "-\nof\n")];
+    let folder = folder(&files);
+    let cover =
+        |arguments: &[&str]| tool(folder.path(), &[&["coverage", "charts.rs", "--chart", "Motor"], arguments].concat());
+    // The first script alone never sees `hot`.
+    let done = cover(&["--script", "a.script", "--json"]);
+    let covered = parsed(&done.out);
+    assert_eq!(done.code, Some(1));
+    assert_eq!([&covered["steps"]["covered"], &covered["transitions"]["all"]], [2, 2]);
+    let missing: Vec<&str> = covered["missing"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    assert_eq!(missing.len(), 3, "{missing:?}");
+    assert!(missing.contains(&"`hot` never decided as true in the condition of `Off → On`"), "{missing:?}");
+    let both = ["--script", "a.script", "--script", "b.script"];
+    let done = cover(&[&both[..], &["--json"]].concat());
+    assert_eq!(parsed(&done.out)["missing"].as_array().map(Vec::len), Some(2), "{done:?}");
+    let except =
+        ["--except", "`on` never decided as false", "--except", "`on` never decided as true", "--lcov", "motor.info"];
+    let done = cover(&[&both[..], &except].concat());
+    assert_eq!(done.code, Some(0), "{done:?}");
+    assert!(fs::read_to_string(folder.path().join("motor.info")).is_ok_and(|text| text.contains("SF:charts.rs")));
+    let done = cover(&["--script", "bad.script"]);
+    assert_eq!(done.code, Some(2));
+    assert_eq!(done.err, "error: bad.script: line 2: `of` is no input of the chart with a value that it can have\n");
+    // Something has to be covered by something, and of one chart.
+    assert_eq!(cover(&[]).code, Some(2));
+    assert_eq!(tool(folder.path(), &["coverage", "charts.rs", "--script", "a.script"]).code, Some(2));
+}
+
+#[test]
+fn what_a_record_shows() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = folder(&[("charts.rs", CHARTS), ("empty.record", "")]);
+    for (from, to) in
+        [("tests/record/tests/cell_stopped.record", "cell.record"), ("examples/charts/cell.rs", "cell.rs")]
+    {
+        fs::copy(root.join(from), folder.path().join(to)).expect("a file of the project");
+    }
+    let replay = |arguments: &[&str]| tool(folder.path(), &[&["replay"], arguments].concat());
+    let views = ["--html", "cell.html", "--vcd", "cell.vcd", "--svg", "cell.svg"];
+    let done = replay(&[&["cell.record", "cell.rs", "--chart", "Cell"], &views[..]].concat());
+    assert_eq!(done.code, Some(0), "{done:?}");
+    for (file, part) in [("cell.html", "<svg"), ("cell.vcd", "$enddefinitions"), ("cell.svg", "<svg")] {
+        assert!(fs::read_to_string(folder.path().join(file)).is_ok_and(|text| text.contains(part)), "{file}");
+    }
+    let done = replay(&["cell.record", "charts.rs", "--chart", "Motor"]);
+    assert_eq!((done.code, done.out.as_str()), (Some(1), ""));
+    assert!(done.err.starts_with("error: cell.record: the record is of another chart or version"), "{}", done.err);
+    let done = replay(&["empty.record", "charts.rs", "--chart", "Motor"]);
+    assert_eq!(
+        (done.code, done.err.as_str()),
+        (Some(1), "error: empty.record: there is no record in these bytes, or nothing of it is whole\n")
+    );
+    // What a record covers counts as that of a script.
+    let done = tool(folder.path(), &["coverage", "cell.rs", "--chart", "Cell", "--record", "cell.record"]);
+    assert_eq!(done.code, Some(1), "{done:?}");
+    assert!(done.out.starts_with("Cell: "), "{}", done.out);
+}

@@ -1,0 +1,7 @@
+#![doc = include_str!("../README.md")]
+
+pub mod pnml;
+mod refused;
+pub mod st;
+
+pub use refused::Refused;

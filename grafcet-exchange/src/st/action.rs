@@ -1,0 +1,249 @@
+//! What associations are, and what effects do.
+
+use std::collections::BTreeMap;
+
+use grafcet_compiler::model::{
+    ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Statement as Rust, Tree,
+};
+
+use super::expr::{At, Scope, kind, plain};
+use super::names::Names;
+use super::syntax::{Statement, Stub, Variable};
+use crate::Refused;
+
+/// What an association is for a program.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Role {
+    /// As long as something holds the place is true, or has a value: N, L, D, P of a place; in an `sfc` SD, DS and SL, too.
+    Continuous(Place),
+    /// S
+    Set(Place),
+    /// R
+    Reset(Place),
+    /// P1: what is done once on activation.
+    Activation,
+    /// P0
+    Deactivation,
+    /// `on`
+    Event,
+    /// N of what runs in each scan: an assignment to a variable, a block, a call.
+    Body,
+}
+
+/// What it is; refused where neither form knows it.
+pub(super) fn role(model: &Model, association: &Association) -> Result<Role, Refused> {
+    use Qualifier::{N, On, P0, P1, R, S};
+    let qualifier = association.qualifier;
+    let role = match (&association.effect, qualifier) {
+        (Effect::Control(place), S) => Role::Set(*place),
+        (Effect::Control(place), R) => Role::Reset(*place),
+        (_, P1) => Role::Activation,
+        (_, P0) => Role::Deactivation,
+        (_, On) => Role::Event,
+        // In an `sfc` what is assigned after another qualifier than N is written, and so runs.
+        (Effect::Assign(Place::Output(_), _), _) if qualifier != N && !model.is_grafcet() => {
+            return Err(runs(association));
+        }
+        (Effect::Control(place) | Effect::Assign(place @ Place::Output(_), _), _) => Role::Continuous(*place),
+        (_, N) => Role::Body,
+        _ => return Err(runs(association)),
+    };
+    Ok(role)
+}
+
+/// What runs is not stored or timed.
+fn runs(association: &Association) -> Refused {
+    let word = association.qualifier.word();
+    let message = format!(
+        "`{word}` of what runs has no translation into structured text, only `{word}` of a boolean has: set a boolean and ask for it"
+    );
+    Refused::at(association.mark, message)
+}
+
+/// How a place is written.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(super) struct Written {
+    pub(super) continuous: bool,
+    pub(super) set_or_reset: bool,
+    /// By assignments and blocks.
+    pub(super) otherwise: bool,
+}
+
+/// Of each place that is written.
+pub(super) fn written(model: &Model) -> Result<BTreeMap<Place, Written>, Vec<Refused>> {
+    let mut all = BTreeMap::<Place, Written>::new();
+    let mut refused = Vec::new();
+    for association in model.associations.values() {
+        match role(model, association) {
+            Ok(Role::Continuous(place)) => all.entry(place).or_default().continuous = true,
+            Ok(Role::Set(place) | Role::Reset(place)) => all.entry(place).or_default().set_or_reset = true,
+            Ok(_) => {
+                for place in association.effect.writes() {
+                    all.entry(*place).or_default().otherwise = true;
+                }
+            }
+            Err(error) => refused.push(error),
+        }
+    }
+    for effect in model.transitions.values().flat_map(|transition| &transition.clearing) {
+        for place in effect.writes() {
+            all.entry(*place).or_default().otherwise = true;
+        }
+    }
+    if refused.is_empty() { Ok(all) } else { Err(refused) }
+}
+
+/// What an effect does once.
+pub(super) fn run(
+    scope: &mut Scope<'_>,
+    effect: &Effect,
+    phase: Phase,
+    at: &At<'_>,
+) -> Result<Vec<Statement>, Refused> {
+    match effect {
+        Effect::Control(place) => Ok(vec![Statement::assign(scope.place(*place), "TRUE")]),
+        Effect::Assign(place, value) => {
+            let text = assigned(scope, *place, value, at)?;
+            Ok(vec![Statement::assign(scope.place(*place), text)])
+        }
+        Effect::Call(action, arguments) => call(scope, *action, arguments, phase, at).map(|call| vec![call]),
+        Effect::Block(code) => {
+            let Some(statements) = &code.statements else {
+                let message = format!(
+                    "this Rust has no translation into structured text: assignments and `if` have one, `{}` is more",
+                    code.text
+                );
+                return Err(Refused::at(at.mark, message));
+            };
+            // It sees its own writes.
+            let mut before = at.before.clone();
+            before.retain(|place, _| !code.writes.contains(place));
+            block(scope, statements, &At { before: &before, ..*at })
+        }
+    }
+}
+
+fn block(scope: &mut Scope<'_>, statements: &[Rust], at: &At<'_>) -> Result<Vec<Statement>, Refused> {
+    let mut done = Vec::new();
+    for statement in statements {
+        done.push(match statement {
+            Rust::Assign(place, value) => {
+                let wanted = kind_of(scope.model, *place, at)?;
+                let value = scope.tree(value, &wanted, at)?.text;
+                Statement::assign(scope.place(*place), value)
+            }
+            Rust::If(condition, then, otherwise) => {
+                let condition = scope.tree(condition, &super::expr::Kind::Bool, at)?.text;
+                Statement::If(vec![(condition, block(scope, then, at)?)], block(scope, otherwise, at)?)
+            }
+        });
+    }
+    Ok(done)
+}
+
+/// The value that is assigned to a place.
+pub(super) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &At<'_>) -> Result<String, Refused> {
+    let wanted = kind_of(scope.model, place, at)?;
+    Ok(scope.expr(value, &wanted, at)?.text)
+}
+
+fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<super::expr::Kind, Refused> {
+    let name = Name::from(place);
+    kind(model.ty(name))
+        .ok_or_else(|| Refused::at(at.mark, format!("`{}` is of no type of structured text", model.place_name(place))))
+}
+
+/// Which call of a code action it is; the number is what the function block is told.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Phase {
+    First = 0,
+    Repeated = 1,
+    Final = 2,
+}
+
+fn call(
+    scope: &mut Scope<'_>,
+    id: ActionId,
+    arguments: &[Expr],
+    phase: Phase,
+    at: &At<'_>,
+) -> Result<Statement, Refused> {
+    let action = &scope.model.actions[id];
+    let mut given = vec![format!("phase := {}", phase as u8)];
+    let mut inputs = vec![Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final")];
+    let params = action.params.clone();
+    // Each block has names of its own.
+    let mut names = Names::new();
+    names.own("phase");
+    for ((name, ty), argument) in params.iter().zip(arguments) {
+        let name = names.own(&plain(name));
+        let Some(kind) = kind(ty) else {
+            let message = format!("the parameter `{name}` of `{}` is of no type of structured text", action.name);
+            return Err(Refused::at(at.mark, message));
+        };
+        given.push(format!("{name} := {}", scope.expr(argument, &kind, at)?.text));
+        inputs.push(Variable::new(name, kind.name()));
+    }
+    let name = scope.action(id, inputs);
+    Ok(Statement::Call(format!("{name}({})", given.join(", "))))
+}
+
+impl Scope<'_> {
+    /// The instance of the function block that stands for an action.
+    fn action(&mut self, id: ActionId, inputs: Vec<Variable>) -> String {
+        if let Some((instance, _)) = self.instances.get(&id) {
+            return instance.clone();
+        }
+        let action = &self.model.actions[id];
+        let written = plain(&action.name);
+        let instance = self.names.of_chart(&written);
+        let block = self.names.own(&format!("FB_{written}"));
+        let parameters: Vec<String> = action.params.iter().map(|(name, _)| plain(name)).collect();
+        self.stubs.push(Stub {
+            name: block.clone(),
+            ty: None,
+            inputs,
+            rust: format!(
+                "fn {written}({})",
+                ["phase".to_owned()].into_iter().chain(parameters).collect::<Vec<_>>().join(", ")
+            ),
+        });
+        self.instances.insert(id, (instance.clone(), block));
+        instance
+    }
+}
+
+/// What an effect reads of places.
+pub(super) fn reads(effect: &Effect) -> Vec<Place> {
+    let all = effect.reads().into_iter().flatten().copied();
+    all.filter_map(read_place).collect()
+}
+
+pub(super) fn read_place(read: Read) -> Option<Place> {
+    match read {
+        Read::Name(Name::Output(id)) => Some(Place::Output(id)),
+        Read::Name(Name::Var(id)) => Some(Place::Var(id)),
+        _ => None,
+    }
+}
+
+/// The places that a condition reads.
+pub(super) fn places(tree: &Tree) -> Vec<Place> {
+    let mut places = Vec::new();
+    tree.each_read(&mut |read| places.extend(read_place(read)));
+    places
+}
+
+/// Actions that associations of several kinds, or several steps at once, act on: the calls of both would be one.
+pub(super) fn shared_calls(model: &Model, refused: &mut Vec<Refused>) {
+    let mut kinds = BTreeMap::<ActionId, (Qualifier, AssociationId)>::new();
+    for (id, association) in model.associations.iter() {
+        let Effect::Call(action, _) = association.effect else { continue };
+        let (qualifier, first) = *kinds.entry(action).or_insert((association.qualifier, id));
+        let same_step = first != id && model.associations[first].step == association.step;
+        if qualifier != association.qualifier || same_step {
+            let name = &model.actions[action].name;
+            refused.push(Refused::at(association.mark, format!("`{name}` is called by two kinds of associations, or twice by one step: structured text of these forms has one kind of call for an action")));
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! The CASE form: in each step first its actions, then its transitions.
+
+mod arm;
+mod fits;
+mod order;
+
+use std::collections::BTreeMap;
+
+use grafcet_compiler::model::{Id, Model, Place, StepId};
+
+use super::action::{Written, written};
+use super::expr::{Scope, plain};
+use super::frame::{self, Frame};
+use super::names::Names;
+use super::syntax::{Arm, Program, Statement, Variable};
+use super::time::LONGEST;
+use super::{Options, header};
+use crate::Refused;
+
+/// The program of a chart of which one step is active at a time.
+pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
+    let written = written(model)?;
+    let mut refused = fits::refused(model, &written);
+    let steps = u64::try_from(model.steps.len()).unwrap_or(u64::MAX);
+    if u64::from(options.numbers.0).saturating_add(steps.saturating_mul(options.numbers.1.into())) > 1 << 31 {
+        refused.push(Refused::whole("the numbers of the steps do not fit into 32 bits: choose smaller ones"));
+    }
+    if !refused.is_empty() {
+        return Err(refused);
+    }
+    Case::new(model, options, written).program().map_err(|error| vec![error])
+}
+
+struct Case<'m> {
+    model: &'m Model,
+    scope: Scope<'m>,
+    written: BTreeMap<Place, Written>,
+    numbers: (u32, u32),
+    step: String,
+    /// The input that begins anew.
+    init: String,
+    /// That the step is in its first scan.
+    entered: String,
+    uses_entered: bool,
+    nothing: BTreeMap<Place, String>,
+}
+
+impl<'m> Case<'m> {
+    fn new(model: &'m Model, options: &Options, written: BTreeMap<Place, Written>) -> Self {
+        let mut names = Names::new();
+        let (step, init) = (names.own(&options.step), names.own(&options.init));
+        let mut scope = Scope::new(model, names);
+        let entered = scope.names.own("Entered");
+        Self {
+            model,
+            scope,
+            written,
+            numbers: options.numbers,
+            step,
+            init,
+            entered,
+            uses_entered: false,
+            nothing: BTreeMap::new(),
+        }
+    }
+
+    fn number(&self, step: StepId) -> u32 {
+        let index = u32::try_from(step.index()).unwrap_or(u32::MAX);
+        self.numbers.0.saturating_add(self.numbers.1.saturating_mul(index))
+    }
+
+    fn program(mut self) -> Result<Program, Refused> {
+        let model = self.model;
+        let name = self.scope.names.of_chart(&plain(&model.name));
+        let mut arms = Vec::new();
+        for (id, step) in model.steps.iter() {
+            let kind = if step.initial { ", initial" } else { "" };
+            arms.push(Arm {
+                number: self.number(id),
+                title: format!("{}{kind}", plain(&step.name)),
+                body: self.arm(id)?,
+            });
+        }
+        let mut frame = Frame::default();
+        let initial = model.steps.iter().find(|(_, step)| step.initial).map_or(0, |(id, _)| self.number(id));
+        let last = model.steps.ids().next_back().map_or(0, |step| self.number(step));
+        // 16 bits are enough for most.
+        let ty = if last <= 32_767 { "INT" } else { "DINT" };
+        frame.remember(Variable::new(&self.step, ty).init(initial.to_string()).note("the active step"));
+        if self.uses_entered {
+            frame.remember(Variable::new(&self.entered, "BOOL").init("TRUE").note("the step is in its first scan"));
+        }
+        let started = self.scope.names.own("Started");
+        let mut before = frame.edges(&mut self.scope, &started)?;
+        if !before.is_empty() {
+            frame.remember(Variable::new(&started, "BOOL").init("FALSE").note("there has been a scan before"));
+            before.push(Statement::assign(started, "TRUE"));
+        }
+        before.extend(frame.delays(&mut self.scope)?);
+        let mut timers = Vec::new();
+        for (step, timer) in &self.scope.timers {
+            frame.timer(timer, &format!("how long {} is active", plain(&model.steps[*step].name)));
+            let active = format!("{} = {}", self.step, self.number(*step));
+            timers.push(Statement::Call(format!("{timer}(IN := {active}, PT := {LONGEST})")));
+        }
+        let mut program = Program { name, ..Program::default() };
+        program.inputs.push(Variable::new(&self.init, "BOOL").note("back into the initial situation"));
+        let written = &self.written;
+        frame::declare(&mut self.scope, &mut program, &mut frame, |place| written.contains_key(&place))?;
+        for (instance, block) in self.scope.instances.values() {
+            program.variables.push(Variable::new(instance, block));
+        }
+        program.variables.extend(frame.variables);
+        let body = &mut program.body;
+        body.extend([
+            Statement::comment("Back to the beginning"),
+            Statement::when(self.init.clone(), frame.init),
+            Statement::Gap,
+        ]);
+        part(body, "Edges and delays of inputs", before);
+        part(body, "The times of steps, to be read", timers.clone());
+        body.extend([Statement::comment("The sequence"), Statement::Case(self.step.clone(), arms), Statement::Gap]);
+        part(body, "The times of steps, which begin with the step", timers);
+        if body.last() == Some(&Statement::Gap) {
+            body.pop();
+        }
+        program.header = header::case(model, &self.scope);
+        program.renamed = self.scope.names.renamed.into_iter().collect();
+        program.stubs = self.scope.stubs;
+        Ok(program)
+    }
+}
+
+/// A part of the program under a heading, where there is something.
+fn part(body: &mut Vec<Statement>, heading: &str, statements: Vec<Statement>) {
+    if !statements.is_empty() {
+        body.push(Statement::comment(heading));
+        body.extend(statements);
+        body.push(Statement::Gap);
+    }
+}

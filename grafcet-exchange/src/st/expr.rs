@@ -1,0 +1,393 @@
+//! Expressions, in the words of structured text.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::diagnostic::Mark;
+use grafcet_compiler::model::{
+    ActionId, Binary, DelayId, EdgeId, Expr, Id, Integer, Model, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary,
+};
+
+use super::names::Names;
+use super::syntax::{Stub, Variable};
+use super::text::{Text, all, any, not, strength};
+use super::time;
+use crate::Refused;
+
+/// What a value is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Kind {
+    Bool,
+    /// `UINT`
+    Int(&'static str),
+    Time,
+    /// Literals of integers, which fit to any.
+    Number,
+}
+
+/// The type of structured text.
+pub(super) fn kind(ty: &Ty) -> Option<Kind> {
+    Some(match ty {
+        Ty::Bool(_) => Kind::Bool,
+        Ty::Time(_) => Kind::Time,
+        // `usize` is as wide as the controller's addresses, which no PLC knows.
+        Ty::Int { signed, bits, rust } if !Integer::of(rust).is_some_and(|integer| integer.is_size) => {
+            Kind::Int(match (signed, bits) {
+                (true, 8) => "SINT",
+                (false, 8) => "USINT",
+                (true, 16) => "INT",
+                (false, 16) => "UINT",
+                (true, 32) => "DINT",
+                (false, 32) => "UDINT",
+                (true, 64) => "LINT",
+                (false, 64) => "ULINT",
+                _ => return None,
+            })
+        }
+        _ => return None,
+    })
+}
+
+impl Kind {
+    pub(super) fn name(&self) -> &'static str {
+        match self {
+            Self::Bool => "BOOL",
+            Self::Int(name) => name,
+            Self::Time => "TIME",
+            Self::Number => "DINT",
+        }
+    }
+}
+
+/// What an expression sees at its moment.
+pub(super) struct At<'a> {
+    /// Whether a step is active: `step = 20`; none where that cannot be said then.
+    pub(super) active: &'a dyn Fn(StepId) -> Option<Text>,
+    /// Under which names it reads what the cycle changes.
+    pub(super) before: &'a BTreeMap<Place, String>,
+    /// Times of steps can be read.
+    pub(super) times: bool,
+    /// Where it stands.
+    pub(super) mark: Mark,
+}
+
+/// Names, and what expressions need beside them.
+pub(super) struct Scope<'m> {
+    pub(super) model: &'m Model,
+    pub(super) names: Names,
+    values: BTreeMap<Name, String>,
+    /// The timers of steps.
+    pub(super) timers: BTreeMap<StepId, String>,
+    /// Of an edge the variables for rising, falling and the value before.
+    pub(super) edges: BTreeMap<EdgeId, [String; 3]>,
+    pub(super) delays: BTreeMap<DelayId, String>,
+    pub(super) stubs: Vec<Stub>,
+    /// The names of stubs, by what they stand for.
+    called: BTreeMap<String, String>,
+    /// Of code actions the instance and its function block.
+    pub(super) instances: BTreeMap<ActionId, (String, String)>,
+}
+
+impl<'m> Scope<'m> {
+    /// With names for all that is declared.
+    pub(super) fn new(model: &'m Model, names: Names) -> Self {
+        let mut scope = Self {
+            model,
+            names,
+            values: BTreeMap::new(),
+            timers: BTreeMap::new(),
+            edges: BTreeMap::new(),
+            delays: BTreeMap::new(),
+            stubs: Vec::new(),
+            called: BTreeMap::new(),
+            instances: BTreeMap::new(),
+        };
+        let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
+        all.extend(model.params.ids().map(Name::Param));
+        all.extend(model.outputs.ids().map(Name::Output));
+        all.extend(model.vars.ids().map(Name::Var));
+        for name in all {
+            let given = scope.names.of_chart(&plain(model.value_name(name)));
+            scope.values.insert(name, given);
+        }
+        scope
+    }
+
+    pub(super) fn name(&self, name: Name) -> &str {
+        self.values.get(&name).map_or("", String::as_str)
+    }
+
+    pub(super) fn place(&self, place: Place) -> &str {
+        self.name(place.into())
+    }
+
+    /// The timer of a step.
+    pub(super) fn timer(&mut self, step: StepId) -> String {
+        if !self.timers.contains_key(&step) {
+            let name = self.names.own(&format!("T_{}", plain(&self.model.steps[step].name)));
+            self.timers.insert(step, name);
+        }
+        self.timers[&step].clone()
+    }
+
+    /// An expression of this kind.
+    pub(super) fn expr(&mut self, expr: &Expr, wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
+        self.tree(&expr.tree, wanted, &At { mark: expr.mark, ..*at })
+    }
+
+    pub(super) fn tree(&mut self, tree: &Tree, wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
+        match tree {
+            Tree::Bool(value) => Ok(Text::word(if *value { "TRUE" } else { "FALSE" })),
+            Tree::Int(value) => Ok(match value {
+                0.. => Text::word(value.to_string()),
+                _ => Text { text: value.to_string(), strength: strength::UNARY },
+            }),
+            Tree::Read(read) => self.read(*read, at),
+            Tree::Elapsed(time, step) => self.elapsed(*time, *step, at),
+            Tree::MacroElapsed(..) => {
+                Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
+            }
+            Tree::Unary(Unary::Not, inner) if *wanted == Kind::Bool => Ok(not(self.tree(inner, &Kind::Bool, at)?)),
+            Tree::Unary(Unary::Not, _) => Err(refuse(at, "`!` on integers", "write it as arithmetic")),
+            Tree::Unary(Unary::Neg, inner) => {
+                let inner = self.tree(inner, wanted, at)?.within(strength::UNARY);
+                Ok(Text { text: format!("-{inner}"), strength: strength::SUM })
+            }
+            Tree::Binary(operator, a, b) => self.binary(*operator, [a, b], wanted, at),
+            Tree::Opaque { text, reads, .. } => self.opaque(text, reads, wanted, at),
+        }
+    }
+
+    fn read(&mut self, read: Read, at: &At<'_>) -> Result<Text, Refused> {
+        let place = |place: Place, name: &str| at.before.get(&place).map_or(name, String::as_str).to_owned();
+        let active = |step| {
+            (at.active)(step).ok_or_else(|| {
+                Refused::at(at.mark, "which step is active cannot be asked here in this form of structured text: read a variable that the step sets")
+            })
+        };
+        match read {
+            Read::Name(name) => Ok(Text::word(match name {
+                Name::Output(id) => place(Place::Output(id), self.name(name)),
+                Name::Var(id) => place(Place::Var(id), self.name(name)),
+                _ => self.name(name).to_owned(),
+            })),
+            Read::Active(step) => active(step),
+            Read::MacroActive(id) => {
+                let steps = self.model.macros[id].steps.clone();
+                Ok(any(steps.into_iter().map(active).collect::<Result<_, _>>()?))
+            }
+            Read::Since(step) => {
+                may_read_times(at)?;
+                Ok(Text::word(format!("{}.ET", self.timer(step))))
+            }
+            Read::Rising(edge) => Ok(Text::word(self.edge(edge, at)?[0].clone())),
+            Read::Falling(edge) => Ok(Text::word(self.edge(edge, at)?[1].clone())),
+            Read::Delay(delay) => self.delay(delay, at),
+            Read::Ticks(ticks) => time::literal(self.model, ticks, at.mark).map(Text::word),
+            Read::Elapsed(time, step) => self.elapsed(time, step, at),
+            Read::MacroSince(_) | Read::MacroElapsed(..) => {
+                Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
+            }
+            Read::Blink(_) => Err(refuse(at, "`blink`", "write it as two steps, each with its time")),
+        }
+    }
+
+    fn elapsed(&mut self, time: TimeRef, step: StepId, at: &At<'_>) -> Result<Text, Refused> {
+        may_read_times(at)?;
+        let limit = self.time(time, at.mark)?;
+        let timer = self.timer(step);
+        let reached = Text { text: format!("{timer}.ET >= {limit}"), strength: strength::ORDER };
+        // The time of a step that is not active is zero: only a time that may be zero asks for more.
+        if matches!(time, TimeRef::Ticks(1..)) {
+            return Ok(reached);
+        }
+        let active = self.read(Read::Active(step), at)?;
+        Ok(all(vec![active, reached]))
+    }
+
+    /// A time as a literal or a name.
+    pub(super) fn time(&self, time: TimeRef, mark: Mark) -> Result<String, Refused> {
+        match time {
+            TimeRef::Ticks(ticks) => time::literal(self.model, ticks, mark),
+            TimeRef::Param(id) => Ok(self.name(Name::Param(id)).to_owned()),
+            TimeRef::Var(id) => Ok(self.name(Name::Var(id)).to_owned()),
+        }
+    }
+
+    fn edge(&mut self, id: EdgeId, at: &At<'_>) -> Result<[String; 3], Refused> {
+        if let Some(known) = self.edges.get(&id) {
+            return Ok(known.clone());
+        }
+        let of = &self.model.edges[id].of;
+        if !reads_inputs_alone(&of.tree) {
+            let why = "an edge of what the chart itself changes";
+            return Err(refuse(at, why, "only edges of inputs are: ask for the step or the value itself"));
+        }
+        let base = match &of.tree {
+            Tree::Read(Read::Name(name)) => self.name(*name).to_owned(),
+            _ => format!("edge_{}", id.index() + 1),
+        };
+        let names = ["rises", "falls", "was"].map(|what| self.names.own(&format!("{base}_{what}")));
+        self.edges.insert(id, names.clone());
+        Ok(names)
+    }
+
+    fn delay(&mut self, id: DelayId, at: &At<'_>) -> Result<Text, Refused> {
+        if !reads_inputs_alone(&self.model.delays[id].of.tree) {
+            return Err(refuse(at, "the delay of what the chart itself changes", "only delays of inputs are"));
+        }
+        if !self.delays.contains_key(&id) {
+            let name = self.names.own(&format!("delay_{}", id.index() + 1));
+            self.delays.insert(id, name);
+        }
+        Ok(Text::word(self.delays[&id].clone()))
+    }
+
+    /// What an expression is, where that can be told.
+    pub(super) fn kind(&self, tree: &Tree) -> Option<Kind> {
+        match tree {
+            Tree::Int(_) => Some(Kind::Number),
+            Tree::Read(Read::Name(name)) => kind(self.model.ty(*name)),
+            Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)) => Some(Kind::Time),
+            Tree::Bool(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) | Tree::Read(_) => Some(Kind::Bool),
+            Tree::Unary(_, inner) => self.kind(inner),
+            Tree::Binary(operator, a, b) => match operator {
+                Binary::And
+                | Binary::Or
+                | Binary::Eq
+                | Binary::Ne
+                | Binary::Lt
+                | Binary::Le
+                | Binary::Gt
+                | Binary::Ge => Some(Kind::Bool),
+                _ => match (self.kind(a), self.kind(b)) {
+                    (Some(Kind::Number) | None, other) => other,
+                    (one, _) => one,
+                },
+            },
+            Tree::Opaque { .. } => None,
+        }
+    }
+
+    fn binary(&mut self, operator: Binary, [a, b]: [&Tree; 2], wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
+        let is = |one: &Option<Kind>, kind: &Kind| one.as_ref() == Some(kind);
+        let (left, right) = (self.kind(a), self.kind(b));
+        let logical = is(&left, &Kind::Bool) || is(&right, &Kind::Bool);
+        let (word, strength, of_bool) = match operator {
+            Binary::And => ("AND", strength::AND, true),
+            Binary::Or => ("OR", strength::OR, true),
+            Binary::BitAnd if logical => ("AND", strength::AND, true),
+            Binary::BitOr if logical => ("OR", strength::OR, true),
+            Binary::BitXor if logical => ("XOR", strength::XOR, true),
+            Binary::Eq => ("=", strength::EQUAL, false),
+            Binary::Ne => ("<>", strength::EQUAL, false),
+            Binary::Lt => ("<", strength::ORDER, false),
+            Binary::Le => ("<=", strength::ORDER, false),
+            Binary::Gt => (">", strength::ORDER, false),
+            Binary::Ge => (">=", strength::ORDER, false),
+            Binary::Add => ("+", strength::SUM, false),
+            Binary::Sub => ("-", strength::SUM, false),
+            Binary::Mul => ("*", strength::PRODUCT, false),
+            Binary::Div => ("/", strength::PRODUCT, false),
+            Binary::Rem => ("MOD", strength::PRODUCT, false),
+            Binary::BitAnd | Binary::BitOr | Binary::BitXor | Binary::Shl | Binary::Shr => {
+                let what = "an operator on the bits of integers";
+                return Err(refuse(at, what, "write it as arithmetic, or as a function of the program"));
+            }
+        };
+        // Of `n != 0 && 10 / n > 2` a PLC computes both sides.
+        if matches!(operator, Binary::Div | Binary::Rem) && !matches!(b, Tree::Int(1..)) {
+            let what = "a division by what may be zero";
+            return Err(refuse(at, what, "divide by a number, or write a function of the program"));
+        }
+        let compares = strength == strength::EQUAL || strength == strength::ORDER;
+        let both = [&left, &right].into_iter().flatten().find(|kind| **kind != Kind::Number).cloned();
+        if strength == strength::ORDER && logical {
+            return Err(refuse(at, "the order of truths", "write it with `&&` and `!`"));
+        }
+        if !compares && !of_bool && is(&both, &Kind::Time) {
+            return Err(refuse(at, "arithmetic of times", "compare with a time that is a `param`"));
+        }
+        let kind = match (of_bool, compares) {
+            (true, _) => Kind::Bool,
+            (_, true) => both.unwrap_or(Kind::Number),
+            _ => both.unwrap_or_else(|| wanted.clone()),
+        };
+        // From left to right: the right side has to hold more strongly, and so has the left one of a comparison.
+        let tight = strength + 1;
+        let left = self.tree(a, &kind, at)?.within(if compares { tight } else { strength });
+        let right = self.tree(b, &kind, at)?.within(if of_bool { strength } else { tight });
+        Ok(Text { text: format!("{left} {word} {right}"), strength })
+    }
+
+    /// A function that a person has to write.
+    fn opaque(&mut self, text: &str, reads: &[Read], wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
+        let mut inputs = Vec::new();
+        let mut given = BTreeSet::new();
+        for read in reads {
+            let Read::Name(name) = read else {
+                let what = format!("`{text}`, which reads more than declared values,");
+                return Err(refuse(at, &what, "move the rest out of it"));
+            };
+            let Some(kind) = kind(self.model.ty(*name)) else {
+                return Err(refuse(at, &format!("`{text}`"), "the type of what it reads is one of the program"));
+            };
+            let value = self.read(*read, at)?.text;
+            if given.insert(*name) {
+                inputs.push((Variable::new(self.name(*name), kind.name()), value));
+            }
+        }
+        if *wanted == Kind::Number {
+            return Err(refuse(
+                at,
+                &format!("`{text}`, whose type the chart does not tell,"),
+                "compare it with a declared value",
+            ));
+        }
+        let name = match self.called.get(text) {
+            Some(name) => name.clone(),
+            None => {
+                let name = self.names.own(&function(text));
+                self.called.insert(text.to_owned(), name.clone());
+                let inputs = inputs.iter().map(|(variable, _)| variable.clone()).collect();
+                let ty = Some(wanted.name().to_owned());
+                self.stubs.push(Stub { name: name.clone(), ty, inputs, rust: text.to_owned() });
+                name
+            }
+        };
+        let given: Vec<String> =
+            inputs.iter().map(|(variable, value)| format!("{} := {value}", variable.name)).collect();
+        Ok(Text::word(format!("{name}({})", given.join(", "))))
+    }
+}
+
+/// `valid` of `sensors::valid(level)`.
+fn function(text: &str) -> String {
+    let before = text.split(['(', '{', '[', ' ']).next().unwrap_or_default();
+    let name = before.rsplit([':', '.']).next().unwrap_or_default().trim_end_matches('!');
+    if name.is_empty() { "rust".to_owned() } else { name.to_owned() }
+}
+
+/// Inputs and parameters, which no action writes.
+pub(super) fn reads_inputs_alone(tree: &Tree) -> bool {
+    let mut alone = !tree.is_opaque();
+    tree.each_read(&mut |read| alone &= matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_)));
+    alone
+}
+
+/// A name without the mark of a raw identifier.
+pub(super) fn plain(name: &proc_macro2::Ident) -> String {
+    name.to_string().trim_start_matches("r#").to_owned()
+}
+
+fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
+    Refused::at(at.mark, format!("{what} has no translation into structured text; {mend}"))
+}
+
+fn may_read_times(at: &At<'_>) -> Result<(), Refused> {
+    if at.times {
+        return Ok(());
+    }
+    let message =
+        "the time of a step cannot be read by what runs once: in structured text the timer is another one by then";
+    Err(Refused::at(at.mark, message))
+}

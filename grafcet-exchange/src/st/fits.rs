@@ -1,0 +1,106 @@
+//! What structured text of these forms cannot say.
+
+use grafcet_compiler::analysis::{Facts, combinational};
+use grafcet_compiler::diagnostic::Mark;
+use grafcet_compiler::model::{Model, Name, Place, StepId, Ty};
+
+use super::{Form, expr};
+use crate::Refused;
+
+/// All of it, in the order of the chart.
+pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
+    let mut refused = Vec::new();
+    structure(model, &mut refused);
+    types(model, &mut refused);
+    if refused.is_empty() && form == Form::Case {
+        refused.extend(several(model));
+    }
+    if refused.is_empty() && form == Form::FlipFlops {
+        anys(model, &mut refused);
+    }
+    refused
+}
+
+fn structure(model: &Model, refused: &mut Vec<Refused>) {
+    for partial in model.partials.values() {
+        if let Some(name) = &partial.name {
+            let why = "partial grafcets and enclosing steps have no translation into structured text: export a chart of one net";
+            refused.push(Refused::at(name.into(), why));
+        }
+    }
+    for force in model.forces.values() {
+        refused.push(Refused::at(force.mark, "forcing orders have no translation into structured text"));
+    }
+    for transition in model.transitions.values() {
+        if transition.sources.is_empty() || transition.targets.is_empty() {
+            let why =
+                "source and sink transitions have no translation into structured text: give it a step at both ends";
+            refused.push(Refused::at(transition.mark, why));
+        }
+    }
+}
+
+fn types(model: &Model, refused: &mut Vec<Refused>) {
+    let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
+    all.extend(model.params.ids().map(Name::Param));
+    all.extend(model.outputs.ids().map(Name::Output));
+    all.extend(model.vars.ids().map(Name::Var));
+    for name in all {
+        if expr::kind(model.ty(name)).is_none() {
+            let ident = model.value_name(name);
+            let what = match model.ty(name) {
+                Ty::Other(_) => "is of a type of the program or a float",
+                _ => "is an integer that no PLC has",
+            };
+            let message = format!(
+                "`{ident}` {what}, which structured text of these forms does not have; use `bool`, `time`, or an integer of 8 to 64 bits"
+            );
+            refused.push(Refused::at(ident.into(), message));
+        }
+    }
+    if !model.is_grafcet() {
+        return;
+    }
+    for var in combinational::in_order(model) {
+        let name = model.place_name(Place::Var(var));
+        let message = format!(
+            "`{name}` follows the situation within an evolution, which structured text of these forms cannot: make it an output, or set and reset it"
+        );
+        refused.push(Refused::at(name.into(), message));
+    }
+}
+
+/// The steps that can be active together, where there are such.
+fn several(model: &Model) -> Option<Refused> {
+    let facts = Facts::of(model);
+    let steps: Vec<StepId> = model.steps.ids().filter(|step| facts.concurrency.reachable(*step)).collect();
+    if facts.initial.len() != 1 {
+        return Some(Refused::whole(
+            "the CASE form has one number for the active step, and here not exactly one is initial: use the form of flip-flops",
+        ));
+    }
+    for (index, a) in steps.iter().enumerate() {
+        for b in &steps[index + 1..] {
+            if facts.concurrency.together(*a, *b) {
+                let (first, second) = (&model.steps[*a].name, &model.steps[*b].name);
+                let message = format!(
+                    "the CASE form has one number for the active step, and `{first}` and `{second}` can be active together: use the form of flip-flops"
+                );
+                return Some(Refused::at(Mark::from(first), message));
+            }
+        }
+    }
+    None
+}
+
+/// What is left out by an `any` stays active beside what it enters, and it comes before all other transitions of the net, not of a step.
+fn anys(model: &Model, refused: &mut Vec<Refused>) {
+    let parallel = several(model).is_some();
+    for any in model.anys.values().filter(|_| parallel) {
+        let mark = model.transitions[any.first].mark;
+        refused.push(Refused::at(
+            mark,
+            "`any` beside parallel branches has no translation into structured text: draw its transitions one by one",
+        ));
+    }
+}

@@ -1,0 +1,229 @@
+//! Actions of places: what is true or has a value while something holds, and what is set and reset.
+
+use std::collections::BTreeMap;
+
+use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
+
+use super::Flags;
+use crate::Refused;
+use crate::st::action::{Role, Written, assigned, role};
+use crate::st::expr::At;
+use crate::st::frame;
+use crate::st::syntax::{Statement, Variable};
+use crate::st::text::{Text, all, any, not};
+use crate::st::time::LONGEST;
+
+/// What has no translation.
+pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, refused: &mut Vec<Refused>) {
+    for (place, how) in written {
+        let by_control = how.continuous || !model.is_grafcet() && how.set_or_reset;
+        let name = model.place_name(*place);
+        if by_control && how.otherwise {
+            refused.push(Refused::at(
+                name.into(),
+                format!("`{name}` is controlled and assigned, too: structured text of this form can do one of both"),
+            ));
+        }
+        let all = controls(model, *place);
+        let assigns = all.iter().filter(|association| matches!(association.effect, Effect::Assign(..))).count();
+        if assigns > 0 && assigns < all.len() && how.continuous {
+            refused.push(Refused::at(
+                name.into(),
+                format!("`{name}` is asserted and has values, too: structured text of this form can do one of both"),
+            ));
+        }
+        for association in &all {
+            let same = |other: &&Association| other.qualifier == association.qualifier;
+            let first = all.iter().copied().find(same).and_then(|first| first.time);
+            if !model.is_grafcet() && association.time != first {
+                let word = association.qualifier.word();
+                refused.push(Refused::at(
+                    association.mark,
+                    format!("`{word}` of `{name}` has two times, which share a timer: give both the same one"),
+                ));
+            }
+        }
+    }
+}
+
+/// The associations that control a place.
+pub(super) fn controls(model: &Model, place: Place) -> Vec<&Association> {
+    let is = |association: &&Association| matches!(role(model, association), Ok(Role::Continuous(at) | Role::Set(at) | Role::Reset(at)) if at == place);
+    model.associations.values().filter(is).collect()
+}
+
+impl Flags<'_> {
+    /// The statements that give a place its value in this scan.
+    pub(super) fn control(&mut self, place: Place) -> Result<Vec<Statement>, Refused> {
+        let all = controls(self.model, place);
+        if all.iter().any(|association| matches!(association.effect, Effect::Assign(..))) {
+            return self.values(place, &all);
+        }
+        let asserts = |association: &&Association| matches!(role(self.model, association), Ok(Role::Continuous(_)));
+        if self.model.is_grafcet() && all.iter().all(asserts) {
+            self.asserted(place, &all)
+        } else {
+            self.controlled(place, &all)
+        }
+    }
+
+    /// `N speed = e`: the last one in the source counts.
+    fn values(&mut self, place: Place, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
+        let (mut branches, nothing) = (Vec::new(), BTreeMap::new());
+        for association in all_of.iter().rev() {
+            let Effect::Assign(_, value) = &association.effect else { continue };
+            let mut parts = vec![self.input(association)?];
+            parts.extend(self.limit(association)?);
+            let stable = self.model.is_grafcet();
+            let value = self.after(association.mark, |scope, at| {
+                let before = if stable { &nothing } else { at.before };
+                assigned(scope, place, value, &At { before, ..*at })
+            })?;
+            branches.push((all(parts).text, vec![Statement::assign(self.scope.place(place), value)]));
+        }
+        let initial = frame::initial(&mut self.scope, place.into())?;
+        Ok(vec![Statement::If(branches, vec![Statement::assign(self.scope.place(place), initial)])])
+    }
+
+    /// In a `grafcet` L and D are conditions over the time of the step.
+    fn limit(&mut self, association: &Association) -> Result<Option<Text>, Refused> {
+        let Some(time) = association.time else { return Ok(None) };
+        let limit = self.scope.time(time, association.mark)?;
+        let timer = self.scope.timer(association.step);
+        let sign = if association.qualifier == Qualifier::L { "<" } else { ">=" };
+        Ok(Some(Text::order(format!("{timer}.ET {sign} {limit}"))))
+    }
+
+    /// `grafcet`: on the situation that has been reached.
+    fn asserted(&mut self, place: Place, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
+        let mut parts = Vec::new();
+        for association in all_of {
+            let mut part = vec![self.input(association)?];
+            part.extend(self.limit(association)?);
+            parts.push(all(part));
+        }
+        Ok(vec![Statement::assign(self.scope.place(place), any(parts).text)])
+    }
+
+    /// `sfc`: the standard's `ACTION_CONTROL`, of which only what is needed is there.
+    fn controlled(&mut self, place: Place, all_of: &[&Association]) -> Result<Vec<Statement>, Refused> {
+        use Qualifier::{D, Ds, L, N, P, R, S, Sd, Sl};
+        let name = self.scope.place(place).to_owned();
+        let mut inputs = self.inputs(all_of)?;
+        let mut done = Vec::new();
+        // Several ask for it.
+        let reset = match inputs.remove(&R) {
+            Some(reset) => {
+                let flag = self.local(&format!("{name}_R"));
+                done.push(Statement::assign(&*flag, reset.text));
+                Some(flag)
+            }
+            None => None,
+        };
+        // Where nothing else drives it, the place is its flip-flop.
+        if inputs.keys().all(|qualifier| *qualifier == S) {
+            let set = inputs.remove(&S).unwrap_or_else(|| Text::word("FALSE"));
+            done.push(flip_flop(&name, set, reset.as_ref()));
+            return Ok(done);
+        }
+        let mut terms: Vec<Text> = [N, P].iter().filter_map(|qualifier| inputs.remove(qualifier)).collect();
+        if let Some(set) = inputs.remove(&S) {
+            let stored = self.stored(&format!("{name}_S"));
+            done.push(flip_flop(&stored, set, reset.as_ref()));
+            terms.push(Text::word(stored));
+        }
+        if let Some(input) = inputs.remove(&L) {
+            let flag = self.local(&format!("{name}_L_on"));
+            done.push(Statement::assign(&*flag, input.text));
+            let over = self.timer((&name, L), &Text::word(&*flag), all_of, &mut done)?;
+            terms.push(all(vec![Text::word(flag), not(over)]));
+        }
+        if let Some(input) = inputs.remove(&D) {
+            terms.push(self.timer((&name, D), &input, all_of, &mut done)?);
+        }
+        for qualifier in [Sd, Sl] {
+            let Some(input) = inputs.remove(&qualifier) else { continue };
+            let stored = self.stored(&format!("{name}_{}", qualifier.word()));
+            done.push(flip_flop(&stored, input, reset.as_ref()));
+            let over = self.timer((&name, qualifier), &Text::word(&*stored), all_of, &mut done)?;
+            terms.push(if qualifier == Sd { over } else { all(vec![Text::word(stored), not(over)]) });
+        }
+        if let Some(input) = inputs.remove(&Ds) {
+            let over = self.timer((&name, Ds), &input, all_of, &mut done)?;
+            let stored = self.stored(&format!("{name}_DS"));
+            done.push(flip_flop(&stored, over, reset.as_ref()));
+            terms.push(Text::word(stored));
+        }
+        let mut value = vec![any(terms)];
+        value.extend(reset.map(|reset| not(Text::word(reset))));
+        done.push(Statement::assign(name, all(value).text));
+        Ok(done)
+    }
+
+    /// The inputs of an action control.
+    fn inputs(&mut self, all_of: &[&Association]) -> Result<BTreeMap<Qualifier, Text>, Refused> {
+        let mut by = BTreeMap::<Qualifier, Vec<Text>>::new();
+        for association in all_of {
+            let mut input = vec![self.input(association)?];
+            // A pulse is an event.
+            if association.qualifier == Qualifier::P {
+                input.push(self.activated(association.step));
+            }
+            by.entry(association.qualifier).or_default().push(all(input));
+        }
+        Ok(by.into_iter().map(|(qualifier, inputs)| (qualifier, any(inputs))).collect())
+    }
+
+    /// A flip-flop of its own.
+    fn stored(&mut self, wanted: &str) -> String {
+        let name = self.scope.names.own(wanted);
+        self.frame.remember(Variable::new(&*name, "BOOL").init("FALSE"));
+        name
+    }
+
+    /// A value of this scan alone.
+    pub(super) fn local(&mut self, wanted: &str) -> String {
+        let name = self.scope.names.own(wanted);
+        self.frame.variables.push(Variable::new(&*name, "BOOL"));
+        name
+    }
+
+    /// TON of a qualifier; its steps start it anew where they are entered anew, but for what a flip-flop keeps.
+    fn timer(
+        &mut self,
+        (name, qualifier): (&str, Qualifier),
+        input: &Text,
+        all_of: &[&Association],
+        done: &mut Vec<Statement>,
+    ) -> Result<Text, Refused> {
+        let timer = self.scope.names.own(&format!("{name}_{}_T", qualifier.word()));
+        self.frame.timer(&timer, &format!("{} of {name}", qualifier.word()));
+        let of = || all_of.iter().filter(|association| association.qualifier == qualifier);
+        if matches!(qualifier, Qualifier::L | Qualifier::D | Qualifier::Ds) {
+            let mut again = Vec::new();
+            for association in
+                of().filter(|association| self.may_reenter(association.step)).map(|a| a.step).collect::<Vec<_>>()
+            {
+                again.push(self.again(association));
+            }
+            if !again.is_empty() {
+                done.push(Statement::when(
+                    any(again).text,
+                    vec![Statement::Call(format!("{timer}(IN := FALSE, PT := {LONGEST})"))],
+                ));
+            }
+        }
+        done.push(Statement::Call(format!("{timer}(IN := {}, PT := {LONGEST})", input.text)));
+        let first = of().next().and_then(|association| Some((association.time?, association.mark)));
+        let Some((time, mark)) = first else { return Ok(Text::word("FALSE")) };
+        let limit = self.scope.time(time, mark)?;
+        Ok(all(vec![input.clone(), Text::order(format!("{timer}.ET >= {limit}"))]))
+    }
+}
+
+/// Reset dominates.
+fn flip_flop(name: &str, set: Text, reset: Option<&String>) -> Statement {
+    let mut value = vec![any(vec![Text::word(name), set])];
+    value.extend(reset.map(|reset| not(Text::word(&**reset))));
+    Statement::assign(name, all(value).text)
+}

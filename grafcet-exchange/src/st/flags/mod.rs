@@ -1,0 +1,370 @@
+//! The form of flip-flops: each step is one, set by the transitions that lead to it, reset by those that leave it.
+//!
+//! - here: situation and evolution
+//! - `control`: continuous and stored actions of booleans, the standard's `ACTION_CONTROL`
+//! - `runs`: what runs: assignments, blocks, calls
+
+mod control;
+mod runs;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::analysis::Facts;
+use grafcet_compiler::diagnostic::Mark;
+use grafcet_compiler::model::{Association, Id, Model, Place, Read, StepId, TransitionId, Tree};
+
+use super::action::{Role, Written, places, reads, role, shared_calls, written};
+use super::expr::{At, Kind, Scope, plain};
+use super::frame::{self, Frame};
+use super::names::Names;
+use super::syntax::{Program, Statement, Variable};
+use super::text::{Text, all, any, not};
+use super::time::LONGEST;
+use super::{Options, header};
+use crate::Refused;
+
+/// The program of a chart of one net.
+pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
+    let written = written(model)?;
+    let mut refused = Vec::new();
+    shared_calls(model, &mut refused);
+    control::refused(model, &written, &mut refused);
+    runs::refused(model, &written, is_single(model), &mut refused);
+    if !refused.is_empty() {
+        return Err(refused);
+    }
+    Flags::new(model, options).program(&written).map_err(|error| vec![error])
+}
+
+/// Whether one step is active at a time.
+fn is_single(model: &Model) -> bool {
+    let facts = Facts::of(model);
+    let steps: Vec<StepId> = model.steps.ids().collect();
+    let together = |(index, a): (usize, &StepId)| steps[index + 1..].iter().any(|b| facts.concurrency.together(*a, *b));
+    facts.initial.len() == 1 && !steps.iter().enumerate().any(together)
+}
+
+struct Flags<'m> {
+    model: &'m Model,
+    scope: Scope<'m>,
+    frame: Frame,
+    /// By step.
+    steps: Vec<String>,
+    /// By transition.
+    transitions: Vec<String>,
+    /// There has been a scan before.
+    started: String,
+    /// The input that begins anew.
+    init: String,
+    /// By step, that it is activated in this scan, where somebody asks.
+    activated: BTreeMap<StepId, String>,
+    deactivated: BTreeMap<StepId, String>,
+    /// Under which names actions read what was there before the scan.
+    before: BTreeMap<Place, String>,
+    single: bool,
+}
+
+impl<'m> Flags<'m> {
+    fn new(model: &'m Model, options: &Options) -> Self {
+        let mut names = Names::new();
+        let init = names.own(&options.init);
+        let mut scope = Scope::new(model, names);
+        let steps = model.steps.values().map(|step| scope.names.own(&format!("SR_{}", plain(&step.name)))).collect();
+        let transitions =
+            (1..=model.transitions.len()).map(|number| scope.names.own(&format!("Tr_{number}"))).collect();
+        let started = scope.names.own("Started");
+        Self {
+            model,
+            scope,
+            frame: Frame::default(),
+            steps,
+            transitions,
+            started,
+            init,
+            activated: BTreeMap::new(),
+            deactivated: BTreeMap::new(),
+            before: BTreeMap::new(),
+            single: is_single(model),
+        }
+    }
+
+    fn flag(&self, step: StepId) -> Text {
+        Text::word(&*self.steps[step.index()])
+    }
+
+    fn transition(&self, id: TransitionId) -> Text {
+        Text::word(&*self.transitions[id.index()])
+    }
+
+    fn program(mut self, written: &BTreeMap<Place, Written>) -> Result<Program, Refused> {
+        let model = self.model;
+        let name = self.scope.names.of_chart(&plain(&model.name));
+        self.copies(written);
+        for (id, step) in model.steps.iter() {
+            let init = if step.initial { "TRUE" } else { "FALSE" };
+            self.frame.remember(Variable::new(&*self.steps[id.index()], "BOOL").init(init));
+        }
+        self.frame.remember(Variable::new(&*self.started, "BOOL").init("FALSE").note("there has been a scan before"));
+        let transitions = self.transitions()?;
+        let actions = self.actions(written)?;
+        let situation = self.situation();
+        let restarts = self.restarts();
+        let changes = self.changes();
+        let mut before = self.frame.edges(&mut self.scope, &self.started)?;
+        before.extend(self.frame.delays(&mut self.scope)?);
+        let timers = self.timers();
+        let copies: Vec<Statement> =
+            self.before.iter().map(|(place, copy)| Statement::assign(&**copy, self.scope.place(*place))).collect();
+        let mut program = Program { name, ..Program::default() };
+        program.inputs.push(Variable::new(&*self.init, "BOOL").note("back into the initial situation"));
+        let mut frame = std::mem::take(&mut self.frame);
+        frame::declare(&mut self.scope, &mut program, &mut frame, |place| written.contains_key(&place))?;
+        for (instance, block) in self.scope.instances.values() {
+            program.variables.push(Variable::new(instance, block));
+        }
+        program.variables.extend(frame.variables);
+        let body = &mut program.body;
+        body.extend([
+            Statement::comment("Back to the beginning"),
+            Statement::when(&*self.init, frame.init),
+            Statement::Gap,
+        ]);
+        part(body, "Edges and delays of inputs", before);
+        part(body, "The times of steps, to be read", timers.clone());
+        part(body, "What actions read as it was before the scan", copies);
+        part(body, "Transitions: predecessor and condition", transitions);
+        part(body, "What is activated and deactivated", changes);
+        part(body, "Steps: set by what leads to them, reset by what leaves them", situation);
+        part(body, "Actions", actions);
+        part(body, "The times of steps, which begin with the step", restarts.into_iter().chain(timers).collect());
+        body.push(Statement::assign(self.started.clone(), "TRUE"));
+        program.header = header::flags(model, &self.scope);
+        program.renamed = self.scope.names.renamed.into_iter().collect();
+        program.stubs = self.scope.stubs;
+        Ok(program)
+    }
+
+    /// What actions read, and others write in the same moment.
+    fn copies(&mut self, written: &BTreeMap<Place, Written>) {
+        let mut read = BTreeSet::new();
+        for association in self.model.associations.values() {
+            let stored = !matches!(role(self.model, association), Ok(Role::Continuous(_)));
+            if self.model.is_grafcet() && !stored {
+                continue;
+            }
+            read.extend(reads(&association.effect));
+            let conditions = association.condition.iter().chain(&association.event);
+            read.extend(conditions.flat_map(|condition| places(&condition.tree)));
+        }
+        for effect in self.model.transitions.values().flat_map(|transition| &transition.clearing) {
+            read.extend(reads(effect));
+        }
+        // In an `sfc` a variable that one action writes the next one sees.
+        read.retain(|place| {
+            written.contains_key(place) && (self.model.is_grafcet() || matches!(place, Place::Output(_)))
+        });
+        for place in read {
+            let name = self.scope.names.own(&format!("{}_before", self.scope.place(place)));
+            let ty = super::expr::kind(self.model.place_ty(place)).map_or("DINT", |kind| kind.name());
+            self.frame.variables.push(Variable::new(&*name, ty));
+            self.before.insert(place, name);
+        }
+    }
+
+    fn transitions(&mut self) -> Result<Vec<Statement>, Refused> {
+        let (model, nothing) = (self.model, BTreeMap::new());
+        let mut statements = Vec::new();
+        for (id, transition) in model.transitions.iter() {
+            let steps = self.steps.clone();
+            let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
+            let at = At { active: &active, before: &nothing, times: true, mark: transition.mark };
+            let mut parts = vec![Text::word(&*self.started)];
+            parts.extend(transition.sources.iter().map(|step| self.flag(*step)));
+            parts.push(self.scope.expr(&transition.condition, &Kind::Bool, &at)?);
+            if !model.is_grafcet() {
+                // The order in the source is the priority.
+                let shares = |other: &TransitionId| {
+                    *other < id
+                        && model.transitions[*other].sources.iter().any(|step| transition.sources.contains(step))
+                };
+                parts.extend(model.transitions.ids().filter(shares).map(|other| not(self.transition(other))));
+            }
+            let names = |steps: &[StepId]| {
+                let names: Vec<String> = steps.iter().map(|step| plain(&model.steps[*step].name)).collect();
+                names.join(", ")
+            };
+            let note = format!("{} to {}", names(&transition.sources), names(&transition.targets));
+            let name = self.transitions[id.index()].clone();
+            self.frame.variables.push(Variable::new(&*name, "BOOL").note(note));
+            statements.push(Statement::assign(name, all(parts).text));
+        }
+        Ok(statements)
+    }
+
+    fn entering(&self, step: StepId) -> Vec<Text> {
+        self.model.entering[step.index()].iter().map(|id| self.transition(*id)).collect()
+    }
+
+    fn leaving(&self, step: StepId) -> Vec<Text> {
+        self.model.leaving[step.index()].iter().map(|id| self.transition(*id)).collect()
+    }
+
+    /// Whether it can be left and entered at once.
+    fn may_reenter(&self, step: StepId) -> bool {
+        let leaving = &self.model.leaving[step.index()];
+        let entering = &self.model.entering[step.index()];
+        leaving.iter().any(|id| entering.contains(id)) || !self.single && !leaving.is_empty() && !entering.is_empty()
+    }
+
+    fn situation(&self) -> Vec<Statement> {
+        let one = |step: StepId| {
+            let mut set = vec![self.flag(step)];
+            set.extend(self.entering(step));
+            let mut reset = vec![any(self.leaving(step))];
+            // A step that is left and entered stays active.
+            if self.may_reenter(step) {
+                reset.push(not(any(self.entering(step))));
+            }
+            let value = if self.model.leaving[step.index()].is_empty() {
+                any(set)
+            } else {
+                all(vec![any(set), not(all(reset))])
+            };
+            Statement::assign(&*self.steps[step.index()], value.text)
+        };
+        self.model.steps.ids().map(one).collect()
+    }
+
+    /// That a step is activated in this scan.
+    fn activated(&mut self, step: StepId) -> Text {
+        if !self.activated.contains_key(&step) {
+            let name = self.scope.names.own(&format!("Act_{}", plain(&self.model.steps[step].name)));
+            self.activated.insert(step, name);
+        }
+        Text::word(&*self.activated[&step])
+    }
+
+    /// That it is left.
+    fn deactivated(&mut self, step: StepId) -> Text {
+        if !self.deactivated.contains_key(&step) {
+            let name = self.scope.names.own(&format!("Deact_{}", plain(&self.model.steps[step].name)));
+            self.deactivated.insert(step, name);
+        }
+        Text::word(&*self.deactivated[&step])
+    }
+
+    /// What [`Self::activated`] and [`Self::deactivated`] have asked for, seen before the steps change.
+    fn changes(&mut self) -> Vec<Statement> {
+        let sfc = !self.model.is_grafcet();
+        let mut statements = Vec::new();
+        for (step, name) in &self.activated {
+            let mut new = vec![not(self.flag(*step))];
+            if sfc && self.may_reenter(*step) {
+                new.extend(self.leaving(*step));
+            }
+            let mut value = all(vec![any(self.entering(*step)), any(new)]);
+            if self.model.steps[*step].initial {
+                value = any(vec![value, not(Text::word(&*self.started))]);
+            }
+            self.frame.variables.push(Variable::new(&**name, "BOOL"));
+            statements.push(Statement::assign(&**name, value.text));
+        }
+        for (step, name) in &self.deactivated {
+            let mut parts = vec![any(self.leaving(*step))];
+            if !sfc && self.may_reenter(*step) {
+                parts.push(not(any(self.entering(*step))));
+            }
+            self.frame.variables.push(Variable::new(&**name, "BOOL"));
+            statements.push(Statement::assign(&**name, all(parts).text));
+        }
+        statements
+    }
+
+    /// The timers of steps, which run as long as these are active.
+    fn timers(&mut self) -> Vec<Statement> {
+        let mut statements = Vec::new();
+        for (step, timer) in self.scope.timers.clone() {
+            self.frame.timer(&timer, &format!("how long {} is active", plain(&self.model.steps[step].name)));
+            let active = &self.steps[step.index()];
+            statements.push(Statement::Call(format!("{timer}(IN := {active}, PT := {LONGEST})")));
+        }
+        statements
+    }
+
+    /// A step that is left and entered anew begins its time anew; in a `grafcet` it stays.
+    fn restarts(&mut self) -> Vec<Statement> {
+        let mut statements = Vec::new();
+        for (step, timer) in self.scope.timers.clone() {
+            if !self.model.is_grafcet() && self.may_reenter(step) {
+                let again = self.again(step);
+                statements.push(Statement::when(
+                    again.text,
+                    vec![Statement::Call(format!("{timer}(IN := FALSE, PT := {LONGEST})"))],
+                ));
+            }
+        }
+        statements
+    }
+
+    fn again(&mut self, step: StepId) -> Text {
+        all(vec![self.activated(step), self.deactivated(step)])
+    }
+
+    /// What an action sees after the evolution.
+    fn after<T>(
+        &mut self,
+        mark: Mark,
+        see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
+    ) -> Result<T, Refused> {
+        let (steps, before) = (self.steps.clone(), self.before.clone());
+        let active = |step: StepId| Some(Text::word(&*steps[step.index()]));
+        see(&mut self.scope, &At { active: &active, before: &before, times: true, mark })
+    }
+
+    /// What an action sees that runs at an instant: no steps and no times, which are others before and after.
+    fn instant<T>(
+        &mut self,
+        mark: Mark,
+        see: impl FnOnce(&mut Scope<'m>, &At<'_>) -> Result<T, Refused>,
+    ) -> Result<T, Refused> {
+        let before = self.before.clone();
+        see(&mut self.scope, &At { active: &|_| None, before: &before, times: false, mark })
+    }
+
+    /// The flag of an association: its step, and its condition.
+    fn input(&mut self, association: &Association) -> Result<Text, Refused> {
+        let flag = self.flag(association.step);
+        let Some(condition) = &association.condition else { return Ok(flag) };
+        if reads_step_time(&condition.tree, association.step)
+            && !self.model.is_grafcet()
+            && self.may_reenter(association.step)
+        {
+            return Err(Refused::at(
+                association.mark,
+                "a step that can be entered anew has two times in that scan, of which the program would read the wrong one: leave it by way of another step",
+            ));
+        }
+        let stable = self.model.is_grafcet();
+        let nothing = BTreeMap::new();
+        let condition = self.after(association.mark, |scope, at| {
+            let before = if stable { &nothing } else { at.before };
+            scope.expr(condition, &Kind::Bool, &At { before, ..*at })
+        })?;
+        Ok(all(vec![flag, condition]))
+    }
+}
+
+fn reads_step_time(tree: &Tree, step: StepId) -> bool {
+    let mut reads = false;
+    tree.each_read(&mut |read| reads |= matches!(read, Read::Since(of) | Read::Elapsed(_, of) if of == step));
+    reads
+}
+
+/// A part of the program under a heading, where there is something.
+fn part(body: &mut Vec<Statement>, heading: &str, statements: Vec<Statement>) {
+    if !statements.is_empty() {
+        body.push(Statement::comment(heading));
+        body.extend(statements);
+        body.push(Statement::Gap);
+    }
+}

@@ -1,0 +1,247 @@
+//! What runs: assignments, blocks and calls, each in its place of the scan.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use grafcet_compiler::model::{Association, Effect, Model, Place, Qualifier};
+
+use super::Flags;
+use crate::Refused;
+use crate::st::action::{Phase, Role, Written, places, reads, role, run};
+use crate::st::expr::{At, Kind};
+use crate::st::syntax::{Statement, Variable};
+use crate::st::text::{Text, all, any, not};
+
+/// What has no translation.
+pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, single: bool, refused: &mut Vec<Refused>) {
+    let calls = |association: &Association| match &association.effect {
+        Effect::Call(action, _) => Some(*action),
+        _ => None,
+    };
+    for association in model.associations.values() {
+        let others = || model.associations.values().filter(|other| !std::ptr::eq(*other, association));
+        if let Some(action) = calls(association) {
+            let again = others().any(|other| calls(other) == Some(action));
+            if again && (!single || association.qualifier == Qualifier::N) {
+                let name = &model.actions[action].name;
+                refused.push(Refused::at(association.mark, format!("`{name}` is called by several steps, and the chart makes one call of them: structured text of this form has one step for an action")));
+            }
+        }
+        let Effect::Block(code) = &association.effect else { continue };
+        let own = |place: &&Place| reads(&association.effect).contains(place) && written.contains_key(place);
+        for place in code.writes.iter().filter(own) {
+            let output = matches!(place, Place::Output(_)) || model.is_grafcet();
+            if output && others().any(|other| other.effect.writes().contains(place)) {
+                let name = model.place_name(*place);
+                refused.push(Refused::at(association.mark, format!("this block reads `{name}`, which others write, too, as it was before the scan: structured text of this form cannot; use a variable")));
+            }
+        }
+    }
+}
+
+impl Flags<'_> {
+    /// All actions in their order: what ends with its step, what begins, the rest.
+    pub(super) fn actions(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
+        if self.model.is_grafcet() { self.of_grafcet(written) } else { self.of_sfc() }
+    }
+
+    fn of_sfc(&mut self) -> Result<Vec<Statement>, Refused> {
+        let model = self.model;
+        let (mut conditions, mut left, mut entered, mut rest) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut controlled = BTreeSet::new();
+        for association in model.associations.values() {
+            match role(model, association)? {
+                Role::Continuous(place) | Role::Set(place) | Role::Reset(place) => {
+                    if controlled.insert(place) {
+                        self.no_old_variables(place)?;
+                        rest.extend(self.control(place)?);
+                    }
+                }
+                Role::Deactivation => {
+                    let event = self.deactivated(association.step);
+                    left.push(self.once(association, event, &mut conditions)?);
+                }
+                Role::Activation => {
+                    let event = self.activated(association.step);
+                    entered.push(self.once(association, event, &mut conditions)?);
+                }
+                Role::Body => self.body(association, &mut conditions, &mut left, &mut rest)?,
+                Role::Event => {}
+            }
+        }
+        Ok(conditions.into_iter().chain(left).chain(entered).chain(rest).collect())
+    }
+
+    /// Conditions are read before the first action runs.
+    fn no_old_variables(&self, place: Place) -> Result<(), Refused> {
+        let mut changed: Vec<Place> = Vec::new();
+        for association in self.model.associations.values() {
+            changed.extend(association.effect.writes().iter().filter(|place| matches!(place, Place::Var(_))));
+        }
+        for association in super::control::controls(self.model, place) {
+            let Some(condition) = &association.condition else { continue };
+            if let Some(read) = places(&condition.tree).into_iter().find(|place| changed.contains(place)) {
+                let name = self.model.place_name(read);
+                return Err(Refused::at(
+                    association.mark,
+                    format!(
+                        "the condition reads `{name}` as it was before the actions of the scan, which write it: structured text of this form cannot; ask for it in a transition"
+                    ),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// P1 and P0.
+    fn once(
+        &mut self,
+        association: &Association,
+        event: Text,
+        conditions: &mut Vec<Statement>,
+    ) -> Result<Statement, Refused> {
+        let mut parts = vec![event];
+        if let Some(condition) = &association.condition {
+            let text = self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?;
+            parts.push(self.hoisted(text, association, conditions));
+        }
+        let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        Ok(Statement::when(all(parts).text, done))
+    }
+
+    /// A condition that reads what actions write is read before them; a `grafcet` has copies of what was there before.
+    fn hoisted(&mut self, condition: Text, association: &Association, conditions: &mut Vec<Statement>) -> Text {
+        let reads = association.condition.iter().any(|condition| !places(&condition.tree).is_empty());
+        if !reads || self.model.is_grafcet() {
+            return condition;
+        }
+        let name = self.local("If_1");
+        conditions.push(Statement::assign(&*name, condition.text));
+        Text::word(name)
+    }
+
+    /// N of what runs: in each scan while its step is active, and once more after that.
+    fn body(
+        &mut self,
+        association: &Association,
+        conditions: &mut Vec<Statement>,
+        left: &mut Vec<Statement>,
+        rest: &mut Vec<Statement>,
+    ) -> Result<(), Refused> {
+        let flag = self.flag(association.step);
+        let input = self.input(association)?;
+        let runs = self.hoisted(input, association, conditions);
+        let (runs, conditional) = (runs.text, association.condition.is_some());
+        let ran = self.scope.names.own("Ran_1");
+        self.frame.remember(Variable::new(&*ran, "BOOL").init("FALSE").note("it ran in the scan before"));
+        let stable = self.model.is_grafcet();
+        let mut phase = |phase| {
+            // A call of a `grafcet` sees what the evolution has led to.
+            let nothing = BTreeMap::new();
+            let sees = |scope: &mut _, at: &At<'_>| {
+                let before = if stable { &nothing } else { at.before };
+                run(scope, &association.effect, phase, &At { times: false, before, ..*at })
+            };
+            self.after(association.mark, sees)
+        };
+        let [first, repeated, last] = [phase(Phase::First)?, phase(Phase::Repeated)?, phase(Phase::Final)?];
+        let over = all(vec![Text::word(&*ran), not(Text::word(&*flag.text))]);
+        left.push(Statement::when(over.text, last.clone()));
+        let now = if first == repeated { first } else { vec![Statement::If(vec![(ran.clone(), repeated)], first)] };
+        let mut branches = vec![(runs.clone(), now)];
+        if conditional {
+            branches.push((all(vec![Text::word(&*ran), flag]).text, last));
+        }
+        rest.push(Statement::If(branches, Vec::new()));
+        rest.push(Statement::assign(ran, runs));
+        Ok(())
+    }
+
+    /// A place that steps alone set and reset, one at a time: what happens on activation lasts as long as the step does.
+    fn is_flip_flop(&self, place: Place, written: &BTreeMap<Place, Written>) -> bool {
+        let bare =
+            super::control::controls(self.model, place).iter().all(|association| association.condition.is_none());
+        self.single && bare && !written[&place].otherwise
+    }
+
+    fn of_grafcet(&mut self, written: &BTreeMap<Place, Written>) -> Result<Vec<Statement>, Refused> {
+        let model = self.model;
+        let (mut stored, mut rest, mut calls) = (Vec::new(), Vec::new(), Vec::new());
+        let mut continuous = BTreeSet::new();
+        for (id, transition) in model.transitions.iter() {
+            if transition.any.is_some_and(|any| model.anys[any].first != id) {
+                continue;
+            }
+            let mut done = Vec::new();
+            for effect in &transition.clearing {
+                done.extend(self.instant(transition.mark, |scope, at| run(scope, effect, Phase::First, at))?);
+            }
+            if !done.is_empty() {
+                // An `any` clears as a whole.
+                let same = |other: &(_, &grafcet_compiler::model::Transition)| {
+                    other.1.any.is_some() && other.1.any == transition.any
+                };
+                let mut all: Vec<Text> =
+                    model.transitions.iter().filter(same).map(|(id, _)| self.transition(id)).collect();
+                if all.is_empty() {
+                    all.push(self.transition(id));
+                }
+                stored.push(Statement::when(any(all).text, done));
+            }
+        }
+        for association in model.associations.values() {
+            let role = role(model, association)?;
+            match role {
+                Role::Continuous(place) => {
+                    if continuous.insert(place) {
+                        rest.extend(self.control(place)?);
+                    }
+                }
+                Role::Body => {
+                    let mut none = Vec::new();
+                    let (mut left, mut now) = (Vec::new(), Vec::new());
+                    self.body(association, &mut none, &mut left, &mut now)?;
+                    calls.extend(left.into_iter().chain(now));
+                }
+                Role::Event => stored.push(self.event(association)?),
+                Role::Activation | Role::Deactivation => {
+                    let event = if role == Role::Activation {
+                        self.activated(association.step)
+                    } else {
+                        self.deactivated(association.step)
+                    };
+                    stored.push(self.once(association, event, &mut Vec::new())?);
+                }
+                Role::Set(place) | Role::Reset(place) if self.is_flip_flop(place, written) => {
+                    if continuous.insert(place) {
+                        rest.extend(self.control(place)?);
+                    }
+                }
+                Role::Set(place) | Role::Reset(place) => {
+                    let mut parts = vec![self.activated(association.step)];
+                    if let Some(condition) = &association.condition {
+                        parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+                    }
+                    let value = if association.qualifier == Qualifier::S { "TRUE" } else { "FALSE" };
+                    stored.push(Statement::when(
+                        all(parts).text,
+                        vec![Statement::assign(self.scope.place(place), value)],
+                    ));
+                }
+            }
+        }
+        Ok(stored.into_iter().chain(rest).chain(calls).collect())
+    }
+
+    /// An action on an event runs if its step was active before the evolution.
+    fn event(&mut self, association: &Association) -> Result<Statement, Refused> {
+        // It is active before if it is now and has not been activated, or has been deactivated.
+        let flag = self.flag(association.step);
+        let was = all(vec![flag, not(self.activated(association.step))]);
+        let mut parts = vec![any(vec![was, self.deactivated(association.step)])];
+        for condition in association.event.iter().chain(&association.condition) {
+            parts.push(self.instant(association.mark, |scope, at| scope.expr(condition, &Kind::Bool, at))?);
+        }
+        let done = self.instant(association.mark, |scope, at| run(scope, &association.effect, Phase::First, at))?;
+        Ok(Statement::when(all(parts).text, done))
+    }
+}

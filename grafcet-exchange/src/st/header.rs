@@ -1,0 +1,61 @@
+//! What a program says of itself.
+
+use grafcet_compiler::model::Model;
+
+use super::expr::{Scope, plain};
+
+pub(super) fn case(model: &Model, scope: &Scope<'_>) -> Vec<String> {
+    let mut lines = begin(model, "one CASE for the active step");
+    lines.extend([
+        "Act, then evolve: in each scan the active step acts first, its transitions come last. So what differs from the chart is:".to_owned(),
+        "- what a step does shows one scan later; in the scan in which a step is left its continuous actions are off".to_owned(),
+        "- actions read the inputs of that later scan".to_owned(),
+    ]);
+    if model.is_grafcet() {
+        lines.push("- one transition a scan: a step that the chart only passes lasts for a scan, and its continuous actions show".to_owned());
+    } else {
+        lines.push("- the first scan looks at transitions already".to_owned());
+    }
+    end(model, scope, &mut lines);
+    lines
+}
+
+pub(super) fn flags(model: &Model, scope: &Scope<'_>) -> Vec<String> {
+    let mut lines = begin(model, "a flip-flop for each step");
+    lines.push("Evolve, then act: the transitions are evaluated on the situation of the scan before, then the steps are set and reset, then the actions follow.".to_owned());
+    if model.is_grafcet() {
+        lines.push("What differs from the chart: one evolution a scan. A step that the chart only passes lasts for a scan, and its continuous actions show.".to_owned());
+        lines.push("The first scan only enters the initial steps.".to_owned());
+    } else {
+        lines.push("Each scan does what a cycle of the chart does.".to_owned());
+    }
+    end(model, scope, &mut lines);
+    lines
+}
+
+fn begin(model: &Model, form: &str) -> Vec<String> {
+    let dialect = if model.is_grafcet() { "grafcet" } else { "sfc" };
+    vec![format!(
+        "The chart `{}` ({dialect}) as structured text (IEC 61131-3): {form}. Written by cargo grafcet.",
+        plain(&model.name)
+    )]
+}
+
+fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
+    if !scope.timers.is_empty() {
+        lines.push(
+            "The timers of steps are called twice in a scan: to read them, and to begin with the step.".to_owned(),
+        );
+    }
+    for (chart, name) in &scope.names.renamed {
+        lines.push(format!("Renamed: `{chart}` of the chart is {name}."));
+    }
+    for stub in &scope.stubs {
+        lines.push(format!("To be written by you: {}, in Rust `{}`.", stub.name, stub.rust));
+    }
+    let late: Vec<String> =
+        model.steps.values().filter(|step| step.late.is_some()).map(|step| plain(&step.name)).collect();
+    if !late.is_empty() {
+        lines.push(format!("Left out: `within` of {}, which no transition asks for.", late.join(", ")));
+    }
+}

@@ -1,0 +1,85 @@
+//! IEC 61131-3 structured text.
+//!
+//! - `syntax`, `names`, `time`, `text`, `expr`: programs, names, times and expressions of structured text
+//! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
+//! - `fits`: what neither form can say
+//! - `action`: what an association is, and what an effect does
+//! - `case`, `flags`: the two forms
+//! - `header`: what the program says of itself
+
+mod action;
+mod case;
+mod expr;
+mod fits;
+mod flags;
+mod frame;
+mod header;
+mod names;
+mod syntax;
+mod text;
+mod time;
+
+use grafcet_compiler::model::Model;
+
+use crate::Refused;
+
+/// What kind of program is wanted.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Options {
+    /// One of the two forms.
+    pub form: Form,
+    /// [`Form::Case`]: the number of the first step, and how far the next one is from it.
+    pub numbers: (u32, u32),
+    /// [`Form::Case`]: the variable with the number of the active step.
+    pub step: String,
+    /// The input that puts the chart back into its initial situation.
+    pub init: String,
+}
+
+impl Default for Options {
+    /// [`Form::Case`], steps in tens, `StepNo` and `Init`.
+    fn default() -> Self {
+        Self { form: Form::Case, numbers: (10, 10), step: "StepNo".to_owned(), init: "Init".to_owned() }
+    }
+}
+
+/// How the program is built.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Form {
+    /// `CASE step OF …`: in each step first its actions, then its transitions; what a continuous action has switched on the transition
+    /// switches off. For charts of which one step is active at a time.
+    Case,
+    /// A flip-flop for each step, set by its predecessor and the condition, reset by the transition that leaves it; then the actions. Parallel
+    /// branches are possible.
+    FlipFlops,
+}
+
+/// A translated chart.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct StructuredText {
+    /// A function block, after the functions it needs.
+    pub text: String,
+    /// What is declared and has to be written by a person: its name and the Rust it stands for.
+    pub to_write: Vec<(String, String)>,
+    /// What has another name than in the chart, as structured text knows no capitals and has words of its own: both names.
+    pub renamed: Vec<(String, String)>,
+}
+
+/// A chart as a function block of structured text.
+///
+/// The chart is one that the compiler accepts. The program's header says in which points it differs from the chart.
+///
+/// # Errors
+/// All that has no translation, each with its place: there is never a program that does something else.
+pub fn structured_text(model: &Model, options: &Options) -> Result<StructuredText, Vec<Refused>> {
+    let refused = fits::refused(model, options.form);
+    if !refused.is_empty() {
+        return Err(refused);
+    }
+    let program = match options.form {
+        Form::Case => case::program(model, options),
+        Form::FlipFlops => flags::program(model, options),
+    }?;
+    let to_write = program.stubs.iter().map(|stub| (stub.name.clone(), stub.rust.clone())).collect();
+    Ok(StructuredText { text: program.text(), to_write, renamed: program.renamed })
+}

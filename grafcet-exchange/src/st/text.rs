@@ -1,0 +1,64 @@
+//! Texts of expressions, with parentheses where they need them.
+
+/// How strongly operators hold together.
+pub(super) mod strength {
+    pub(in crate::st) const OR: u8 = 1;
+    pub(in crate::st) const XOR: u8 = 2;
+    pub(in crate::st) const AND: u8 = 3;
+    pub(in crate::st) const EQUAL: u8 = 4;
+    pub(in crate::st) const ORDER: u8 = 5;
+    pub(in crate::st) const SUM: u8 = 6;
+    pub(in crate::st) const PRODUCT: u8 = 7;
+    pub(in crate::st) const UNARY: u8 = 9;
+    pub(in crate::st) const WORD: u8 = 10;
+}
+
+/// A text and how strongly it holds together.
+#[derive(Clone)]
+pub(super) struct Text {
+    pub(super) text: String,
+    pub(super) strength: u8,
+}
+
+impl Text {
+    pub(super) fn word(text: impl Into<String>) -> Self {
+        Self { text: text.into(), strength: strength::WORD }
+    }
+
+    /// A comparison.
+    pub(super) fn order(text: impl Into<String>) -> Self {
+        Self { text: text.into(), strength: strength::ORDER }
+    }
+
+    /// In parentheses where what is around it holds more strongly.
+    pub(super) fn within(self, strength: u8) -> String {
+        if self.strength < strength { format!("({})", self.text) } else { self.text }
+    }
+}
+
+/// All of them; `TRUE` of none.
+pub(super) fn all(parts: Vec<Text>) -> Text {
+    joined(parts, "AND", strength::AND, "TRUE")
+}
+
+/// One of them; `FALSE` of none.
+pub(super) fn any(parts: Vec<Text>) -> Text {
+    joined(parts, "OR", strength::OR, "FALSE")
+}
+
+pub(super) fn not(part: Text) -> Text {
+    Text { text: format!("NOT {}", part.within(strength::UNARY)), strength: strength::UNARY }
+}
+
+fn joined(parts: Vec<Text>, word: &str, strength: u8, none: &str) -> Text {
+    let parts: Vec<Text> = parts.into_iter().filter(|part| part.text != neutral(word)).collect();
+    if parts.len() < 2 {
+        return parts.into_iter().next().unwrap_or_else(|| Text::word(none));
+    }
+    let parts: Vec<String> = parts.into_iter().map(|part| part.within(strength)).collect();
+    Text { text: parts.join(&format!(" {word} ")), strength }
+}
+
+fn neutral(word: &str) -> &'static str {
+    if word == "AND" { "TRUE" } else { "FALSE" }
+}

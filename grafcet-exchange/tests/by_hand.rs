@@ -1,0 +1,227 @@
+//! Programs worked out by hand: the listings of the source document, timelines, and functions.
+
+#[path = "machine/mod.rs"]
+mod machine;
+
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::Model;
+use grafcet_compiler::plant;
+use grafcet_exchange::st::{Form, Options, structured_text};
+use machine::{Machine, Statement, Value, statements, units};
+
+fn model(chart: &str) -> Model {
+    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
+    let mut sink = Sink::new();
+    let model = plant::model(tokens, &mut sink);
+    let said = sink.finish();
+    assert!(said.is_empty(), "{said:?}");
+    model.expect("a chart")
+}
+
+fn program(chart: &str, form: Form) -> String {
+    match structured_text(&model(chart), &Options { form, ..Options::default() }) {
+        Ok(program) => program.text,
+        Err(refused) => panic!("{refused:?}"),
+    }
+}
+
+const LINE: &str = "grafcet Line24V { input b1, b2, b3, b4, b5: bool; output q1, q2, q3: bool;
+    initial step S1 { q1; } step S2 { S q2; } step S3 { q3 if b5; } step S4 { R q2; }
+    S1 -[b1]-> S2 -[b2]-> S3 -[b3]-> S4 -[b4]-> S1; }";
+
+/// Bild 15 of the source document, statement by statement. Beyond it `Init` resets the outputs: the document says of the flip-flops that an
+/// action would stay set otherwise, and what a step has switched on its transition would never switch off.
+#[test]
+fn bild_15() {
+    let options = Options { numbers: (1, 1), step: "schrittnummer".to_owned(), ..Options::default() };
+    let text = structured_text(&model(LINE), &options).expect("a translation").text;
+    let mut body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let Some(Statement::If(branches, _)) = body.first_mut() else { panic!("{body:?}") };
+    let resets = branches[0].1.split_off(1);
+    assert_eq!(resets, statements("q1 := FALSE; q2 := FALSE; q3 := FALSE;").expect("statements"));
+    assert_eq!(body, statements(include_str!("bild15.st")).expect("the listing"));
+}
+
+/// Bild 5 to 8: a flip-flop for each step and for the stored action, assignments for the continuous ones. A step is reset by the transition to its
+/// successor and not by the successor's flag, which is one scan late.
+#[test]
+fn bild_5_to_8() {
+    let text = program(LINE, Form::FlipFlops);
+    let body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let expected = "
+        IF Init THEN
+            SR_S1 := TRUE; SR_S2 := FALSE; SR_S3 := FALSE; SR_S4 := FALSE; Started := FALSE;
+            q1 := FALSE; q2 := FALSE; q3 := FALSE;
+        END_IF;
+        Tr_1 := Started AND SR_S1 AND b1;
+        Tr_2 := Started AND SR_S2 AND b2;
+        Tr_3 := Started AND SR_S3 AND b3;
+        Tr_4 := Started AND SR_S4 AND b4;
+        SR_S1 := (SR_S1 OR Tr_4) AND NOT Tr_1;
+        SR_S2 := (SR_S2 OR Tr_1) AND NOT Tr_2;
+        SR_S3 := (SR_S3 OR Tr_2) AND NOT Tr_3;
+        SR_S4 := (SR_S4 OR Tr_3) AND NOT Tr_4;
+        q1 := SR_S1;
+        q2_R := SR_S4;
+        q2 := (q2 OR SR_S2) AND NOT q2_R;
+        q3 := SR_S3 AND b5;
+        Started := TRUE;";
+    assert_eq!(body, statements(expected).expect("statements"), "{text}");
+}
+
+/// Sets inputs, makes a scan, and shows the values of these names.
+fn scan(machine: &mut Machine, now: u64, inputs: &[(&str, bool)], shown: &[&str]) -> Vec<i128> {
+    machine.now = now;
+    for (name, value) in inputs {
+        machine.set(name, Value::Bool(*value)).expect("an input");
+    }
+    machine.scan().expect("a scan");
+    shown.iter().map(|name| machine.get(name).expect("a variable").number()).collect()
+}
+
+/// The CASE form acts, then evolves: P1 in the first scan of its step, P0 and the final scan with the transition, the time from the scan in which the step
+/// was entered.
+#[test]
+fn a_timeline_of_the_case_form() {
+    let chart = "sfc Mixer { input go: bool; output run: bool; output lit: bool; var starts: u8 = 0; var turns: u8 = 0; var ends: u8 = 0;
+        initial step Idle { R lit; }
+        step Mix { N run; S lit; P1 starts = starts + 1; N turns = turns + 1; P0 ends = ends + 1; }
+        Idle -[go && ends < 200 && turns < 200 && starts < 200]-> Mix -[3s/Mix]-> Idle; }";
+    let mut machine = Machine::new(&program(chart, Form::Case)).expect("understood");
+    let names = ["StepNo", "run", "lit", "starts", "turns", "ends"];
+    let mut scan = |now, go, init| scan(&mut machine, now, &[("go", go), ("Init", init)], &names);
+    assert_eq!(scan(0, false, false), [10, 0, 0, 0, 0, 0]);
+    // Entered at 1 s; it acts one scan later.
+    assert_eq!(scan(1_000, true, false), [20, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(2_000, false, false), [20, 1, 1, 1, 1, 0]);
+    assert_eq!(scan(3_999, false, false), [20, 1, 1, 1, 2, 0]);
+    // Three seconds after it was entered: a turn, the final scan, P0; what is continuous is off, what is stored stays.
+    assert_eq!(scan(4_000, false, false), [10, 0, 1, 1, 4, 1]);
+    assert_eq!(scan(4_001, true, false), [20, 0, 0, 1, 4, 1]);
+    assert_eq!(scan(4_002, false, false), [20, 1, 1, 2, 5, 1]);
+    // Back to the beginning, with everything, and no P0.
+    assert_eq!(scan(4_003, false, true), [10, 0, 0, 0, 0, 0]);
+    // The time of the step does not go on from before.
+    assert_eq!(scan(4_004, true, false), [20, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(7_003, false, false), [20, 1, 1, 1, 1, 0]);
+    assert_eq!(scan(7_004, false, false), [10, 0, 1, 1, 3, 1]);
+}
+
+/// The form of flip-flops evolves, then acts: a reset dominates a set of the same scan, SD counts on beyond its condition, a limit ends, P1 and P0 run once, and
+/// values are those of the last step in the source.
+#[test]
+fn a_timeline_of_the_flip_flops() {
+    let chart = "sfc Cell { #![allow(grafcet::conflicting_values)]
+        input go, stop: bool; output q, kept, late, short: bool; output speed: u8 = 1; var ins: u8 = 0; var outs: u8 = 0;
+        initial step A; step B { S q; S kept; SD 2s late; L 1s short; N speed = 5; P1 ins = ins + 1; P0 outs = outs + 1; }
+        step E { R q; N speed = 7; } step F { R kept; R late; }
+        A -[go && ins < 200 && outs < 200]-> (B, E); (B, E) -[!go]-> F -[stop]-> A; }";
+    let mut machine = Machine::new(&program(chart, Form::FlipFlops)).expect("understood");
+    let names = ["SR_A", "SR_B", "SR_E", "SR_F", "q", "kept", "late", "short", "speed", "ins", "outs"];
+    let mut scan = |now, go, stop| scan(&mut machine, now, &[("go", go), ("stop", stop)], &names);
+    // The first scan only enters the initial step.
+    assert_eq!(scan(0, true, false), [1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0]);
+    assert_eq!(scan(1_000, true, false), [0, 1, 1, 0, 0, 1, 0, 1, 7, 1, 0]);
+    assert_eq!(scan(1_999, true, false), [0, 1, 1, 0, 0, 1, 0, 1, 7, 1, 0]);
+    assert_eq!(scan(2_000, true, false), [0, 1, 1, 0, 0, 1, 0, 0, 7, 1, 0]);
+    assert_eq!(scan(3_000, true, false), [0, 1, 1, 0, 0, 1, 1, 0, 7, 1, 0]);
+    assert_eq!(scan(4_000, false, false), [0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1]);
+    assert_eq!(scan(4_500, true, true), [1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1]);
+    assert_eq!(scan(4_600, true, true), [0, 1, 1, 0, 0, 1, 0, 1, 7, 2, 1]);
+}
+
+/// What is on in the first scan has not risen, nor has it after `Init`.
+#[test]
+fn no_edge_at_the_beginning() {
+    let chart = "grafcet Door { input a: bool; output q: bool; initial step Shut; step Open { q; }
+        Shut -[rising(a)]-> Open -[falling(a)]-> Shut; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let mut machine = Machine::new(&program(chart, form)).expect("understood");
+        let mut after = |a, init| {
+            // Twice, so that what the step does shows in both forms.
+            scan(&mut machine, 0, &[("a", a), ("Init", init)], &[]);
+            scan(&mut machine, 0, &[("Init", false)], &["q"])[0]
+        };
+        assert_eq!(
+            [after(true, false), after(false, false), after(true, false), after(true, false)],
+            [0, 0, 1, 1],
+            "{form:?}"
+        );
+        assert_eq!(
+            [after(true, true), after(true, false), after(false, false), after(true, false)],
+            [0, 0, 0, 1],
+            "{form:?}"
+        );
+        assert_eq!(after(false, false), 0, "{form:?}");
+    }
+}
+
+/// In a `grafcet` a stored action asks its condition, and a call its arguments, of variables too.
+#[test]
+fn conditions_over_variables() {
+    let chart = "grafcet Batch { input a: bool; output q: u8; var m: u8 = 0; action tell(count: u8);
+        initial step A { P1 m = 3; } step B { P1 q = 7 if m > 2; N tell(m) if m > 2; }
+        A -[a]-> B -[!a]-> A; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let Ok(done) = structured_text(&model(chart), &Options { form, ..Options::default() }) else {
+            assert_eq!(form, Form::Case, "whether the call has begun depends on a condition");
+            continue;
+        };
+        let mut machine = Machine::new(&done.text).expect("understood");
+        assert_eq!(scan(&mut machine, 0, &[("a", false)], &["q", "m"]), [0, 3]);
+        assert_eq!(scan(&mut machine, 0, &[("a", true)], &["q", "m"]), [7, 3]);
+        assert_eq!(
+            machine.calls.iter().map(|call| call.arguments.clone()).collect::<Vec<_>>(),
+            [[Value::Int(0), Value::Int(3)]]
+        );
+        assert_eq!(scan(&mut machine, 0, &[("a", true)], &["q", "m"]), [7, 3]);
+        assert_eq!(
+            machine.calls.iter().map(|call| call.arguments.clone()).collect::<Vec<_>>(),
+            [[Value::Int(1), Value::Int(3)]]
+        );
+    }
+}
+
+/// Rust functions are functions to be written, code actions function blocks.
+#[test]
+fn functions_of_the_program() {
+    let chart = "sfc Oven { input level: u16; output hot: bool; action heat(limit: i16); action beep();
+        initial step Off { P1 beep(); } step On { N heat(80); hot; }
+        Off -[limits::valid(level) && level > 5]-> On -[!limits::valid(level)]-> Off; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let done = structured_text(&model(chart), &Options { form, ..Options::default() }).expect("a translation");
+        let names: Vec<&str> = done.to_write.iter().map(|(name, _)| name.as_str()).collect();
+        let mut sorted = names.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, ["FB_beep", "FB_heat", "valid"], "{form:?}");
+        assert!(done.to_write.iter().any(|(_, rust)| rust == "limits::valid(level)"), "{:?}", done.to_write);
+        let mut machine = Machine::new(&done.text).expect("understood");
+        // What the function returns.
+        machine.world = |name, arguments| {
+            assert_eq!(name, "valid");
+            Value::Bool(arguments == [Value::Int(9)])
+        };
+        let mut calls: Vec<Vec<(String, Vec<i128>)>> = Vec::new();
+        for level in [0, 9, 9, 9, 0, 0] {
+            machine.set("level", Value::Int(level)).expect("an input");
+            machine.scan().expect("a scan");
+            calls.push(
+                machine
+                    .calls
+                    .iter()
+                    .map(|call| (call.instance.clone(), call.arguments.iter().map(|value| value.number()).collect()))
+                    .collect(),
+            );
+        }
+        let beep = || ("beep".to_owned(), vec![0]);
+        let heat = |phase| ("heat".to_owned(), vec![phase, 80]);
+        let expected: [Vec<(String, Vec<i128>)>; 6] = match form {
+            // It beeps once, and enters the step; there it heats first, again, and in the scan in which it is left again and for the last time.
+            Form::Case => [vec![beep()], vec![], vec![heat(0)], vec![heat(1)], vec![heat(1), heat(2)], vec![beep()]],
+            Form::FlipFlops => {
+                [vec![beep()], vec![heat(0)], vec![heat(1)], vec![heat(1)], vec![heat(2), beep()], vec![]]
+            }
+        };
+        assert_eq!(calls, expected, "{form:?}");
+    }
+}

@@ -1,0 +1,175 @@
+//! What statements do, and what expressions are worth. Types are never mixed.
+
+use super::parser::{Expression, Statement};
+use super::{Call, Cell, Machine, Timer, Type, Value};
+
+/// A value for a variable of a type.
+pub(super) fn fitting(ty: Type, value: Value) -> Result<Value, String> {
+    match (ty, value) {
+        (Type::Bool, Value::Bool(_)) | (Type::Time, Value::Time(_)) => Ok(value),
+        (Type::Int(low, high), Value::Int(number)) if (low..=high).contains(&number) => Ok(value),
+        (Type::Int(..), Value::Int(number)) => Err(format!("{number} does not fit")),
+        _ => Err(format!("{value:?} is of another type than {ty:?}")),
+    }
+}
+
+/// What needs no variable.
+pub(super) fn constant(expression: &Expression) -> Result<Value, String> {
+    match expression {
+        Expression::Literal(value) => Ok(*value),
+        Expression::Minus(inner) => match constant(inner)? {
+            Value::Int(number) => Ok(Value::Int(-number)),
+            other => Err(format!("-{other:?}")),
+        },
+        Expression::Not(inner) => match constant(inner)? {
+            Value::Bool(value) => Ok(Value::Bool(!value)),
+            other => Err(format!("NOT {other:?}")),
+        },
+        Expression::Binary(operator, a, b) => binary(operator, constant(a)?, constant(b)?),
+        other => Err(format!("{other:?} is no constant")),
+    }
+}
+
+fn binary(operator: &str, a: Value, b: Value) -> Result<Value, String> {
+    use Value::{Bool, Int, Time};
+    let order = match (a, b) {
+        (Bool(_), Bool(_)) | (Int(_), Int(_)) | (Time(_), Time(_)) => a.cmp(&b),
+        _ => return Err(format!("{a:?} {operator} {b:?}")),
+    };
+    let ordered = !matches!(a, Bool(_));
+    Ok(match (operator, a, b) {
+        ("and", Bool(a), Bool(b)) => Bool(a && b),
+        ("or", Bool(a), Bool(b)) => Bool(a || b),
+        ("xor", Bool(a), Bool(b)) => Bool(a != b),
+        ("=", ..) => Bool(order.is_eq()),
+        ("<>", ..) => Bool(order.is_ne()),
+        ("<", ..) if ordered => Bool(order.is_lt()),
+        ("<=", ..) if ordered => Bool(order.is_le()),
+        (">", ..) if ordered => Bool(order.is_gt()),
+        (">=", ..) if ordered => Bool(order.is_ge()),
+        ("+", Int(a), Int(b)) => Int(a + b),
+        ("-", Int(a), Int(b)) => Int(a - b),
+        ("*", Int(a), Int(b)) => Int(a * b),
+        ("/", Int(a), Int(b)) => Int(a.checked_div(b).ok_or("division by zero")?),
+        ("mod", Int(a), Int(b)) => Int(a.checked_rem(b).ok_or("division by zero")?),
+        _ => return Err(format!("{a:?} {operator} {b:?}")),
+    })
+}
+
+impl Machine {
+    pub(super) fn run(&mut self, statements: &[Statement]) -> Result<(), String> {
+        statements.iter().try_for_each(|statement| self.one(statement))
+    }
+
+    fn one(&mut self, statement: &Statement) -> Result<(), String> {
+        match statement {
+            Statement::Assign(name, value) => {
+                let value = self.value(value)?;
+                self.set(name, value)
+            }
+            Statement::If(branches, otherwise) => {
+                for (condition, then) in branches {
+                    if self.holds(condition)? {
+                        return self.run(then);
+                    }
+                }
+                self.run(otherwise)
+            }
+            Statement::Case(on, arms) => {
+                let Value::Int(number) = self.value(on)? else { return Err("CASE of no number".to_owned()) };
+                match arms.iter().find(|(arm, _)| *arm == number) {
+                    Some((_, body)) => self.run(body),
+                    None => Err(format!("CASE has no {number}")),
+                }
+            }
+            Statement::Call(name, arguments) => self.call(name, arguments),
+        }
+    }
+
+    fn call(&mut self, name: &str, arguments: &[(String, Expression)]) -> Result<(), String> {
+        let mut given = Vec::new();
+        for (parameter, value) in arguments {
+            given.push((parameter.clone(), self.value(value)?));
+        }
+        match self.cells.get(name) {
+            Some(Cell::Timer(timer)) => {
+                let argument = |wanted: &str| given.iter().find(|(name, _)| name == wanted).map(|(_, value)| *value);
+                let (Some(Value::Bool(on)), Some(Value::Time(limit))) = (argument("in"), argument("pt")) else {
+                    return Err(format!("TON {name} is called by {given:?}"));
+                };
+                let timer = after(*timer, on, limit, self.now);
+                self.cells.insert(name.to_owned(), Cell::Timer(timer));
+                Ok(())
+            }
+            Some(Cell::Instance(block)) => {
+                self.check(block, &given)?;
+                let arguments = given.into_iter().map(|(_, value)| value).collect();
+                self.calls.push(Call { instance: name.to_owned(), arguments });
+                Ok(())
+            }
+            _ => Err(format!("there is nothing to call: `{name}`")),
+        }
+    }
+
+    /// Every input of the unit is given, by a value of its type.
+    fn check(&self, unit: &str, given: &[(String, Value)]) -> Result<(), String> {
+        let inputs = self.functions[unit].variables.iter().filter(|variable| variable.is_input);
+        let declared: Vec<(&String, &String)> = inputs.map(|variable| (&variable.name, &variable.ty)).collect();
+        if declared.len() != given.len() {
+            return Err(format!("{unit} takes {declared:?}, not {given:?}"));
+        }
+        for ((name, ty), (parameter, value)) in declared.into_iter().zip(given) {
+            if name != parameter {
+                return Err(format!("{unit} has no `{parameter}`"));
+            }
+            fitting(super::type_of(ty)?, *value)?;
+        }
+        Ok(())
+    }
+
+    fn holds(&self, expression: &Expression) -> Result<bool, String> {
+        match self.value(expression)? {
+            Value::Bool(value) => Ok(value),
+            other => Err(format!("IF {other:?}")),
+        }
+    }
+
+    fn value(&self, expression: &Expression) -> Result<Value, String> {
+        match expression {
+            Expression::Literal(value) => Ok(*value),
+            Expression::Name(name) => self.get(name),
+            Expression::Member(name, member) => match (self.cells.get(name), member.as_str()) {
+                (Some(Cell::Timer(timer)), "q") => Ok(Value::Bool(timer.q)),
+                (Some(Cell::Timer(timer)), "et") => Ok(Value::Time(timer.elapsed)),
+                _ => Err(format!("there is no {name}.{member}")),
+            },
+            Expression::Not(inner) => Ok(Value::Bool(!self.holds(inner)?)),
+            Expression::Minus(inner) => match self.value(inner)? {
+                Value::Int(number) => Ok(Value::Int(-number)),
+                other => Err(format!("-{other:?}")),
+            },
+            Expression::Binary(operator, a, b) => binary(operator, self.value(a)?, self.value(b)?),
+            Expression::Call(name, arguments) => {
+                let mut given = Vec::new();
+                for (parameter, value) in arguments {
+                    given.push((parameter.clone(), self.value(value)?));
+                }
+                let unit = self.functions.get(name).ok_or_else(|| format!("there is no function `{name}`"))?;
+                let ty = unit.ty.as_ref().ok_or_else(|| format!("`{name}` is no function"))?;
+                self.check(name, &given)?;
+                let values: Vec<Value> = given.into_iter().map(|(_, value)| value).collect();
+                fitting(super::type_of(ty)?, (self.world)(name, &values))
+            }
+        }
+    }
+}
+
+/// The timer after a call.
+fn after(timer: Timer, on: bool, limit: u64, now: u64) -> Timer {
+    if !on {
+        return Timer::default();
+    }
+    let started = timer.started.unwrap_or(now);
+    let elapsed = (now - started).min(limit);
+    Timer { started: Some(started), elapsed, q: elapsed >= limit }
+}

@@ -1,0 +1,68 @@
+//! Tokens of structured text.
+
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Token {
+    /// In small letters.
+    Word(String),
+    Int(i128),
+    /// Milliseconds.
+    Time(u64),
+    Sign(&'static str),
+}
+
+const SIGNS: [&str; 17] = [":=", "<=", ">=", "<>", "=", "<", ">", "+", "-", "*", "/", "(", ")", ",", ";", ":", "."];
+
+pub(super) fn tokens(text: &str) -> Result<Vec<Token>, String> {
+    let mut tokens = Vec::new();
+    let mut rest = text;
+    loop {
+        rest = rest.trim_start();
+        let Some(first) = rest.chars().next() else { return Ok(tokens) };
+        if let Some(comment) = rest.strip_prefix("//") {
+            rest = comment.find('\n').map_or("", |end| &comment[end..]);
+        } else if first.is_ascii_alphabetic() || first == '_' {
+            let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+            let word = rest[..end].to_lowercase();
+            if word == "t" && rest[end..].starts_with('#') {
+                let from = end + 1;
+                let length = rest[from..].find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len() - from);
+                tokens.push(Token::Time(time(&rest[from..from + length])?));
+                rest = &rest[from + length..];
+            } else {
+                if word.ends_with('_') || word.contains("__") || word.starts_with('_') {
+                    return Err(format!("`{word}` is no identifier"));
+                }
+                tokens.push(Token::Word(word));
+                rest = &rest[end..];
+            }
+        } else if first.is_ascii_digit() {
+            let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+            tokens.push(Token::Int(rest[..end].parse().map_err(|error| format!("{}: {error}", &rest[..end]))?));
+            rest = &rest[end..];
+        } else if let Some(sign) = SIGNS.into_iter().find(|sign| rest.starts_with(*sign)) {
+            tokens.push(Token::Sign(sign));
+            rest = &rest[sign.len()..];
+        } else {
+            return Err(format!("`{first}` is no sign of structured text"));
+        }
+    }
+}
+
+/// `1h30m`: from long to short units, each once.
+fn time(text: &str) -> Result<u64, String> {
+    const UNITS: [(&str, u64); 5] = [("d", 86_400_000), ("h", 3_600_000), ("m", 60_000), ("s", 1_000), ("ms", 1)];
+    let (mut ms, mut rest, mut next) = (0, text, 0);
+    while !rest.is_empty() {
+        let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
+        let number: u64 = rest[..digits].parse().map_err(|error| format!("T#{text}: {error}"))?;
+        rest = &rest[digits..];
+        let letters = rest.find(|c: char| c.is_ascii_digit()).unwrap_or(rest.len());
+        let unit = rest[..letters].to_lowercase();
+        rest = &rest[letters..];
+        let place = UNITS.iter().position(|(name, _)| *name == unit).filter(|place| *place >= next);
+        let place = place.ok_or_else(|| format!("T#{text} is no time"))?;
+        ms += number * UNITS[place].1;
+        next = place + 1;
+    }
+    if text.is_empty() { Err("T# without a time".to_owned()) } else { Ok(ms) }
+}

@@ -1,0 +1,173 @@
+//! Structured text that runs: a reader by its own grammar and an interpreter, for the part of the language that exported programs are made of.
+//! Nothing is shared with the exporter.
+#![allow(dead_code, reason = "each test needs a part of it")]
+
+mod eval;
+mod lexer;
+mod parser;
+
+use std::collections::BTreeMap;
+
+#[allow(unused_imports, reason = "each test needs a part of it")]
+pub(crate) use parser::statements;
+pub(crate) use parser::{Expression, Statement, Unit, units};
+
+/// A value, times in milliseconds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) enum Value {
+    Bool(bool),
+    Int(i128),
+    Time(u64),
+}
+
+impl Value {
+    /// As charts are compared: `true` is 1.
+    pub(crate) fn number(self) -> i128 {
+        match self {
+            Self::Bool(value) => i128::from(value),
+            Self::Int(value) => value,
+            Self::Time(ms) => i128::from(ms),
+        }
+    }
+}
+
+/// What is stored under a name.
+#[derive(Clone, PartialEq, Eq, Debug)]
+enum Cell {
+    Value(Type, Value),
+    Timer(Timer),
+    /// An instance of a function block that somebody has to write.
+    Instance(String),
+}
+
+/// A type that has values.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Type {
+    Bool,
+    Time,
+    /// The lowest and the highest value.
+    Int(i128, i128),
+}
+
+/// TON: on delay.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+struct Timer {
+    started: Option<u64>,
+    elapsed: u64,
+    q: bool,
+}
+
+/// A call of a function block that is to be written.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Call {
+    /// Of the instance, in small letters.
+    pub(crate) instance: String,
+    pub(crate) arguments: Vec<Value>,
+}
+
+/// The last function block of a text, as a machine.
+pub(crate) struct Machine {
+    cells: BTreeMap<String, Cell>,
+    body: Vec<Statement>,
+    functions: BTreeMap<String, Unit>,
+    /// In milliseconds since anything.
+    pub(crate) now: u64,
+    /// Of the last scan.
+    pub(crate) calls: Vec<Call>,
+    /// What functions that are to be written return.
+    pub(crate) world: fn(&str, &[Value]) -> Value,
+}
+
+impl Machine {
+    /// With all variables at their initial values.
+    pub(crate) fn new(text: &str) -> Result<Self, String> {
+        let mut units = units(text)?;
+        let program = units.pop().ok_or("there is no function block")?;
+        let functions: BTreeMap<String, Unit> = units.into_iter().map(|unit| (unit.name.clone(), unit)).collect();
+        let mut machine = Self {
+            cells: BTreeMap::new(),
+            body: program.body,
+            functions,
+            now: 0,
+            calls: Vec::new(),
+            world: |_, _| Value::Bool(false),
+        };
+        for variable in program.variables {
+            let cell = machine.cell(&variable.ty, variable.init.as_ref())?;
+            if machine.cells.insert(variable.name.clone(), cell).is_some()
+                || machine.functions.contains_key(&variable.name)
+            {
+                return Err(format!("`{}` is declared twice", variable.name));
+            }
+        }
+        Ok(machine)
+    }
+
+    fn cell(&self, ty: &str, init: Option<&Expression>) -> Result<Cell, String> {
+        if ty == "ton" {
+            return Ok(Cell::Timer(Timer::default()));
+        }
+        if self.functions.contains_key(ty) {
+            return Ok(Cell::Instance(ty.to_owned()));
+        }
+        let ty = type_of(ty)?;
+        let nothing = match ty {
+            Type::Bool => Value::Bool(false),
+            Type::Time => Value::Time(0),
+            Type::Int(..) => Value::Int(0),
+        };
+        let value = init.map_or(Ok(nothing), eval::constant)?;
+        Ok(Cell::Value(ty, eval::fitting(ty, value)?))
+    }
+
+    /// One scan.
+    pub(crate) fn scan(&mut self) -> Result<(), String> {
+        self.calls.clear();
+        let body = std::mem::take(&mut self.body);
+        let done = self.run(&body);
+        self.body = body;
+        done
+    }
+
+    pub(crate) fn set(&mut self, name: &str, value: Value) -> Result<(), String> {
+        match self.cells.get_mut(&name.to_lowercase()) {
+            Some(Cell::Value(ty, at)) => {
+                *at = eval::fitting(*ty, value).map_err(|error| format!("{name}: {error}"))?;
+                Ok(())
+            }
+            _ => Err(format!("there is no variable `{name}`")),
+        }
+    }
+
+    pub(crate) fn get(&self, name: &str) -> Result<Value, String> {
+        match self.cells.get(&name.to_lowercase()) {
+            Some(Cell::Value(_, value)) => Ok(*value),
+            _ => Err(format!("there is no variable `{name}`")),
+        }
+    }
+
+    /// Everything it remembers, to be compared.
+    pub(crate) fn memory(&self) -> String {
+        format!("{:?}", self.cells)
+    }
+}
+
+fn type_of(name: &str) -> Result<Type, String> {
+    let int = |signed: bool, bits: u32| {
+        let (low, bits) = if signed { (-(1 << (bits - 1)), bits - 1) } else { (0, bits) };
+        Type::Int(low, (1 << bits) - 1)
+    };
+    Ok(match name {
+        "bool" => Type::Bool,
+        "time" => Type::Time,
+        "sint" => int(true, 8),
+        "usint" => int(false, 8),
+        "int" => int(true, 16),
+        "uint" => int(false, 16),
+        "dint" => int(true, 32),
+        "udint" => int(false, 32),
+        "lint" => int(true, 64),
+        "ulint" => int(false, 64),
+        _ => return Err(format!("there is no type `{name}`")),
+    })
+}

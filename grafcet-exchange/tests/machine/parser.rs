@@ -1,0 +1,295 @@
+//! Functions, function blocks, statements and expressions.
+
+use super::Value;
+use super::lexer::{Token, tokens};
+
+/// A function or a function block.
+#[derive(Clone, Debug)]
+pub(crate) struct Unit {
+    pub(crate) name: String,
+    /// Of a function what it returns.
+    pub(crate) ty: Option<String>,
+    pub(crate) variables: Vec<Declared>,
+    pub(crate) body: Vec<Statement>,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Declared {
+    pub(crate) name: String,
+    pub(crate) ty: String,
+    pub(crate) init: Option<Expression>,
+    pub(crate) is_input: bool,
+}
+
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Statement {
+    Assign(String, Expression),
+    Call(String, Vec<(String, Expression)>),
+    If(Vec<(Expression, Vec<Statement>)>, Vec<Statement>),
+    Case(Expression, Vec<(i128, Vec<Statement>)>),
+}
+
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) enum Expression {
+    Literal(Value),
+    Name(String),
+    Member(String, String),
+    Call(String, Vec<(String, Expression)>),
+    Not(Box<Expression>),
+    Minus(Box<Expression>),
+    Binary(&'static str, Box<Expression>, Box<Expression>),
+}
+
+/// Words that are no names.
+const KEYWORDS: [&str; 24] = [
+    "and",
+    "or",
+    "xor",
+    "not",
+    "mod",
+    "true",
+    "false",
+    "if",
+    "then",
+    "elsif",
+    "else",
+    "end_if",
+    "case",
+    "of",
+    "end_case",
+    "var",
+    "var_input",
+    "var_output",
+    "end_var",
+    "function",
+    "function_block",
+    "end_function",
+    "end_function_block",
+    "ton",
+];
+
+/// From weak to strong.
+const LEVELS: [&[&str]; 7] =
+    [&["or"], &["xor"], &["and"], &["=", "<>"], &["<", ">", "<=", ">="], &["+", "-"], &["*", "/", "mod"]];
+
+pub(crate) fn units(text: &str) -> Result<Vec<Unit>, String> {
+    let mut parser = Parser { tokens: tokens(text)?, at: 0 };
+    let mut units = Vec::new();
+    while parser.at < parser.tokens.len() {
+        units.push(parser.unit()?);
+    }
+    Ok(units)
+}
+
+/// Statements alone.
+pub(crate) fn statements(text: &str) -> Result<Vec<Statement>, String> {
+    let mut parser = Parser { tokens: tokens(text)?, at: 0 };
+    let statements = parser.statements(&[])?;
+    if parser.at == parser.tokens.len() { Ok(statements) } else { Err(parser.wrong("a statement")) }
+}
+
+struct Parser {
+    tokens: Vec<Token>,
+    at: usize,
+}
+
+impl Parser {
+    fn peek(&self) -> Option<&Token> {
+        self.tokens.get(self.at)
+    }
+
+    fn is_word(&self, word: &str) -> bool {
+        matches!(self.peek(), Some(Token::Word(found)) if found == word)
+    }
+
+    fn wrong(&self, wanted: &str) -> String {
+        format!(
+            "token {}: {wanted} is expected, found {:?}",
+            self.at,
+            &self.tokens[self.at..self.tokens.len().min(self.at + 5)]
+        )
+    }
+
+    fn word(&mut self, word: &str) -> bool {
+        let found = self.is_word(word);
+        self.at += usize::from(found);
+        found
+    }
+
+    fn sign(&mut self, sign: &str) -> bool {
+        let found = matches!(self.peek(), Some(Token::Sign(found)) if *found == sign);
+        self.at += usize::from(found);
+        found
+    }
+
+    fn need_word(&mut self, word: &str) -> Result<(), String> {
+        if self.word(word) { Ok(()) } else { Err(self.wrong(word)) }
+    }
+
+    fn need(&mut self, sign: &str) -> Result<(), String> {
+        if self.sign(sign) { Ok(()) } else { Err(self.wrong(sign)) }
+    }
+
+    fn name(&mut self) -> Result<String, String> {
+        match self.peek() {
+            Some(Token::Word(word)) if !KEYWORDS.contains(&word.as_str()) => {
+                let word = word.clone();
+                self.at += 1;
+                Ok(word)
+            }
+            _ => Err(self.wrong("a name")),
+        }
+    }
+
+    fn unit(&mut self) -> Result<Unit, String> {
+        let is_function = self.word("function");
+        if !is_function {
+            self.need_word("function_block")?;
+        }
+        let name = self.name()?;
+        let mut ty = None;
+        if is_function {
+            self.need(":")?;
+            ty = Some(self.ty()?);
+        }
+        let mut variables = Vec::new();
+        loop {
+            let is_input = self.is_word("var_input");
+            if !is_input && !self.is_word("var_output") && !self.is_word("var") {
+                break;
+            }
+            self.at += 1;
+            while !self.word("end_var") {
+                let name = self.name()?;
+                self.need(":")?;
+                let ty = self.ty()?;
+                let init = if self.sign(":=") { Some(self.expression(0)?) } else { None };
+                self.need(";")?;
+                variables.push(Declared { name, ty, init, is_input });
+            }
+        }
+        let end = if is_function { "end_function" } else { "end_function_block" };
+        let body = self.statements(&[end])?;
+        self.need_word(end)?;
+        Ok(Unit { name, ty, variables, body })
+    }
+
+    fn ty(&mut self) -> Result<String, String> {
+        if self.word("ton") { Ok("ton".to_owned()) } else { self.name() }
+    }
+
+    fn statements(&mut self, ends: &[&str]) -> Result<Vec<Statement>, String> {
+        let mut statements = Vec::new();
+        while let Some(token) = self.peek() {
+            if ends.iter().any(|end| self.is_word(end)) || ends.contains(&"end_case") && matches!(token, Token::Int(_))
+            {
+                break;
+            }
+            if self.sign(";") {
+                continue;
+            }
+            statements.push(self.statement()?);
+            self.need(";")?;
+        }
+        Ok(statements)
+    }
+
+    fn statement(&mut self) -> Result<Statement, String> {
+        if self.word("if") {
+            let mut branches = Vec::new();
+            loop {
+                let condition = self.expression(0)?;
+                self.need_word("then")?;
+                branches.push((condition, self.statements(&["elsif", "else", "end_if"])?));
+                if !self.word("elsif") {
+                    break;
+                }
+            }
+            let otherwise = if self.word("else") { self.statements(&["end_if"])? } else { Vec::new() };
+            self.need_word("end_if")?;
+            return Ok(Statement::If(branches, otherwise));
+        }
+        if self.word("case") {
+            let on = self.expression(0)?;
+            self.need_word("of")?;
+            let mut arms = Vec::new();
+            while !self.word("end_case") {
+                let Some(Token::Int(number)) = self.peek().cloned() else { return Err(self.wrong("a number")) };
+                self.at += 1;
+                self.need(":")?;
+                arms.push((number, self.statements(&["end_case"])?));
+            }
+            return Ok(Statement::Case(on, arms));
+        }
+        let name = self.name()?;
+        if self.sign("(") {
+            return Ok(Statement::Call(name, self.arguments()?));
+        }
+        self.need(":=")?;
+        Ok(Statement::Assign(name, self.expression(0)?))
+    }
+
+    fn arguments(&mut self) -> Result<Vec<(String, Expression)>, String> {
+        let mut arguments = Vec::new();
+        while !self.sign(")") {
+            if !arguments.is_empty() {
+                self.need(",")?;
+            }
+            let name = self.name()?;
+            self.need(":=")?;
+            arguments.push((name, self.expression(0)?));
+        }
+        Ok(arguments)
+    }
+
+    fn expression(&mut self, level: usize) -> Result<Expression, String> {
+        let Some(operators) = LEVELS.get(level) else { return self.unary() };
+        let mut left = self.expression(level + 1)?;
+        loop {
+            let found = operators.iter().copied().find(|operator| match self.peek() {
+                Some(Token::Word(word)) => word == operator,
+                Some(Token::Sign(sign)) => sign == operator,
+                _ => false,
+            });
+            let Some(operator) = found else { return Ok(left) };
+            self.at += 1;
+            left = Expression::Binary(operator, Box::new(left), Box::new(self.expression(level + 1)?));
+        }
+    }
+
+    fn unary(&mut self) -> Result<Expression, String> {
+        if self.word("not") {
+            return Ok(Expression::Not(Box::new(self.unary()?)));
+        }
+        if self.sign("-") {
+            return Ok(Expression::Minus(Box::new(self.unary()?)));
+        }
+        if self.sign("(") {
+            let inner = self.expression(0)?;
+            self.need(")")?;
+            return Ok(inner);
+        }
+        for (word, value) in [("true", true), ("false", false)] {
+            if self.word(word) {
+                return Ok(Expression::Literal(Value::Bool(value)));
+            }
+        }
+        let literal = match self.peek() {
+            Some(Token::Int(number)) => Some(Value::Int(*number)),
+            Some(Token::Time(ms)) => Some(Value::Time(*ms)),
+            _ => None,
+        };
+        if let Some(value) = literal {
+            self.at += 1;
+            return Ok(Expression::Literal(value));
+        }
+        let name = self.name()?;
+        if self.sign(".") {
+            return Ok(Expression::Member(name, self.name()?));
+        }
+        if self.sign("(") {
+            return Ok(Expression::Call(name, self.arguments()?));
+        }
+        Ok(Expression::Name(name))
+    }
+}

@@ -1,0 +1,111 @@
+//! Exported programs of random charts, run beside the interpreter of the model.
+//!
+//! - `flags`, `sfc`: each scan shows what a cycle shows: steps, outputs, variables, calls
+//! - `case`, `sfc`: the number of the step is that of the cycle; what the step does shows one scan later (`shifted`)
+//! - `grafcet`: the program is scanned with the same inputs at the same time until nothing changes; then it shows what the cycle shows
+
+#[path = "../../../tests/conformance/src/chart.rs"]
+#[allow(dead_code, unreachable_pub, reason = "a part of another test's crate")]
+mod chart;
+mod drawn;
+#[path = "../../../tests/conformance/src/fragments.rs"]
+#[allow(dead_code, unreachable_pub, clippy::format_collect, reason = "a part of another test's crate")]
+mod fragments;
+#[path = "../machine/mod.rs"]
+mod machine;
+mod play;
+#[path = "../../../tests/conformance/src/random/mod.rs"]
+#[allow(dead_code, unreachable_pub, clippy::format_collect, reason = "a part of another test's crate")]
+mod random;
+#[path = "../../../tests/conformance/reader.rs"]
+#[allow(dead_code, unreachable_pub, reason = "a part of another test's crate")]
+mod reader;
+mod shifted;
+
+use std::collections::BTreeMap;
+
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::{self, Model};
+use grafcet_compiler::{check, parse};
+use grafcet_exchange::st::{Form, Options, structured_text};
+
+/// So many charts of each dialect and form.
+const CHARTS: usize = 200;
+const CYCLES: usize = 120;
+
+#[test]
+fn case_sfc() {
+    compare(false, Form::Case);
+}
+
+#[test]
+fn case_grafcet() {
+    compare(true, Form::Case);
+}
+
+#[test]
+fn flip_flops_sfc() {
+    compare(false, Form::FlipFlops);
+}
+
+#[test]
+fn flip_flops_grafcet() {
+    compare(true, Form::FlipFlops);
+}
+
+/// A chart whose drawing is in order.
+fn resolved(text: &str) -> Option<Model> {
+    let text = fragments::written_out(&fragments::plain(text));
+    let mut sink = Sink::new();
+    let model = parse::chart(text.parse().ok()?, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
+    if let Some(model) = &model {
+        check::drawing(model, &mut sink);
+    }
+    let wrong = sink.has_errors();
+    _ = sink.finish();
+    model.filter(|model| !wrong && !model.incomplete)
+}
+
+fn compare(grafcet: bool, form: Form) {
+    let wanted = std::env::var("ST_CHARTS").ok().and_then(|charts| charts.parse().ok()).unwrap_or(CHARTS);
+    let first: u64 = std::env::var("ST_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
+    let (mut done, mut cycles, mut differing) = (0, 0, Vec::new());
+    let mut refusals = BTreeMap::<String, usize>::new();
+    let mut seed = first;
+    while done < wanted {
+        let made = random::chart(seed, grafcet, CYCLES);
+        seed += 1;
+        assert!(seed - first < 400_000, "only {done} charts have a translation: {refusals:#?}");
+        // Most have none: whether the compiler accepts the chart, which takes longer, is asked of the others.
+        let Some(model) = resolved(&made.chart) else { continue };
+        let options = Options { form, ..Options::default() };
+        if let Err(refused) = structured_text(&model, &options) {
+            let first = refused.first().map(ToString::to_string).unwrap_or_default();
+            // Without names.
+            let words: Vec<&str> = first.split('`').step_by(2).collect();
+            *refusals.entry(words.join("_")).or_default() += 1;
+            continue;
+        }
+        let Ok(model) = chart::resolve(&made.chart) else { continue };
+        let program = structured_text(&model, &options).expect("it had a translation");
+        let lines = reader::read(&format!("{}\n---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
+        match play::compare(&model, form, &program, &lines) {
+            Ok(0) => {}
+            Ok(compared) => {
+                done += 1;
+                cycles += compared;
+            }
+            Err(difference) => {
+                done += 1;
+                differing.push(format!("seed {}: {difference}\n{}\n{}", seed - 1, made.chart, program.text));
+            }
+        }
+    }
+    println!(
+        "{form:?}, {}: {done} charts of {}, {cycles} cycles, {} differ; refused: {refusals:#?}",
+        if grafcet { "grafcet" } else { "sfc" },
+        seed - first,
+        differing.len()
+    );
+    assert!(differing.is_empty(), "{} of {done} differ; the first: {}", differing.len(), differing[0]);
+}

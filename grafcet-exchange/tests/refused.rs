@@ -1,0 +1,142 @@
+//! What has no translation is an error that says why; nothing else is written.
+
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::model::Model;
+use grafcet_compiler::plant;
+use grafcet_exchange::st::{Form, Options, structured_text};
+
+const BOTH: [Form; 2] = [Form::Case, Form::FlipFlops];
+const CASE: [Form; 1] = [Form::Case];
+const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
+
+/// The forms that refuse a chart, and why.
+const CASES: [(&[Form], &str, &str); 20] = [
+    (
+        &BOTH,
+        "grafcet C { input a: bool; partial Net { initial step A; step B; A -[a]-> B -[!a]-> A; } }",
+        "partial grafcets",
+    ),
+    (
+        &BOTH,
+        "grafcet C { input a: bool; initial step A; step B; A -[a]-> B -[!a]-> A; () -[rising(a)]-> A; }",
+        "source and sink transitions",
+    ),
+    (
+        &BOTH,
+        "sfc C { input level: f32; initial step A; step B; A -[level > 1.0]-> B -[level < 0.5]-> A; }",
+        "`level` is of a type of the program or a float",
+    ),
+    (
+        &BOTH,
+        "sfc C { input n: usize; initial step A; step B; A -[n > 1]-> B -[n < 1]-> A; }",
+        "`n` is an integer that no PLC has",
+    ),
+    (
+        &BOTH,
+        "sfc C { clock 1us; input a: bool; initial step A; step B; A -[a]-> B -[1500us/B]-> A; }",
+        "`TIME` counts milliseconds",
+    ),
+    (
+        &BOTH,
+        "sfc C { input n: u8; initial step A; step B; A -[n & 1 == 1]-> B -[n == 0]-> A; }",
+        "on the bits of integers",
+    ),
+    (
+        &BOTH,
+        "sfc C { input a: bool; output q: bool; initial step A; step B { q if blink(1s); } A -[a]-> B -[!a]-> A; }",
+        "`blink`",
+    ),
+    (
+        &BOTH,
+        "sfc C { input a: bool; initial step A; step B; A -[a]-> B -[falling(A.X) && a]-> A; }",
+        "an edge of what the chart itself changes",
+    ),
+    (
+        &BOTH,
+        "sfc C { input a: bool; var n: u8 = 0; initial step A; step B { P1 { for i in 0..3 { n += i; } } } A -[a && n < 9]-> B -[!a]-> A; }",
+        "this Rust has no translation",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; initial step A; step B; step E; A -[a]-> (B, E); (B, E) -[!a]-> A; }",
+        "`B` and `E` can be active together: use the form of flip-flops",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; output q: bool; initial step A { R q; } step B { SD 2s q; } A -[a]-> B -[!a]-> A; }",
+        "what `SD` does outlives its step",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; output q: bool; initial step A { L 2s q; } step B { L 2s q; } A -[a]-> B -[!a]-> A; }",
+        "share the time of `L`",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; output q, p: bool; initial step A { N q; } step B { N p if q; } A -[a]-> B -[!a]-> A; }",
+        "it reads `q`, which the CASE form switches off",
+    ),
+    (
+        &CASE,
+        "grafcet C { input a: bool; output q: bool; var n, m: u8 = 0; initial step A { P0 n = 1; } step B { P1 m = n; q if m > 0; } A -[a]-> B -[!a]-> A; }",
+        "it reads `n` as it was before another action of the same moment",
+    ),
+    (
+        &CASE,
+        "grafcet C { input a, b: bool; var n: u8 = 0; initial step A { on rising(b) n = 1; } step B; A -[a && n > 0]-> B -[!a]-> A; }",
+        "it reads `n` as it was before the action on an event",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; output speed: u8; var n: u8 = 0; initial step A; step B { N n = 3; speed = n; } A -[a]-> B -[!a]-> A; }",
+        "it shows `n` while that changes in each scan",
+    ),
+    (
+        &BOTH,
+        "sfc C { input n: u8; initial step A; step B; A -[n != 0 && 10 / n > 2]-> B -[n == 0]-> A; }",
+        "a division by what may be zero",
+    ),
+    (
+        &CASE,
+        "sfc C { input a: bool; action run(); initial step A; step B { N run(); } A -[a]-> B -[!a]-> A; B -[a]-> B; }",
+        "`run` goes on where its step is entered anew",
+    ),
+    (
+        &FLIP_FLOPS,
+        "sfc C { input a: bool; output q: bool; var n: u8 = 0; initial step A { P1 n = 1; } step B { P1 n = 4; q if n > 3; } A -[a]-> B -[!a]-> A; }",
+        "the condition reads `n` as it was before the actions of the scan",
+    ),
+    (
+        &FLIP_FLOPS,
+        "sfc C { input a: bool; output q: bool; initial step A { L 2s q; } step B; step E { L 3s q; } step G; A -[a]-> B -[!a]-> E -[a]-> G -[!a]-> A; }",
+        "`L` of `q` has two times",
+    ),
+];
+
+/// One that the compiler accepts.
+fn model(chart: &str) -> Model {
+    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
+    let mut sink = Sink::new();
+    let model = plant::model(tokens, &mut sink);
+    let said = sink.finish();
+    assert!(said.is_empty(), "{said:?}");
+    model.expect("a chart")
+}
+
+#[test]
+fn what_has_no_translation() {
+    for (forms, chart, why) in CASES {
+        let model = model(chart);
+        for form in [Form::Case, Form::FlipFlops] {
+            let done = structured_text(&model, &Options { form, ..Options::default() });
+            match done {
+                Err(refused) if forms.contains(&form) => {
+                    assert!(refused.iter().any(|one| one.message.contains(why)), "{chart}: {refused:?}");
+                }
+                // The other form can say it.
+                Ok(_) if !forms.contains(&form) => {}
+                other => panic!("{chart}: {form:?}: {other:?}, expected {why}"),
+            }
+        }
+    }
+}
