@@ -222,7 +222,7 @@ fn relied_on(program: &Program<'_>, circuit: &Circuit, target: Condition) -> Str
         }
     }
     if texts.is_empty() {
-        "a way home may rely on arithmetic that leaves its type, which panics with overflow checks".to_owned()
+        "it depends on arithmetic that leaves its type, which panics with overflow checks".to_owned()
     } else {
         format!("a way home may rely on what is not looked into: {}", texts.join(", "))
     }

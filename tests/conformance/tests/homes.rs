@@ -221,6 +221,10 @@ fn rust_and_what_leaves_its_type_lead_nowhere() {
         A -[up]-> B -[n == 0]-> A; B -[n > 0 && !up]-> C -[up]-> B; home A; }";
     let [Err(why)] = &judged(wraps)[..] else { panic!("it is not decided") };
     assert!(why.contains("arithmetic that leaves its type"), "{why}");
+    // Only the third hundred, which does not fit, leads to where it is lost.
+    let trap = "sfc T { input up: bool; var n: u8 = 0; initial step A; step B { P1 n = n + 100; } step C;
+        A -[up]-> B -[n < 100]-> C -[false]-> A; B -[n >= 100 && !up]-> A; home A; }";
+    assert!(matches!(&judged(trap)[..], [Err(why)] if why.contains("arithmetic that leaves its type")));
 }
 
 /// The checker refuses ways that are none.

@@ -195,6 +195,26 @@ fn the_compiler_asks_for_what_takes_several_cycles() {
     }
 }
 
+/// A delayed and a limited output are followed by the tick, at each side of their times.
+#[test]
+fn delayed_and_limited_outputs_are_followed() {
+    let text = "sfc Lamp { input go, stop: bool; output late, short: bool;
+        initial step Rest; step Run { D 3s late; L 2s short; }
+        Rest -[go]-> Run -[stop]-> Rest;
+        never late && Run.T < 3s; always Run.T >= 3s => late; never short && Run.T >= 2s; always Run.X && Run.T < 2s => short;
+        never late && short; never late; never Run.X && !short && !late; always Run.T >= 2s => late; }";
+    let said: Vec<Option<usize>> = verdicts(&read(text))
+        .into_iter()
+        .map(|verdict| match verdict {
+            Verdict::Proved(_) => None,
+            Verdict::Violated(way) => Some(way.len()),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    // Entered in the second cycle, and so late in the third.
+    assert_eq!(said, [None, None, None, None, None, Some(3), Some(3), Some(3)]);
+}
+
 /// Time passes also where nothing but a property asks for it.
 #[test]
 fn a_property_may_be_all_that_asks_for_time() {
