@@ -59,6 +59,18 @@ impl Limit {
         }
     }
 
+    /// So many steps more are taken than are asked about: work that is none of the solver's.
+    pub(crate) fn spend(&self, steps: u64) {
+        match &*self.0 {
+            Bound::None | Bound::Until(..) => {}
+            Bound::Work(left) => left.set(left.get().saturating_sub(steps)),
+            Bound::Part(whole, left) => {
+                left.set(left.get().saturating_sub(steps));
+                whole.spend(steps);
+            }
+        }
+    }
+
     fn step(left: &Cell<u64>) -> bool {
         left.set(left.get().saturating_sub(1));
         left.get() == 0

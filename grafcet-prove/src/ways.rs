@@ -64,6 +64,9 @@ pub(crate) fn may(circuit: &mut Circuit, trust: Trust) -> Lit {
     circuit.aig.and(circuit.constraint, no_overflow)
 }
 
+/// What a cube costs in steps of the solver, as measured.
+const NODES_PER_STEP: u64 = 12;
+
 /// A search that is this short is looked for at first: two evolutions, and one that finds that nothing more clears.
 const SHORT: usize = 6;
 
@@ -317,6 +320,8 @@ impl<'c> Search<'c> {
     /// The cube around a state, as large as can be, from which these inputs lead on whatever the open ones are; where that is not so of the state
     /// itself, open ones with which they do not.
     fn widened(&self, state: &[u32], inputs: &[usize], to: Option<usize>) -> Result<Result<Cube, Vec<bool>>, Over> {
+        // Its gates are gone through several times.
+        self.limit.spend(self.nodes.len() as u64 / NODES_PER_STEP);
         let mut given = Given::new(self, inputs, to);
         let Some(mut cube) = given.core(state)? else { return Ok(Err(given.otherwise())) };
         for code in cube.clone() {
