@@ -65,7 +65,7 @@ pub(crate) fn may(circuit: &mut Circuit, trust: Trust) -> Lit {
 }
 
 /// What a cube costs in steps of the solver, as measured.
-const NODES_PER_STEP: u64 = 12;
+const NODES_PER_STEP: u64 = 4;
 
 /// A search that is this short is looked for at first: two evolutions, and one that finds that nothing more clears.
 const SHORT: usize = 6;
