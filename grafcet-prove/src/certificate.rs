@@ -3,10 +3,10 @@
 //! An invariant is one if every chart begins in it, if no cycle leads out of it, and if nothing bad can happen in it.
 
 use crate::aig::{Aig, Lit, Node};
-use crate::circuit::Circuit;
-use crate::lemmas::Lemma;
+use crate::circuit::{Circuit, Condition};
 use crate::sat::{Limit, Over, Sat, Term};
 use crate::task::{Invariant, Task, entry};
+use crate::ways::{self, Ways};
 
 /// What is wrong with a proof; none if it is right.
 ///
@@ -48,7 +48,7 @@ pub fn fault(task: &Task<'_>, invariant: &Invariant, limit: &Limit) -> Result<Op
 ///
 /// # Errors
 /// The limit is reached.
-pub fn is_inductive(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Result<bool, Over> {
+pub fn is_inductive(circuit: &Circuit, lemmas: &[Condition], limit: &Limit) -> Result<bool, Over> {
     let mut sat = Sat::new(limit);
     let nodes = nodes(&mut sat, &circuit.aig);
     let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
@@ -63,11 +63,66 @@ pub fn is_inductive(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Resul
         sat.clause(&[!goes_on, term(lemma.now)]);
     }
     for lemma in lemmas {
-        if sat.solve(&[begins, !term(lemma.now)])? || sat.solve(&[goes_on, !term(lemma.next)])? {
+        if sat.solve(&[begins, !term(lemma.now)])? || sat.solve(&[goes_on, !term(lemma.end)])? {
             return Ok(false);
         }
     }
     Ok(true)
+}
+
+/// What is wrong with ways; none where each cube of theirs leads on as it says, with the inputs that it names and whatever the others are.
+///
+/// `known` is so in every state, `may` holds in each cycle of them.
+///
+/// # Errors
+/// The limit is reached.
+pub fn fault_of_ways(
+    circuit: &Circuit,
+    (known, may): (Lit, Lit),
+    ways: &Ways,
+    limit: &Limit,
+) -> Result<Option<String>, Over> {
+    let mut sat = Sat::new(limit);
+    let nodes = nodes(&mut sat, &circuit.aig);
+    let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
+    let chosen = ways::inputs(circuit).0;
+    // Where the target is reached, and what an earlier cube holds, is no matter of a later one.
+    sat.clause(&[!term(ways.target.now)]);
+    sat.clause(&[term(known)]);
+    for (number, lead) in ways.leads.iter().enumerate() {
+        let here: Vec<Term> =
+            lead.cube.iter().map(|code| of(*code, |latch| term(circuit.latches[latch].now))).collect();
+        let mut arrives = vec![term(may)];
+        match lead.to {
+            None => arrives.push(term(ways.target.end)),
+            Some(to) if to >= number => return Ok(Some(format!("cube {number} leads to {to}, not to an earlier one"))),
+            Some(to) => arrives
+                .extend(ways.leads[to].cube.iter().map(|code| of(*code, |latch| term(circuit.latches[latch].next)))),
+        }
+        let ask = sat.term();
+        let fails: Vec<Term> = arrives.into_iter().map(|term| !term).chain([!ask]).collect();
+        sat.clause(&fails);
+        let given = chosen.iter().map(|lit| term(lit.xor(lead.inputs.binary_search(&lit.node()).is_err())));
+        let assumed: Vec<Term> = [ask].into_iter().chain(given).chain(here.iter().copied()).collect();
+        if sat.solve(&assumed)? {
+            return Ok(Some(format!("the inputs of cube {number} do not lead on")));
+        }
+        sat.clause(&[!ask]);
+        let elsewhere: Vec<Term> = here.into_iter().map(|term| !term).collect();
+        sat.clause(&elsewhere);
+    }
+    Ok(None)
+}
+
+/// Whether no cycle leads from where `now` does not hold to where `end` does.
+///
+/// # Errors
+/// The limit is reached.
+pub fn is_closed(circuit: &Circuit, now: Lit, end: Lit, limit: &Limit) -> Result<bool, Over> {
+    let mut sat = Sat::new(limit);
+    let nodes = nodes(&mut sat, &circuit.aig);
+    let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
+    Ok(!sat.solve(&[term(circuit.constraint), !term(now), term(end)])?)
 }
 
 fn of(code: u32, term: impl Fn(usize) -> Term) -> Term {

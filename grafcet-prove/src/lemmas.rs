@@ -11,7 +11,7 @@ use grafcet_compiler::program::{Program, Role};
 use crate::aig::{Aig, Lit};
 use crate::bits;
 use crate::certificate;
-use crate::circuit::{Circuit, Deadline, Field, Latch};
+use crate::circuit::{Circuit, Condition, Deadline, Field, Latch};
 use crate::sat::{Limit, Over, Sat, Wires};
 
 /// So many candidates, and no more.
@@ -54,7 +54,8 @@ pub(crate) fn strengthened(
         lemmas = left;
     }
     // The same once more, by the checker of proofs: what is wrong here would be a false proof.
-    if !certificate::is_inductive(&circuit, &lemmas, limit)? {
+    let both: Vec<Condition> = lemmas.iter().map(|lemma| Condition { now: lemma.now, end: lemma.next }).collect();
+    if !certificate::is_inductive(&circuit, &both, limit)? {
         lemmas.clear();
     }
     for lemma in &lemmas {

@@ -70,7 +70,7 @@ fn proof(
     let task = Task::new(&rounds, bad);
     let Ok(Answer::Holds(invariant)) = Pdr::new(&task, limit).run() else { return Ok(None) };
     match certificate::fault(&task, &invariant, limit) {
-        Ok(None) => Ok(Some(Proof { invariant, beside: Some(Box::new(rounds.clone())), clocks: Vec::new() })),
+        Ok(None) => Ok(Some(Proof { beside: Some(Box::new(rounds.clone())), ..Proof::of(invariant) })),
         Ok(Some(fault)) => Err(Internal(format!("a proof that is none: {fault}"))),
         Err(_) => Ok(None),
     }

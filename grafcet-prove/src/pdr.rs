@@ -316,7 +316,7 @@ impl<'t, 'c> Pdr<'t, 'c> {
     }
 }
 
-fn code(latch: usize, value: bool) -> u32 {
+pub(crate) fn code(latch: usize, value: bool) -> u32 {
     u32::try_from(latch).unwrap_or(u32::MAX >> 1) << 1 | u32::from(value)
 }
 

@@ -24,15 +24,23 @@ impl<'c> Player<'c> {
 
     /// One cycle, the inputs by what drives them.
     pub fn cycle(&mut self, given: impl Fn(&Source) -> i128) {
+        let mut on = Vec::new();
+        for wire in &self.circuit.inputs {
+            let number = given(&wire.source);
+            let bits = wire.bits.iter().enumerate().filter(|(index, _)| number >> index.min(&127) & 1 == 1);
+            on.extend(bits.map(|(_, bit)| bit.node()));
+        }
+        self.cycle_on(&on);
+    }
+
+    /// The same, with the nodes of the inputs that are on.
+    pub(crate) fn cycle_on(&mut self, on: &[usize]) {
         let mut free = vec![false; self.circuit.aig.len()];
         for (latch, now) in self.circuit.latches.iter().zip(&self.state) {
             free[latch.now.node()] = *now;
         }
-        for wire in &self.circuit.inputs {
-            let number = given(&wire.source);
-            for (index, bit) in wire.bits.iter().enumerate() {
-                free[bit.node()] = number >> index.min(127) & 1 == 1;
-            }
+        for node in on {
+            free[*node] = true;
         }
         self.values = self.circuit.aig.simulate(|node| free[node]);
         self.state = self.circuit.latches.iter().map(|latch| value(&self.values, latch.next)).collect();

@@ -6,6 +6,7 @@ use grafcet_compiler::program::{Encoding, Program, counted};
 
 use crate::aig::Lit;
 use crate::circuit::Circuit;
+use crate::home::decide_home;
 use crate::live::decide_live;
 use crate::replay::Shown;
 use crate::sat::Limit;
@@ -59,10 +60,12 @@ fn holds(program: &Program<'_>, circuit: &Circuit, property: usize, limit: &Limi
     }
     let bad = circuit.bad.iter().find(|bad| bad.property == property);
     let live = circuit.live.iter().find(|live| live.property == property);
-    let verdict = match (bad, live) {
-        (Some(bad), _) => decide(program, circuit, *bad, limit),
-        (None, Some(live)) => decide_live(program, circuit, *live, limit),
-        (None, None) => return Ruling::Open("it is not about the ends of cycles".to_owned()),
+    let home = circuit.homes.iter().find(|home| home.property == property);
+    let verdict = match (bad, live, home) {
+        (Some(bad), ..) => decide(program, circuit, *bad, limit),
+        (_, Some(live), _) => decide_live(program, circuit, *live, limit),
+        (.., Some(home)) => decide_home(program, circuit, home, limit),
+        (None, None, None) => return Ruling::Open("it is not about the ends of cycles".to_owned()),
     };
     let table = |way: &[Shown]| table(program.model, way);
     match verdict {

@@ -59,6 +59,18 @@ impl Limit {
         }
     }
 
+    /// So many steps more are taken than are asked about: work that is none of the solver's.
+    pub(crate) fn spend(&self, steps: u64) {
+        match &*self.0 {
+            Bound::None | Bound::Until(..) => {}
+            Bound::Work(left) => left.set(left.get().saturating_sub(steps)),
+            Bound::Part(whole, left) => {
+                left.set(left.get().saturating_sub(steps));
+                whole.spend(steps);
+            }
+        }
+    }
+
     fn step(left: &Cell<u64>) -> bool {
         left.set(left.get().saturating_sub(1));
         left.get() == 0
@@ -84,6 +96,8 @@ impl std::ops::Not for Term {
 pub(crate) struct Sat {
     solver: Solver<BasicCallbacks>,
     limit: Limit,
+    /// What gates come to follows from what they read, and is not tried.
+    inputs_only: bool,
 }
 
 impl Sat {
@@ -91,11 +105,25 @@ impl Sat {
         let mut callbacks = BasicCallbacks::new();
         let stop = limit.clone();
         callbacks.set_stop(move || stop.is_over());
-        Self { solver: Solver::new(SolverOpts::default(), callbacks), limit: limit.clone() }
+        Self { solver: Solver::new(SolverOpts::default(), callbacks), limit: limit.clone(), inputs_only: false }
+    }
+
+    /// One that tries values of inputs alone: for many easy questions, whose answers shall be simple.
+    pub(crate) fn of_inputs(limit: &Limit) -> Self {
+        Self { inputs_only: true, ..Self::new(limit) }
     }
 
     pub(crate) fn term(&mut self) -> Term {
         Term(Inner::new(self.solver.new_var_default(), true))
+    }
+
+    /// One that is true where nothing asks for anything else.
+    pub(crate) fn term_on(&mut self) -> Term {
+        Term(Inner::new(self.solver.new_var(lbool::TRUE, true), true))
+    }
+
+    fn gate(&mut self) -> Term {
+        Term(Inner::new(self.solver.new_var(lbool::UNDEF, !self.inputs_only), true))
     }
 
     pub(crate) fn clause(&mut self, terms: &[Term]) {
@@ -152,6 +180,7 @@ impl Wires {
     }
 
     pub(crate) fn term(&mut self, sat: &mut Sat, aig: &Aig, lit: Lit) -> Term {
+        self.terms.resize(aig.len().max(self.terms.len()), None);
         let mut open = vec![lit.node()];
         while let Some(node) = open.last().copied() {
             if self.terms[node].is_some() {
@@ -168,7 +197,7 @@ impl Wires {
                 Node::And(a, b) => match (self.terms[a.node()], self.terms[b.node()]) {
                     (Some(x), Some(y)) => {
                         let (x, y) = (signed(x, a), signed(y, b));
-                        let term = sat.term();
+                        let term = sat.gate();
                         sat.clause(&[!term, x]);
                         sat.clause(&[!term, y]);
                         sat.clause(&[term, !x, !y]);

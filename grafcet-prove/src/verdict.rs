@@ -13,6 +13,7 @@ use crate::replay::{Shown, Why};
 use crate::sat::{Limit, Over};
 use crate::simplest::simplest;
 use crate::task::{Invariant, Task, Way};
+use crate::ways::Ways;
 
 /// A proof that has been checked.
 #[derive(Clone, Debug)]
@@ -22,6 +23,15 @@ pub struct Proof {
     pub beside: Option<Box<Circuit>>,
     /// What it knows of the clocks of steps and of the property, beside the invariant.
     pub clocks: Vec<About>,
+    /// Of a `home`: the ways back, from everywhere to the steps of one region, from there to those of the next one, too, and so on.
+    pub ways: Vec<Ways>,
+}
+
+impl Proof {
+    /// Of an invariant of the chart's own circuit.
+    pub(crate) fn of(invariant: Invariant) -> Self {
+        Self { invariant, beside: None, clocks: Vec::new(), ways: Vec::new() }
+    }
 }
 
 /// What is found out about a property.
@@ -105,7 +115,7 @@ fn in_time(
             let verdict = decide_on(program, &known, bad, goal, limit)?;
             Ok(match verdict {
                 Verdict::Proved(Proof { invariant, .. }) => {
-                    Verdict::Proved(Proof { invariant, beside: Some(Box::new(known)), clocks })
+                    Verdict::Proved(Proof { beside: Some(Box::new(known)), clocks, ..Proof::of(invariant) })
                 }
                 verdict => verdict,
             })
@@ -125,13 +135,13 @@ fn decide_on(
     // What holds where arithmetic goes on at the other end holds where it panics, too: there are fewer ends of cycles then.
     match judge(circuit, bad.possible, limit) {
         Err(fault) => fault.map_or_else(|| Ok(over(Over)), Err),
-        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(Proof { invariant, beside: None, clocks: Vec::new() })),
+        Ok(Judged::Holds(invariant)) => Ok(Verdict::Proved(Proof::of(invariant))),
         Ok(Judged::Fails(way)) => shown(program, circuit, bad, goal, &way, limit),
     }
 }
 
 /// What the engine says, checked as far as that goes without the chart.
-enum Judged {
+pub(crate) enum Judged {
     Holds(Invariant),
     Fails(Way),
 }
@@ -145,7 +155,7 @@ enum Found {
 }
 
 /// None for the limit.
-fn judge(circuit: &Circuit, bad: Lit, limit: &Limit) -> Result<Judged, Option<Internal>> {
+pub(crate) fn judge(circuit: &Circuit, bad: Lit, limit: &Limit) -> Result<Judged, Option<Internal>> {
     let task = Task::new(circuit, bad);
     match first(&task, limit)? {
         Found::Holds(invariant) => Ok(Judged::Holds(invariant)),
@@ -163,12 +173,21 @@ fn first(task: &Task<'_>, limit: &Limit) -> Result<Found, Option<Internal>> {
     if let Some(way) = bmc::shortest(task, FIRST_CYCLES, limit).map_err(over)? {
         return Ok(Found::Fails(way));
     }
+    Ok(match invariant(task, limit)? {
+        Ok(invariant) => Found::Holds(invariant),
+        Err(way) => Found::MayFail(way.inputs.len()),
+    })
+}
+
+/// IC3 alone: an invariant that has been checked, or a way that need not be the shortest; none for the limit.
+pub(crate) fn invariant(task: &Task<'_>, limit: &Limit) -> Result<Result<Invariant, Way>, Option<Internal>> {
+    let over = |_: Over| None;
     match Pdr::new(task, limit).run().map_err(over)? {
         Answer::Holds(invariant) => match certificate::fault(task, &invariant, limit).map_err(over)? {
-            None => Ok(Found::Holds(invariant)),
+            None => Ok(Ok(invariant)),
             Some(fault) => Err(Some(Internal(format!("a proof that is none: {fault}")))),
         },
-        Answer::Fails(way) => Ok(Found::MayFail(way.inputs.len())),
+        Answer::Fails(way) => Ok(Err(way)),
     }
 }
 
@@ -194,7 +213,7 @@ fn shown(
             Ok(Judged::Fails(way)) => way,
         }
     };
-    match simplest(program, circuit, goal, &certain) {
+    match simplest(program, circuit, goal, &certain, &|_, _| true) {
         Ok(shown) => Ok(Verdict::Violated(shown)),
         Err(Why::NotUnderstood(what)) => {
             Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))

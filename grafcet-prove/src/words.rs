@@ -6,6 +6,7 @@ use grafcet_compiler::program::{Program, Type};
 use crate::circuit::{Circuit, Field};
 use crate::lemmas::{About, Relation};
 use crate::task::{Invariant, entry};
+use crate::ways::Ways;
 
 /// A field of more bits is not gone through value by value.
 const FEW_BITS: usize = 12;
@@ -31,6 +32,18 @@ pub fn lines(program: &Program<'_>, circuit: &Circuit, invariant: &Invariant) ->
         lines.push(format!("never {}", parts.join(" and ")));
     }
     lines
+}
+
+/// One line for each target on the way home: how far it is from where a chart can be.
+#[must_use]
+pub fn ways(all: &[Ways]) -> Vec<String> {
+    let line = |(index, ways): (usize, &Ways)| {
+        let (cycles, sets) = (ways.longest(), ways.leads.len());
+        let which =
+            if all.len() == 1 { String::new() } else { format!(" to place {} of {} on the way", index + 1, all.len()) };
+        format!("from {sets} sets of states inputs lead home{which}, in {cycles} cycles at most")
+    };
+    all.iter().enumerate().map(line).collect()
 }
 
 /// One line for each step of which a proof knows how its clock goes with that of the property.

@@ -6,7 +6,7 @@ use super::combinational::written_out;
 use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
 use super::{Facts, Logic, Nesting, visible};
 use crate::list::List;
-use crate::model::{Claim, Expr, Model, Name, Place, Property, Read, StepId, Tree, Ty};
+use crate::model::{Claim, Effect, Expr, Model, Name, Place, Property, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
 /// Who decides what the exploration leaves open, such as a solver: an answer for each question.
@@ -111,6 +111,9 @@ impl<'m> Claims<'m> {
             let asked = matches!(answer, Answer::Unknown(_)).then(|| alone(violation));
             match asked.flatten().unwrap_or(answer) {
                 Answer::Never => {}
+                Answer::Possible(_) if !by_time(model, violation).is_empty() => {
+                    open.push((*property, Answer::Unknown(Doubt::Unfollowed(by_time(model, violation)))));
+                }
                 answer => open.push((*property, answer)),
             }
         }
@@ -198,6 +201,21 @@ fn unfollowed(model: &Model, violation: &Tree) -> Vec<Tree> {
         let tree = Tree::Read(read);
         if !followed && !all.contains(&tree) {
             all.push(tree);
+        }
+    });
+    all
+}
+
+/// What limited and delayed actions act on: the exploration has them on and off at any time, so that what it finds need not come.
+fn by_time(model: &Model, violation: &Tree) -> Vec<Tree> {
+    let mut all: Vec<Tree> = Vec::new();
+    violation.each_read(&mut |read| {
+        let is_it = |place: Place| read == Read::Name(place.into());
+        let acts =
+            |effect: &Effect| matches!(effect, Effect::Control(place) | Effect::Assign(place, _) if is_it(*place));
+        let timed = model.associations.values().any(|one| one.time.is_some() && acts(&one.effect));
+        if timed && !all.contains(&Tree::Read(read)) {
+            all.push(Tree::Read(read));
         }
     });
     all

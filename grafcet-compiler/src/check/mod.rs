@@ -91,7 +91,8 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     };
     let mut stays = waits::check(model, structure, exploration, &never_clear, &mut told, sink);
     stays.extend(reach::dead_ends(model, &never_clear, sink));
-    properties::homes(model, &claims, limits, &properties::Told { stays: &stays, partings: &partings }, sink);
+    let known = properties::Told { stays: &stays, partings: &partings, rulings: &rulings };
+    properties::homes(model, &claims, limits, &known, sink);
     silent::check(model, exploration, &dead, told, sink);
     vacuous::check(model, &claims, &rulings, sink);
     race::check(model, &races, &mixed, sink);

@@ -22,18 +22,22 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, limits: Limits, told: &R
             (Answer::Unknown(_), Some(Ruling::Broken { cycles, again, way })) => {
                 report.violated(property, (*cycles, *again), way.trim_end(), sink);
             }
-            (Answer::Unknown(doubt), Some(Ruling::Open(why))) => {
-                report.undecided(property, doubt, &format!("; a solver was asked, too: {why}"), sink);
-            }
-            (Answer::Unknown(doubt), None) => {
-                report.undecided(property, doubt, "; grafcet's feature `prove` asks a solver, too", sink);
-            }
+            (Answer::Unknown(doubt), open) => report.undecided(property, doubt, &by_solver(open), sink),
         }
     }
     for (property, answer) in &claims.away {
-        if let Answer::Unknown(doubt) = answer {
-            report.undecided(property, doubt, "", sink);
+        match (answer, told.about(property)) {
+            (Answer::Never | Answer::Possible(_), _) | (_, Some(Ruling::Holds | Ruling::Broken { .. })) => {}
+            (Answer::Unknown(doubt), open) => report.undecided(property, doubt, &by_solver(open), sink),
         }
+    }
+}
+
+/// What a solver says of what it leaves open, or could say.
+fn by_solver(ruling: Option<&Ruling>) -> String {
+    match ruling {
+        Some(Ruling::Open(why)) => format!("; a solver was asked, too: {why}"),
+        _ => "; grafcet's feature `prove` asks a solver, too".to_owned(),
     }
 }
 
@@ -77,6 +81,8 @@ pub(super) struct Told<'c> {
     pub(super) stays: &'c [Stay],
     /// By these two ways part and never meet again.
     pub(super) partings: &'c Set<TransitionId>,
+    /// What a solver says.
+    pub(super) rulings: &'c Rulings<'c>,
 }
 
 /// Reports that there is no way home, where no other error tells why: that the chart stays where it is, now or later, or that two
@@ -86,7 +92,16 @@ pub(super) fn homes(model: &Model, claims: &Claims<'_>, limits: Limits, told: &T
     let parts =
         |path: &Path| path.cycles.last().is_some_and(|end| end.cleared.iter().any(|id| told.partings.contains(id)));
     for (property, answer) in &claims.away {
-        let (Claim::Home(home, mark), Answer::Possible(path)) = (&property.claim, answer) else { continue };
+        let Claim::Home(home, mark) = &property.claim else { continue };
+        let Answer::Possible(path) = answer else {
+            // Where the chart stays has been told.
+            if let (true, Some(Ruling::Broken { cycles, way, .. })) =
+                (told.stays.is_empty(), told.rulings.about(property))
+            {
+                report.lost(property, (home, *mark), (*cycles, way.trim_end()), sink);
+            }
+            continue;
+        };
         let is_lost = |step: &StepId| !claims.exploration.reachable(*step);
         if home.iter().any(is_lost) && sink.has_dead_ends() || parts(path) {
             continue;
@@ -250,6 +265,22 @@ impl Report<'_> {
             }
         }
         self.say(&rules::NOT_HOME, property, notes, sink);
+    }
+
+    /// The same as a solver finds it.
+    fn lost(
+        &self,
+        property: &Property,
+        (home, mark): (&[StepId], Mark),
+        (count, table): (usize, &str),
+        sink: &mut Sink,
+    ) {
+        let home = place(self.model, home);
+        let when = if count == 1 { "the first cycle".to_owned() } else { format!("cycle {count}") };
+        let message = format!(
+            "from the end of {when} on there is no way back to exactly {home}, whatever comes; draw one, or correct the property\n{table}"
+        );
+        self.say(&rules::NOT_HOME, property, vec![(mark, message)], sink);
     }
 
     fn not_home(&self, property: &Property, (home, mark): (&[StepId], Mark), path: &Path, sink: &mut Sink) {

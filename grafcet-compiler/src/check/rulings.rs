@@ -46,9 +46,11 @@ fn number(model: &Model, property: &Property) -> Option<usize> {
 /// What is left open. What the assumptions leave is asked where anything relies on it.
 fn questions(model: &Model, claims: &Claims<'_>) -> Vec<Question> {
     let mut all = Vec::new();
-    for (of, question) in
-        [(&claims.open, Question::Holds as fn(usize) -> Question), (&claims.triggers, Question::NeverHappens)]
-    {
+    for (of, question) in [
+        (&claims.open, Question::Holds as fn(usize) -> Question),
+        (&claims.away, Question::Holds),
+        (&claims.triggers, Question::NeverHappens),
+    ] {
         for (property, answer) in of {
             if let (Answer::Unknown(_), Some(number)) = (answer, number(model, property)) {
                 all.push(question(number));

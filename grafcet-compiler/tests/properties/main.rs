@@ -173,16 +173,16 @@ fn timed_outputs() {
     ] {
         holds(&chart(property));
     }
-    for (property, cycle) in [
-        ("never heat;", "cycle 2"),
-        ("always Bake.X => heat;", "cycle 2"),
-        ("never horn;", "the first cycle"),
-        ("never fan && heat;", "cycle 2"),
-        ("never lamp && Cool.X;", "cycle 3"),
-        ("never bell && Cool.X;", "cycle 3"),
-        ("always Cool.X => lamp || bell;", "cycle 3"),
+    // When they come on, and whether, is no matter of situations.
+    for property in [
+        "never heat;",
+        "always Bake.X => heat;",
+        "never horn;",
+        "never fan && heat;",
+        "never lamp && Cool.X;",
+        "always Cool.X => lamp || bell;",
     ] {
-        fails(&chart(property), "property_violated", cycle);
+        fails(&chart(property), "property_undecided", "grafcet's feature `prove` asks a solver, too");
     }
 }
 

@@ -4,7 +4,7 @@
 //! - `given`: inputs, params and what places begin with
 //! - `sym`: values as wires; `free`: Rust that is not looked into; `clock`: how exactly times are counted
 //! - `plants`: what the chart moves, and what it sees of that
-//! - `claims`: properties at the end of a cycle; `monitors`: those over several
+//! - `claims`: properties at the end of a cycle; `monitors`: those over several; `homes`: ways back
 //!
 //! What a chart remembers is latches, what it is given is inputs; what has passed since the cycle before is one of them, and so are
 //! params, as they can be exchanged.
@@ -14,6 +14,7 @@ mod clock;
 mod eval;
 mod free;
 mod given;
+mod homes;
 mod monitors;
 mod plants;
 mod run;
@@ -32,6 +33,7 @@ use crate::bits::{self, Bits};
 use claims::Claims;
 use clock::Clock;
 use free::Origin;
+pub use homes::{Condition, Home};
 use monitors::Monitors;
 use plants::Part;
 use sym::{FreeId, Sym, Width};
@@ -152,12 +154,15 @@ pub struct Circuit {
     pub bad: Vec<Bad>,
     pub live: Vec<Live>,
     pub deadlines: Vec<Deadline>,
+    pub homes: Vec<Home>,
     /// By property, where that is something: what it is about happens.
     pub triggers: Vec<(usize, Lit)>,
     /// What is taken to come again and again: what is assumed so, in the order of the chart, and that time passes.
     pub often: Vec<Lit>,
     /// By property: what in it is not modelled.
     pub refused: Vec<(usize, Refused)>,
+    /// A search for stability gets to its first evolution, to its second one and so on.
+    pub rounds: Vec<Lit>,
     /// The bits of a time.
     pub time_bits: usize,
 }
@@ -185,6 +190,7 @@ pub(crate) struct Lowering<'p, 'm> {
     overflow: Lit,
     panics: Lit,
     constraint: Lit,
+    rounds: Vec<Lit>,
     origins: Vec<Origin>,
     by_text: BTreeMap<(String, Vec<Sym>), FreeId>,
     as_bool: BTreeMap<FreeId, Sym>,
@@ -237,6 +243,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             overflow: Lit::FALSE,
             panics: Lit::FALSE,
             constraint: Lit::TRUE,
+            rounds: Vec::new(),
             origins: Vec::new(),
             by_text: BTreeMap::new(),
             as_bool: BTreeMap::new(),
@@ -249,6 +256,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
 struct Asked {
     claims: Claims,
     monitors: Monitors,
+    homes: Vec<Home>,
     triggers: Vec<(usize, Lit)>,
     often: Vec<Lit>,
 }
@@ -274,18 +282,20 @@ impl<'p, 'm> Lowering<'p, 'm> {
         let mut plants = self.plants()?;
         self.given()?;
         let env = Rc::new(env);
-        let (end, _) = self.block(env, &program.cycle)?;
+        let (end, _) = self.block(env.clone(), &program.cycle)?;
         self.plants_evolve(&mut plants, &end)?;
         let constraint = self.assumptions(&end)?;
         self.constraint = self.aig.and(self.constraint, constraint);
         let overflow = self.overflow;
         let broken = self.aig.or(so_far, overflow);
-        let claims = self.claims(&end, broken);
+        let mut claims = self.claims(&end, broken);
+        let (homes, refused) = self.homes(&env, &end);
+        claims.refused.extend(refused);
         let monitors = self.monitors(&end, broken);
         let triggers = self.triggers(&end);
         let often = self.recurring()?;
         self.constraint = self.aig.and(self.constraint, !self.panics);
-        self.finish((kept, plants), &end, (so_far, broken), Asked { claims, monitors, triggers, often })
+        self.finish((kept, plants), &end, (so_far, broken), Asked { claims, monitors, homes, triggers, often })
     }
 
     fn finish(
@@ -321,7 +331,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             signed: false,
         });
         latches.push(Latch { now: so_far, next: broken, initial: Some(false) });
-        let Asked { mut claims, mut monitors, triggers, often } = asked;
+        let Asked { mut claims, mut monitors, homes, triggers, often } = asked;
         claims.refused.append(&mut monitors.refused);
         let ended = monitors.finish(&mut latches, &mut fields);
         claims.bad.extend(ended.bad);
@@ -335,9 +345,11 @@ impl<'p, 'm> Lowering<'p, 'm> {
             bad: claims.bad,
             live: ended.live,
             deadlines: ended.deadlines,
+            homes,
             triggers,
             often,
             refused: claims.refused,
+            rounds: self.rounds,
             time_bits: self.clock.width,
         })
     }

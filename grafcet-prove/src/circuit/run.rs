@@ -8,6 +8,7 @@ use grafcet_compiler::program::{Expr, PlaceId, Role, Run, Statement, Type, Value
 use super::sym::Sym;
 use super::{Env, Lowering, Refused};
 use crate::aig::Lit;
+use crate::probe::Probe;
 
 /// What the places hold, and where the innermost loop has been left.
 type After = (Env, Lit);
@@ -114,7 +115,15 @@ impl<'m> Lowering<'_, 'm> {
     fn rounds(&mut self, rounds: u32, env: Env, body: &[Statement<'m>]) -> Result<Env, Refused> {
         let path = self.path;
         let (mut env, mut ends) = (env, Vec::new());
-        for _ in 0..rounds {
+        let mut probe = Probe::new();
+        for round in 0..rounds {
+            if probe.is_never(round, &self.aig, self.path) {
+                break;
+            }
+            if self.rounds.len() <= round as usize {
+                self.rounds.push(Lit::FALSE);
+            }
+            self.rounds[round as usize] = self.aig.or(self.rounds[round as usize], self.path);
             let (after, left) = self.block(env, body)?;
             env = after;
             ends.push((left, env.clone()));

@@ -4,10 +4,10 @@ use std::process::Command;
 use std::time::Duration;
 
 use grafcet_compiler::analysis::Facts;
-use grafcet_compiler::model::{Claim, Model, Property};
+use grafcet_compiler::model::Model;
 use grafcet_compiler::program::{Encoding, counted};
 use grafcet_prove::circuit::{Bad, Circuit, Live};
-use grafcet_prove::{Limit, Verdict, decide, decide_live, export, vacuous};
+use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, vacuous};
 
 use crate::brute::claims::broken;
 use crate::brute::graph::Graph;
@@ -40,6 +40,8 @@ pub struct Counts {
     pub proved: usize,
     /// Of properties.
     pub broken: usize,
+    /// Of `home`: where there is always a way back, and where there is not.
+    pub homes: (usize, usize),
     /// Properties that say nothing.
     pub vacuous: usize,
     /// The charts of these properties, and why.
@@ -61,7 +63,7 @@ pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, Stri
     }
     let Ok(model) = resolve(&text) else { return Ok(false) };
     let judged = resolve(&make::with_param(&text))?;
-    if !model.properties.iter().any(is_of_ends) {
+    if model.properties.is_empty() {
         return Ok(false);
     }
     let Some(graph) = Graph::of(&model, kind.cycles).map_err(|error| format!("{error}\n{text}"))? else {
@@ -70,10 +72,6 @@ pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, Stri
     counts.params += usize::from(!judged.params.is_empty());
     compare((&model, &judged), &graph, kind, number, counts).map_err(|error| format!("{number}: {error}\n{text}"))?;
     Ok(true)
-}
-
-fn is_of_ends(property: &Property) -> bool {
-    !matches!(property.claim, Claim::Home(..))
 }
 
 /// The first model is that of brute force, which has inputs for params.
@@ -131,6 +129,30 @@ fn compare(
         let happens = graph.can_hold(model, &trigger.tree)?;
         if never && happens || !never && !happens && !kind.timed {
             return Err(format!("property {property}: it says nothing: {never}, by brute force {}", !happens));
+        }
+    }
+    for home in &circuit.homes {
+        let shortest = broken(model, graph, &depths, &model.properties[home.property])?;
+        let verdict = decide_home(&program, &circuit, home, &Limit::time(Duration::from_secs(20)))
+            .map_err(|error| error.to_string())?;
+        let wrong = match &verdict {
+            Verdict::Undecided(why) => {
+                counts.undecided.push((number, format!("property {}: {why}", home.property)));
+                false
+            }
+            Verdict::Proved(_) => {
+                counts.homes.0 += 1;
+                // With times brute force sees some ways only, so that it may miss one home.
+                shortest.is_some() && !kind.timed
+            }
+            Verdict::Endless { .. } => true,
+            Verdict::Violated(way) => {
+                counts.homes.1 += 1;
+                shortest.is_some_and(|shortest| way.len() < shortest) && !kind.timed || shortest.is_none()
+            }
+        };
+        if wrong {
+            return Err(format!("property {}: {verdict:?}, by brute force {shortest:?}", home.property));
         }
     }
     for live in &circuit.live {

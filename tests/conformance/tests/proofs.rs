@@ -195,6 +195,56 @@ fn the_compiler_asks_for_what_takes_several_cycles() {
     }
 }
 
+/// A delayed and a limited output are followed by the tick, at each side of their times.
+#[test]
+fn delayed_and_limited_outputs_are_followed() {
+    let text = "sfc Lamp { input go, stop: bool; output late, short: bool;
+        initial step Rest; step Run { D 3s late; L 2s short; }
+        Rest -[go]-> Run -[stop]-> Rest;
+        never late && Run.T < 3s; always Run.T >= 3s => late; never short && Run.T >= 2s; always Run.X && Run.T < 2s => short;
+        never late && short; never late; never Run.X && !short && !late; always Run.T >= 2s => late; }";
+    let said: Vec<Option<usize>> = verdicts(&read(text))
+        .into_iter()
+        .map(|verdict| match verdict {
+            Verdict::Proved(_) => None,
+            Verdict::Violated(way) => Some(way.len()),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    // Entered in the second cycle, and so late in the third.
+    assert_eq!(said, [None, None, None, None, None, Some(3), Some(3), Some(3)]);
+}
+
+/// Stored ones, too, and the macro gets no counterexample that is none.
+#[test]
+fn what_time_does_to_actions_is_left_to_the_solver() {
+    let said = |property: &str| {
+        let chart = format!(
+            "sfc Oven {{ input start, door: bool; output heat, horn, fan, lamp, bell: bool;
+             initial step Idle {{ D 5s horn; R lamp; R bell; }} step Bake {{ L 10s heat; SD 3s fan; DS 3s lamp; SL 3s bell; }}
+             step Cool {{ R fan; }} Idle -[start]-> Bake -[30s/Bake]-> Cool -[door && 5s/Cool]-> Idle; {property} }}"
+        );
+        let wanted = Wanted { recorded: false, prover: Some(&grafcet_prove::rule) };
+        let tokens = chart.parse().expect("tokens");
+        grafcet_conformance::chart::errors(&compile_with(&quote!(::grafcet), tokens, wanted).to_string())
+    };
+    assert_eq!(said("never horn && Idle.T < 5s;"), Vec::<String>::new());
+    // Where thirty seconds pass at once, nobody has seen three.
+    for (property, when) in [
+        ("never heat;", "cycle 2"),
+        ("never horn;", "cycle 2"),
+        ("never fan && heat;", "cycle 3"),
+        ("always Cool.X => lamp || bell;", "cycle 3"),
+        ("never lamp && Cool.X;", "cycle 4"),
+    ] {
+        let errors = said(property);
+        assert!(
+            matches!(&errors[..], [one] if one.contains(&format!("at the end of {when} "))),
+            "{property}: {errors:?}"
+        );
+    }
+}
+
 /// Time passes also where nothing but a property asks for it.
 #[test]
 fn a_property_may_be_all_that_asks_for_time() {

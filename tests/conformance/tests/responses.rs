@@ -9,8 +9,8 @@ use grafcet_compiler::parse;
 use grafcet_compiler::program::{Encoding, counted};
 use grafcet_conformance::prove::{Counts, Kind, number};
 use grafcet_prove::aig::Lit;
-use grafcet_prove::circuit::Circuit;
-use grafcet_prove::lemmas::{About, Lemma, Relation};
+use grafcet_prove::circuit::{Circuit, Condition};
+
 use grafcet_prove::{Limit, Verdict, certificate, decide, decide_live};
 
 fn read(text: &str) -> Model {
@@ -169,11 +169,8 @@ fn what_is_not_always_so_is_no_lemma() {
         read("sfc C { input a: bool; initial step A; step B; A -[a]-> B -[3ms/B]-> A; B leads_to A within 3ms; }");
     let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
     let circuit = Circuit::of(&program).expect("a circuit");
-    let is_inductive = |now, next| {
-        let about = About { region: 0, step: None, relation: Relation::Later, has_clock: false };
-        let lemma = Lemma { now, next, about };
-        certificate::is_inductive(&circuit, &[lemma], &Limit::none()).expect("no limit")
-    };
+    let is_inductive =
+        |now, end| certificate::is_inductive(&circuit, &[Condition { now, end }], &Limit::none()).expect("no limit");
     let waits = circuit.latches[circuit.deadlines[0].waits];
     assert!(!is_inductive(waits.now, waits.next), "it does not begin so");
     assert!(!is_inductive(!waits.now, !waits.next), "a cycle leads to it");

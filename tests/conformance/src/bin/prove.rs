@@ -12,7 +12,7 @@ use grafcet_conformance::prove::{Counts, Kind};
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::Invariant;
-use grafcet_prove::{Limit, Verdict, decide, decide_live, export, never, table, vacuous, words};
+use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, never, table, vacuous, words};
 use proc_macro2::{TokenStream, TokenTree};
 
 const USAGE: &str = "\
@@ -173,10 +173,12 @@ fn one(chart: TokenStream, options: &Options) -> Result<bool, String> {
         let (start, limit) = (Instant::now(), Limit::time(options.time));
         let bad = circuit.bad.iter().find(|bad| bad.property == property);
         let live = circuit.live.iter().find(|live| live.property == property);
-        let verdict = match (bad, live) {
-            (Some(bad), _) => decide(&program, &circuit, *bad, &limit),
-            (None, Some(live)) => decide_live(&program, &circuit, *live, &limit),
-            (None, None) => continue,
+        let home = circuit.homes.iter().find(|home| home.property == property);
+        let verdict = match (bad, live, home) {
+            (Some(bad), ..) => decide(&program, &circuit, *bad, &limit),
+            (_, Some(live), _) => decide_live(&program, &circuit, *live, &limit),
+            (.., Some(home)) => decide_home(&program, &circuit, home, &limit),
+            (None, None, None) => continue,
         };
         let verdict = verdict.map_err(|error| error.to_string())?;
         say(&program, &circuit, property, &verdict, (start.elapsed(), options.why));
@@ -227,6 +229,9 @@ fn say(program: &Program<'_>, circuit: &Circuit, property: usize, verdict: &Verd
             println!("  proved in {seconds:.2} s: {text}");
             if why {
                 let circuit = proof.beside.as_deref().unwrap_or(circuit);
+                for line in words::ways(&proof.ways) {
+                    println!("    {line}");
+                }
                 for line in words::clocks(program, &proof.clocks) {
                     println!("    {line}");
                 }
@@ -254,7 +259,10 @@ fn written(model: &Model, property: usize) -> String {
         Claim::Never(condition) => format!("never {}", condition.text),
         Claim::Always { premise: None, condition } => format!("always {}", condition.text),
         Claim::Always { premise: Some(premise), condition } => format!("always {} => {}", premise.text, condition.text),
-        Claim::Home(..) => "home".to_owned(),
+        Claim::Home(steps, _) => {
+            let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+            if names.len() == 1 { format!("home {}", names.concat()) } else { format!("home ({})", names.join(", ")) }
+        }
         Claim::LeadsTo { from, to, within } => {
             let within = within.map_or_else(String::new, |ticks| format!(" within {ticks} ticks"));
             format!("{} leads_to {}{within}", from.text, to.text)
