@@ -3,7 +3,8 @@
 use crate::command::{Result, run as run_command};
 use crate::project::cargo;
 
-/// Records the expansions and programs of `tests/golden`, the pictures of `tests/pictures` and `docs/pictures`, and the messages of `tests/ui`.
+/// Records the expansions and programs of `tests/golden`, the pictures of `tests/pictures` and `docs/pictures`, and the messages of `tests/ui`
+/// and `tests/record/tests/refused`.
 ///
 /// # Errors
 /// A chart does not do what it should: a neighbour does not compile, or a chart with a mistake does.
@@ -16,5 +17,6 @@ pub(crate) fn run() -> Result {
         cargo(&["test", "--package", "grafcet-conformance", "--test", "programs", "--test", "printed"])
             .env("BLESS", "1"),
     )?;
-    run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))
+    run_command(cargo(&["test", "--package", "grafcet", "--test", "ui"]).env("TRYBUILD", "overwrite"))?;
+    run_command(cargo(&["test", "--package", "grafcet-record", "--test", "own_types"]).env("TRYBUILD", "overwrite"))
 }
