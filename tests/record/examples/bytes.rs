@@ -5,6 +5,7 @@ use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
 use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
+use grafcet_record::modes::Press;
 use grafcet_record::motor::Motor;
 use grafcet_record::recipe::Dyer;
 use grafcet_record::tickless::Crossing;
@@ -51,6 +52,7 @@ fn main() {
     measure(Sorter::new(), &mut ());
     measure(Cell::new(), &mut ());
     measure(Crossing::new(), &mut ());
+    measure(Press::new(), &mut ());
     measure(Dyer::new(), &mut Nobody);
     measure(Called::new(), &mut Nobody);
     measure(Remote::new(), &mut Nobody);

@@ -8,6 +8,8 @@ pub mod cell;
 pub mod controller;
 #[path = "../../../examples/charts/line24v.rs"]
 pub mod line24v;
+#[path = "../../../examples/charts/modes.rs"]
+pub mod modes;
 #[path = "../../../examples/charts/motor.rs"]
 pub mod motor;
 #[path = "../../../examples/charts/recipe.rs"]
