@@ -7,7 +7,7 @@ use syn::spanned::Spanned as _;
 use super::machine::{Field, Machine};
 use super::{Cx, force, recipe, state, types, variants};
 use crate::analysis::Situations;
-use crate::fingerprint::Hash;
+use crate::fingerprint::{Hash, without};
 use crate::list::List;
 use crate::model::{Id, Model, Name, StepId, Ty, Variants};
 use crate::place::{self, quote};
@@ -40,7 +40,8 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
     let layout = {
         let mut hash = Hash::new();
         hash.word(&fingerprint.to_string());
-        hash.tokens(state.clone());
+        let path = p.clone().into_iter().list();
+        hash.tokens(without(state.clone(), &path));
         hash.tokens(began.clone());
         hash.tokens(enums.clone());
         Literal::u32_suffixed(hash.finish())

@@ -14,6 +14,8 @@ use crate::value::outside;
 
 /// The fields of a state as far as they can be read, in their order.
 pub(super) struct Layout {
+    /// Tells layouts apart.
+    pub(super) number: u32,
     fields: Vec<Field>,
     /// The first field that cannot be read, where there is one.
     unread: Option<String>,
@@ -53,6 +55,7 @@ impl Layout {
         let (root, source) = (quote!(::grafcet), chart.source()?.clone());
         let code = compile_with(&root, source.clone(), Wanted { recorded: true, prover: None });
         let parts: Vec<TokenTree> = recorded(code)?.stream().into_iter().collect();
+        let number = number_of(&parts)?;
         let types = Types { enums: enums(&part(&parts, "enums")?), listed: listed(&part(&parts, "listed")?) };
         let meanings = meanings(&root, source);
         let what = |name: &str| meanings.iter().find(|(field, _)| field == name).map(|(_, what)| what.clone());
@@ -73,7 +76,7 @@ impl Layout {
             let name = began.to_string();
             fields.push(Field { what: what(&name), name, width: Width::Ticks(32) });
         }
-        Some(Self { fields, unread })
+        Some(Self { number, fields, unread })
     }
 
     /// What a state tells, as far as it can be read; and what cannot be, in words.
@@ -284,6 +287,12 @@ fn recorded(code: TokenStream) -> Option<Group> {
 fn part(parts: &[TokenTree], name: &str) -> Option<Group> {
     let at = parts.iter().position(|tree| matches!(tree, TokenTree::Ident(ident) if ident == name))?;
     parts[at..].iter().find_map(|tree| if let TokenTree::Group(group) = tree { Some(group.clone()) } else { None })
+}
+
+/// What stands behind `chart Motor` and the fingerprint.
+fn number_of(parts: &[TokenTree]) -> Option<u32> {
+    let text = parts.get(3)?.to_string();
+    text.trim_end_matches("u32").parse().ok()
 }
 
 /// Each with its name, its states, and whether it is another one with a mark above it.

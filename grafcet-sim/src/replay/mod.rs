@@ -104,25 +104,25 @@ impl<'p> Replay<'p> {
     /// As [`ReplayError`] says.
     pub fn run(&self, chart: &Chart, record: &[u8]) -> Result<Trace, ReplayError> {
         let records = Records::of(record).map_err(|_| ReplayError::NoRecord)?;
-        self.all(chart, records.fingerprint(), |run| run.all(&records))
+        self.all(chart, (records.fingerprint(), records.layout()), |run| run.all(&records))
     }
 
     /// Runs what a recorder has sent over a wire: the bytes as they came, from the start of the controller on.
     ///
-    /// What was lost or damaged is a gap in the trace up to where the controller starts anew; what differs from the states that it tells, a warning. The
+    /// What was lost or damaged is a gap in the trace up to the next state; what differs from the states that it tells, a warning. The
     /// hashes in between are those of the compiled chart, and are not looked at.
     ///
     /// # Errors
     /// As [`ReplayError`] says; `NoRecord` where no state came.
     pub fn frames(&self, chart: &Chart, bytes: &[u8]) -> Result<Trace, ReplayError> {
-        let recorded = wire::fingerprint(bytes).ok_or(ReplayError::NoRecord)?;
+        let recorded = wire::owner(bytes).ok_or(ReplayError::NoRecord)?;
         self.all(chart, recorded, |run| run.frames(bytes, recorded))
     }
 
     fn all(
         &self,
         chart: &Chart,
-        recorded: u32,
+        (recorded, stored): (u32, u32),
         run_all: impl FnOnce(&mut Run<'_>) -> Result<(), ReplayError>,
     ) -> Result<Trace, ReplayError> {
         let source = chart.fingerprint();
@@ -130,10 +130,12 @@ impl<'p> Replay<'p> {
         if !is_same && !self.is_other {
             return Err(ReplayError::OtherChart { recorded, source });
         }
+        let layout = is_same.then(|| Layout::of(chart)).flatten();
+        let is_other_layout = layout.as_ref().is_some_and(|layout| layout.number != stored);
         let mut run = Run {
             chart,
             program: &self.program,
-            layout: is_same.then(|| Layout::of(chart)).flatten(),
+            layout: layout.filter(|_| !is_other_layout),
             simulation: None,
             trace: None,
             inputs: Vec::new(),
@@ -155,7 +157,8 @@ impl<'p> Replay<'p> {
         if !is_same {
             trace.warnings.insert(0, ReplayError::OtherChart { recorded, source }.to_string());
         } else if run.layout.is_none() {
-            trace.warnings.push("the recorded states could not be compared: the chart does not compile".to_owned());
+            let why = if is_other_layout { "another compiler has made them" } else { "the chart does not compile" };
+            trace.warnings.push(format!("the recorded states could not be looked at: {why}"));
         }
         Ok(trace)
     }
@@ -301,6 +304,7 @@ impl Run<'_> {
                     trace.warnings.push(said.clone());
                 }
                 self.lose(&said);
+                return self.begin(key, &params);
             }
             return Ok(());
         }
@@ -319,7 +323,7 @@ impl Run<'_> {
     /// The chart goes on from a recorded state, as what came before is not known.
     fn begin(&mut self, key: &Key<'_>, params: &[Value]) -> Result<(), ReplayError> {
         let Some(layout) = &self.layout else {
-            self.note("the recorded state is of another version of the chart");
+            self.note("the recorded state cannot be looked at");
             return Ok(());
         };
         let mut simulation = Simulation::beside(self.chart, self.program.clone())?;
