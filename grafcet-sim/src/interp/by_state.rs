@@ -63,7 +63,7 @@ pub(super) fn output(model: &Model, id: OutputId, steps: &Situation) -> Option<V
         None => default(&output.ty),
         Some(init) => match constant(&init.tree) {
             Known::Is(value) => value,
-            _ => return None,
+            Known::Anything => return None,
         },
     };
     known(model, begins, steps, &enter)

@@ -356,6 +356,7 @@ fn since(recalled: &Recalled, asked: &dyn Fn(&Held) -> Option<Option<u32>>) -> O
 const MOST: u64 = 100_000;
 
 /// Whether a field for the place holds but a part of it: what `S` has set, beside what acts as long as a step is active.
+#[must_use]
 pub fn is_part(model: &Model, place: Place) -> bool {
     model
         .associations

@@ -128,7 +128,6 @@ impl Layout {
 impl Field {
     /// Reads its bits.
     fn read(&self, bits: &mut Reader<'_>, recalled: &mut Recalled) -> Result<(), String> {
-        let torn = || "a state that is torn".to_owned();
         match (&self.width, &self.what) {
             (Width::States(states, marked), Some(Held::Situation(steps))) => {
                 let place = bits.take(bits_for(states.len())).ok_or_else(torn)? as usize;
@@ -162,7 +161,7 @@ impl Field {
                 recalled.note(Held::TimerInput(*of, *q), interp::Value::Bool(input.ok_or_else(torn)? != 0));
             }
             (width, what) => {
-                let value = width.read(bits).ok_or_else(torn)?;
+                let value = width.read(bits)?;
                 match (what, value) {
                     (Some(what), Some(value)) => recalled.note(what.clone(), value),
                     (None, _) => return Err(format!("what the field `{}` holds", self.name)),
@@ -176,34 +175,35 @@ impl Field {
 }
 
 impl Width {
-    /// A value of this width; none where there may be none.
-    fn read(&self, bits: &mut Reader<'_>) -> Option<Option<interp::Value>> {
+    /// A value of this width; none where there is none, or one that only `next_deadline` asks for.
+    fn read(&self, bits: &mut Reader<'_>) -> Result<Option<interp::Value>, String> {
         use interp::{Real, Value};
-        Some(Some(match self {
-            Self::Bool => Value::Bool(bits.take(1)? != 0),
-            Self::Int { signed, bits: width } => Value::Int(int(bits, *width, *signed)?),
-            Self::Ticks(width) => Value::Ticks(bits.take(*width)?),
-            Self::Float(32) => Value::Real(Real(f32::from_bits(bits.take(32)?).into())),
+        let mut take = |width| bits.take(width).ok_or_else(torn);
+        Ok(Some(match self {
+            Self::Bool => Value::Bool(take(1)? != 0),
+            Self::Int { signed, bits: width } => Value::Int(int(bits, *width, *signed).ok_or_else(torn)?),
+            Self::Ticks(width) => Value::Ticks(take(*width)?),
+            Self::Float(32) => Value::Real(Real(f32::from_bits(take(32)?).into())),
             Self::Float(_) => {
-                let (low, high) = (bits.take(32)?, bits.take(32)?);
+                let (low, high) = (take(32)?, take(32)?);
                 Value::Real(Real(f64::from_bits(u64::from(high) << 32 | u64::from(low))))
             }
-            Self::Listed(count) => Value::Int(i128::from(bits.take(bits_for(*count))?)),
+            Self::Listed(count) => Value::Int(i128::from(take(bits_for(*count))?)),
             Self::Optional(value) => {
-                if bits.take(1)? != 0 {
-                    return value.read(bits);
-                }
-                value.read(bits)?;
-                return Some(None);
+                let is_some = take(1)? != 0;
+                return value.read(bits).map(|value| value.filter(|_| is_some));
             }
-            // One that nothing asks for but `next_deadline`.
             Self::States(states, marked) => {
-                bits.take(bits_for(states.len()) + usize::from(*marked))?;
-                return Some(None);
+                take(bits_for(states.len()) + usize::from(*marked))?;
+                return Ok(None);
             }
-            Self::Flags(_) | Self::Delay | Self::Timer => return None,
+            Self::Flags(_) | Self::Delay | Self::Timer => return Err("a field of another kind".to_owned()),
         }))
     }
+}
+
+fn torn() -> String {
+    "a state that is torn".to_owned()
 }
 
 /// What the types of the fields are made of.

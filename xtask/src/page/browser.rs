@@ -1,4 +1,4 @@
-//! A headless Chromium that is told what to do over pipes, by the DevTools protocol.
+//! A headless Chromium that is told what to do over pipes, by the protocol of its developer tools.
 
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -65,15 +65,15 @@ impl Browser {
         });
         let (next, session, problems) = (1, None, Vec::new());
         let mut browser = Self { process, to, from, next, session, problems, loaded: false };
-        let target = browser.ask("Target.createTarget", json!({ "url": "about:blank" }))?;
+        let target = browser.ask("Target.createTarget", &json!({ "url": "about:blank" }))?;
         let to = json!({ "targetId": target["targetId"], "flatten": true });
-        let attached = browser.ask("Target.attachToTarget", to)?;
+        let attached = browser.ask("Target.attachToTarget", &to)?;
         browser.session = attached["sessionId"].as_str().map(str::to_owned);
         for domain in ["Runtime.enable", "Page.enable", "Log.enable"] {
-            browser.ask(domain, json!({}))?;
+            browser.ask(domain, &json!({}))?;
         }
         let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
-        browser.ask("Emulation.setDeviceMetricsOverride", size)?;
+        browser.ask("Emulation.setDeviceMetricsOverride", &size)?;
         Ok(browser)
     }
 
@@ -81,7 +81,7 @@ impl Browser {
     ///
     /// # Errors
     /// The browser refuses it, or does not answer.
-    pub(super) fn ask(&mut self, method: &str, params: Value) -> Result<Value> {
+    pub(super) fn ask(&mut self, method: &str, params: &Value) -> Result<Value> {
         let id = self.next;
         self.next += 1;
         let mut message = json!({ "id": id, "method": method, "params": params });
@@ -122,7 +122,7 @@ impl Browser {
     /// As of [`Browser::ask`].
     pub(super) fn open(&mut self, url: &str) -> Result {
         self.loaded = false;
-        let answer = self.ask("Page.navigate", json!({ "url": url }))?;
+        let answer = self.ask("Page.navigate", &json!({ "url": url }))?;
         if let Some(error) = answer.get("errorText") {
             return Err(format!("{url}: {error}"));
         }
@@ -138,7 +138,7 @@ impl Browser {
     /// It throws; or as of [`Browser::ask`].
     pub(super) fn value(&mut self, expression: &str) -> Result<Value> {
         let asked = json!({ "expression": expression, "returnByValue": true });
-        let mut answer = self.ask("Runtime.evaluate", asked)?;
+        let mut answer = self.ask("Runtime.evaluate", &asked)?;
         match answer.get("exceptionDetails") {
             Some(thrown) => Err(format!("{expression}: {thrown}")),
             None => Ok(answer["result"]["value"].take()),
@@ -162,7 +162,7 @@ impl Browser {
         };
         for kind in ["rawKeyDown", "keyUp"] {
             let event = json!({ "type": kind, "key": key, "windowsVirtualKeyCode": code });
-            self.ask("Input.dispatchKeyEvent", event)?;
+            self.ask("Input.dispatchKeyEvent", &event)?;
         }
         Ok(())
     }
@@ -175,7 +175,7 @@ impl Browser {
         let button = if kind == "mouseMoved" && !held { "none" } else { "left" };
         let buttons = u8::from(held && kind != "mouseReleased");
         let event = json!({ "type": kind, "x": x, "y": y, "button": button, "buttons": buttons, "clickCount": 1 });
-        self.ask("Input.dispatchMouseEvent", event).map(|_| ())
+        self.ask("Input.dispatchMouseEvent", &event).map(|_| ())
     }
 
     /// A click in the middle of what a selector finds.

@@ -101,10 +101,10 @@ impl Visit {
             0 => &self.data["cycles"][cycle - 1]["steps"],
             _ => &here["evolutions"][done - 1]["steps"],
         };
-        let active: Vec<&Value> = steps.as_array().into_iter().flatten().collect();
+        let active: Vec<u64> = steps.as_array().into_iter().flatten().filter_map(Value::as_u64).collect();
         let time = here["time"].as_str().unwrap_or_default();
         let found = self.browser.value(SHOWN)?;
-        let is_active = |ids: &str| ids.split(' ').any(|id| active.iter().any(|step| step.to_string() == id));
+        let is_active = |ids: &str| ids.split(' ').any(|id| id.parse().is_ok_and(|id| active.contains(&id)));
         let marks = found["marks"].as_array().into_iter().flatten();
         let marks: Vec<Value> =
             marks.map(|mark| json!([mark[0], is_active(mark[0].as_str().unwrap_or_default())])).collect();
