@@ -19,15 +19,15 @@ pub mod controller_example;
 #[path = "../examples/line24v.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod line24v_example;
-#[path = "../examples/modes.rs"]
-#[allow(dead_code, reason = "`main` is for the process")]
-pub mod modes_example;
 #[path = "../examples/motor.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod motor_example;
 #[path = "../examples/recipe.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod recipe_example;
+#[path = "../examples/stroke.rs"]
+#[allow(dead_code, reason = "`main` is for the process")]
+pub mod stroke_example;
 #[path = "../examples/tickless.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod tickless_example;
@@ -77,9 +77,9 @@ fn the_sorter_answers_its_script_as_worked_out_by_hand() {
 
 #[test]
 fn the_press_answers_its_script_as_worked_out_by_hand() {
-    let (printed, result) = run!(modes_example, "--script", file("examples/charts/modes.script"));
+    let (printed, result) = run!(stroke_example, "--script", file("examples/charts/stroke.script"));
     assert_eq!(result, Ok(()));
-    assert_eq!(printed, include_str!("examples/modes.expected"));
+    assert_eq!(printed, include_str!("examples/stroke.expected"));
 }
 
 #[test]
@@ -164,7 +164,7 @@ fn everything() -> Vec<(&'static str, &'static str, String)> {
     }
     every!(
         "branch_on_result": branch_on_result_example, "cell": cell_example, "controller": controller_example,
-        "line24v": line24v_example, "motor": motor_example, "modes": modes_example, "recipe": recipe_example, "tickless": tickless_example
+        "line24v": line24v_example, "motor": motor_example, "stroke": stroke_example, "recipe": recipe_example, "tickless": tickless_example
     );
     all
 }
@@ -286,7 +286,7 @@ fn the_cell_stops_holds_its_part_and_finishes_it_later() {
 /// turns round half way.
 #[test]
 fn the_press_makes_a_stroke_in_each_mode() {
-    let (printed, result) = run!(modes_example,);
+    let (printed, result) = run!(stroke_example,);
     assert_eq!(result, Ok(()));
     let words = ["lower", "lift", "lamp"];
     let (down, up) = (["Lower lower", "Lower", "Lower lower"], ["Hold", "Lift lift"]);

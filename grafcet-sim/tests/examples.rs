@@ -45,5 +45,5 @@ replays! {
     branch_on_result: "branch_on_result", "Sorter";
     cell: "cell", "Cell";
     tickless: "tickless", "Crossing";
-    modes: "modes", "Press";
+    stroke: "stroke", "Press";
 }

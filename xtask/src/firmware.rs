@@ -59,7 +59,7 @@ const IMAGE: &str = "lm3s6965evb";
 
 /// The examples in the order in which the firmware plays their scripts.
 pub(crate) const EXAMPLES: [&str; 8] =
-    ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "modes", "controller"];
+    ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "stroke", "controller"];
 
 /// An emulated board ends within a fraction of a second; one that has not by then hangs.
 const LIMIT: Duration = Duration::from_secs(60);

@@ -5,9 +5,9 @@ use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::Cell;
 use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
-use grafcet_record::modes::Press;
 use grafcet_record::motor::Motor;
 use grafcet_record::recipe::Dyer;
+use grafcet_record::stroke::Press;
 use grafcet_record::tickless::Crossing;
 use grafcet_record::{Nobody, Storm};
 

@@ -8,14 +8,14 @@ pub mod cell;
 pub mod controller;
 #[path = "../../../examples/charts/line24v.rs"]
 pub mod line24v;
-#[path = "../../../examples/charts/modes.rs"]
-pub mod modes;
 #[path = "../../../examples/charts/motor.rs"]
 pub mod motor;
 #[path = "../../../examples/charts/recipe.rs"]
 pub mod recipe;
 #[path = "../../../examples/charts/script.rs"]
 pub mod script;
+#[path = "../../../examples/charts/stroke.rs"]
+pub mod stroke;
 #[path = "../../../examples/charts/tickless.rs"]
 pub mod tickless;
 

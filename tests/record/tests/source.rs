@@ -8,9 +8,9 @@ use grafcet::record::{Memory, Recordable, Recorder, Records, replay};
 use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::{Cell, CellInputs};
 use grafcet_record::line24v::Line24V;
-use grafcet_record::modes::Press;
 use grafcet_record::motor::Motor;
 use grafcet_record::recipe::{self, Dyer};
+use grafcet_record::stroke::Press;
 use grafcet_record::tickless::Crossing;
 use grafcet_record::{Nobody, Storm};
 use grafcet_sim::{Asked, Changed, Chart, Program, Replay, ReplayError, Trace, Value, page, table};
@@ -94,7 +94,7 @@ fn what_the_source_shows_is_what_the_compiled_chart_shows() {
     agree(&Line24V::new(), none, include_str!("../../../examples/charts/line24v.rs"));
     agree(&Sorter::new(), none, include_str!("../../../examples/charts/branch_on_result.rs"));
     agree(&Crossing::new(), none, include_str!("../../../examples/charts/tickless.rs"));
-    agree(&Press::new(), none, include_str!("../../../examples/charts/modes.rs"));
+    agree(&Press::new(), none, include_str!("../../../examples/charts/stroke.rs"));
     let file = include_str!("../../../examples/charts/recipe.rs");
     agree(&Dyer::with_params(recipe::WOOL), || Box::leak(Box::new(Nobody)), file);
 }

@@ -1,27 +1,27 @@
 //! A press on a model of its ram: it makes a stroke by itself, is paused, goes on step by step and by hand.
-//! `cargo run --example modes -- --help` tells what else it can do.
+//! `cargo run --example stroke -- --help` tells what else it can do.
 
-#[path = "charts/modes.rs"]
-pub mod modes;
 #[path = "charts/script.rs"]
 pub mod script;
 pub(crate) mod shared;
+#[path = "charts/stroke.rs"]
+pub mod stroke;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
 
 use anstyle::{AnsiColor, Style};
 
-use modes::{Press, PressInputs, PressOutputs};
 use shared::{Example, Timeline};
+use stroke::{Press, PressInputs, PressOutputs};
 
 /// The example, of which the command line chooses what is shown.
 pub(crate) const EXAMPLE: Example = Example {
-    name: "modes",
+    name: "stroke",
     about: "A press with operating modes: automatic, semi-automatic, manual and paused.",
     charts: &[&Press::CHART],
     show,
-    play: modes::play,
+    play: stroke::play,
 };
 
 fn main() -> ExitCode {
