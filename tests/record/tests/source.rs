@@ -94,9 +94,60 @@ fn what_the_source_shows_is_what_the_compiled_chart_shows() {
     agree(&Line24V::new(), none, include_str!("../../../examples/charts/line24v.rs"));
     agree(&Sorter::new(), none, include_str!("../../../examples/charts/branch_on_result.rs"));
     agree(&Crossing::new(), none, include_str!("../../../examples/charts/tickless.rs"));
+    let mixed = include_str!("../src/mixed.rs");
+    agree(&grafcet_record::mixed::Press::new(), none, mixed);
+    agree(&grafcet_record::mixed::Flags::new(), none, mixed);
+    agree(&Works::new(), none, include_str!("source.rs"));
+    agree(&Batch::new(), none, include_str!("source.rs"));
     agree(&Press::new(), none, include_str!("../../../examples/charts/stroke.rs"));
     let file = include_str!("../../../examples/charts/recipe.rs");
     agree(&Dyer::with_params(recipe::WOOL), || Box::leak(Box::new(Nobody)), file);
+}
+
+grafcet! {
+    /// What a state of an `sfc` with parallel branches can hold: flip-flops and timers of actions, edges seen by conditions and by actions, delays, blinking, variables.
+    #[derive(Debug)]
+    sfc Works {
+        input a, b, c: bool;
+        input level: u8;
+        output held, late, slow, short, pulse, lamp: bool;
+        output count: u16 = 3;
+        var n: i16 = -2;
+        var armed: bool;
+        initial step Idle { R held; R late; R slow; R short; }
+        step One { S held; SD 2s late; L 40ms pulse; P1 n = n + 1; }
+        step Two { SL 3s short; D 30ms pulse; N armed if a; }
+        step Three { P1 count = count % 900 + 7; DS 20ms slow; N lamp if blink(300ms/200ms); }
+        step Four { P count = count % 900 + 1 if rising(b); }
+        Idle -[rising(a)]-> (One, Three);
+        One -[b && One.T > 15ms]-> Two;
+        Three -[20ms/c/30ms || level > 200]-> Four;
+        Four -[falling(c) || armed]-> Three;
+        (Two, Three) -[!a || 4s/Two || n > 300]-> Idle;
+    }
+}
+
+grafcet! {
+    /// The same of a `grafcet`: stored outputs, edges of steps, an order, an enclosing step, a macro-step.
+    #[derive(Debug)]
+    grafcet Batch {
+        input a, b, stop: bool;
+        input level: i8;
+        output valve, heat, alarm: bool;
+        output count: u16;
+        var n: u8 = 1;
+        partial Guard {
+            initial step Ready;
+            step Stopped { force Main {INIT}; alarm; }
+            Ready -[stop]-> Stopped -[!stop && 50ms/Stopped]-> Ready;
+        }
+        partial Main {
+            initial step Rest { R valve; }
+            step Fill { S valve; heat if 20ms/a/40ms; P1 n = n % 40 + 3; }
+            step Heat { heat if blink(100ms/100ms); on rising(b) count = count + 1; }
+            Rest -[rising(a)]-> Fill -[level > 20 || 3s/Fill]-> Heat -[falling(b) || Heat.T > 2s && n > 4]-> Rest;
+        }
+    }
 }
 
 const CELL: &str = include_str!("../../../examples/charts/cell.rs");
