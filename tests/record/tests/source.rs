@@ -150,6 +150,36 @@ grafcet! {
     }
 }
 
+grafcet! {
+    /// Waits for a delay alone.
+    sfc Slow {
+        input a, other: bool;
+        output lamp: bool;
+        initial step Off;
+        step On { N lamp; }
+        Off -[1s/a]-> On -[!a && other]-> Off;
+    }
+}
+
+/// The beginning is overwritten while a delay is under way: it goes on from there.
+#[test]
+fn a_delay_that_was_under_way_goes_on() {
+    let mut recorder =
+        Recorder::new(Slow::new(), [0; Recorder::<Slow, Memory<[u8; 0]>>::LEAST]).expect("enough memory");
+    for cycle in 0..115_u32 {
+        let inputs = SlowInputs { a: cycle >= 10, other: cycle % 2 == 0 };
+        recorder.cycle(&inputs, cycle * 10, &mut ());
+    }
+    recorder.flush();
+    let slow = source(include_str!("source.rs"), "Slow");
+    let trace = Replay::new().run(&slow, recorder.record()).expect("a record");
+    let begins = trace.cycles[0].now;
+    assert!((150..1_100).contains(&begins), "a delay is under way at {begins}");
+    // True since 100 ms.
+    let lit = trace.cycles.iter().find(|cycle| cycle.outputs[0].is_true()).expect("it is lit");
+    assert_eq!(lit.now, 1_100);
+}
+
 const CELL: &str = include_str!("../../../examples/charts/cell.rs");
 
 /// A record of the cell with these inputs.
