@@ -25,6 +25,9 @@ pub mod motor_example;
 #[path = "../examples/recipe.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod recipe_example;
+#[path = "../examples/stroke.rs"]
+#[allow(dead_code, reason = "`main` is for the process")]
+pub mod stroke_example;
 #[path = "../examples/tickless.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod tickless_example;
@@ -70,6 +73,13 @@ fn the_sorter_answers_its_script_as_worked_out_by_hand() {
     let (printed, result) = run!(branch_on_result_example, "--script", file("examples/charts/branch_on_result.script"));
     assert_eq!(result, Ok(()));
     assert_eq!(printed, include_str!("examples/branch_on_result.expected"));
+}
+
+#[test]
+fn the_press_answers_its_script_as_worked_out_by_hand() {
+    let (printed, result) = run!(stroke_example, "--script", file("examples/charts/stroke.script"));
+    assert_eq!(result, Ok(()));
+    assert_eq!(printed, include_str!("examples/stroke.expected"));
 }
 
 #[test]
@@ -154,7 +164,7 @@ fn everything() -> Vec<(&'static str, &'static str, String)> {
     }
     every!(
         "branch_on_result": branch_on_result_example, "cell": cell_example, "controller": controller_example,
-        "line24v": line24v_example, "motor": motor_example, "recipe": recipe_example, "tickless": tickless_example
+        "line24v": line24v_example, "motor": motor_example, "stroke": stroke_example, "recipe": recipe_example, "tickless": tickless_example
     );
     all
 }
@@ -270,6 +280,19 @@ fn the_cell_stops_holds_its_part_and_finishes_it_later() {
         .map(String::from),
     );
     assert_eq!(story(&printed, &words), expected);
+}
+
+/// The ram takes a cycle for each of its five steps. Paused for two cycles it stands still; held for two, which are a second, it goes up again. The stroke by hand
+/// turns round half way.
+#[test]
+fn the_press_makes_a_stroke_in_each_mode() {
+    let (printed, result) = run!(stroke_example,);
+    assert_eq!(result, Ok(()));
+    let words = ["lower", "lift", "lamp"];
+    let (down, up) = (["Lower lower", "Lower", "Lower lower"], ["Hold", "Lift lift"]);
+    let whole = [&["Rest lamp"][..], &down, &up, &["Rest lamp"]].concat();
+    let by_hand = ["Lower lower", "Hold", "Lift lift", "Rest lamp"];
+    assert_eq!(story(&printed, &words), [&whole[..], &by_hand].concat());
 }
 
 /// A round that begins with a button that is pressed and let go has 15 scans: six steps entered, each scanned once more,

@@ -56,11 +56,11 @@ pub struct Derive {
     pub mark: Mark,
 }
 
-/// Whether a derive is this trait of `serde`: `Serialize`, `serde::Serialize`; but no other crate's.
-pub(crate) fn is_of_serde(path: &Path, name: &str) -> bool {
+/// Whether a derive is this trait of a crate: `Serialize`, `serde::Serialize`; but no other crate's.
+pub(crate) fn is_of(path: &Path, module: &str, name: &str) -> bool {
     let mut names = path.segments.iter().map(|segment| &segment.ident);
     let (first, last) = (names.next(), names.next_back());
-    last.or(first).is_some_and(|last| last == name) && (last.is_none() || first.is_some_and(|first| first == "serde"))
+    last.or(first).is_some_and(|last| last == name) && (last.is_none() || first.is_some_and(|first| first == module))
 }
 
 /// How loud a broken rule is.

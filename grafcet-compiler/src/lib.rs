@@ -10,6 +10,7 @@ mod codegen;
 pub mod describe;
 pub mod diagnostic;
 pub mod fingerprint;
+pub mod held;
 mod list;
 mod mark;
 mod methods;
@@ -101,6 +102,18 @@ fn plants(call: &plant::Call, sound: bool, root: &TokenStream, wanted: Wanted<'_
 fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> Compiled {
     let fingerprint = wanted.recorded.then(|| fingerprint::of(plant::chart_of(&chart)));
     by(chart, root, wanted.prover, &|model, facts, plan| codegen::generate((model, facts, plan), root, fingerprint))
+}
+
+/// What the fields of the state hold that a recorded chart has, by their names in its code; empty where it has mistakes.
+#[must_use]
+pub fn meanings(root: &TokenStream, chart: TokenStream) -> Vec<(String, held::Held)> {
+    let found = std::cell::RefCell::new(Vec::new());
+    let look = |model: &Model, facts: &Facts<'_>, plan: &Plan| {
+        *found.borrow_mut() = codegen::meanings(model, facts, plan, root);
+        TokenStream::new()
+    };
+    by(chart, root, None, &look);
+    found.into_inner()
 }
 
 /// The same by way of a program, which `lower` makes of the chart: a third opinion for tests and tools.

@@ -2,10 +2,12 @@
 
 use std::fmt;
 
-use grafcet_compiler::model::{Binary, Blinker, DelayId, Model, Name, Read, TimeRef, Transition, Tree, Unary};
+use grafcet_compiler::model::{
+    Binary, Blinker, DelayId, Model, Name, Read, TimeRef, Transition, TransitionId, Tree, Unary,
+};
 
 use crate::chart::Chart;
-use crate::interp::{Error, Look};
+use crate::interp::{Error, Look, Mode};
 use crate::names::{Names, plain};
 use crate::value::{Value, outside};
 
@@ -35,10 +37,29 @@ pub enum Why {
     Holds,
     /// Its condition does not hold.
     Waits(Wait),
+    /// An operating mode (`modes;`) holds it back.
+    Held {
+        by: HeldBack,
+        /// What is false in its condition, too, where that is asked.
+        wait: Option<Wait>,
+    },
     /// The step of this name forces or does not enclose its partial grafcet: it is frozen.
     Frozen(Option<String>),
     /// Its condition cannot be told; why.
     Unknown(String),
+}
+
+/// An operating mode that holds a transition back.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum HeldBack {
+    /// Nothing clears.
+    Paused,
+    /// It waits for the push button.
+    SemiAutomatic,
+    /// It waits for the push button, whatever its condition says.
+    Manual,
+    /// By hand the transition of this name goes before it.
+    ByHand(String),
 }
 
 /// What is false now.
@@ -103,6 +124,18 @@ impl fmt::Display for Waiting {
         match &self.why {
             Why::Holds => write!(f, "`{name}` clears in the next cycle"),
             Why::Waits(wait) => write!(f, "`{name}` waits for {wait}"),
+            Why::Held { by: HeldBack::SemiAutomatic, wait: Some(wait) } => {
+                write!(f, "`{name}` waits for {wait}, and then for the push button (semi-automatic)")
+            }
+            Why::Held { by, wait } => {
+                match by {
+                    HeldBack::Paused => write!(f, "`{name}` is held back: paused")?,
+                    HeldBack::SemiAutomatic => write!(f, "`{name}` is held back: semi-automatic, until `push`")?,
+                    HeldBack::Manual => write!(f, "`{name}` is held back: manual, until `push`")?,
+                    HeldBack::ByHand(other) => write!(f, "`{name}` is held back: manual, and `{other}` goes first")?,
+                }
+                wait.as_ref().map_or(Ok(()), |wait| write!(f, "; it also waits for {wait}"))
+            }
             Why::Frozen(Some(by)) => write!(f, "`{name}` is frozen: `{by}` forces its partial grafcet"),
             Why::Frozen(None) => write!(f, "`{name}` is frozen: the step that encloses it is not active"),
             Why::Unknown(why) => write!(f, "`{name}`: {why}"),
@@ -131,7 +164,7 @@ pub(crate) fn blocked(chart: &Chart, look: &Look<'_>) -> Blocked {
         if waiting.last().is_some_and(|last| last.transition == place) {
             continue;
         }
-        let why = Asking { model, names, look }.why(transition);
+        let why = Asking { model, names, look }.why(id, transition);
         waiting.push(Waiting { transition: place, name: names.transitions[place].name.clone(), why });
     }
     Blocked { waiting, is_first: look.is_first() }
@@ -144,17 +177,38 @@ struct Asking<'a> {
 }
 
 impl Asking<'_> {
-    fn why(&self, transition: &Transition) -> Why {
+    fn why(&self, id: TransitionId, transition: &Transition) -> Why {
         if !self.look.is_free(transition.partial) {
             let by = self.look.forced_by(transition.partial);
             return Why::Frozen(by.map(|step| plain(&self.model.steps[step].name)));
         }
-        let tree = transition.own_condition();
-        match self.look.holds(tree) {
-            Ok(true) => Why::Holds,
-            Ok(false) => self.wait(tree, true).map_or_else(|error| Why::Unknown(error.to_string()), Why::Waits),
-            Err(error) => Why::Unknown(error.to_string()),
+        self.look
+            .mode(id)
+            .and_then(|mode| self.in_mode(mode, id, transition))
+            .unwrap_or_else(|error| Why::Unknown(error.to_string()))
+    }
+
+    fn in_mode(&self, mode: Option<Mode>, id: TransitionId, transition: &Transition) -> Result<Why, Error> {
+        if let Some(Mode::Manual { pushed }) = mode {
+            let before = self
+                .look
+                .goes_before(id)
+                .map(|other| HeldBack::ByHand(self.names.transitions[self.names.transition(other)].name.clone()));
+            let by = before.or_else(|| (!pushed).then_some(HeldBack::Manual));
+            return Ok(by.map_or(Why::Holds, |by| Why::Held { by, wait: None }));
         }
+        let tree = written(transition);
+        let wait = if self.look.holds(tree)? { None } else { Some(self.wait(tree, true)?) };
+        let by = match mode {
+            Some(Mode::Paused) => Some(HeldBack::Paused),
+            Some(Mode::SemiAutomatic { pushed: false }) => Some(HeldBack::SemiAutomatic),
+            _ => None,
+        };
+        Ok(match (by, wait) {
+            (Some(by), wait) => Why::Held { by, wait },
+            (None, Some(wait)) => Why::Waits(wait),
+            (None, None) => Why::Holds,
+        })
     }
 
     /// What stands between a condition and the value that is wanted, which it has not.
@@ -279,6 +333,11 @@ impl Asking<'_> {
             value => value,
         })
     }
+}
+
+/// The condition as it was written, without what `modes;` makes of it.
+pub(crate) fn written(transition: &Transition) -> &Tree {
+    transition.held.as_ref().unwrap_or_else(|| transition.own_condition())
 }
 
 fn plain_read(tree: &Tree) -> bool {

@@ -16,7 +16,7 @@ mod simulation;
 mod trace;
 mod value;
 
-pub use blocked::{Blocked, Part, Wait, Waiting, Why};
+pub use blocked::{Blocked, HeldBack, Part, Wait, Waiting, Why};
 pub use chart::{Chart, Refused};
 pub use coverage::{Coverage, Criterion, Missing};
 pub use cycle::{Call, Cycle, Evolution, Forced, Gap, Phase, Ran};

@@ -100,6 +100,11 @@ impl<'c> Simulation<'c> {
         self.chart
     }
 
+    /// Goes on from what was recorded.
+    pub(crate) fn recall(&mut self, recalled: &interp::Recalled) -> Result<(), String> {
+        self.machine.recall(recalled)
+    }
+
     /// The chart's names.
     #[must_use]
     pub fn names(&self) -> &'c Names {

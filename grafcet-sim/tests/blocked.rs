@@ -93,3 +93,37 @@ fn parts_are_data() {
     assert_eq!((a.text.as_str(), &a.values[..], a.left), ("a", &[("a".to_owned(), Value::Bool(false))][..], None));
     assert_eq!((time.text.as_str(), time.left), ("2s/A", Some(2000)));
 }
+
+/// What an operating mode holds back says so, and none of its inputs is a part of the condition.
+#[test]
+fn what_a_mode_holds_back() {
+    let in_mode = |inputs: &[(&str, Value)]| {
+        let source = "sfc C { modes; input a: bool; initial step A; step B; A -[a]-> B -[!a]-> A; A -[!a]-> B; }";
+        said(source, &[(0, inputs)])
+    };
+    let (on, both) = (|name| (name, Value::Bool(true)), |one: &str, other: &str| format!("{one}\n{other}"));
+    let (first, second) = ("`A → B` waits for `a` (false)", "`A → B` clears in the next cycle");
+    assert_eq!(in_mode(&[]), both(first, second));
+    let (first, second) =
+        ("`A → B` is held back: paused; it also waits for `a` (false)", "`A → B` is held back: paused");
+    assert_eq!(in_mode(&[on("paused")]), both(first, second));
+    // Paused goes before manual, manual before semi-automatic.
+    assert_eq!(in_mode(&[on("paused"), on("manual"), on("semi_automatic")]), both(first, second));
+    let (first, second) = (
+        "`A → B` waits for `a` (false), and then for the push button (semi-automatic)",
+        "`A → B` is held back: semi-automatic, until `push`",
+    );
+    assert_eq!(in_mode(&[on("semi_automatic")]), both(first, second));
+    let (first, second) =
+        ("`A → B` is held back: manual, until `push`", "`A → B` is held back: manual, and `A → B` goes first");
+    assert_eq!(in_mode(&[on("manual")]), both(first, second));
+    assert_eq!(in_mode(&[on("manual"), on("semi_automatic"), on("a")]), both(first, second));
+    // An `any` works in every mode.
+    let source = "sfc C { modes; input a, stop: bool; initial step A; step B; step Safe;
+        A -[a]-> B -[!a]-> A; any -[stop]-> Safe -[a]-> A; }";
+    let text = said(source, &[(0, &[on("paused")])]);
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 2, "{text}");
+    assert!(lines.contains(&"`A → B` is held back: paused; it also waits for `a` (false)"), "{text}");
+    assert!(lines.iter().any(|line| line.ends_with("waits for `stop` (false)")), "{text}");
+}

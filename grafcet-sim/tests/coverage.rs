@@ -1,6 +1,6 @@
 //! What runs have covered.
 
-use grafcet_sim::{Chart, Coverage, Missing, Simulation, Trace, Value, assert_covered};
+use grafcet_sim::{Chart, Coverage, Missing, Simulation, Trace, Value, assert_covered, script};
 
 const SOURCE: &str = "sfc C {
     input a, b: bool;
@@ -159,4 +159,29 @@ fn a_list_tells_what_was_not_covered() {
 fn what_is_not_asked_for_needs_no_exception() {
     let chart = Chart::parse(SOURCE).expect("a chart");
     assert_covered!(Coverage::of(&chart), steps; except "step", "`a` never");
+}
+
+/// What `modes;` makes of conditions is none of their parts, and a condition that no mode asks decides nothing.
+#[test]
+fn operating_modes_are_no_parts() {
+    let chart =
+        Chart::parse("grafcet C { modes; input a, b: bool; initial step A; step B; A -[a && b]-> B -[!a]-> A; }")
+            .expect("a chart");
+    let run = |text: &str| {
+        let cycles = script(chart.names(), text).expect("a script");
+        Trace::play(&mut Simulation::new(&chart).expect("understood"), &cycles).expect("understood").coverage
+    };
+    let held = run("-\npaused\npaused a\npaused a b\nmanual a\nsemi_automatic a b\npaused push a b");
+    // In the first cycle it is automatic, and `a && b` is false by both: neither decides.
+    let none = "C: 1 of 2 steps active, 0 of 2 transitions cleared, 0 of 6 decisions of parts of conditions\n";
+    assert!(held.to_string().starts_with(none), "{held}");
+    assert!(!held.to_string().contains("paused") && !held.to_string().contains("push"), "{held}");
+    // By hand a step is left without its condition.
+    let by_hand = run("manual\nmanual push");
+    let text = "C: 2 of 2 steps active, 1 of 2 transitions cleared, 0 of 6 decisions of parts of conditions\n";
+    assert!(by_hand.to_string().starts_with(text), "{by_hand}");
+    // Once pushed, the condition decides: both parts as true.
+    let semi_automatic = run("-\nsemi_automatic a b\nsemi_automatic a b push");
+    let text = "C: 2 of 2 steps active, 1 of 2 transitions cleared, 2 of 6 decisions of parts of conditions\n";
+    assert!(semi_automatic.to_string().starts_with(text), "{semi_automatic}");
 }

@@ -45,4 +45,5 @@ replays! {
     branch_on_result: "branch_on_result", "Sorter";
     cell: "cell", "Cell";
     tickless: "tickless", "Crossing";
+    stroke: "stroke", "Press";
 }

@@ -13,6 +13,7 @@ mod image;
 mod interface;
 mod msrv;
 mod packages;
+mod page;
 mod plant;
 mod processor;
 mod project;
@@ -57,6 +58,7 @@ Usage: cargo xtask <task>
   interface [record]
             the public interfaces beside those in tests/interface (cargo-public-api), or records them anew
   packages  pack and build what is published, check sets of features and the oldest dependencies allowed
+  page      the page of a replay in headless Chromium: its buttons, keys, slider and dragging show what its data says
   plant [WORD]
             plants faults into the runtime and the code generator, one by one, and tells which test of CI finds each; only
             those whose name holds WORD. An hour, or more
@@ -104,6 +106,7 @@ fn main() -> ExitCode {
         ["interface", "record"] => interface::record(),
         ["msrv"] => msrv::run(),
         ["packages"] => packages::run(),
+        ["page"] => page::run(),
         ["plant"] => plant::run(None),
         ["plant", word] => plant::run(Some(word)),
         ["prove", ref rest @ ..] => conformance::prove(rest),

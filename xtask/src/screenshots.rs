@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::command::{Result, capture, capture_within, find, run as run_command};
+use crate::command::{Result, capture, capture_within, run as run_command};
 use crate::firmware::{EXAMPLES, EXAMPLES_CRATE};
+use crate::page::find_browser;
 use crate::project::{self, cargo, remove, root};
 
 /// Where they are kept.
@@ -28,9 +29,7 @@ const LIMIT: Duration = Duration::from_secs(60);
 /// # Errors
 /// Chromium is missing, rustdoc or the replay fails, or a page shows no chart.
 pub(crate) fn run() -> Result {
-    let browsers = ["chromium", "chromium-browser", "google-chrome"];
-    let browser = browsers.iter().find_map(|name| find(name));
-    let browser = browser.ok_or("no Chromium in the PATH; on Debian `apt-get install chromium`")?;
+    let browser = find_browser()?;
     let target = project::target("screenshots");
     // Rustdoc would not see that a chart has changed: they stand outside of the crate's folder.
     remove(&target)?;

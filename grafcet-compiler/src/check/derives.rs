@@ -1,6 +1,6 @@
 //! What the types of a chart are to derive, beside how its situation is stored.
 
-use crate::ast::is_of_serde;
+use crate::ast::is_of;
 use crate::diagnostic::{Mark, Sink};
 use crate::model::Model;
 
@@ -14,7 +14,8 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     if !model.flags || steps <= MOST {
         return;
     }
-    for path in model.derives.iter().flat_map(|derive| &derive.traits).filter(|path| is_of_serde(path, "Serialize")) {
+    for path in model.derives.iter().flat_map(|derive| &derive.traits).filter(|path| is_of(path, "serde", "Serialize"))
+    {
         let message = format!(
             "serde stores arrays of up to 32 bytes, and with `encoding flags;` {steps} steps take more: up to {MOST} steps \
              go together with serde; leave out `encoding flags;`, or this derive"

@@ -5,7 +5,7 @@ use quote::{ToTokens, format_ident};
 use syn::{Path, Type};
 
 use super::requirements;
-use crate::ast::is_of_serde;
+use crate::ast::is_of;
 use crate::list::List;
 use crate::model::{Model, Ty};
 use crate::place::quote;
@@ -51,7 +51,7 @@ fn plain(names: Vec<&'static str>) -> Derives {
 }
 
 impl Derives {
-    /// The chart itself, which nobody reads back unchecked: `Deserialize` does not reach it.
+    /// The chart itself and what it is made of, which nobody makes of anything but `new` and a checked snapshot: only what [`observes`] reaches it.
     pub(super) fn of_chart(mut self) -> Self {
         self.is_chart = true;
         self
@@ -102,9 +102,9 @@ impl Derives {
             !standard(path)
                 .is_some_and(|name| self.names.iter().chain(&self.by_hand).chain(others).any(|own| name == *own))
         };
-        let is_believed = |path: &&Path| self.is_chart && is_of_serde(path, "Deserialize");
+        let reaches = |path: &&Path| has(path) && (!self.is_chart || observes(path));
         let attributes = model.derives.iter().map(|derive| {
-            let traits: Vec<&Path> = derive.traits.iter().filter(|path| has(path) && !is_believed(path)).list();
+            let traits: Vec<&Path> = derive.traits.iter().filter(reaches).list();
             match &derive.when {
                 _ if traits.is_empty() => TokenStream::new(),
                 None => quote!(#[derive(#(#traits),*)]),
@@ -113,6 +113,16 @@ impl Derives {
         });
         attributes.tokens()
     }
+}
+
+/// Whether a derive is known to look at a value and to make none. Of all others nobody can tell it, under whatever name they have been imported: `Deserialize`, `Decode`
+/// and `Arbitrary` make charts that no cycle has led to.
+fn observes(path: &Path) -> bool {
+    const STANDARD: [&str; 9] = ["Clone", "Copy", "Debug", "Default", "Hash", "PartialEq", "Eq", "PartialOrd", "Ord"];
+    standard(path).is_some_and(|name| STANDARD.contains(&name.as_str()))
+        || [("serde", "Serialize"), ("defmt", "Format"), ("ufmt", "uDebug")]
+            .into_iter()
+            .any(|(module, name)| is_of(path, module, name))
 }
 
 /// The name of a trait of the standard library: `Debug` for `Debug`, `core::fmt::Debug`, `std::fmt::Debug`.

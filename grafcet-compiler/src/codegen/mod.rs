@@ -19,6 +19,7 @@ mod hierarchy;
 mod late;
 mod long;
 mod machine;
+mod meaning;
 mod names;
 mod nest;
 mod outputs;
@@ -45,6 +46,7 @@ use proc_macro2::TokenStream;
 use self::machine::Machine;
 use self::names::Names;
 use crate::analysis::{Facts, Situations};
+use crate::held::Held;
 use crate::model::Model;
 use crate::place::{self, quote};
 use crate::plan::{Form, Plan};
@@ -82,6 +84,18 @@ pub(crate) fn generate(
         record::all(&cx, &machine, &situations, fingerprint)
     });
     quote!(#items #recorded #forced)
+}
+
+/// What the fields of the chart's state hold, by their names; of a chart that is recorded.
+pub(crate) fn meanings(model: &Model, facts: &Facts<'_>, plan: &Plan, root: &TokenStream) -> Vec<(String, Held)> {
+    let cx = Cx::new(model, plan, root);
+    match plan.shape.form {
+        Form::Program => match crate::program::optimised(model, facts, true) {
+            Ok(program) => program::meanings(&cx, &program),
+            Err(_) => Vec::new(),
+        },
+        _ => cx.meanings(),
+    }
 }
 
 /// The items of a chart by a program that somebody else has made of it.

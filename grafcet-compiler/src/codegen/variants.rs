@@ -11,7 +11,7 @@ use syn::Path;
 use super::Cx;
 use super::types::rust_type;
 use crate::list::List;
-use crate::model::Variants;
+use crate::model::{Variant, Variants};
 use crate::place::{self, quote};
 
 pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
@@ -37,6 +37,12 @@ fn check(cx: &Cx<'_>, variants: &Variants) -> TokenStream {
     let equality = variants.compared.map(|index| equality(variants, &variants.path, index, &ty));
     let matches: TokenStream = matches.tokens();
     quote!(#matches #equality)
+}
+
+/// A variant as a value and as a pattern, at its name in the list.
+pub(super) fn value(variants: &Variants, variant: &Variant) -> TokenStream {
+    let (path, name) = (at(variants.path.to_token_stream(), variant.name.span()), ours(variant.name.to_token_stream()));
+    quote!(#path::#name)
 }
 
 fn equality(variants: &Variants, path: &Path, index: usize, ty: &TokenStream) -> TokenStream {

@@ -64,77 +64,102 @@ pub trait Blocked {
 macro_rules! __recorded {
     (
         chart $chart:ident $fingerprint:literal $layout:literal
-        inputs $inputs:ident { $($input:ident: $input_ty:ty,)* }
-        params { $($params:ident { $($param:ident: $param_ty:ty,)* } $(in $out_of_range:ident)?)? }
-        state { $($field:ident: $field_ty:ty,)* }
+        inputs $inputs:ident { $($input:ident: $input_ty:ty $(as $input_how:ident)?,)* }
+        params { $($params:ident { $($param:ident: $param_ty:ty $(as $param_how:ident)?,)* } $(in $out_of_range:ident)? where { $($needs:ty: $needed:tt,)* })? }
+        state { $($field:ident: $field_ty:ty $(as $how:ident $($optional:ident)?)?,)* }
         clock { $($clock:ident $($began:ident)*)? }
-        foreign { $($foreign:ty,)* }
+        foreign { $($foreign:ty: $bound:tt,)* }
         possible { $possible:expr }
         enums { $($state:ident $($of:ident)? { $($variant:ident)* })* }
+        listed { $($listed:ident $listed_ty:ty { $($number:literal $value:path,)* })* }
     ) => {
         const _: () = {
             use $crate::record::names as __r;
+            // One word, so that what rustc says of it stands at the type for which the chart's code asks for it.
+            #[allow(unused_imports)]
+            use __r::Record as __Record;
 
-            impl __r::Record for $inputs where $(for<'chart> $foreign: __r::Record,)* {
-                const BITS: __r::usize = 0 $(+ <$input_ty as __r::Record>::BITS)*;
-                fn write(&self, _to: &mut __r::Writer<'_>) { $(__r::Record::write(&self.$input, _to);)* }
+            $(
+                struct $listed;
+                impl __r::Coding<$listed_ty> for $listed {
+                    const BITS: __r::usize = __r::bits_for([$($number),*].len());
+                    const IS_WORD: __r::bool = true;
+                    #[inline]
+                    fn word(value: &$listed_ty) -> __r::u32 {
+                        match value { $($value => $number,)* }
+                    }
+                    fn write(value: &$listed_ty, to: &mut __r::Writer<'_>) { to.put(Self::word(value), Self::BITS); }
+                    fn read(from: &mut __r::Reader<'_>) -> __r::Option<$listed_ty> {
+                        match from.take(Self::BITS)? {
+                            $($number => __r::Option::Some($value),)*
+                            _ => __r::Option::None,
+                        }
+                    }
+                    #[inline]
+                    fn is_same(one: &$listed_ty, other: &$listed_ty) -> __r::bool { Self::word(one) == Self::word(other) }
+                }
+            )*
+
+            impl __r::Record for $inputs where $(for<'chart> $foreign: $bound,)* {
+                const BITS: __r::usize = 0 $(+ <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::BITS)*;
+                fn write(&self, _to: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::write(&self.$input, _to);)* }
                 fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
-                    __r::Option::Some(Self { $($input: <$input_ty as __r::Record>::read(_from)?,)* })
+                    __r::Option::Some(Self { $($input: <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::read(_from)?,)* })
                 }
                 #[inline]
                 fn is_same(&self, _other: &Self) -> __r::bool {
-                    true $(& __r::Record::is_same(&self.$input, &_other.$input))*
+                    true $(& <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::is_same(&self.$input, &_other.$input))*
                 }
-                const IS_WORD: __r::bool = Self::BITS <= 32 $(&& <$input_ty as __r::Record>::IS_WORD)*;
+                const IS_WORD: __r::bool = Self::BITS <= 32 $(&& <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::IS_WORD)*;
                 #[inline]
                 fn word(&self) -> __r::u32 {
                     // A shift of 32 bits and more is one of a chart whose inputs are no word.
                     let mut _word: __r::u32 = 0;
                     let mut _at: __r::u32 = 0;
                     $(
-                        _word |= __r::Record::word(&self.$input).wrapping_shl(_at);
-                        _at += <$input_ty as __r::Record>::BITS as __r::u32;
+                        _word |= <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::word(&self.$input).wrapping_shl(_at);
+                        _at += <$crate::__recorded_as!($($input_how)?) as __r::Coding<$input_ty>>::BITS as __r::u32;
                     )*
                     _word
                 }
             }
 
-            $(impl __r::Record for $params where for<'chart> $params: __r::Copy, $(for<'chart> $param_ty: __r::Record,)* {
-                const BITS: __r::usize = 0 $(+ <$param_ty as __r::Record>::BITS)*;
-                fn write(&self, _to: &mut __r::Writer<'_>) { $(__r::Record::write(&self.$param, _to);)* }
+            $(impl __r::Record for $params where for<'chart> $params: __r::Copy, $(for<'chart> $needs: $needed,)* {
+                const BITS: __r::usize = 0 $(+ <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::BITS)*;
+                fn write(&self, _to: &mut __r::Writer<'_>) { $(<$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::write(&self.$param, _to);)* }
                 fn read(_from: &mut __r::Reader<'_>) -> __r::Option<Self> {
-                    let params = Self { $($param: <$param_ty as __r::Record>::read(_from)?,)* };
+                    let params = Self { $($param: <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::read(_from)?,)* };
                     $(if params.$out_of_range().is_some() {
                         return __r::Option::None;
                     })?
                     __r::Option::Some(params)
                 }
                 fn is_same(&self, _other: &Self) -> __r::bool {
-                    true $(&& __r::Record::is_same(&self.$param, &_other.$param))*
+                    true $(&& <$crate::__recorded_as!($($param_how)?) as __r::Coding<$param_ty>>::is_same(&self.$param, &_other.$param))*
                 }
             })?
 
             $($crate::__recorded_states! { $state $($of)? { $($variant)* } })*
 
-            impl __r::Recordable for $chart where $(for<'chart> $foreign: __r::Record,)* {
+            impl __r::Recordable for $chart where $(for<'chart> $foreign: $bound,)* {
                 const FINGERPRINT: __r::u32 = $fingerprint;
                 const LAYOUT: __r::u32 = $layout;
                 const TIMED: __r::bool = $crate::__recorded_clock!(timed self $($clock)?);
                 const POSSIBLE: __r::Possible = $possible;
                 const PARAM_BITS: __r::usize = 0 $(+ <$params as __r::Record>::BITS)?;
                 const STATE_BITS: __r::usize =
-                    0 $(+ <$field_ty as __r::Record>::BITS)* $($(+ $crate::__recorded_clock!(bits $began))*)?;
+                    0 $(+ <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::BITS)* $($(+ $crate::__recorded_clock!(bits $began))*)?;
                 fn write_params(&self, _to: &mut __r::Writer<'_>) {
                     $(<$params as __r::Record>::write(&self.params, _to);)?
                 }
                 fn write_state(&self, _to: &mut __r::Writer<'_>) {
-                    $(__r::Record::write(&self.$field, _to);)*
+                    $(<$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::write(&self.$field, _to);)*
                     $($(__r::Record::write(&self.$clock.since(self.$began), _to);)*)?
                 }
                 fn read(_params: &mut __r::Reader<'_>, _state: &mut __r::Reader<'_>, _now: __r::Ticks) -> __r::Option<Self> {
                     __r::Option::Some(Self {
                         $(params: <$params as __r::Record>::read(_params)?,)?
-                        $($field: <$field_ty as __r::Record>::read(_state)?,)*
+                        $($field: <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::read(_state)?,)*
                         $($($began: _now.since(<__r::Ticks as __r::Record>::read(_state)?),)*)?
                         $($clock: _now,)?
                     })
@@ -142,7 +167,7 @@ macro_rules! __recorded {
                 fn begun_anew(&self) -> Self { $crate::__recorded_new!(self $($params)?) }
                 fn is_same_state(&self, _other: &Self) -> __r::bool {
                     true $(&& <$params as __r::Record>::is_same(&self.params, &_other.params))?
-                        $(&& __r::Record::is_same(&self.$field, &_other.$field))*
+                        $(&& <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::is_same(&self.$field, &_other.$field))*
                         $($(&& self.$clock.since(self.$began) == _other.$clock.since(_other.$began))*)?
                 }
                 fn reading(&self) -> __r::Ticks { $crate::__recorded_clock!(reading self $($clock)?) }
@@ -150,6 +175,15 @@ macro_rules! __recorded {
             }
         };
     };
+}
+
+/// How a field is written: by the list of a chart, or as its type says.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __recorded_as {
+    () => { __r::Own };
+    ($listed:ident) => { $listed };
+    ($listed:ident $optional:ident) => { __r::Optional<$listed> };
 }
 
 /// What differs between charts with and without a recipe.

@@ -147,6 +147,12 @@ impl<'b> Records<'b> {
         self.owner().fingerprint
     }
 
+    /// How the compiler stored the chart's state.
+    #[must_use]
+    pub fn layout(&self) -> u32 {
+        self.owner().layout
+    }
+
     fn owner(&self) -> Owner {
         self.blocks.iter().flatten().next().map_or(Owner { fingerprint: 0, layout: 0 }, |block| block.owner)
     }

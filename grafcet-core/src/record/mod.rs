@@ -6,7 +6,11 @@
 //! The format stands in the page `docs/record.md`.
 
 mod bits;
+#[cfg(feature = "postcard")]
+#[doc(hidden)]
+pub mod by_serde;
 mod chart;
+mod coding;
 mod decode;
 mod encode;
 mod keep;
@@ -23,6 +27,8 @@ mod varint;
 pub mod wire;
 
 pub use bits::{Reader, Writer, bits_for};
+#[cfg(feature = "postcard")]
+pub use by_serde::postcard_len;
 pub use chart::{Blocked, Recordable};
 pub use decode::{Block, Change, Damage, Entry, Happened, Key, Records};
 pub use keep::Keep;
@@ -41,6 +47,7 @@ pub mod names {
     pub use core::option::Option;
     pub use core::primitive::{bool, u32, usize};
 
+    pub use super::coding::{Coding, Optional, Own};
     pub use super::{Reader, Record, Recordable, Writer, bits_for};
     pub use crate::{Possible, Ticks};
 }

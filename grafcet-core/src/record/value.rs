@@ -6,11 +6,13 @@ use crate::{Delay, OnDelay, ShortTime, Ticks};
 /// A value that a record can hold, in a number of bits that is the same for all values of its type.
 ///
 /// It is there for `bool`, numbers, `char`, [`Ticks`], and for arrays and tuples of these. [`recordable!`](crate::recordable) implements
-/// it for an enum without fields.
+/// it for an enum without fields, and for what `serde` can write.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be recorded: it is no `Record`",
     label = "no `Record`",
-    note = "write `grafcet::recordable! {{ {Self} {{ … }} }}` with the variants of an enum, or `impl grafcet::record::Record for {Self}`"
+    note = "of an enum without fields: list its variants in the chart, as in `in {{Off, Auto}}`, or write `grafcet::recordable! {{ {Self} {{ Off, Auto }} }}` beside its declaration",
+    note = "of what `serde` can write: `grafcet::recordable! {{ {Self} as serde in 8 bytes }}`, with the most bytes that a value takes (feature `postcard`)",
+    note = "of anything else: `impl grafcet::record::Record for {Self}`"
 )]
 pub trait Record: Copy {
     /// How many bits a value takes.
@@ -232,10 +234,16 @@ impl Record for Delay {
     }
 }
 
-/// An enum without fields can be recorded: `grafcet::recordable! { Mode { Off, Auto, Manual } }` beside its declaration. Its values
-/// are numbered in this order.
+/// Says how values of a type of yours are recorded.
+///
+/// - An enum without fields, by its variants, which are numbered in this order: `grafcet::recordable! { Mode { Off, Auto, Manual } }`.
+/// - Any `Copy` type with `Serialize` and `Deserialize`, as `serde` writes it in the format of `postcard` (feature `postcard`):
+///   `grafcet::recordable! { Target as serde in 6 bytes }`, with the most bytes that a value takes.
 #[macro_export]
 macro_rules! recordable {
+    ($name:ty as serde in $bytes:tt bytes $(,)?) => {
+        $crate::__recordable_by_serde! { $name, $bytes }
+    };
     ($name:ty { $($variant:ident),* $(,)? }) => {
         impl $crate::record::Record for $name {
             const BITS: usize = $crate::record::bits_for([$(<$name>::$variant),*].len());
@@ -255,6 +263,18 @@ macro_rules! recordable {
             fn is_same(&self, other: &Self) -> bool {
                 ::core::mem::discriminant(self) == ::core::mem::discriminant(other)
             }
+        }
+    };
+}
+
+/// The feature is asked for here: a macro that is used elsewhere would ask for a feature of the program.
+#[cfg(not(feature = "postcard"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __recordable_by_serde {
+    ($name:ty, $bytes:tt) => {
+        ::core::compile_error! {
+            "recording what `serde` writes needs the feature `postcard`: `grafcet = { …, features = [\"postcard\"] }`"
         }
     };
 }

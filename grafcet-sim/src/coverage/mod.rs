@@ -4,6 +4,7 @@ mod report;
 
 use grafcet_compiler::model::{Binary, Model, TransitionId, Tree, Unary};
 
+use crate::blocked::written;
 use crate::chart::Chart;
 use crate::cycle::Cycle;
 use crate::interp::Error;
@@ -71,7 +72,7 @@ impl Coverage {
         for (id, transition) in model.transitions.iter() {
             if names.transition(id) == transitions.len() {
                 let mut parts = Vec::new();
-                each_part(transition.own_condition(), &mut |part| {
+                each_part(written(transition), &mut |part| {
                     parts.push(PartCovered { text: model.tree_text(part), when_true: 0, when_false: 0 });
                 });
                 transitions.push(Covered { cleared: 0, asked: 0, parts });
@@ -82,7 +83,7 @@ impl Coverage {
 
     /// A condition is looked at.
     pub(crate) fn asked(&mut self, id: TransitionId, model: &Model, holds: &dyn Fn(&Tree) -> Result<bool, Error>) {
-        let condition = model.transitions[id].own_condition();
+        let condition = written(&model.transitions[id]);
         let mut values = Vec::new();
         each_part(condition, &mut |part| values.push(holds(part).ok()));
         let covered = &mut self.transitions[self.names.transition(id)];

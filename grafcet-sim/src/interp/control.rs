@@ -76,17 +76,17 @@ pub(super) struct ActionControl {
     /// In source order.
     pub(super) associations: Vec<AssociationId>,
     /// The reset-dominant flip-flops that are set: S, SD, DS, SL.
-    flip_flops: BTreeSet<Qualifier>,
+    pub(super) flip_flops: BTreeSet<Qualifier>,
     /// The inputs of TON and the time they have been true: L, D, SD, DS, SL.
-    timers: BTreeMap<Qualifier, Stopwatch>,
+    pub(super) timers: BTreeMap<Qualifier, Stopwatch>,
     /// The association of each timer that was active last: its time counts.
-    time_of: BTreeMap<Qualifier, AssociationId>,
+    pub(super) time_of: BTreeMap<Qualifier, AssociationId>,
     /// Rule 7: the association that set a flip-flop last, and so acts while that drives Q.
-    set_by: BTreeMap<Qualifier, AssociationId>,
+    pub(super) set_by: BTreeMap<Qualifier, AssociationId>,
     /// Q of the cycle before.
-    was: bool,
+    pub(super) was: bool,
     /// The associations with N, L and D that held Q up in the cycle before.
-    holding: BTreeSet<AssociationId>,
+    pub(super) holding: BTreeSet<AssociationId>,
     /// Rule 7: the association that made Q true when it was so last, the last in the source of several.
     pub(super) acted_last: Option<AssociationId>,
 }

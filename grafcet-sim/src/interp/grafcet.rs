@@ -17,14 +17,14 @@ use grafcet_compiler::model::{ActionId, AssociationId, Effect, Id, Model, Place}
 /// What `grafcet` remembers beside the state: whether the continuous calls were active on the last stable situation.
 #[derive(Clone, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Grafcet {
-    calls: BTreeMap<ActionId, Continuous>,
+    pub(super) calls: BTreeMap<ActionId, Continuous>,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Debug)]
-struct Continuous {
-    active: bool,
+pub(super) struct Continuous {
+    pub(super) active: bool,
     /// A31: the association active last.
-    last: Option<AssociationId>,
+    pub(super) last: Option<AssociationId>,
 }
 
 /// Where a search is stopped at the latest.
@@ -210,7 +210,9 @@ fn evolve(view: &View<'_>) -> Result<(Evolution, Outcome), Error> {
             if !any::lets(&anys, id, view.model) {
                 continue;
             }
-            view.given.world.asked(id, &|part| view.holds(part));
+            if modes::asks(id, view) {
+                view.given.world.asked(id, &|part| view.holds(part));
+            }
             if modes::holds(id, view)? {
                 evolution.fireable.insert(id);
             }

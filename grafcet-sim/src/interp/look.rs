@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::hierarchy;
+use super::modes::{self, Mode};
 use super::state::State;
 use super::value::{Error, Value};
 use super::view::View;
@@ -85,6 +86,23 @@ impl Look<'_> {
     #[must_use]
     pub fn follows(&self, id: TransitionId) -> bool {
         self.model.transitions[id].sources.iter().all(|step| self.state.situation.contains(step))
+    }
+
+    /// The mode in which a transition is held back; none where nothing holds it back.
+    ///
+    /// # Errors
+    /// As of [`Look::holds`].
+    pub fn mode(&self, id: TransitionId) -> Result<Option<Mode>, Error> {
+        match (&self.model.modes, &self.model.transitions[id].held) {
+            (Some(modes), Some(_)) => modes::mode(modes, &self.view()).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// The transition that clears by hand in place of this one: an earlier one that leaves one of its steps.
+    #[must_use]
+    pub fn goes_before(&self, id: TransitionId) -> Option<TransitionId> {
+        modes::goes_before(id, &self.view())
     }
 
     /// The active step that forces a partial grafcet.

@@ -10,9 +10,11 @@
 //! - `sfc`, `control`: IEC 61131-3, one evolution and `ACTION_CONTROL`
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848
 //! - `rest`: whether the next cycle has something to do without an input and without time
+//! - `recall`, `by_state`: a memory put together from a recorded state, and what follows from the active step alone
 //! - `time`, `value`: delays and timers, values and their arithmetic
 
 mod any;
+mod by_state;
 mod check;
 mod closed;
 mod computed;
@@ -23,6 +25,7 @@ mod hierarchy;
 mod look;
 mod modes;
 mod real;
+mod recall;
 mod rest;
 mod sfc;
 mod state;
@@ -38,7 +41,9 @@ pub use self::closed::{ClosedLoop, Round};
 pub use self::continuous::is_combinational;
 use self::grafcet::{Grafcet, Until};
 pub use self::look::{Counted, Look};
+pub use self::modes::Mode;
 pub use self::real::{Real, Symbol};
+pub use self::recall::{Recalled, is_part};
 pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;

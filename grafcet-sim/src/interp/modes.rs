@@ -8,15 +8,26 @@ use super::value::Error;
 use super::view::View;
 use grafcet_compiler::model::{InputId, Model, Modes, Name, Read, TransitionId, Tree};
 
-/// How the chart is run.
-enum Mode {
+/// How a chart that says `modes;` is run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Mode {
+    /// As if nothing were said.
     Automatic,
-    SemiAutomatic { pushed: bool },
-    Manual { pushed: bool },
+    /// A transition needs its condition and the push button.
+    SemiAutomatic {
+        /// The button has just gone down.
+        pushed: bool,
+    },
+    /// The push button alone clears.
+    Manual {
+        /// The button has just gone down.
+        pushed: bool,
+    },
+    /// Nothing clears.
     Paused,
 }
 
-fn mode(modes: &Modes, view: &View<'_>) -> Result<Mode, Error> {
+pub(super) fn mode(modes: &Modes, view: &View<'_>) -> Result<Mode, Error> {
     let is = |input: InputId| view.holds(&Tree::Read(Read::Name(Name::Input(input))));
     let pushed = view.holds(&Tree::Read(Read::Rising(modes.pushed)))?;
     Ok(match (is(modes.paused)?, is(modes.manual)?, is(modes.semi_automatic)?) {
@@ -40,15 +51,27 @@ pub(super) fn holds(id: TransitionId, view: &View<'_>) -> Result<bool, Error> {
     }
 }
 
+/// Whether a transition's own condition decides about it now.
+pub(super) fn asks(id: TransitionId, view: &View<'_>) -> bool {
+    let model = view.model;
+    let (Some(inputs), Some(_)) = (&model.modes, &model.transitions[id].held) else { return true };
+    matches!(mode(inputs, view), Ok(Mode::Automatic | Mode::SemiAutomatic { pushed: true }))
+}
+
 /// Whether no earlier transition that is held and shares a step with this one is enabled. What an `sfc` adds by priority is its own matter: there an earlier one
 /// that does not clear itself is in nobody's way.
 fn is_first(id: TransitionId, view: &View<'_>) -> bool {
+    !view.model.is_grafcet() || goes_before(id, view).is_none()
+}
+
+/// The transition that clears by hand in place of this one.
+pub(super) fn goes_before(id: TransitionId, view: &View<'_>) -> Option<TransitionId> {
     let model = view.model;
     let before = model.transitions.iter().filter(|(other, _)| *other < id);
     let mut rivals = before.filter(|(other, transition)| transition.held.is_some() && shares(*other, id, model));
     let all_active =
         |other: TransitionId| model.transitions[other].sources.iter().all(|step| view.situation.contains(step));
-    !model.is_grafcet() || !rivals.any(|(other, _)| all_active(other))
+    rivals.find(|(other, _)| all_active(*other)).map(|(other, _)| other)
 }
 
 fn shares(one: TransitionId, other: TransitionId, model: &Model) -> bool {

@@ -15,7 +15,7 @@ use grafcet_compiler::model::{AssociationId, Effect, Id, Model, OutputId, Place,
 /// The action controls of a chart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Sfc {
-    controls: BTreeMap<Target, ActionControl>,
+    pub(super) controls: BTreeMap<Target, ActionControl>,
 }
 
 /// What a cycle did.
@@ -178,7 +178,7 @@ fn evolve(view: &View<'_>) -> Result<(Change, Evolution), Error> {
             continue;
         }
         let free = lets && transition.sources.iter().all(|step| !left.contains(step));
-        if free {
+        if free && modes::asks(id, view) {
             view.given.world.asked(id, &|part| view.holds(part));
         }
         match modes::holds(id, view) {

@@ -16,7 +16,7 @@ pub(super) struct State {
     /// The next cycle is a first one.
     pub(super) first: bool,
     /// The time of the last cycle.
-    now: u32,
+    pub(super) now: u32,
     pub(super) situation: Situation,
     pub(super) times: Times,
     /// Where times saturate: not while something blinks, whose phase goes on for ever.

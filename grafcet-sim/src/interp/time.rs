@@ -14,6 +14,11 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
+    /// As it was left.
+    pub(super) const fn of(running: bool, elapsed: u32) -> Self {
+        Self { running, elapsed }
+    }
+
     /// One cycle, `elapsed` ticks after the one before; `restart` begins anew without a gap in the signal.
     pub(super) fn step(&mut self, signal: bool, elapsed: u32, restart: bool) {
         self.elapsed = if signal && self.running && !restart { self.elapsed.saturating_add(elapsed) } else { 0 };
@@ -40,6 +45,13 @@ pub(super) struct Delayed {
 }
 
 impl Delayed {
+    /// As it was left: what it has seen, and how long that has been so.
+    pub(super) fn of(signal: bool, held: u32, output: bool) -> Self {
+        let (still, counted) = (Stopwatch::default(), Stopwatch::of(true, held));
+        let (on, off) = if signal { (counted, still) } else { (still, counted) };
+        Self { on, off, output }
+    }
+
     /// How long does not matter.
     pub(super) fn forget_times(&mut self) {
         self.on.forget_time();

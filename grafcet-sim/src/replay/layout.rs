@@ -1,18 +1,30 @@
 //! What the bits of a recorded state mean: the compiler says it where it hands the chart to the runtime.
 
-use grafcet_compiler::model::{Effect, Model, Place, Qualifier};
-use grafcet_compiler::{Wanted, compile_with};
+use grafcet_compiler::held::Held;
+use grafcet_compiler::model::{Id, Name, Place};
+use grafcet_compiler::{Wanted, compile_with, meanings};
 use grafcet_core::record::{Reader, bits_for};
-use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
 use crate::chart::Chart;
+use crate::interp::{self, Recalled, Situation, is_part};
 use crate::simulation::Simulation;
-use crate::value::Value;
+use crate::value::outside;
 
 /// The fields of a state as far as they can be read, in their order.
 pub(super) struct Layout {
-    fields: Vec<(String, Width)>,
+    /// Tells layouts apart.
+    pub(super) number: u32,
+    fields: Vec<Field>,
+    /// The first field that cannot be read, where there is one.
+    unread: Option<String>,
+}
+
+struct Field {
+    name: String,
+    what: Option<Held>,
+    width: Width,
 }
 
 enum Width {
@@ -21,106 +33,209 @@ enum Width {
         signed: bool,
         bits: u32,
     },
+    /// Of `f32` or `f64`.
+    Float(u32),
+    /// Of 16 or 32 bits.
+    Ticks(usize),
+    Delay,
+    Timer,
     /// A region, its states by name, and whether there is a mark above it.
     States(Vec<String>, bool),
+    /// So many bytes, a bit for each step.
+    Flags(usize),
+    /// One of so many variants.
+    Listed(usize),
+    /// Or nothing.
+    Optional(Box<Width>),
 }
 
 impl Layout {
     /// Of a chart that compiles.
     pub(super) fn of(chart: &Chart) -> Option<Self> {
-        let code = compile_with(&quote!(::grafcet), chart.source()?.clone(), Wanted { recorded: true, prover: None });
+        let (root, source) = (quote!(::grafcet), chart.source()?.clone());
+        let code = compile_with(&root, source.clone(), Wanted { recorded: true, prover: None });
         let parts: Vec<TokenTree> = recorded(code)?.stream().into_iter().collect();
-        let enums = enums(&part(&parts, "enums")?);
+        let number = number_of(&parts)?;
+        let types = Types { enums: enums(&part(&parts, "enums")?), listed: listed(&part(&parts, "listed")?) };
+        let meanings = meanings(&root, source);
+        let what = |name: &str| meanings.iter().find(|(field, _)| field == name).map(|(_, what)| what.clone());
         let state: Vec<TokenTree> = part(&parts, "state")?.stream().into_iter().collect();
-        let mut fields = Vec::new();
+        let (mut fields, mut unread) = (Vec::new(), None);
         for field in state.split(|tree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ',')) {
-            let (Some(TokenTree::Ident(name)), Some(TokenTree::Ident(ty))) = (field.first(), field.last()) else {
+            let [TokenTree::Ident(name), _, ty @ ..] = field else { break };
+            let name = name.to_string();
+            let Some(width) = types.width(ty) else {
+                // What follows cannot be told from it.
+                unread = Some(name);
                 break;
             };
-            let ty = ty.to_string();
-            let width = match enums.iter().find(|one| one.0 == ty) {
-                Some((_, states, marked)) => Width::States(states.clone(), *marked),
-                None => match number(&ty) {
-                    Some(width) => width,
-                    // What follows cannot be told from it.
-                    None => break,
-                },
-            };
-            let name = name.to_string();
-            // What follows has to be read at its place all the same.
-            let name = if is_part(chart.model(), &name) { String::new() } else { name };
-            fields.push((name, width));
+            fields.push(Field { what: what(&name), name, width });
         }
-        Some(Self { fields })
+        // Behind the clock's own reading stand those at which times began.
+        for began in part(&parts, "clock")?.stream().into_iter().skip(1).filter(|_| unread.is_none()) {
+            let name = began.to_string();
+            fields.push(Field { what: what(&name), name, width: Width::Ticks(32) });
+        }
+        Some(Self { number, fields, unread })
+    }
+
+    /// What a state tells, as far as it can be read; and what cannot be, in words.
+    pub(super) fn read(&self, state: &[u8], now: u32) -> (Recalled, Result<(), String>) {
+        let mut recalled = Recalled { now, ..Recalled::default() };
+        let mut bits = Reader::new(state);
+        for field in &self.fields {
+            if let Err(problem) = field.read(&mut bits, &mut recalled) {
+                return (recalled, Err(problem));
+            }
+        }
+        let unread = self.unread.as_ref().map(|name| format!("how the field `{name}` is written down"));
+        (recalled, unread.map_or(Ok(()), Err))
     }
 
     /// What a state has otherwise than the simulation, in words.
     pub(super) fn difference(&self, state: &[u8], simulation: &Simulation<'_>) -> Option<String> {
-        let mut bits = Reader::new(state);
-        let mut recorded: Vec<String> = Vec::new();
-        let mut is_known = true;
-        for (name, width) in &self.fields {
-            let (found, expected) = match width {
-                Width::States(states, marked) => {
-                    let Some(place) = bits.take(bits_for(states.len())) else {
-                        return Some("its state is torn".to_owned());
-                    };
-                    if *marked {
-                        bits.take(1);
-                    }
-                    // Only the regions of the situation; what else has their type remembers one of before.
-                    if name == "situation" || name.starts_with("region_") {
-                        match states.get(place as usize).map(String::as_str) {
-                            Some("NONE") => {}
-                            Some(step) if simulation.names().step_named(step).is_some() => {
-                                recorded.push(step.to_owned());
-                            }
-                            _ => is_known = false,
-                        }
-                    }
-                    continue;
+        let (recalled, _) = self.read(state, 0);
+        let (model, machine) = (simulation.chart().model(), simulation.machine());
+        for (held, found) in &recalled.values {
+            let (name, value) = match held {
+                Held::Var(id) if !is_part(model, Place::Var(*id)) => (Name::Var(*id), machine.vars()[id.index()]),
+                Held::Output(id) if !is_part(model, Place::Output(*id)) => {
+                    (Name::Output(*id), machine.outputs()[id.index()])
                 }
-                Width::Bool => (bits.take(1).map(|bit| Value::Bool(bit != 0)), held(name, simulation)),
-                Width::Int { signed, bits: width } => {
-                    (int(&mut bits, *width, *signed).map(Value::Int), held(name, simulation))
-                }
+                Held::Last(id) => (Name::Output(*id), machine.outputs()[id.index()]),
+                _ => continue,
             };
-            if let (Some(found), Some((name, expected))) = (found, expected) {
-                if found != expected && !matches!(expected, Value::Ticks(_) | Value::Name(_)) {
-                    return Some(format!("`{name}` is {found} in the record, {expected} in the replay"));
-                }
+            if value != *found && value != interp::Value::Unknown {
+                let (found, value) = (outside(*found, name, model), outside(value, name, model));
+                let name = model.value_name(name);
+                return Some(format!("`{name}` is {found} in the record, {value} in the replay"));
             }
         }
-        let mut here: Vec<String> =
-            simulation.steps().into_iter().map(|step| simulation.names().steps[step].name.clone()).collect();
-        recorded.sort_unstable();
-        here.sort_unstable();
-        let has_regions = self.fields.iter().any(|(_, width)| matches!(width, Width::States(..)));
-        (has_regions && is_known && recorded != here)
-            .then(|| format!("active are {} in the record, {} in the replay", recorded.join(", "), here.join(", ")))
+        if recalled.first || recalled.steps == *machine.situation() {
+            return None;
+        }
+        let names = |steps: &Situation| {
+            let mut names: Vec<&str> = Vec::new();
+            names.extend(steps.iter().map(|step| simulation.names().steps[step.index()].name.as_str()));
+            names.sort_unstable();
+            names.join(", ")
+        };
+        let (found, here) = (names(&recalled.steps), names(machine.situation()));
+        Some(format!("active are {found} in the record, {here} in the replay"))
     }
 }
 
-/// Whether a field holds but a part of an output or variable: what `S` has set, beside what acts as long as a step is active.
-fn is_part(model: &Model, field: &str) -> bool {
-    let plain = |name: &Ident| name.to_string().trim_start_matches("r#").to_owned();
-    let of = |place: &Place| match place {
-        Place::Output(id) => format!("out_{}", plain(&model.outputs[*id].name)),
-        Place::Var(id) => format!("var_{}", plain(&model.vars[*id].name)),
-    };
-    model.associations.values().any(|one| match &one.effect {
-        Effect::Control(place) => !matches!(one.qualifier, Qualifier::S | Qualifier::R) && of(place) == field,
-        _ => false,
-    })
+impl Field {
+    /// Reads its bits.
+    fn read(&self, bits: &mut Reader<'_>, recalled: &mut Recalled) -> Result<(), String> {
+        match (&self.width, &self.what) {
+            (Width::States(states, marked), Some(Held::Situation(steps))) => {
+                let place = bits.take(bits_for(states.len())).ok_or_else(torn)? as usize;
+                bits.take(usize::from(*marked)).ok_or_else(torn)?;
+                match (steps.get(place), states.get(place)) {
+                    (Some(step), _) => _ = recalled.steps.insert(*step),
+                    // Behind the steps: none of them, or that the first cycle is still to come.
+                    (None, Some(state)) => recalled.first |= state == "INIT",
+                    (None, None) => return Err(torn()),
+                }
+            }
+            (Width::Flags(bytes), Some(Held::Flags { steps, has_start })) => {
+                for bit in 0..bytes * 8 {
+                    let is_set = bits.take(1).ok_or_else(torn)? != 0;
+                    match steps.get(bit) {
+                        Some(step) if is_set => _ = recalled.steps.insert(*step),
+                        Some(_) => {}
+                        None => recalled.first |= is_set && *has_start && bit == steps.len(),
+                    }
+                }
+            }
+            (Width::Delay, Some(Held::Delay(id))) => {
+                let (held, input, output) = (bits.take(32), bits.take(1), bits.take(1));
+                recalled.note(Held::DelayHeld(*id), interp::Value::Ticks(held.ok_or_else(torn)?));
+                recalled.note(Held::DelayInput(*id), interp::Value::Bool(input.ok_or_else(torn)? != 0));
+                recalled.note(Held::DelayOutput(*id), interp::Value::Bool(output.ok_or_else(torn)? != 0));
+            }
+            (Width::Timer, Some(Held::Timer(of, q))) => {
+                let (held, input) = (bits.take(32), bits.take(1));
+                recalled.note(Held::TimerHeld(*of, *q), interp::Value::Ticks(held.ok_or_else(torn)?));
+                recalled.note(Held::TimerInput(*of, *q), interp::Value::Bool(input.ok_or_else(torn)? != 0));
+            }
+            (width, what) => {
+                let value = width.read(bits)?;
+                match (what, value) {
+                    (Some(what), Some(value)) => recalled.note(what.clone(), value),
+                    (None, _) => return Err(format!("what the field `{}` holds", self.name)),
+                    // Its initial value, which nothing has written over.
+                    (Some(_), None) => {}
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
-/// The output or variable that a field holds, and its value.
-fn held(field: &str, simulation: &Simulation<'_>) -> Option<(String, Value)> {
-    let output = field.strip_prefix("out_").and_then(|name| Some((name.to_owned(), simulation.output(name)?)));
-    output.or_else(|| {
-        let name = field.strip_prefix("var_")?;
-        Some((name.to_owned(), simulation.variable(name)?))
-    })
+impl Width {
+    /// A value of this width; none where there is none, or one that only `next_deadline` asks for.
+    fn read(&self, bits: &mut Reader<'_>) -> Result<Option<interp::Value>, String> {
+        use interp::{Real, Value};
+        let mut take = |width| bits.take(width).ok_or_else(torn);
+        Ok(Some(match self {
+            Self::Bool => Value::Bool(take(1)? != 0),
+            Self::Int { signed, bits: width } => Value::Int(int(bits, *width, *signed).ok_or_else(torn)?),
+            Self::Ticks(width) => Value::Ticks(take(*width)?),
+            Self::Float(32) => Value::Real(Real(f32::from_bits(take(32)?).into())),
+            Self::Float(_) => {
+                let (low, high) = (take(32)?, take(32)?);
+                Value::Real(Real(f64::from_bits(u64::from(high) << 32 | u64::from(low))))
+            }
+            Self::Listed(count) => Value::Int(i128::from(take(bits_for(*count))?)),
+            Self::Optional(value) => {
+                let is_some = take(1)? != 0;
+                return value.read(bits).map(|value| value.filter(|_| is_some));
+            }
+            Self::States(states, marked) => {
+                take(bits_for(states.len()) + usize::from(*marked))?;
+                return Ok(None);
+            }
+            Self::Flags(_) | Self::Delay | Self::Timer => return Err("a field of another kind".to_owned()),
+        }))
+    }
+}
+
+fn torn() -> String {
+    "a state that is torn".to_owned()
+}
+
+/// What the types of the fields are made of.
+struct Types {
+    enums: Vec<(String, Vec<String>, bool)>,
+    /// Each with how many variants.
+    listed: Vec<(String, usize)>,
+}
+
+impl Types {
+    /// Of a type as the compiler writes it, with what says how it is recorded.
+    fn width(&self, ty: &[TokenTree]) -> Option<Width> {
+        let is_as = |tree: &TokenTree| matches!(tree, TokenTree::Ident(word) if word == "as");
+        if let Some(at) = ty.iter().position(is_as) {
+            let [TokenTree::Ident(how), optional @ ..] = &ty[at + 1..] else { return None };
+            let (_, count) = self.listed.iter().find(|(name, _)| how == name)?;
+            let width = Width::Listed(*count);
+            return Some(if optional.is_empty() { width } else { Width::Optional(Box::new(width)) });
+        }
+        match ty.last()? {
+            TokenTree::Group(group) if ty.len() == 1 => {
+                let bytes = group.stream().into_iter().last()?.to_string();
+                bytes.trim_end_matches("usize").parse().ok().map(Width::Flags)
+            }
+            TokenTree::Ident(name) => {
+                let name = name.to_string();
+                let found = self.enums.iter().find(|one| one.0 == name);
+                found.map(|(_, states, marked)| Width::States(states.clone(), *marked)).or_else(|| number(&name))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A number as it is in memory, the lowest byte first.
@@ -141,8 +256,12 @@ fn number(ty: &str) -> Option<Width> {
     let bits = |signed, digits: &str| digits.parse().ok().map(|bits| Width::Int { signed, bits });
     match ty {
         "bool" => Some(Width::Bool),
-        "Ticks" => Some(Width::Int { signed: false, bits: 32 }),
-        "ShortTime" => Some(Width::Int { signed: false, bits: 16 }),
+        "Ticks" => Some(Width::Ticks(32)),
+        "ShortTime" => Some(Width::Ticks(16)),
+        "Delay" => Some(Width::Delay),
+        "OnDelay" => Some(Width::Timer),
+        "f32" => Some(Width::Float(32)),
+        "f64" => Some(Width::Float(64)),
         "usize" => Some(Width::Int { signed: false, bits: 64 }),
         "isize" => Some(Width::Int { signed: true, bits: 64 }),
         _ => ty.strip_prefix('u').and_then(|digits| bits(false, digits)).or_else(|| bits(true, ty.strip_prefix('i')?)),
@@ -170,6 +289,12 @@ fn part(parts: &[TokenTree], name: &str) -> Option<Group> {
     parts[at..].iter().find_map(|tree| if let TokenTree::Group(group) = tree { Some(group.clone()) } else { None })
 }
 
+/// What stands behind `chart Motor` and the fingerprint.
+fn number_of(parts: &[TokenTree]) -> Option<u32> {
+    let text = parts.get(3)?.to_string();
+    text.trim_end_matches("u32").parse().ok()
+}
+
 /// Each with its name, its states, and whether it is another one with a mark above it.
 fn enums(part: &Group) -> Vec<(String, Vec<String>, bool)> {
     let mut enums: Vec<(String, Vec<String>, bool)> = Vec::new();
@@ -192,4 +317,21 @@ fn enums(part: &Group) -> Vec<(String, Vec<String>, bool)> {
         }
     }
     enums
+}
+
+/// Each with its name and how many variants it has.
+fn listed(part: &Group) -> Vec<(String, usize)> {
+    let (mut listed, mut name) = (Vec::new(), None);
+    for tree in part.stream() {
+        match tree {
+            TokenTree::Ident(word) if name.is_none() => name = Some(word.to_string()),
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                let is_comma = |tree: &TokenTree| matches!(tree, TokenTree::Punct(punct) if punct.as_char() == ',');
+                let count = group.stream().into_iter().filter(is_comma).count();
+                listed.extend(name.take().map(|name| (name, count)));
+            }
+            _ => {}
+        }
+    }
+    listed
 }

@@ -104,25 +104,25 @@ impl<'p> Replay<'p> {
     /// As [`ReplayError`] says.
     pub fn run(&self, chart: &Chart, record: &[u8]) -> Result<Trace, ReplayError> {
         let records = Records::of(record).map_err(|_| ReplayError::NoRecord)?;
-        self.all(chart, records.fingerprint(), |run| run.all(&records))
+        self.all(chart, (records.fingerprint(), records.layout()), |run| run.all(&records))
     }
 
     /// Runs what a recorder has sent over a wire: the bytes as they came, from the start of the controller on.
     ///
-    /// What was lost or damaged is a gap in the trace up to where the controller starts anew; what differs from the states that it tells, a warning. The
+    /// What was lost or damaged is a gap in the trace up to the next state; what differs from the states that it tells, a warning. The
     /// hashes in between are those of the compiled chart, and are not looked at.
     ///
     /// # Errors
     /// As [`ReplayError`] says; `NoRecord` where no state came.
     pub fn frames(&self, chart: &Chart, bytes: &[u8]) -> Result<Trace, ReplayError> {
-        let recorded = wire::fingerprint(bytes).ok_or(ReplayError::NoRecord)?;
+        let recorded = wire::owner(bytes).ok_or(ReplayError::NoRecord)?;
         self.all(chart, recorded, |run| run.frames(bytes, recorded))
     }
 
     fn all(
         &self,
         chart: &Chart,
-        recorded: u32,
+        (recorded, stored): (u32, u32),
         run_all: impl FnOnce(&mut Run<'_>) -> Result<(), ReplayError>,
     ) -> Result<Trace, ReplayError> {
         let source = chart.fingerprint();
@@ -130,30 +130,35 @@ impl<'p> Replay<'p> {
         if !is_same && !self.is_other {
             return Err(ReplayError::OtherChart { recorded, source });
         }
+        let layout = is_same.then(|| Layout::of(chart)).flatten();
+        let is_other_layout = layout.as_ref().is_some_and(|layout| layout.number != stored);
         let mut run = Run {
             chart,
             program: &self.program,
-            layout: is_same.then(|| Layout::of(chart)).flatten(),
+            layout: layout.filter(|_| !is_other_layout),
             simulation: None,
             trace: None,
             inputs: Vec::new(),
             cycle: 0,
+            shown: 0,
             now: 0,
             gap: None,
         };
         run_all(&mut run)?;
+        let is_known = run.simulation.is_some();
         run.cover();
         let mut trace = match run.trace {
             Some(trace) => trace,
             None => Trace::of(&Simulation::beside(chart, self.program.clone())?),
         };
-        if let Some(gap) = run.gap {
+        if let (Some(gap), false) = (run.gap, is_known) {
             trace.warnings.push(format!("the end of the record is missing: {}", gap.reason));
         }
         if !is_same {
             trace.warnings.insert(0, ReplayError::OtherChart { recorded, source }.to_string());
         } else if run.layout.is_none() {
-            trace.warnings.push("the recorded states could not be compared: the chart does not compile".to_owned());
+            let why = if is_other_layout { "another compiler has made them" } else { "the chart does not compile" };
+            trace.warnings.push(format!("the recorded states could not be looked at: {why}"));
         }
         Ok(trace)
     }
@@ -170,6 +175,8 @@ struct Run<'r> {
     /// As they are written down.
     inputs: Vec<u8>,
     cycle: u32,
+    /// How many cycles there were up to the last one that is shown.
+    shown: u32,
     now: u32,
     /// What is to be said in front of the next cycle.
     gap: Option<Gap>,
@@ -254,7 +261,10 @@ impl Run<'_> {
         let Some(simulation) = &mut self.simulation else { return Ok(()) };
         let trace = self.trace.get_or_insert_with(|| Trace::of(simulation));
         let mut cycle = simulation.cycle_with(now, &values)?;
-        cycle.gap = self.gap.take();
+        let missing = self.cycle.wrapping_sub(1).wrapping_sub(skipped).checked_sub(self.shown);
+        let missing = missing.filter(|missing| *missing > 0).map(u64::from);
+        cycle.gap = self.gap.take().map(|gap| Gap { cycles: missing, ..gap });
+        self.shown = self.cycle;
         cycle.skipped = skipped;
         trace.cycles.push(cycle);
         Ok(())
@@ -266,6 +276,7 @@ impl Run<'_> {
         if self.simulation.is_some() && self.cycle != key.cycle {
             // One cycle in place of all that did nothing.
             let skipped = key.cycle.wrapping_sub(self.cycle).wrapping_sub(1);
+            self.cycle = self.cycle.wrapping_add(skipped);
             self.run(key.reading, skipped)?;
         }
         self.inputs = key.inputs.to_vec();
@@ -282,27 +293,52 @@ impl Run<'_> {
             self.simulation = Some(simulation);
             return Ok(());
         }
-        let Some(simulation) = &mut self.simulation else {
-            if self.gap.is_none() {
-                self.note("the record begins in a state that does not follow from the source alone");
-            }
-            return Ok(());
-        };
+        let Some(simulation) = &mut self.simulation else { return self.begin(key, &params) };
         set_params(simulation, &params)?;
-        let difference = self.layout.as_ref().and_then(|layout| layout.difference(key.state, simulation));
-        if let Some(difference) = difference {
-            let what =
-                if key.replaced { "the chart was changed from outside" } else { "the replay differs from the record" };
-            let said = format!("{what} after {} cycles: {difference}", key.cycle);
-            if !key.replaced {
+        let Some(layout) = &self.layout else { return Ok(()) };
+        let difference = layout.difference(key.state, simulation);
+        if !key.replaced {
+            if let Some(difference) = difference {
+                let said = format!("the replay differs from the record after {} cycles: {difference}", key.cycle);
                 if let Some(trace) = &mut self.trace {
                     trace.warnings.push(said.clone());
                 }
+                self.lose(&said);
+                return self.begin(key, &params);
             }
-            self.lose(&said);
+            return Ok(());
+        }
+        // What cannot be seen may be other than before, too.
+        let (recalled, read) = layout.read(key.state, key.reading);
+        let taken = read.and_then(|()| simulation.recall(&recalled));
+        let Some(difference) = difference else { return Ok(()) };
+        let said = format!("the chart was changed from outside after {} cycles: {difference}", key.cycle);
+        match taken {
+            Ok(()) => self.note(&said),
+            Err(unknown) => self.lose(&format!("{said}; {}", not_told(&unknown))),
         }
         Ok(())
     }
+
+    /// The chart goes on from a recorded state, as what came before is not known.
+    fn begin(&mut self, key: &Key<'_>, params: &[Value]) -> Result<(), ReplayError> {
+        let Some(layout) = &self.layout else {
+            self.note("the recorded state cannot be looked at");
+            return Ok(());
+        };
+        let mut simulation = Simulation::beside(self.chart, self.program.clone())?;
+        set_params(&mut simulation, params)?;
+        let (recalled, read) = layout.read(key.state, key.reading);
+        match read.and_then(|()| simulation.recall(&recalled)) {
+            Ok(()) => self.simulation = Some(simulation),
+            Err(unknown) => self.note(&not_told(&unknown)),
+        }
+        Ok(())
+    }
+}
+
+fn not_told(unknown: &str) -> String {
+    format!("the recorded state does not tell {unknown}")
 }
 
 fn said(damage: Damage) -> String {

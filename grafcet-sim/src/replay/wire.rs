@@ -12,18 +12,18 @@ fn decoder() -> Decoder<Vec<u8>> {
     Decoder::new(vec![0; LONGEST])
 }
 
-/// Of which chart the first state is.
-pub(super) fn fingerprint(bytes: &[u8]) -> Option<u32> {
+/// Of which chart the first state is, and how the compiler stored it.
+pub(super) fn owner(bytes: &[u8]) -> Option<(u32, u32)> {
     let mut decoder = decoder();
     bytes.iter().find_map(|byte| match decoder.byte(*byte)?.ok()?.frame? {
-        Frame::State { fingerprint, .. } => Some(fingerprint),
+        Frame::State { fingerprint, layout, .. } => Some((fingerprint, layout)),
         _ => None,
     })
 }
 
 impl Run<'_> {
     /// All that came over a wire; what is of another chart than `recorded` is a gap.
-    pub(super) fn frames(&mut self, bytes: &[u8], recorded: u32) -> Result<(), ReplayError> {
+    pub(super) fn frames(&mut self, bytes: &[u8], recorded: (u32, u32)) -> Result<(), ReplayError> {
         let mut decoder = decoder();
         for byte in bytes {
             let Some(received) = decoder.byte(*byte) else { continue };
@@ -36,9 +36,10 @@ impl Run<'_> {
                 self.lose(&format!("{frames} lost"));
             }
             match received.frame {
-                Some(Frame::State { fingerprint, .. }) if fingerprint != recorded => {
+                Some(Frame::State { fingerprint, .. }) if fingerprint != recorded.0 => {
                     self.lose(&said(Damage::OtherChart { fingerprint }));
                 }
+                Some(Frame::State { layout, .. }) if layout != recorded.1 => self.lose(&said(Damage::OtherLayout)),
                 Some(Frame::State { key, .. }) => self.key(&key)?,
                 Some(Frame::Cycle(entry)) => {
                     // Before the first state nothing is known of the inputs.

@@ -7,6 +7,8 @@ const bars = [...chart.querySelectorAll("[data-transition]")].map(mark => ({ mar
 const last = data.cycles.length - 1;
 // The cycle that is shown, and how many of its evolutions have taken place.
 let cycle = 0, done = 0;
+// While one drags, nothing but the pointer moves.
+let dragging = false;
 
 const place = tick => data.left + tick * data.length / data.starts[data.starts.length - 1];
 
@@ -40,12 +42,19 @@ function values(kind) {
   at(kind).parentElement.hidden = data[kind].length === 0;
 }
 
+// The active steps in front of a cycle: those of the cycle before, unless there is a gap between them.
+function before(number) {
+  const { evolutions, steps } = data.cycles[number];
+  if (evolutions.length === 0) return steps;
+  const { left, entered, steps: after } = evolutions[0];
+  return [...left, ...after.filter(step => !entered.includes(step))];
+}
+
 function show() {
   const shown = data.cycles[cycle];
   if (!shown) return;
   const all = shown.evolutions, evolution = done > 0 ? all[done - 1] : null;
-  const before = cycle > 0 ? data.cycles[cycle - 1].steps : data.initial;
-  const active = new Set(done === all.length ? shown.steps : done > 0 ? all[done - 1].steps : before);
+  const active = new Set(done === all.length ? shown.steps : done > 0 ? all[done - 1].steps : before(cycle));
   for (const { mark, of } of steps) {
     mark.classList.toggle("on", of.some(step => active.has(step)));
     mark.classList.toggle("entered", !!evolution && of.some(step => evolution.entered.includes(step)));
@@ -76,6 +85,7 @@ function show() {
   const from = place(data.starts[cycle]), to = place(data.starts[cycle + 1]);
   at("span").setAttribute("x", from);
   at("span").setAttribute("width", Math.max(2, to - from));
+  if (dragging) return;
   if (from < waves.scrollLeft || to > waves.scrollLeft + waves.clientWidth) waves.scrollLeft = from - waves.clientWidth / 2;
 }
 
@@ -107,10 +117,13 @@ function pointed(event) {
 }
 
 at("chronogram").addEventListener("pointerdown", event => {
+  if (event.button !== 0) return;
   at("chronogram").setPointerCapture(event.pointerId);
+  dragging = true;
   pointed(event);
 });
-at("chronogram").addEventListener("pointermove", event => { if (event.buttons & 1) pointed(event); });
+at("chronogram").addEventListener("pointermove", event => { if (dragging) pointed(event); });
+at("chronogram").addEventListener("lostpointercapture", () => { dragging = false; });
 at("time").addEventListener("input", () => go(Number(at("time").value)));
 at("back").addEventListener("click", () => go(cycle - 1));
 at("on").addEventListener("click", () => go(cycle + 1));
@@ -128,5 +141,9 @@ document.addEventListener("keydown", event => {
 });
 
 // `#12` or `#12.1`: this cycle, after so many evolutions.
-const [first, evolutions] = location.hash.slice(1).split(".");
-go(Number(first) || 0, evolutions === undefined ? undefined : Number(evolutions) || 0);
+function open() {
+  const [first, evolutions] = location.hash.slice(1).split(".");
+  go(Number(first) || 0, evolutions === undefined ? undefined : Number(evolutions) || 0);
+}
+addEventListener("hashchange", open);
+open();

@@ -7,6 +7,7 @@ use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
 use grafcet_record::motor::Motor;
 use grafcet_record::recipe::Dyer;
+use grafcet_record::stroke::Press;
 use grafcet_record::tickless::Crossing;
 use grafcet_record::{Nobody, Storm};
 
@@ -51,6 +52,7 @@ fn main() {
     measure(Sorter::new(), &mut ());
     measure(Cell::new(), &mut ());
     measure(Crossing::new(), &mut ());
+    measure(Press::new(), &mut ());
     measure(Dyer::new(), &mut Nobody);
     measure(Called::new(), &mut Nobody);
     measure(Remote::new(), &mut Nobody);

@@ -14,6 +14,8 @@ pub mod motor;
 pub mod recipe;
 #[path = "../../../examples/charts/script.rs"]
 pub mod script;
+#[path = "../../../examples/charts/stroke.rs"]
+pub mod stroke;
 #[path = "../../../examples/charts/tickless.rs"]
 pub mod tickless;
 

@@ -27,9 +27,11 @@ impl Fault {
 
 const TIME: &str = "grafcet-core/src/time.rs";
 const CODE_TIME: &str = "grafcet-compiler/src/codegen/time.rs";
+const MODES: &str = "grafcet-compiler/src/model/resolve/modes.rs";
+const FORCE: &str = "grafcet-compiler/src/codegen/force.rs";
 
 /// What is planted.
-pub(super) const FAULTS: [Fault; 25] = [
+pub(super) const FAULTS: [Fault; 33] = [
     Fault {
         name: "a partial grafcet evolves where the order that forced it ends (A13, in place)",
         charts: Some("a13"),
@@ -204,5 +206,61 @@ pub(super) const FAULTS: [Fault; 25] = [
         file: "grafcet-compiler/src/codegen/grafcet.rs",
         right: "Undo::Nothing => self.keep_edges().1,",
         wrong: "Undo::Nothing => TokenStream::new(),",
+    },
+    Fault {
+        name: "what is paused clears by the push button (A39)",
+        charts: Some("a39"),
+        file: MODES,
+        right: "let running = make.and(not(make.input(modes.paused)), make.or(make.pushed(modes.pushed), automatic));",
+        wrong: "let running = make.or(make.pushed(modes.pushed), make.and(not(make.input(modes.paused)), automatic));",
+    },
+    Fault {
+        name: "semi-automatic needs no push button (A39)",
+        charts: Some("a39"),
+        file: MODES,
+        right: "let automatic = make.and(not(manual.clone()), not(make.input(modes.semi_automatic)));",
+        wrong: "let automatic = not(manual.clone());",
+    },
+    Fault {
+        name: "by hand a later branch of the same steps clears, too (A39)",
+        charts: Some("a39"),
+        file: MODES,
+        right: "            if more.is_empty() {\n",
+        wrong: "            if false && more.is_empty() {\n",
+    },
+    Fault {
+        name: "an `any` is held back by the modes (A39)",
+        charts: Some("a39_modes_any"),
+        file: MODES,
+        right: "if let (Some(around), false, None) = (around, transition.sources.is_empty(), transition.any) {",
+        wrong: "if let (Some(around), false, _) = (around, transition.sources.is_empty(), transition.any) {",
+    },
+    Fault {
+        name: "a cycle by hand uses up the edges of the steps that it enters (A38)",
+        charts: Some("a38_force_edge"),
+        file: FORCE,
+        right: "            { #look #combinational #edges }\n            #put_back\n",
+        wrong: "            { #look #combinational #edges }\n",
+    },
+    Fault {
+        name: "a step that is entered by hand goes on with the time of another (A38)",
+        charts: Some("a38_force_times"),
+        file: FORCE,
+        right: "#declare #collect #stored #take_over #commit #restart #gone",
+        wrong: "#declare #collect #stored #take_over #commit #gone",
+    },
+    Fault {
+        name: "`restore` takes a situation that cannot be",
+        charts: None,
+        file: "grafcet-core/src/record/snapshot.rs",
+        right: "(nothing_left && is_possible(&chart)).then_some(chart)",
+        wrong: "nothing_left.then_some(chart)",
+    },
+    Fault {
+        name: "after `restore` a time begins anew",
+        charts: None,
+        file: "grafcet-core/src/record/chart.rs",
+        right: "$($($began: _now.since(<__r::Ticks as __r::Record>::read(_state)?),)*)?",
+        wrong: "$($($began: { <__r::Ticks as __r::Record>::read(_state)?; _now },)*)?",
     },
 ];

@@ -25,6 +25,8 @@ const LIMIT: &str = "60";
 pub(crate) enum Finder {
     /// The unit tests of `grafcet-core`.
     Core,
+    /// What is stored and read back, on the charts of the examples.
+    Snapshots,
     /// The charts with timelines worked out by hand.
     Corpus,
     /// The random charts of a dialect.
@@ -33,11 +35,12 @@ pub(crate) enum Finder {
 
 impl Finder {
     /// All of them, the quick ones first.
-    const ALL: [Self; 4] = [Self::Core, Self::Corpus, Self::Random("sfc"), Self::Random("grafcet")];
+    const ALL: [Self; 5] = [Self::Core, Self::Snapshots, Self::Corpus, Self::Random("sfc"), Self::Random("grafcet")];
 
     fn name(self) -> String {
         match self {
             Self::Core => "unit tests of grafcet-core".to_owned(),
+            Self::Snapshots => "snapshots of the examples".to_owned(),
             Self::Corpus => "corpus".to_owned(),
             Self::Random(dialect) => format!("random {dialect} charts"),
         }
@@ -46,6 +49,7 @@ impl Finder {
     fn arguments(self) -> Vec<&'static str> {
         match self {
             Self::Core => vec!["test", "--quiet", "--package", "grafcet-core", "--lib"],
+            Self::Snapshots => vec!["test", "--quiet", "--package", "grafcet-record", "--test", "snapshot"],
             Self::Corpus => vec!["test", "--quiet", "--package", "grafcet-conformance", "--test", "corpus"],
             Self::Random(dialect) => {
                 let program = ["run", "--quiet", "--package", "grafcet-conformance", "--bin", "conformance", "--"];

@@ -151,6 +151,11 @@ impl Layout {
         self.slot(place).kind == Kind::Result
     }
 
+    /// Whether a place is a field of its own in the chart's struct.
+    pub(super) fn is_field(&self, place: PlaceId) -> bool {
+        matches!(self.slot(place).kind, Kind::Field | Kind::Late | Kind::Marked)
+    }
+
     /// Whether an output outlives the cycle.
     pub(super) fn is_kept(&self, place: PlaceId) -> bool {
         matches!(self.slot(place).kind, Kind::Field | Kind::Late)

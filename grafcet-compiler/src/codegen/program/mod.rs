@@ -19,11 +19,27 @@ use self::layout::{Layout, Mark, Start};
 use self::scope::Scope;
 use super::machine::{Deadline, Machine};
 use super::state::StateEnum;
-use super::{Cx, chart_impl, names, state, types};
+use super::{Cx, chart_impl, meaning, names, state, types};
+use crate::held::Held;
 use crate::list::List;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::program::{self, Program, Role, Statement};
+use crate::program::{self, PlaceId, Program, Role, Statement};
+
+/// What the fields of a program's state hold, by their names.
+pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)> {
+    let layout = Layout::of(cx, program, &statement::unwatched(&program.cycle));
+    let mut held = Vec::new();
+    if cx.plan.shape.is_flags() {
+        held.push((layout::flags().to_string(), Held::Flags { steps: cx.model.steps.ids().list(), has_start: false }));
+    }
+    for (index, place) in program.places.iter().enumerate() {
+        if let (true, Some(what)) = (layout.is_field(PlaceId(index)), meaning::of_role(program, place.role)) {
+            held.push((layout.name(PlaceId(index)).to_string(), what));
+        }
+    }
+    held
+}
 
 /// What is printed, and what is known about it meanwhile.
 struct Printer<'p, 'm> {

@@ -1,0 +1,71 @@
+//! What the fields of a chart's state hold, for whoever reads a recorded state without the compiled chart.
+
+use crate::model::{ActionId, AssociationId, DelayId, EdgeId, MacroId, OutputId, Qualifier, StepId, VarId};
+
+/// What a field holds. A target of the action control (A31) is named by its first association.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Held {
+    /// Which of these steps is active: behind them there may be a state for none of them, and one for "the first cycle is still to come".
+    Situation(Vec<StepId>),
+    /// A bit for each of these steps, and where it has one for the start, another that says that the first cycle is still to come.
+    Flags {
+        /// In the order of the bits.
+        steps: Vec<StepId>,
+        /// Whether there is that other bit.
+        has_start: bool,
+    },
+    /// Whether the first cycle is still to come.
+    First,
+    /// Something that only `next_deadline` asks for.
+    Deadline,
+    /// An output that is stored: its value, or where it is controlled, whether `S` has set it.
+    Output(OutputId),
+    /// What an output was in the last cycle.
+    Last(OutputId),
+    /// A variable.
+    Var(VarId),
+    /// What `rising` and `falling` compare with.
+    Edge(EdgeId),
+    /// `sfc`: the same, as actions saw it.
+    ActionEdge(EdgeId),
+    /// How long the active one of these steps has been active, as far as anybody asks.
+    Time(Vec<StepId>),
+    /// The same of a macro-step.
+    MacroTime(MacroId),
+    /// How long a step has been active, but for whole periods: of something that blinks.
+    Phase(Vec<StepId>, u32),
+    /// The same of a macro-step.
+    MacroPhase(MacroId, u32),
+    /// What a delay has seen in the last cycle, how long that has been so, and what it says.
+    Delay(DelayId),
+    /// What a delay has seen in the last cycle.
+    DelayInput(DelayId),
+    /// How long that has been so.
+    DelayHeld(DelayId),
+    /// What a delay says.
+    DelayOutput(DelayId),
+    /// S, SD, DS, SL.
+    FlipFlop(AssociationId, Qualifier),
+    /// How long the input of L, D, SD, DS, SL has been true, and whether it was in the last cycle.
+    Timer(AssociationId, Qualifier),
+    /// Whether the input of a timer was true in the last cycle.
+    TimerInput(AssociationId, Qualifier),
+    /// How long it has been.
+    TimerHeld(AssociationId, Qualifier),
+    /// The association whose time the timer takes, by its place among these.
+    TimerOf(AssociationId, Qualifier, Vec<AssociationId>),
+    /// The association that set a flip-flop last, by its place among these.
+    SetBy(AssociationId, Qualifier, Vec<AssociationId>),
+    /// Whether a target was active in the last cycle.
+    Active(AssociationId),
+    /// Whether N, L or D held it up.
+    Kept(AssociationId, Qualifier),
+    /// Whether an association with N, L or D did.
+    KeptBy(AssociationId),
+    /// The association that acted last, by its place among these.
+    Acted(AssociationId, Vec<AssociationId>),
+    /// `grafcet`: whether an action was called continuously.
+    Called(ActionId),
+    /// By which association it was called last, by its place among these.
+    CalledBy(ActionId, Vec<AssociationId>),
+}
