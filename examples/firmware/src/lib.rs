@@ -15,14 +15,14 @@ pub mod controller;
 pub mod line24v;
 #[path = "../../charts/motor.rs"]
 pub mod motor;
-#[path = "../../charts/stroke.rs"]
-pub mod stroke;
 #[path = "../../charts/recipe.rs"]
 pub mod recipe;
 #[cfg(any(feature = "roots", feature = "record"))]
 pub mod roots;
 #[path = "../../charts/script.rs"]
 pub mod script;
+#[path = "../../charts/stroke.rs"]
+pub mod stroke;
 #[path = "../../charts/tickless.rs"]
 pub mod tickless;
 

@@ -22,6 +22,9 @@ use super::super::{Expr, PlaceId, PlaceInfo, Program, Role, Statement, Value};
 use super::tables::goes_by_table;
 use super::uses::{Effects, blocks, blocks_mut, replaced, rewrite};
 
+/// From so many states on one takes two bytes.
+const BYTE: usize = 256;
+
 pub(super) fn pass(program: &mut Program<'_>) {
     let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
     let Some(at) = program.cycle.iter().position(is_search) else { return };
@@ -31,8 +34,10 @@ pub(super) fn pass(program: &mut Program<'_>) {
     if Effects::of_all(behind).writes.contains(&state) {
         return;
     }
-    // Where no table says which step is next, LLVM copies what the steps do into the ways to them, unless it has to read the state anew.
-    let last_renamed = if goes_by_table(body) { program.cycle.len() - 1 } else { at };
+    // LLVM copies what the steps do into the ways to them, unless it has to read the state anew. A table leaves it nothing to copy into, but
+    // with more states than a byte has its jump tables get larger.
+    let as_local = goes_by_table(body) && program.regions[0].len() < BYTE;
+    let last_renamed = if as_local { program.cycle.len() - 1 } else { at };
     let now = local(program, state);
     rename(&mut program.cycle[at..=last_renamed], state, now);
     let mut stored = vec![Statement::Set(state, Expr::Place(now))];
