@@ -20,13 +20,13 @@
 
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::{Live, is_seen, needed};
-use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
+use super::early::Early;
+use super::engine::{End, Engine, Fact, Lost, Tree};
 use super::flat::flat;
 use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
-use super::uses::{Effects, blocks_mut, same_block};
-use crate::model::StepId;
+use super::uses::{Effects, blocks_mut};
 use crate::sorted::Set;
 
 /// More ways from one state than this are too many.
@@ -152,7 +152,9 @@ impl<'m> Search<'m> {
         }
         let mut tail = self.tail.clone();
         if tail.is_empty() {
-            tail = self.end_early(&mut trees, &program.search.ends, &assumed);
+            let early =
+                Early { state: self.state, points: &self.points, ends: &program.search.ends, assumed: &assumed };
+            tail = early.apply(&mut trees);
         }
         let mut rounds = 1;
         for tree in trees.iter().flatten() {
@@ -255,42 +257,6 @@ impl<'m> Search<'m> {
         facts
     }
 
-    /// The search ends with the activation of a step that nothing can leave in it. Where that is so of all ways each does at once what its
-    /// step does where it rests; else it stands at the end of the round, if all these steps do the same.
-    fn end_early(&self, trees: &mut [Option<Tree<'m>>], ends: &Set<StepId>, assumed: &[bool]) -> Vec<Statement<'m>> {
-        let mut rests: Vec<Option<Vec<Statement<'m>>>> = vec![None; trees.len()];
-        let mut steps = Vec::new();
-        for ((rest, tree), point) in rests.iter_mut().zip(&*trees).zip(&self.points.all) {
-            if let Value::Step(Some(step)) = point {
-                *rest = tree.as_ref().filter(|_| ends.contains(step)).and_then(|tree| at_rest(tree, *point, assumed));
-                steps.extend(rest.as_ref().map(|_| *step));
-            }
-        }
-        let to = |leaf: &Leaf<'m>| self.points.point(leaf.state).filter(|_| !leaf.breaks);
-        let mut all_end = true;
-        for tree in trees.iter().flatten() {
-            each_leaf(tree, &mut |leaf| all_end &= to(leaf).is_none_or(|to| rests[to].is_some()));
-        }
-        if !all_end {
-            let mut alike = rests.into_iter().flatten();
-            let Some(mut rest) = alike.next() else { return Vec::new() };
-            if !alike.all(|other| same_block(&rest, &other)) {
-                return Vec::new();
-            }
-            rest.push(Statement::Break);
-            return vec![Statement::If(Expr::Is(self.state, steps), rest, Vec::new())];
-        }
-        for tree in trees.iter_mut().flatten() {
-            tree.each_leaf_mut(&mut |leaf| {
-                if let Some(rest) = to(leaf).and_then(|to| rests[to].as_ref()) {
-                    leaf.body.extend(rest.iter().cloned());
-                    leaf.breaks = true;
-                }
-            });
-        }
-        Vec::new()
-    }
-
     /// What is done after the loop, by the state in which it was left.
     fn acts(
         &self,
@@ -332,39 +298,6 @@ impl<'m> Search<'m> {
         }
         Statement::Match(self.state, arms, Vec::new())
     }
-}
-
-/// What is done where the loop is left in a state, if that is the same on all ways. What stays in the state and goes on all the same would
-/// be left out.
-fn at_rest<'m>(tree: &Tree<'m>, state: Value, assumed: &[bool]) -> Option<Vec<Statement<'m>>> {
-    let (mut rest, mut is_one) = (None, true);
-    each_way(tree, &mut Vec::new(), &mut |way, leaf| {
-        if !leaf.breaks {
-            return is_one &= leaf.state != state;
-        }
-        // What no other round looks at.
-        let mut way = way.to_vec();
-        way.retain(|one| !matches!(one, Statement::Set(place, _) if assumed[place.0]));
-        match &rest {
-            None => rest = Some(way),
-            Some(rest) => is_one &= same_block(rest, &way),
-        }
-    });
-    rest.filter(|_| is_one)
-}
-
-/// Each way to a leaf, with all that is done on it.
-fn each_way<'m>(tree: &Tree<'m>, way: &mut Vec<Statement<'m>>, each: &mut dyn FnMut(&[Statement<'m>], &Leaf<'m>)) {
-    let begun = way.len();
-    way.extend(tree.body.iter().cloned());
-    match &tree.end {
-        End::Leaf(leaf) => {
-            way.extend(leaf.body.iter().cloned());
-            each(way, leaf);
-        }
-        End::Fork(_, ways) => ways.iter().for_each(|one| each_way(one, way, each)),
-    }
-    way.truncate(begun);
 }
 
 fn without_break(statements: &mut Vec<Statement<'_>>) {

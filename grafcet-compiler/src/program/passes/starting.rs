@@ -31,21 +31,19 @@ pub(super) fn pass(program: &mut Program<'_>) {
     if effects.writes.contains(&first) || is_asked(program, first) {
         return;
     }
-    if !effects.reads.contains(&first) && !is_settled_apart(program) {
+    if !effects.reads.contains(&first) && told(program).is_none() {
         return;
     }
     // In the loop no state is that of the first cycle.
-    for statement in program
-        .cycle
-        .iter_mut()
-        .filter_map(|one| if let Statement::Loop { body, .. } = one { Some(body) } else { None })
-        .flatten()
-    {
-        match statement {
-            Statement::Match(place, _, otherwise) if *place == state && otherwise.is_empty() => {
-                otherwise.push(Statement::Break);
+    for statement in &mut program.cycle {
+        let Statement::Loop { body, .. } = statement else { continue };
+        for statement in body {
+            match statement {
+                Statement::Match(place, _, otherwise) if *place == state && otherwise.is_empty() => {
+                    otherwise.push(Statement::Break);
+                }
+                _ => {}
             }
-            _ => {}
         }
     }
     program.cycle.retain(|one| !ends(one));
@@ -83,10 +81,6 @@ fn told<'m>(program: &Program<'m>) -> Option<(PlaceId, Expr<'m>)> {
     let mut lasts = true;
     each_read(&value, &mut |place| lasts &= program.places[place.0].is_field && !later.contains(&place));
     lasts.then_some((settled, value))
-}
-
-fn is_settled_apart(program: &Program<'_>) -> bool {
-    told(program).is_some()
 }
 
 /// Before the first cycle nothing is settled.
