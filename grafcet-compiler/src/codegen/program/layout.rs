@@ -93,7 +93,7 @@ impl Layout {
             slots.push(Slot { name, kind });
         }
         used.regions.truncate(regions);
-        let mark = is_marked.then(|| Mark { is_wide: regions == 1 && !used.has_tables });
+        let mark = is_marked.then_some(Mark { is_wide: regions == 1 && !used.has_tables });
         Self { slots, regions: used.regions, mark, highest: used.highest }
     }
 

@@ -29,9 +29,9 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
     let Some(at) = program.cycle.iter().position(is_search) else { return };
     let Some(state) = program.place(Role::State(0)).filter(|_| program.regions.len() == 1) else { return };
-    let [Statement::Loop { body, .. }, behind @ ..] = &program.cycle[at..] else { return };
+    let [Statement::Loop { body, .. }, rest @ ..] = &program.cycle[at..] else { return };
     let Some(last) = body.iter().rposition(|one| Effects::of(one).writes.contains(&state)) else { return };
-    if Effects::of_all(behind).writes.contains(&state) {
+    if Effects::of_all(rest).writes.contains(&state) {
         return;
     }
     // LLVM copies what the steps do into the ways to them, unless it has to read the state anew. A table leaves it nothing to copy into, but
@@ -50,9 +50,13 @@ pub(super) fn pass(program: &mut Program<'_>) {
             front.extend(stored.iter().cloned());
         }
     }
-    body.splice(last + 1..last + 1, stored);
+    let behind = body.split_off(last + 1);
+    body.extend(stored);
+    body.extend(behind);
     store_where_it_ends(body, now, state);
-    program.cycle.splice(at..at, front);
+    let search = program.cycle.split_off(at);
+    program.cycle.extend(front);
+    program.cycle.extend(search);
 }
 
 /// A local that begins as a field does.
