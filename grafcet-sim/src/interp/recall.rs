@@ -229,8 +229,10 @@ impl Recall<'_> {
         let under = |q: Qualifier| -> Vec<AssociationId> {
             all.iter().copied().filter(|id| self.model.associations[*id].qualifier == q).collect()
         };
+        // What begins as true and has nothing but R is set by no association.
+        let begins_set = control.flip_flops.contains(&S);
         control.flip_flops.clear();
-        for q in [S, Sd, Ds, Sl].into_iter().filter(|q| !under(*q).is_empty()) {
+        for q in [S, Sd, Ds, Sl].into_iter().filter(|q| !under(*q).is_empty() || *q == S && begins_set) {
             let field = held(&|id| Held::FlipFlop(id, q)).and_then(|held| self.truth(&held));
             let stored = || self.stored_by(target, q, &all);
             let Some(set) = field.or_else(stored) else { return Err(format!("what {} has set", q.word())) };

@@ -111,6 +111,7 @@ grafcet! {
         input a, b, c: bool;
         input level: u8;
         output held, late, slow, short, pulse, lamp: bool;
+        output safe: bool = true;
         output count: u16 = 3;
         var n: i16 = -2;
         var armed: bool;
@@ -118,7 +119,7 @@ grafcet! {
         step One { S held; SD 2s late; L 40ms pulse; P1 n = n + 1; }
         step Two { SL 3s short; D 30ms pulse; N armed if a; }
         step Three { P1 count = count % 900 + 7; DS 20ms slow; N lamp if blink(300ms/200ms); }
-        step Four { P count = count % 900 + 1 if rising(b); }
+        step Four { P count = count % 900 + 1 if rising(b); R safe; }
         Idle -[rising(a)]-> (One, Three);
         One -[b && One.T > 15ms]-> Two;
         Three -[20ms/c/30ms || level > 200]-> Four;
