@@ -18,7 +18,7 @@
 //! Behind a state from a table LLVM cannot go on by itself to what that state does: there is one dispatch more, and what is done behind the ways
 //! is there once. A step with several ways has the last one in the table, as those before it are taken more often.
 //!
-//! Needs: the match stands in no loop, and each way through it ends in one state at most.
+//! In the search of a `grafcet` the ways that do not go on leave the loop. Needs: each way through it ends in one state at most.
 
 use super::super::build::{compare, no, not, yes};
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};

@@ -8,7 +8,7 @@
 //!       else: leave                   if on: now.state = On
 //! match state                         else: leave
 //!   …                           state = now.state
-//!                               match now.state
+//!                               match state
 //!                                 …
 //! ```
 //!
