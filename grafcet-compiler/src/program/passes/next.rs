@@ -54,8 +54,8 @@ fn search(program: &mut Program<'_>, at: usize) {
         return;
     }
     let onward = Statement::Set(state, Expr::Table(state, next.table));
-    // Where each way takes what is next from the table, nothing has to tell that.
-    if new.iter().any(|(_, body)| Effects::of_all(body).writes.contains(&state)) {
+    // Where each way takes what is next from the table, or leaves the loop, nothing has to tell that.
+    if !new.iter().all(|(_, body)| all_go(body, goes)) {
         let otherwise = otherwise.clone();
         let reset = Statement::Set(goes, no());
         let goes_on = Statement::If(Expr::Place(goes), vec![onward], Vec::new());
@@ -67,6 +67,15 @@ fn search(program: &mut Program<'_>, at: usize) {
         without_set(arm, goes);
     }
     body.splice(..1, [Statement::Match(state, new, otherwise.clone()), onward]);
+}
+
+/// Whether each way takes what is next from the table or leaves the loop: none sets another state, or goes on in its own.
+fn all_go(body: &[Statement<'_>], goes: PlaceId) -> bool {
+    match body.last() {
+        Some(Statement::If(_, then, otherwise)) => all_go(then, goes) && all_go(otherwise, goes),
+        Some(Statement::Set(place, Expr::Value(Value::Bool(true)))) => *place == goes,
+        last => matches!(last, Some(Statement::Break)),
+    }
 }
 
 /// Without what tells that a way goes on.

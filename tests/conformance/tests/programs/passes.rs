@@ -110,8 +110,22 @@ fn wash() -> String {
     text + "S8 -[b]-> S9; S8 -[!b && 5ms/S8]-> S2; S9 -[5ms/S9 && n]-> S1; S9 -[5ms/S9 && !n]-> S0; }"
 }
 
+/// Twenty-four steps of a circle that wait for four things; `more` stands in one of them.
+fn circle(more: &str) -> String {
+    let mut text = "grafcet Circle { input a, b, d: bool; output p: bool; output n: u8 = 0; ".to_owned();
+    for step in 0..24 {
+        let action = if step == 7 { more } else { ["", "p; "][step % 2] };
+        _ = write!(text, "{}step S{step} {{ {action}}} ", if step == 0 { "initial " } else { "" });
+    }
+    for step in 0..24 {
+        _ = write!(text, "S{step} -[{}]-> S{}; ", ["a", "b", "!a", "!b"][step % 4], (step + 1) % 24);
+    }
+    text + "}"
+}
+
 /// The searches of a `grafcet` of one region: one that turns for ever while both inputs are there, one that goes on by a table, one that
-/// ends with one of its steps, and one that ends with each of them; and by time, with two ways and with one that has no end.
+/// ends with one of its steps, and one that ends with each of them; and by time, with two ways and with one that has no end. In a long one
+/// a table says what is next, also beside a step that goes on and stays.
 #[test]
 fn searches_of_one_region_end_where_they_have_to() {
     let (belt, wash) = (belt().replacen("sfc", "grafcet", 1), wash().replacen("sfc", "grafcet", 1));
@@ -121,7 +135,10 @@ fn searches_of_one_region_end_where_they_have_to() {
                 A -[a]-> B -[!a]-> A; }";
     let ways = "grafcet Ways { input a, b: bool; output p: bool; initial step A; step B { p; } step C; \
                 A -[a && 2ms/A]-> B; A -[!a && b]-> C; B -[4ms/B || b]-> A; C -[a]-> A; }";
+    let (circle, stays) = (circle(""), circle("on rising(d) n = (n + 1) % 50; on rising(p) n = 9; "));
     for (chart, has) in [
+        (circle.as_str(), "now.state = table(now.state)"),
+        (stays.as_str(), "if goes: now.state = table(now.state)"),
         (belt.as_str(), "table("),
         (wash.as_str(), "since"),
         (turns, "evolutions == 6"),
@@ -135,6 +152,7 @@ fn searches_of_one_region_end_where_they_have_to() {
         let mut text = "---\n---\n".to_owned();
         for cycle in 0..200_u32 {
             let inputs = ["", "a", "b", "a b", "a", "b", "a b"][(cycle / 2 % 7) as usize];
+            let inputs = if chart == stays && cycle % 3 == 0 { format!("{inputs} d") } else { inputs.to_owned() };
             _ = writeln!(text, "{inputs} @{} | |", cycle * 2 - cycle % 3);
         }
         each_left_out(&model, &text, 60);
