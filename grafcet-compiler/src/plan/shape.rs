@@ -22,7 +22,7 @@ const FEW_STEPS: usize = 24;
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// The cycle is printed from a program (`program/`): an `sfc` of one region, and a `grafcet` of one without times.
+    /// The cycle is printed from a program (`program/`): one region, each transition from one step to one.
     Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
     Flags,
@@ -250,8 +250,7 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
     }
     if is_sequence(model, plan, only_situation) {
         // What a program does with a situation that is given is not said yet.
-        let planned = model.is_grafcet() && model.uses_time() || model.forceable;
-        return match (planned, is_long(model, plan)) {
+        return match (model.forceable, is_long(model, plan)) {
             (false, true) if !suits_program(model, plan.evolution) => Form::LongSequence,
             (false, _) => Form::Program,
             (true, true) => Form::LongSequence,

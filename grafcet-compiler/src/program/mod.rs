@@ -68,6 +68,8 @@ pub struct Search {
     pub comes_back: bool,
     /// With the activation of one of these it ends.
     pub ends: Set<StepId>,
+    /// With the activation of any step that a transition leads to.
+    pub is_one_evolution: bool,
     /// Truths of which one at most becomes true in an evolution: that one of the transitions of a step clears.
     pub excluding: Vec<Vec<PlaceId>>,
 }

@@ -5,25 +5,25 @@ impl Lamp {
     /// situation.
     fn cycle(&mut self, inputs: &LampInputs) -> LampOutputs {
         let mut outputs = LampOutputs { lamp: false };
-        let after: __LampState;
         match self.situation {
+            __LampState::INIT => {
+                self.situation = __LampState::Off;
+                if inputs.on {
+                    self.situation = __LampState::On;
+                }
+            }
             __LampState::Off => {
                 if inputs.on {
-                    after = __LampState::On;
-                } else {
-                    after = __LampState::Off;
+                    self.situation = __LampState::On;
                 }
             }
             __LampState::On => {
                 if !inputs.on {
-                    after = __LampState::Off;
-                } else {
-                    after = __LampState::On;
+                    self.situation = __LampState::Off;
                 }
             }
         }
-        self.situation = after;
-        match after {
+        match self.situation {
             __LampState::On => {
                 outputs.lamp = true;
             }

@@ -1,7 +1,7 @@
 //! The cycle of a `grafcet`, IEC 60848: the search for stability.
 
 use super::Lower;
-use crate::model::Id;
+use crate::model::{Effect, Id, OutputId, Place};
 use crate::program::build::{all, any, compare, differ, no, not, number, part, when, yes};
 use crate::program::{Comparison, Expr, Initial, Mark, PlaceId, Role, Statement, Type, Value};
 
@@ -122,7 +122,7 @@ impl<'m> Lower<'_, 'm> {
         vec![Statement::Set(settled, not(any(moves)))]
     }
 
-    /// The outputs that something reads, of a chart that uses time.
+    /// The outputs that something reads, of a chart that uses time. What the search itself stores, it has seen.
     fn keep_read_outputs(&mut self) -> (Vec<(PlaceId, PlaceId)>, Vec<Statement<'m>>) {
         let (mut kept, mut body) = (Vec::new(), Vec::new());
         if self.settled.is_none() {
@@ -131,7 +131,7 @@ impl<'m> Lower<'_, 'm> {
         for read in self.model.expressions().concat() {
             let crate::model::Read::Name(crate::model::Name::Output(id)) = read else { continue };
             let place = self.outputs[id.index()];
-            if !kept.iter().any(|(other, _)| *other == place) {
+            if self.is_evaluated(id) && !kept.iter().any(|(other, _)| *other == place) {
                 let name = format!("was.{}", self.name(place));
                 let copy = self.like(name, place);
                 kept.push((place, copy));
@@ -139,5 +139,16 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         (kept, body)
+    }
+
+    /// Whether an output gets its value on the stable situation.
+    fn is_evaluated(&self, output: OutputId) -> bool {
+        self.model.associations.iter().any(|(id, association)| {
+            let place = match association.effect {
+                Effect::Control(place) | Effect::Assign(place, _) => Some(place),
+                _ => None,
+            };
+            place == Some(Place::Output(output)) && self.is_continuous(id)
+        })
     }
 }

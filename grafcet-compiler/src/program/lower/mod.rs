@@ -124,7 +124,12 @@ fn program<'m>(
             }
         }
     }
-    let search = Search { comes_back: searches.comes_back, ends: searches.ends.steps().clone(), excluding };
+    let search = Search {
+        comes_back: searches.comes_back,
+        ends: searches.ends.steps().clone(),
+        is_one_evolution: searches.ends.always(),
+        excluding,
+    };
     Ok(Program { model, places: lower.places, regions, beside, search, cycle, plants: Vec::new(), deadline })
 }
 

@@ -4,7 +4,9 @@
 //! - `marks`: what observers are told, where nobody observes
 //! - `apart`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
+//! - `straight`: the search of a `grafcet` that ends with its first evolution is no loop
 //! - `split`: one match on the state before, one on the state after; what fields hold in each state
+//! - `told`: an output that each state tells is no field
 //! - `moved`: the state that the cycle began with tells whether it has moved
 //! - `search`: the same in the loop of a `grafcet`, and after it
 //! - `starting`: the first cycle of a `grafcet` is a state
@@ -54,7 +56,9 @@ mod sparse;
 mod split;
 mod starting;
 mod store;
+mod straight;
 mod tables;
+mod told;
 mod uses;
 mod working;
 
@@ -66,6 +70,7 @@ pub enum Pass {
     Marks,
     Apart,
     Outputs,
+    Straight,
     Split,
     /// What fields hold in each state, within `Split`.
     Known,
@@ -92,10 +97,11 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
+        Self::Straight,
         Self::Split,
         Self::Known,
         Self::Join,
@@ -129,6 +135,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Outputs) {
         outputs::pass(program);
+    }
+    if wants(Pass::Straight) {
+        straight::pass(program);
     }
     if wants(Pass::Split) {
         split::pass(

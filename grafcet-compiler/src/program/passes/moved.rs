@@ -53,7 +53,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
         is_first_apart: false,
     };
     if !moved.is_told(ways) {
-        return nothing;
+        return begun_behind(program, ways, since);
     }
     moved.over = moved.outlasted(ways);
     let begun = moved.begins(ways);
@@ -78,15 +78,45 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
     moved.ask(program, before, begun);
     let (mut front, mut behind) = (vec![Statement::Set(before, Expr::Place(ways.state))], Vec::new());
     if begun {
-        let name = format!("was.{}", program.places[ways.state.0].name);
-        let initial = Initial::Value(Value::Step(Some(one)));
-        program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
-        let begun_in = PlaceId(program.places.len() - 1);
-        front.insert(0, Statement::Set(begun_in, Expr::Place(ways.state)));
-        let goes = compare(Comparison::Differs, Expr::Place(begun_in), Expr::Place(ways.state));
-        behind.push(Statement::If(goes, vec![Statement::Set(since, Expr::Now)], Vec::new()));
+        let [copy, begins] = where_it_differs(program, ways.state, since);
+        front.insert(0, copy);
+        behind.push(begins);
     }
     [front, behind]
+}
+
+/// The same of the time alone, in a `grafcet` of which each cycle ends settled.
+fn begun_behind<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>, since: PlaceId) -> Around<'m> {
+    let is_begin = |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Now) if *place == since);
+    let mut begins = true;
+    for (tree, from) in ways.trees.iter().zip(ways.points) {
+        let Some(tree) = tree else { continue };
+        each_leaf(tree, &mut |leaf| {
+            let at = leaf.body.iter().position(is_begin);
+            begins &= at.is_some() == (leaf.state != *from);
+            let rest = &leaf.body[at.map_or(leaf.body.len(), |at| at + 1)..];
+            begins &= !Effects::of_all(rest).reads.contains(&since);
+        });
+    }
+    if !begins {
+        return Default::default();
+    }
+    for tree in ways.trees.iter_mut().flatten() {
+        tree.each_leaf_mut(&mut |leaf| leaf.body.retain(|one| !is_begin(one)));
+    }
+    let [copy, begins] = where_it_differs(program, ways.state, since);
+    [vec![copy], vec![begins]]
+}
+
+/// A copy of the state in front, and behind the beginning of a time where it differs.
+fn where_it_differs<'m>(program: &mut Program<'m>, state: PlaceId, since: PlaceId) -> [Statement<'m>; 2] {
+    let PlaceInfo { name, initial, .. } = &program.places[state.0];
+    let (name, initial) = (format!("was.{name}"), *initial);
+    program.places.push(PlaceInfo { name, role: Role::Local, ty: Type::State(0), initial, is_field: false });
+    let was = PlaceId(program.places.len() - 1);
+    let goes = compare(Comparison::Differs, Expr::Place(was), Expr::Place(state));
+    let begins = vec![Statement::Set(since, Expr::Now)];
+    [Statement::Set(was, Expr::Place(state)), Statement::If(goes, begins, Vec::new())]
 }
 
 /// What the deadline remembers of the cycle.

@@ -28,6 +28,7 @@ use super::many::{groups, sum_of_block};
 use super::moved;
 use super::share;
 use super::sparse::{Index, States};
+use super::told;
 use super::uses::{Effects, mentions, same_block};
 use crate::model::StepId;
 use crate::sorted::Set;
@@ -160,6 +161,9 @@ impl Split {
             tree.body.insert(0, Statement::Set(self.state, begin));
         }
         program.places[self.state.0].initial = Initial::Value(self.points.all[0]);
+        if options.known {
+            told::pass(program, &self.fields, &mut trees);
+        }
         let [front, behind] = if options.moved {
             let (points, fields) = (&*self.points.all, &*self.fields);
             moved::pass(program, &mut moved::Ways { state: self.state, points, fields, trees: &mut trees })

@@ -13,16 +13,24 @@
 //!
 //! Needs: the deadline does not ask whether the first cycle is still to come.
 
-use super::super::build::{all, compare, not};
+use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
-use super::uses::{Effects, each_read, mentions, replaced};
+use super::uses::{Effects, blocks, blocks_mut, each_read, mentions, replaced};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let (Some(state), Some(first)) = (program.place(Role::State(0)), program.place(Role::First)) else { return };
-    let Initial::Value(Value::Step(begin @ Some(_))) = program.places[state.0].initial else { return };
     if !program.model.is_grafcet() || program.regions.len() != 1 {
         return;
     }
+    let begin = match program.places[state.0].initial {
+        Initial::Value(Value::Step(begin @ Some(_))) => begin,
+        // Without a loop it is one by now.
+        Initial::Value(start @ Value::Start(_)) => {
+            settle(program, &compare(Comparison::Equal, Expr::Place(state), Expr::Value(start)));
+            return outlasted(program);
+        }
+        _ => return,
+    };
     let ends =
         |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == first);
     let rest = program.cycle.iter().filter(|one| !ends(one));
@@ -68,6 +76,9 @@ fn is_asked(program: &Program<'_>, place: PlaceId) -> bool {
 /// What is stored of whether the next cycle would do the same, if only fields tell that.
 fn told<'m>(program: &Program<'m>) -> Option<(PlaceId, Expr<'m>)> {
     let settled = program.place(Role::Settled)?;
+    if is_so_after_each(program, settled) {
+        return Some((settled, yes()));
+    }
     let mut told = None;
     for (at, statement) in program.cycle.iter().enumerate() {
         match statement {
@@ -81,6 +92,32 @@ fn told<'m>(program: &Program<'m>) -> Option<(PlaceId, Expr<'m>)> {
     let mut lasts = true;
     each_read(&value, &mut |place| lasts &= program.places[place.0].is_field && !later.contains(&place));
     lasts.then_some((settled, value))
+}
+
+/// Whether it becomes true in the first cycle, and is never false again.
+fn is_so_after_each(program: &Program<'_>, settled: PlaceId) -> bool {
+    let (mut begins, mut stays) = (false, true);
+    for statement in &program.cycle {
+        if let Statement::Match(_, arms, _) = statement {
+            for (values, body) in arms {
+                let sets = body.iter().any(|one| matches!(one, Statement::Set(place, _) if *place == settled));
+                begins |= sets && values.iter().any(|value| matches!(value, Value::Start(_)));
+            }
+        }
+    }
+    each_set(&program.cycle, &mut |place, value| {
+        stays &= place != settled || matches!(value, Expr::Value(Value::Bool(true)));
+    });
+    begins && stays
+}
+
+fn each_set<'m>(statements: &[Statement<'m>], each: &mut dyn FnMut(PlaceId, &Expr<'m>)) {
+    for statement in statements {
+        match statement {
+            Statement::Set(place, value) => each(*place, value),
+            other => blocks(other).into_iter().for_each(|block| each_set(block, each)),
+        }
+    }
 }
 
 /// Before the first cycle nothing is settled.
@@ -99,7 +136,14 @@ fn settle<'m>(program: &mut Program<'m>, is_start: &Expr<'m>) {
     for (condition, _) in &mut deadline.waits {
         *condition = replaced(condition, &leaf);
     }
-    program.cycle.retain(|one| !matches!(one, Statement::Set(place, _) if *place == settled));
+    without(&mut program.cycle, settled);
+}
+
+fn without(statements: &mut Vec<Statement<'_>>, settled: PlaceId) {
+    statements.retain(|one| !matches!(one, Statement::Set(place, _) if *place == settled));
+    for statement in statements {
+        blocks_mut(statement).into_iter().for_each(|block| without(block, settled));
+    }
 }
 
 /// That a time of the active step is over is stored where the deadline asks for it.

@@ -33,11 +33,15 @@ fn each_pass_is_as_recorded() {
         "sfc Waits { input a: bool; output p: bool; initial step A; step B { p; } A -[a && 9ms/A]-> B -[5ms/B]-> A; }";
     let drum = "sfc Drum { input empty, again, full: bool; output pump, valve: bool; initial step Drain { pump; } step Fill { valve; } step Spin; \
                 Drain -[empty && again]-> Fill -[full]-> Drain; Drain -[empty && !again]-> Spin -[!empty]-> Drain; }";
-    let watch = "grafcet Watch { input on: bool; output lamp: bool; initial step Off; step On { lamp; } Off -[on]-> On -[5ms/On]-> Off; }";
+    let watch = "grafcet Watch { input on: bool; output lamp: bool; initial step Off; step On { lamp; } \
+                 Off -[on]-> On -[5ms/On || !on]-> Off; }";
+    let signal = "grafcet Signal { input on: bool; output lamp, wait: bool; initial step Off; step Asked { S wait; } step On { lamp; R wait; } \
+                  Off -[on && 3ms/Off]-> Asked -[5ms/Asked]-> On -[5ms/On]-> Off; }";
     for (pass, chart) in [
         (Pass::Marks, lamp),
         (Pass::Apart, lamp),
         (Pass::Outputs, lamp),
+        (Pass::Straight, signal),
         (Pass::Split, lamp),
         (Pass::Known, called),
         (Pass::Join, twice),
@@ -135,6 +139,8 @@ fn searches_of_one_region_end_where_they_have_to() {
                 A -[a]-> B -[!a]-> A; }";
     let ways = "grafcet Ways { input a, b: bool; output p: bool; initial step A; step B { p; } step C; \
                 A -[a && 2ms/A]-> B; A -[!a && b]-> C; B -[4ms/B || b]-> A; C -[a]-> A; }";
+    let signal = "grafcet Signal { input a, b: bool; output p, q: bool; initial step A; step B { S p; } step C { q; R p; } step D; \
+                  A -[a && 3ms/A]-> B -[5ms/B]-> C -[5ms/C]-> D -[5ms/D]-> A; }";
     let (circle, stays) = (circle(""), circle("on rising(d) n = (n + 1) % 50; on rising(p) n = 9; "));
     for (chart, has) in [
         (circle.as_str(), "now.state = table(now.state)"),
@@ -145,6 +151,7 @@ fn searches_of_one_region_end_where_they_have_to() {
         (ends, "if now.state is A"),
         (once, "match state"),
         (ways, "loop"),
+        (signal, "if goes:"),
     ] {
         let model = read(chart);
         let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
