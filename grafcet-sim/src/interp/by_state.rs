@@ -1,10 +1,10 @@
-//! What follows from the active step alone, in an `sfc` that is one sequence: the compiled chart does not store it.
+//! What follows from the active step alone, in a chart that is one sequence: the compiled chart does not store it.
 
 use std::collections::BTreeMap;
 
 use super::value::{Value, default};
 use super::view::Situation;
-use grafcet_compiler::model::{Association, Dialect, Effect, Model, OutputId, Place, Qualifier, StepId, Tree};
+use grafcet_compiler::model::{Association, Effect, Model, OutputId, Place, Qualifier, StepId, Tree};
 
 /// Whether a flip-flop of a boolean is set.
 pub(super) fn is_set(model: &Model, place: Place, q: Qualifier, steps: &Situation) -> Option<bool> {
@@ -40,11 +40,19 @@ pub(super) fn is_set(model: &Model, place: Place, q: Qualifier, steps: &Situatio
     }
 }
 
-/// What an output is that is written by P1 alone.
+/// What an output is that is written by P1 alone, in a `grafcet` by S and R, too.
 pub(super) fn output(model: &Model, id: OutputId, steps: &Situation) -> Option<Value> {
     let place = Place::Output(id);
     let writes = |one: &&Association| one.effect.writes().contains(&place);
-    if model.associations.values().filter(writes).any(|one| one.qualifier != Qualifier::P1) {
+    let on_entry = |one: &Association| match one.qualifier {
+        Qualifier::P1 => true,
+        Qualifier::S | Qualifier::R => model.is_grafcet(),
+        _ => false,
+    };
+    let clears = |effect: &Effect| effect.writes().contains(&place);
+    if !model.associations.values().filter(writes).all(on_entry)
+        || model.transitions.values().any(|one| one.clearing.iter().any(clears))
+    {
         return None;
     }
     let enter = |step: StepId, before: Known| {
@@ -52,6 +60,7 @@ pub(super) fn output(model: &Model, id: OutputId, steps: &Situation) -> Option<V
         for one in associations(model, step).filter(writes) {
             let value = match &one.effect {
                 Effect::Assign(_, value) => constant(&value.tree),
+                Effect::Control(_) => Known::Is(Value::Bool(one.qualifier == Qualifier::S)),
                 _ => Known::Anything,
             };
             after = if one.condition.is_none() { value } else { after.or(value) };
@@ -96,8 +105,7 @@ impl Known {
 
 /// The value that something has in the active step, whichever way has led there; `enter` says what a step makes of it.
 fn known(model: &Model, begins: Value, steps: &Situation, enter: &dyn Fn(StepId, Known) -> Known) -> Option<Value> {
-    let is_sequence = model.dialect == Dialect::Sfc
-        && model.partials.len() == 1
+    let is_sequence = model.partials.len() == 1
         && model.transitions.values().all(|one| one.sources.len() == 1 && one.targets.len() == 1)
         && model.steps.values().filter(|step| step.initial).count() == 1;
     let (true, [active]) = (is_sequence, &steps.iter().copied().collect::<Vec<_>>()[..]) else { return None };

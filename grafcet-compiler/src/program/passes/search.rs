@@ -26,6 +26,7 @@ use super::flat::flat;
 use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
+use super::told::{self, Told};
 use super::uses::{Effects, blocks_mut};
 use crate::sorted::Set;
 
@@ -53,7 +54,10 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let Some(search) = search else { return program.places.truncate(count) };
     let circle = search.circle(program);
     match circle.map_or(Err(Lost), |circle| circle.cycle(program)).or_else(|Lost| search.cycle(program)) {
-        Ok(cycle) => program.cycle = cycle,
+        Ok((cycle, told)) => {
+            program.cycle = cycle;
+            told::no_fields(&mut program.places, told);
+        }
         Err(Lost) => program.places.truncate(count),
     }
 }
@@ -108,7 +112,8 @@ impl<'m> Search<'m> {
         Some(Self { points, before, body, behind, tail, ..*self })
     }
 
-    fn cycle(&self, program: &Program<'m>) -> Result<Vec<Statement<'m>>, Lost> {
+    /// The cycle, and the outputs that are no fields in it.
+    fn cycle(&self, program: &Program<'m>) -> Result<(Vec<Statement<'m>>, Told), Lost> {
         let mut round = self.body.clone();
         round.extend(self.tail.iter().cloned());
         let flips = live(program, &round, &self.behind);
@@ -128,6 +133,9 @@ impl<'m> Search<'m> {
                 settle(tree, self.state, *point);
             }
         }
+        self.sweep(program, &mut trees, &acts);
+        let mut before = self.before.clone();
+        let told = self.told(program, &mut before, &mut trees, &mut acts);
         let may = |_: &Statement<'m>| true;
         let mut bodies = Vec::with_capacity(acts.len());
         for (_, body) in &mut acts {
@@ -140,16 +148,6 @@ impl<'m> Search<'m> {
             behind.push(Statement::Match(self.state, merged(acts), Vec::new()));
         }
         behind.extend(rest);
-        // What is of no use at the ends of the ways would keep them from being alike.
-        let mut round = vec![self.turn(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())];
-        round.extend(self.tail.iter().cloned());
-        let flips = live(program, &round, &behind);
-        let base = base(program);
-        for tree in trees.iter_mut().flatten() {
-            tree.each_leaf_mut(&mut |leaf| {
-                Live { base: &base, flips: flips.clone(), left: flips.clone() }.sweep(&mut leaf.body);
-            });
-        }
         let mut tail = self.tail.clone();
         if tail.is_empty() {
             let early =
@@ -160,7 +158,7 @@ impl<'m> Search<'m> {
         for tree in trees.iter().flatten() {
             each_leaf(tree, &mut |leaf| rounds = if leaf.breaks { rounds } else { self.rounds });
         }
-        let mut cycle = self.before.clone();
+        let mut cycle = before;
         if rounds == 1 {
             cycle.extend(self.once(trees));
         } else {
@@ -169,7 +167,33 @@ impl<'m> Search<'m> {
             cycle.push(Statement::Loop { rounds, body });
         }
         cycle.extend(behind);
-        Ok(cycle)
+        Ok((cycle, told))
+    }
+
+    /// What is of no use at the ends of the ways would keep them from being alike.
+    fn sweep(&self, program: &Program<'m>, trees: &mut [Option<Tree<'m>>], acts: &[Arm<'m>]) {
+        let mut round = vec![self.turn(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())];
+        round.extend(self.tail.iter().cloned());
+        let flips = live(program, &round, &[Statement::Match(self.state, acts.to_vec(), Vec::new())]);
+        let base = base(program);
+        for tree in trees.iter_mut().flatten() {
+            tree.each_leaf_mut(&mut |leaf| {
+                Live { base: &base, flips: flips.clone(), left: flips.clone() }.sweep(&mut leaf.body);
+            });
+        }
+    }
+
+    /// The outputs that each state tells.
+    fn told(
+        &self,
+        program: &Program<'m>,
+        before: &mut Vec<Statement<'m>>,
+        trees: &mut [Option<Tree<'m>>],
+        acts: &mut [Arm<'m>],
+    ) -> Told {
+        let Some(begin) = self.points.point(self.begin) else { return Vec::new() };
+        let (points, rest) = (&self.points, &self.tail);
+        told::Around { points, begin, before, trees, acts, rest }.pass(program)
     }
 
     /// One round of several.

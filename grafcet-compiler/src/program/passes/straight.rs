@@ -31,7 +31,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let Some(at) = cycle.iter().position(|one| matches!(one, Statement::Loop { .. })) else { return };
     let Statement::Loop { body, .. } = &cycle[at] else { return };
     let Some(round) = Round::of(body) else { return };
-    let again = Again { program, state, written: Effects::of_all(body).writes, asked: Effects::of_all(&cycle[at + 1..]).reads };
+    let again =
+        Again { program, state, written: Effects::of_all(body).writes, asked: Effects::of_all(&cycle[at + 1..]).reads };
     let Some(copies) = again.look(&round.look) else { return };
     let state_itself = |expr: &Expr<'_>| match expr {
         Expr::Place(place) if copies.contains(place) => Some(Expr::Place(state)),

@@ -141,6 +141,9 @@ fn searches_of_one_region_end_where_they_have_to() {
                 A -[a && 2ms/A]-> B; A -[!a && b]-> C; B -[4ms/B || b]-> A; C -[a]-> A; }";
     let signal = "grafcet Signal { input a, b: bool; output p, q: bool; initial step A; step B { S p; } step C { q; R p; } step D; \
                   A -[a && 3ms/A]-> B -[5ms/B]-> C -[5ms/C]-> D -[5ms/D]-> A; }";
+    // `p` is set on one way to C and not on the other, `q` wherever B has been.
+    let held = "grafcet Held { input a, b: bool; output p, q, r: bool; initial step A { S r; } step B { S q; R r; } step C; step D { R p; R q; } \
+                step E { S p; } A -[a]-> B; A -[!a && b]-> E; B -[!a]-> C; E -[a]-> B; C -[2ms/C || b]-> D; D -[!b]-> A; }";
     let (circle, stays) = (circle(""), circle("on rising(d) n = (n + 1) % 50; on rising(p) n = 9; "));
     for (chart, has) in [
         (circle.as_str(), "now.state = table(now.state)"),
@@ -152,6 +155,7 @@ fn searches_of_one_region_end_where_they_have_to() {
         (once, "match state"),
         (ways, "loop"),
         (signal, "if goes:"),
+        (held, "since"),
     ] {
         let model = read(chart);
         let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
