@@ -19,30 +19,73 @@ use super::engine::{End, Fact, Tree};
 use super::fold::initial;
 use super::sparse::States;
 use super::split::each_leaf;
-use super::uses::{Effects, blocks_mut, mentions};
-use crate::sorted::Map;
+use super::uses::{Effects, blocks_mut, each_read, mentions};
+use crate::sorted::{Map, Set};
 
 /// The trees know at the end of each way what the fields hold.
 pub(super) fn pass<'m>(program: &mut Program<'m>, fields: &[PlaceId], trees: &mut [Option<Tree<'m>>]) {
+    let mut candidates = Vec::new();
     for (at, field) in fields.iter().enumerate() {
-        let info = &program.places[field.0];
-        if matches!(info.role, Role::Output(_))
-            && matches!(info.ty, Type::Bool)
-            && !is_asked(program, *field)
-            && trees.iter().flatten().all(|tree| is_told(tree, *field, at))
-        {
-            let mut values = Vec::new();
-            for tree in trees.iter().flatten() {
-                each_leaf(tree, &mut |leaf| {
-                    if let Some(Fact::Is(Value::Bool(value))) = leaf.facts.get(at) {
-                        values.push(*value);
-                    }
-                });
-            }
-            let begins = is_mostly(&values);
-            no_fields(&mut program.places, vec![(*field, begins)]);
+        if let Some(values) = is_candidate(program, *field).then(|| values_of(trees, at)).flatten() {
+            candidates.push((at, *field, is_mostly(&values)));
+        }
+    }
+    let mut other = Other::default();
+    if !candidates.is_empty() {
+        trees.iter().flatten().for_each(|tree| other.add(tree));
+    }
+    for (at, field, begins) in candidates {
+        if !other.0.contains(&field) {
+            no_fields(&mut program.places, vec![(field, begins)]);
             for tree in trees.iter_mut().flatten() {
-                tell(tree, *field, at, begins);
+                tell(tree, field, at, begins);
+            }
+        }
+    }
+}
+
+/// A stored truth that the deadline does not ask for.
+fn is_candidate(program: &Program<'_>, field: PlaceId) -> bool {
+    let info = &program.places[field.0];
+    info.is_field && matches!(info.role, Role::Output(_)) && matches!(info.ty, Type::Bool) && !is_asked(program, field)
+}
+
+/// What a field holds at the end of each way, if that is known.
+fn values_of(trees: &[Option<Tree<'_>>], at: usize) -> Option<Vec<bool>> {
+    let (mut values, mut ways) = (Vec::new(), 0);
+    for tree in trees.iter().flatten() {
+        each_leaf(tree, &mut |leaf| {
+            ways += 1;
+            if let Some(Fact::Is(Value::Bool(value))) = leaf.facts.get(at) {
+                values.push(*value);
+            }
+        });
+    }
+    (values.len() == ways).then_some(values)
+}
+
+/// The places that something asks for, or does more with than to set them to a truth.
+#[derive(Default)]
+struct Other(Set<PlaceId>);
+
+impl Other {
+    fn add(&mut self, tree: &Tree<'_>) {
+        self.add_all(&tree.body);
+        match &tree.end {
+            End::Leaf(leaf) => self.add_all(&leaf.body),
+            End::Fork(condition, ways) => {
+                each_read(condition, &mut |place| _ = self.0.insert(place));
+                ways.iter().for_each(|way| self.add(way));
+            }
+        }
+    }
+
+    fn add_all(&mut self, body: &[Statement<'_>]) {
+        for statement in body {
+            if !matches!(statement, Statement::Set(_, Expr::Value(Value::Bool(_)))) {
+                let effects = Effects::of(statement);
+                self.0.extend(effects.reads);
+                self.0.extend(effects.writes);
             }
         }
     }
@@ -67,22 +110,6 @@ fn is_asked(program: &Program<'_>, field: PlaceId) -> bool {
     let Some(deadline) = &program.deadline else { return false };
     let waits = deadline.waits.iter().any(|(condition, time)| mentions(condition, field) || mentions(time, field));
     waits || mentions(&deadline.at_once, field) || deadline.late.iter().any(|(_, over)| mentions(over, field))
-}
-
-/// Whether each way ends with a value that is known, and what stands on it does no more than to set it.
-fn is_told(tree: &Tree<'_>, field: PlaceId, at: usize) -> bool {
-    let sets = |body: &[Statement<'_>]| {
-        body.iter().all(|one| {
-            let effects = Effects::of(one);
-            let is_set = matches!(one, Statement::Set(place, _) if *place == field);
-            !effects.reads.contains(&field) && (is_set || !effects.writes.contains(&field))
-        })
-    };
-    sets(&tree.body)
-        && match &tree.end {
-            End::Leaf(leaf) => sets(&leaf.body) && matches!(leaf.facts.get(at), Some(Fact::Is(_))),
-            End::Fork(condition, ways) => !mentions(condition, field) && ways.iter().all(|way| is_told(way, field, at)),
-        }
 }
 
 /// With what each cycle begins needs no giving.
@@ -119,74 +146,116 @@ impl<'m> Around<'_, 'm> {
     /// The outputs that are no fields, and with what each cycle begins.
     pub(super) fn pass(&mut self, program: &Program<'m>) -> Told {
         let mut told = Vec::new();
+        let mut other = Other::default();
+        self.trees.iter().flatten().for_each(|tree| other.add(tree));
+        other.add_all(self.rest);
+        self.acts.iter().for_each(|(_, body)| other.add_all(body));
+        let mut candidates = Vec::new();
         for (index, info) in program.places.iter().enumerate() {
             let field = PlaceId(index);
-            let is_candidate = info.is_field && matches!(info.role, Role::Output(_)) && matches!(info.ty, Type::Bool);
-            let Some(Value::Bool(begins)) = initial(info).filter(|_| is_candidate && !is_asked(program, field)) else {
-                continue;
-            };
-            let first = program.place(Role::First);
-            let Some(values) = self.begins(field, first, begins).and_then(|value| self.values(field, value)) else {
-                continue;
-            };
-            let mut most = Vec::with_capacity(self.acts.len());
-            for (state, _) in &*self.acts {
-                most.extend(self.points.point(state[0]).and_then(|point| values[point]?.one()));
+            if let (true, Some(Value::Bool(begins))) = (is_candidate(program, field), initial(info)) {
+                let begins = (!other.0.contains(&field)).then(|| self.begins(program, field, begins)).flatten();
+                candidates.extend(begins.map(|begins| (field, begins)));
             }
-            for ((_, body), value) in self.acts.iter_mut().zip(&most) {
-                if *value != is_mostly(&most) {
-                    body.push(Statement::Set(field, Expr::Value(Value::Bool(*value))));
+        }
+        let Some(ways) = (!candidates.is_empty()).then(|| self.ways()).flatten() else { return told };
+        for (field, begins) in candidates {
+            let Some(most) = self.values(&ways, field, begins) else { continue };
+            let begins = is_mostly(&most);
+            for ((_, body), value) in self.acts.iter_mut().zip(most) {
+                if value != begins {
+                    body.push(Statement::Set(field, Expr::Value(Value::Bool(value))));
                 }
             }
             without(self.before, field);
             for tree in self.trees.iter_mut().flatten() {
                 strip(tree, field);
             }
-            told.push((field, is_mostly(&most)));
+            told.push((field, begins));
         }
         told
     }
 
     /// What the output holds when the first search begins.
-    fn begins(&self, field: PlaceId, first: Option<PlaceId>, mut value: bool) -> Option<bool> {
-        if touches(self.rest, field) || self.acts.iter().any(|(_, body)| touches(body, field)) {
-            return None;
-        }
+    fn begins(&self, program: &Program<'m>, field: PlaceId, mut value: bool) -> Option<bool> {
+        let first = program.place(Role::First);
         for statement in &*self.before {
             match statement {
                 Statement::If(Expr::Place(place), then, otherwise) if Some(*place) == first && otherwise.is_empty() => {
                     value = entered(then, field, value)?;
                 }
-                other if touches(std::slice::from_ref(other), field) => return None,
+                other if touches(other, field) => return None,
                 _ => {}
             }
         }
         Some(value)
     }
 
-    /// What it holds in each state in which a round begins, if that is known wherever a search rests.
-    fn values(&self, field: PlaceId, begins: bool) -> Option<Vec<Option<Holds>>> {
-        let mut values: Vec<Option<Holds>> = vec![None; self.trees.len()];
-        values[self.begin] = Some(Holds::One(begins));
-        let mut open = vec![self.begin];
-        while let Some(point) = open.pop() {
-            let Some(tree) = &self.trees[point] else { return None };
-            let mut ends = Vec::new();
-            follow(tree, field, values[point]?, &mut ends)?;
-            for (state, holds) in ends {
-                let to = self.points.point(state)?;
-                let joined = values[to].map_or(holds, |other| other.or(holds));
-                if values[to].replace(joined) != Some(joined) {
-                    open.push(to);
+    /// By state: where the ways lead, and what they set.
+    fn ways(&self) -> Option<Vec<Vec<Way>>> {
+        let mut all = Vec::with_capacity(self.trees.len());
+        for tree in &*self.trees {
+            let mut ways = Vec::new();
+            if let Some(tree) = tree {
+                self.follow(tree, &[], &mut ways)?;
+            }
+            all.push(ways);
+        }
+        Some(all)
+    }
+
+    fn follow(&self, tree: &Tree<'m>, before: &[(PlaceId, bool)], ways: &mut Vec<Way>) -> Option<()> {
+        let mut sets = before.to_vec();
+        let mut add = |body: &[Statement<'m>]| {
+            for statement in body {
+                if let Statement::Set(place, Expr::Value(Value::Bool(value))) = statement {
+                    sets.push((*place, *value));
+                }
+            }
+        };
+        add(&tree.body);
+        match &tree.end {
+            End::Leaf(leaf) => {
+                add(&leaf.body);
+                ways.push(Way { to: self.points.point(leaf.state)?, sets });
+            }
+            End::Fork(_, both) => {
+                for way in &**both {
+                    self.follow(way, &sets, ways)?;
                 }
             }
         }
-        let is_known = |(state, _): &Arm<'_>| {
-            let point = self.points.point(state[0])?;
-            values[point]?.one()
-        };
-        self.acts.iter().all(|arm| is_known(arm).is_some()).then_some(values)
+        Some(())
     }
+
+    /// What it holds in each state in which a search rests, if that is known.
+    fn values(&self, ways: &[Vec<Way>], field: PlaceId, begins: bool) -> Option<Vec<bool>> {
+        let mut values: Vec<Option<Holds>> = vec![None; ways.len()];
+        values[self.begin] = Some(Holds::One(begins));
+        let mut open = vec![self.begin];
+        while let Some(point) = open.pop() {
+            let before = values[point]?;
+            for way in &ways[point] {
+                let set = way.sets.iter().rfind(|(place, _)| *place == field);
+                let holds = set.map_or(before, |(_, value)| Holds::One(*value));
+                let joined = values[way.to].map_or(holds, |other| other.or(holds));
+                if values[way.to].replace(joined) != Some(joined) {
+                    open.push(way.to);
+                }
+            }
+        }
+        let mut at_rest = Vec::with_capacity(self.acts.len());
+        for (state, _) in &*self.acts {
+            at_rest.push(values[self.points.point(state[0])?]?.one()?);
+        }
+        Some(at_rest)
+    }
+}
+
+/// A way from one state to one.
+struct Way {
+    to: usize,
+    sets: Vec<(PlaceId, bool)>,
 }
 
 /// What an output holds.
@@ -209,24 +278,12 @@ impl Holds {
     }
 }
 
-fn touches(statements: &[Statement<'_>], field: PlaceId) -> bool {
-    let effects = Effects::of_all(statements);
+fn touches(statement: &Statement<'_>, field: PlaceId) -> bool {
+    let effects = Effects::of(statement);
     effects.reads.contains(&field) || effects.writes.contains(&field)
 }
 
-/// What it holds after some statements, which do no more than to set it.
-fn set(body: &[Statement<'_>], field: PlaceId, mut holds: Holds) -> Option<Holds> {
-    for statement in body {
-        match statement {
-            Statement::Set(place, Expr::Value(Value::Bool(value))) if *place == field => holds = Holds::One(*value),
-            other if touches(std::slice::from_ref(other), field) => return None,
-            _ => {}
-        }
-    }
-    Some(holds)
-}
-
-/// The same of the activation of the initial situation, which works on copies.
+/// What it holds after the activation of the initial situation, which works on copies.
 fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<bool> {
     // What each copy holds; none where that is still the output's value.
     let mut copies: Map<PlaceId, Option<bool>> = Map::new();
@@ -238,26 +295,11 @@ fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<bo
             }
             Statement::Set(copy, Expr::Place(place)) if *place == field => _ = copies.insert(*copy, None),
             Statement::Set(copy, Expr::Value(Value::Bool(new))) => _ = copies.insert(*copy, Some(*new)),
-            other if touches(std::slice::from_ref(other), field) => return None,
+            other if touches(other, field) => return None,
             _ => {}
         }
     }
     copies.values().all(Option::is_some).then_some(value)
-}
-
-/// The states in which the ways end, with what it holds there.
-fn follow(tree: &Tree<'_>, field: PlaceId, holds: Holds, ends: &mut Vec<(Value, Holds)>) -> Option<()> {
-    let holds = set(&tree.body, field, holds)?;
-    match &tree.end {
-        End::Leaf(leaf) => ends.push((leaf.state, set(&leaf.body, field, holds)?)),
-        End::Fork(condition, _) if mentions(condition, field) => return None,
-        End::Fork(_, ways) => {
-            for way in &**ways {
-                follow(way, field, holds, ends)?;
-            }
-        }
-    }
-    Some(())
 }
 
 fn strip(tree: &mut Tree<'_>, field: PlaceId) {
