@@ -21,6 +21,7 @@ pub mod plan;
 pub mod plant;
 pub mod program;
 mod qualifier;
+mod quoted;
 mod similar;
 pub mod sorted;
 mod visit;
