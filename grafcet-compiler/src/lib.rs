@@ -26,6 +26,8 @@ mod similar;
 pub mod sorted;
 mod visit;
 
+use crate::list::List;
+
 use proc_macro2::TokenStream;
 
 use analysis::{Facts, Prover};
@@ -71,7 +73,7 @@ pub fn diagnose(chart: TokenStream, wanted: Wanted<'_>) -> Vec<Diagnostic> {
     let call = plant::Call::of(&chart);
     let compiled = alone(chart, &root, wanted);
     let mut messages = compiled.messages;
-    messages.extend(call.into_iter().flat_map(|call| plants(&call, compiled.sound, &root, wanted).1));
+    messages.extend(call.into_iter().flat(|call| plants(&call, compiled.sound, &root, wanted).1));
     messages
 }
 

@@ -14,7 +14,7 @@ use crate::place;
 
 /// A text that is read from one place to the next.
 pub(crate) struct Text {
-    text: &'static str,
+    source: &'static str,
     /// How much of it has been read, in bytes.
     read: usize,
     span: Span,
@@ -27,7 +27,7 @@ pub(crate) struct Text {
 impl Text {
     /// Its tokens stand at the chart's keyword.
     pub(crate) fn new(text: &'static str) -> Self {
-        Self { text, read: 0, span: place::here(), tokens: TokenStream::new(), outer: Vec::new() }
+        Self { source: text, read: 0, span: place::here(), tokens: TokenStream::new(), outer: Vec::new() }
     }
 
     /// Reads up to the next place and past it, and puts `tokens` there.
@@ -47,7 +47,7 @@ impl Text {
         let token = self.take();
         match token.as_bytes() {
             [] => return false,
-            b"#" => match &self.text.as_bytes()[self.next()..] {
+            b"#" => match &self.source.as_bytes()[self.next()..] {
                 [b'[', ..] => self.operator(token),
                 [b'(', ..] => return self.pass_repetition(),
                 _ => {
@@ -87,13 +87,13 @@ impl Text {
     /// The text of the next token, empty at the end.
     fn take(&mut self) -> &'static str {
         let start = self.next();
-        self.read = start + length(&self.text.as_bytes()[start..]);
-        &self.text[start..self.read]
+        self.read = start + length(&self.source.as_bytes()[start..]);
+        &self.source[start..self.read]
     }
 
     /// Where the next token begins. This and what it calls runs without optimisation, some thousand times for a chart: hence no iterators.
     fn next(&self) -> usize {
-        let bytes = self.text.as_bytes();
+        let bytes = self.source.as_bytes();
         let mut start = self.read;
         while start < bytes.len() && bytes[start].is_ascii_whitespace() {
             start += 1;

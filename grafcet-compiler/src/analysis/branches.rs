@@ -54,8 +54,7 @@ impl Branches<'_> {
         let stands = |id: &TransitionId| model.transitions[*id].any.is_none_or(|any| model.anys[any].first == *id);
         for id in model.transitions.ids().filter(|id| !dead.contains(id) && stands(id)) {
             // What competes with it and stands before it.
-            let others =
-                model.transitions[id].sources.iter().flat_map(|step| model.leaving[step.index()].iter().copied());
+            let others = model.transitions[id].sources.iter().flat(|step| model.leaving[step.index()].iter().copied());
             let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
             if before.is_empty() {
                 continue;
@@ -157,7 +156,7 @@ impl Branches<'_> {
                 continue;
             }
             let (first, second) = (&self.model.transitions[*other], &self.model.transitions[id]);
-            let steps: Set<StepId> = first.sources.iter().chain(&second.sources).copied().collect();
+            let steps: Set<StepId> = first.sources.iter().and(&second.sources).copied().collect();
             let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
             let active: Vec<Condition> = steps.iter().map(active).list();
             let goals = [(self.condition(*other), true), (own, true)];

@@ -90,7 +90,7 @@ pub(crate) fn apart(logic: &Logic<'_>, tree: &Tree) -> Option<(StepId, StepId)> 
     }
     let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
     let active: Vec<Condition> = steps.iter().map(active).list();
-    let pairs = (0..steps.len()).flat_map(|a| (a + 1..steps.len()).map(move |b| (a, b)));
+    let pairs = (0..steps.len()).flat(|a| (a + 1..steps.len()).map(move |b| (a, b)));
     let mut apart = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
     apart.next().map(|(a, b)| (steps[a], steps[b]))
 }

@@ -73,7 +73,7 @@ impl<'m> Dead<'m> {
         let mut behind = vec![false; model.steps.len()];
         let mut follow = Set::new();
         let causes = open.iter().filter(|(_, waits)| waits.is_empty());
-        let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).list();
+        let mut work: Vec<StepId> = causes.flat(|(id, _)| model.transitions[*id].targets.iter().copied()).list();
         // Of steps to which no arrow leads it has been said.
         work.extend(model.steps.ids().filter(|step| !self.is_drawn(*step)));
         while !work.is_empty() {
@@ -81,7 +81,7 @@ impl<'m> Dead<'m> {
                 if !std::mem::replace(&mut behind[step.index()], true) {
                     // What waits itself leads on only where it follows.
                     let onward = model.leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
-                    work.extend(onward.flat_map(|id| &model.transitions[*id].targets));
+                    work.extend(onward.flat(|id| &model.transitions[*id].targets));
                 }
             }
             open.retain(|(id, waits)| {

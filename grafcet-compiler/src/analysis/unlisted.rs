@@ -22,7 +22,7 @@ pub(crate) fn unlisted(model: &Model, logic: &Logic<'_>) -> Vec<Unlisted> {
         collect(model, &transition.condition.tree, &mut compared);
     }
     for association in model.associations.values() {
-        for expr in association.condition.iter().chain(&association.event) {
+        for expr in association.condition.iter().and(&association.event) {
             collect(model, &expr.tree, &mut compared);
         }
     }
@@ -42,7 +42,7 @@ impl Unlisted {
     /// Whether the conditions could not hold together, if the variants were listed.
     pub(crate) fn decides(&self, logic: &Logic<'_>, conditions: &[Condition]) -> bool {
         let goals = conditions.iter().map(|condition| (condition, true));
-        let goals: Vec<_> = goals.chain(self.never.iter().map(|never| (never, false))).list();
+        let goals: Vec<_> = goals.and(self.never.iter().map(|never| (never, false))).list();
         logic.impossible(&goals)
     }
 }

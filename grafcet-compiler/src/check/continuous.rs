@@ -19,7 +19,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 /// A continuous output is read.
 fn reads_continuous(model: &Model, sink: &mut Sink) {
     let at_an_instant = model.associations.values().filter(|a| is_stored(a)).map(|a| &a.effect);
-    let effects = at_an_instant.chain(model.transitions.values().flat_map(|t| &t.clearing));
+    let effects = at_an_instant.and(model.transitions.values().flat(|t| &t.clearing));
     let mut stored: Set<Place> = Set::new();
     effects.for_each(|effect| stored.extend(effect.writes()));
     for (reads, tokens) in expressions(model) {
@@ -49,7 +49,7 @@ fn expressions(model: &Model) -> Vec<(&[Read], TokenStream)> {
     let effects = model.effects();
     let mut exprs: Vec<&Expr> = model.transitions.values().map(|t| &t.condition).list();
     for association in model.associations.values() {
-        exprs.extend(association.condition.iter().chain(&association.event));
+        exprs.extend(association.condition.iter().and(&association.event));
     }
     exprs.extend(model.edges.values().map(|edge| &edge.of));
     exprs.extend(model.delays.values().map(|delay| &delay.of));

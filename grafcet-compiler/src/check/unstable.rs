@@ -118,7 +118,7 @@ fn text(model: &Model, circle: &Circle) -> String {
     let ways = ways(model, circle);
     let path = |partial: &PartialId| {
         let is_own = |step: &StepId| model.steps[*step].partial == *partial;
-        let own = ways.iter().filter(|(from, to)| from.iter().chain(*to).any(is_own));
+        let own = ways.iter().filter(|(from, to)| from.iter().and(*to).any(is_own));
         let own: Vec<&Way<'_>> = own.list();
         let mut parts: Vec<String> = own.iter().map(|(sources, _)| side(sources)).list();
         parts.extend(own.last().map(|(_, targets)| side(targets)));

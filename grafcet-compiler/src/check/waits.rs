@@ -27,7 +27,7 @@ pub(super) fn check(
         stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
     let (mut reported, mut denied) = (Set::new(), Set::new());
-    let mut waiting: Set<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
+    let mut waiting: Set<StepId> = contended.iter().flat(|deadlock| &deadlock.steps).copied().collect();
     // Of convergences that never clear nothing has been said before.
     let joins: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join && !joins.contains(id));
@@ -72,7 +72,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
     let here = situation(model, &deadlock.steps);
     let note = |step: &StepId| {
         let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
-        let missing = joins.flat_map(|stuck| &model.transitions[stuck.join].sources);
+        let missing = joins.flat(|stuck| &model.transitions[stuck.join].sources);
         let mut missing: Vec<StepId> = missing.filter(|source| !deadlock.steps.contains(source)).copied().list();
         sort(&mut missing);
         missing.dedup();

@@ -99,8 +99,7 @@ impl Derives {
     /// What the chart derives beside these and others that the type has already.
     pub(super) fn users(&self, model: &Model, others: &[&str]) -> TokenStream {
         let has = |path: &&Path| {
-            !standard(path)
-                .is_some_and(|name| self.names.iter().chain(&self.by_hand).chain(others).any(|own| name == *own))
+            !standard(path).is_some_and(|name| self.names.iter().and(&self.by_hand).and(others).any(|own| name == *own))
         };
         let reaches = |path: &&Path| has(path) && (!self.is_chart || observes(path));
         let attributes = model.derives.iter().map(|derive| {

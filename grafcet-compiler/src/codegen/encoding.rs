@@ -62,7 +62,7 @@ impl Cx<'_> {
     fn set(&self, region: &Region) -> String {
         let named = region.steps.iter().take(named(region.steps.len()));
         let named = named.map(|step| format!("`{}`", names::private_variant(self.model, *step)));
-        named.chain(more(region.steps.len())).list().join(", ")
+        named.and(more(region.steps.len())).list().join(", ")
     }
 }
 

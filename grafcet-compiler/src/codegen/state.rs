@@ -47,7 +47,7 @@ pub(super) fn variants(cx: &Cx<'_>, states: &StateEnum) -> Vec<Ident> {
     let steps = cx.plan.regions.all()[states.region].steps.iter().map(|step| names::private_variant(cx.model, *step));
     let empty = states.empty.then(|| cx.names.empty.clone());
     let start = states.start.then(|| cx.names.start.clone());
-    steps.chain(empty).chain(start).list()
+    steps.and(empty).and(start).list()
 }
 
 /// The type and what belongs to it.
@@ -233,7 +233,7 @@ impl Cx<'_> {
         };
         let stored = self.plan.memory.stored.iter().map(|id| output(*id, names::output_field(self.model, *id)));
         let last = self.plan.memory.last.iter().map(|id| output(*id, names::output_last_field(self.model, *id)));
-        let mut fields: Vec<_> = stored.chain(last).list();
+        let mut fields: Vec<_> = stored.and(last).list();
         fields.extend(self.plan.memory.vars.iter().map(|id| {
             let var = &self.model.vars[*id];
             Field {
@@ -282,7 +282,7 @@ impl Cx<'_> {
     /// The flip-flops, timers and memories of the action control, as far as a target needs them.
     fn control_fields(&self) -> Vec<Field> {
         let targets = self.plan.control.targets.iter().enumerate();
-        targets.flat_map(|(index, target)| self.target_fields(index, target)).list()
+        targets.flat(|(index, target)| self.target_fields(index, target)).list()
     }
 
     fn target_fields(&self, index: usize, target: &Target) -> Vec<Field> {
@@ -371,7 +371,7 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let declared = fields.iter().map(|Field { name, ty, .. }| quote!(#name: #ty,));
     let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
     let stored = machine.stored.iter().copied();
-    let derives = derives::of(stored.chain(model.params.values().map(|param| &param.ty))).of_chart();
+    let derives = derives::of(stored.and(model.params.values().map(|param| &param.ty))).of_chart();
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));

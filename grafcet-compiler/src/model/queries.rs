@@ -18,7 +18,7 @@ impl Model {
         let mut all: Vec<&[Read]> = Vec::new();
         for transition in self.transitions.values() {
             all.push(&transition.condition.reads);
-            all.extend(transition.clearing.iter().flat_map(Effect::reads));
+            all.extend(transition.clearing.iter().flat(Effect::reads));
         }
         for association in self.associations.values() {
             all.extend(association.reads());
@@ -98,8 +98,8 @@ impl Model {
         let transitions = self.transitions.values().map(|transition| &transition.levels);
         let outputs = self.outputs.values().map(|output| &output.levels);
         let vars = self.vars.values().map(|var| &var.levels);
-        let inside = partials.chain(steps).chain(transitions).chain(outputs).chain(vars);
-        inside.chain([&self.levels]).flatten().any(|level| level.rule == rule.name)
+        let inside = partials.and(steps).and(transitions).and(outputs).and(vars);
+        inside.and([&self.levels]).flatten().any(|level| level.rule == rule.name)
     }
 
     /// Whether two transitions never clear together by what they are: one is the `else` of the other, or that of an `any` which comes
@@ -325,7 +325,7 @@ impl Association {
     /// What its expressions read, one list an expression: condition, event and effect.
     #[must_use]
     pub fn reads(&self) -> Vec<&[Read]> {
-        let mut all: Vec<&[Read]> = self.condition.iter().chain(&self.event).map(|expr| &expr.reads[..]).list();
+        let mut all: Vec<&[Read]> = self.condition.iter().and(&self.event).map(|expr| &expr.reads[..]).list();
         all.extend(self.effect.reads());
         all
     }
@@ -387,7 +387,7 @@ impl Claim {
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
             Self::Never(condition) => vec![condition],
-            Self::Always { premise, condition } => premise.iter().chain([condition]).list(),
+            Self::Always { premise, condition } => premise.iter().and([condition]).list(),
             Self::Home(..) => Vec::new(),
             Self::LeadsTo { from, to, .. } => vec![from, to],
             Self::Before { first, then } => vec![first, then],

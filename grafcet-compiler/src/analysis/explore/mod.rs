@@ -137,7 +137,7 @@ impl Exploration {
     }
 
     fn judge(&mut self, sooner: Option<&Graph>, pieces: &[Graph]) {
-        for graph in sooner.into_iter().chain([&self.whole]).chain(pieces) {
+        for graph in sooner.into_iter().and([&self.whole]).and(pieces) {
             let report = Report { net: &self.net, graph };
             for (step, activation) in report.activations() {
                 self.unsafe_steps.or_insert_with(step, || activation);

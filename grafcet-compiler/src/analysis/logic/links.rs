@@ -82,8 +82,8 @@ impl Links {
             let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| (&link.formula, false));
             let values = if assuming { atoms.compared(atom) } else { Vec::new() };
             let compared = values.iter().filter_map(|value| self.compared.get(value)).flatten();
-            let assumed = self.assumed.get(&atom).into_iter().flatten().chain(compared).map(|formula| (formula, true));
-            for (formula, is_assumed) in own.chain(assumed) {
+            let assumed = self.assumed.get(&atom).into_iter().flatten().and(compared).map(|formula| (formula, true));
+            for (formula, is_assumed) in own.and(assumed) {
                 if found.iter().any(|known| Rc::ptr_eq(&known.formula, formula)) {
                     continue;
                 }
@@ -95,7 +95,7 @@ impl Links {
                 found.push(Fact { formula: Rc::clone(formula), is_assumed });
             }
         }
-        let between = steps(model, concurrency, atoms, asked).into_iter().chain(delays(model, atoms, asked));
+        let between = steps(model, concurrency, atoms, asked).into_iter().and(delays(model, atoms, asked));
         found.extend(between.map(|formula| Fact { formula: Rc::new(formula), is_assumed: false }));
         found
     }
@@ -194,7 +194,7 @@ fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked:
     }
     let single = single.iter().map(|(atom, steps)| Activity { atom: *atom, steps });
     let macros = macros.iter().map(|(atom, id)| Activity { atom: *atom, steps: &model.macros[*id].steps });
-    let all: Vec<Activity<'_>> = single.chain(macros).list();
+    let all: Vec<Activity<'_>> = single.and(macros).list();
     let mut found = Vec::new();
     for (i, a) in all.iter().enumerate() {
         for b in &all[i + 1..] {

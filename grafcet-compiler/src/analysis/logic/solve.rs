@@ -67,7 +67,7 @@ impl Search<'_> {
         let Some(first) = open.pop() else { return self.settle(domains, depth) };
         let depth = depth.checked_sub(1).ok_or(Undecided)?;
         for way in self.ways(first, &domains)? {
-            let goals = open.iter().copied().chain(way).list();
+            let goals = open.iter().copied().and(way).list();
             if let Some(found) = self.search(domains.clone(), goals, depth)? {
                 return Ok(Some(found));
             }
@@ -130,7 +130,7 @@ impl Search<'_> {
         for part in parts {
             if self.value(part, domains)?.is_none() {
                 self.pay(before.len())?;
-                ways.push(before.iter().copied().chain([(part, wanted)]).list());
+                ways.push(before.iter().copied().and([(part, wanted)]).list());
                 before.push((part, !wanted));
             }
         }

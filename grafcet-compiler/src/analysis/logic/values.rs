@@ -7,6 +7,7 @@ use super::solve::{Domains, Search, Undecided};
 use crate::analysis::differences::{Differences, FAR};
 use crate::analysis::numbers::{float, range};
 use crate::analysis::terms::{Demands, Terms, Told, integer};
+use crate::list::List;
 use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::{Map, Set};
 
@@ -116,8 +117,8 @@ impl Values {
     fn gap(&self, domains: &Domains) -> Option<(AtomId, Vec<Ranges>)> {
         let orders = self.orders.iter().map(|(atom, ..)| (*atom, true));
         let numbers = self.compared.iter().filter_map(|value| Some((value.number?, false)));
-        let computed = self.computed.iter().flat_map(|computed| &computed.numbers).map(|(atom, _)| (*atom, false));
-        orders.chain(numbers).chain(computed).find_map(|(atom, is_order)| {
+        let computed = self.computed.iter().flat(|computed| &computed.numbers).map(|(atom, _)| (*atom, false));
+        orders.and(numbers).and(computed).find_map(|(atom, is_order)| {
             let domain = domains.get(&atom)?;
             let mut parts = domain.parts();
             let (low, high) = domain.hull()?;

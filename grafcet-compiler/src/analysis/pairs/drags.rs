@@ -15,7 +15,7 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>
         let mut given: Set<usize> = own.clone();
         given.extend((0..terms.all.len()).filter(|term| follows(terms.all[*term], &sources, may_meet)));
         let mut held: Vec<usize> = terms.without.clone();
-        held.extend(given.iter().flat_map(|term| terms.first_in[*term].iter().copied()));
+        held.extend(given.iter().flat(|term| terms.first_in[*term].iter().copied()));
         held.retain(|other| {
             let theirs = &model.transitions[TransitionId::new(*other)];
             *other != id.index()

@@ -139,7 +139,7 @@ impl Resolver<'_> {
 
     /// The steps of a target: of a macro-step all of its expansion.
     fn all_of(&self, node: &Node) -> Set<StepId> {
-        let steps = super::chains::names(node).iter().flat_map(|name| match self.scope.get(name) {
+        let steps = super::chains::names(node).iter().flat(|name| match self.scope.get(name) {
             Some(Meaning::Step(step)) => vec![step],
             Some(Meaning::Macro(id)) => self.model.macros[id].steps.clone(),
             _ => Vec::new(),
@@ -307,7 +307,7 @@ fn active(steps: &[StepId], mark: Mark) -> Expr {
                 right: Box::new(right.tokens),
             });
             let tree = Tree::Binary(Binary::Or, Box::new(left.tree), Box::new(right.tree));
-            (tree, tokens, left.reads.into_iter().chain(right.reads).list())
+            (tree, tokens, left.reads.into_iter().and(right.reads).list())
         }
     };
     Expr { tree, tokens, reads, text: String::new(), mark }

@@ -136,7 +136,7 @@ impl Resolver<'_> {
     }
 
     fn declare_partial(&mut self, inner: &ast::Partial, enclosed_by: Option<StepId>) -> PartialId {
-        let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().list();
+        let levels = inner.attrs.levels.iter().and(&inner.body.levels).cloned().list();
         let id =
             self.model.partials.push(partial(Some(spelled(&inner.name)), enclosed_by, &inner.attrs.passed_on, levels));
         self.partials.push(id);
@@ -319,7 +319,7 @@ pub(super) fn first_paragraph(attrs: &[syn::Attribute]) -> String {
         _ => None,
     };
     let lines: Vec<String> = attrs.iter().filter_map(text).list();
-    let lines = lines.iter().flat_map(|text| text.lines().map(str::trim).chain(text.is_empty().then_some("")));
+    let lines = lines.iter().flat(|text| text.lines().map(str::trim).and(text.is_empty().then_some("")));
     let words: Vec<&str> = lines.skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty()).list();
     words.join(" ")
 }

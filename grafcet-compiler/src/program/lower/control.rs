@@ -12,9 +12,11 @@
 use super::Lower;
 use super::places::plain;
 use super::view::Moment;
+use crate::list::List;
 use crate::model::{ActionId, Association, AssociationId, Effect, Id, Model, Place, Qualifier, TimeRef};
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
+use crate::sorted::sort_by_key;
 
 /// A31: what associations are combined for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -293,13 +295,13 @@ impl<'m> Lower<'_, 'm> {
                     _ => {
                         let by =
                             setter.flatten().map(|by| compare(Comparison::Equal, Expr::Place(by), number(id.index())));
-                        all(by.into_iter().chain([term.holds.clone()]).collect())
+                        all(by.into_iter().and([term.holds.clone()]).collect())
                     }
                 };
                 acting.push((id, acts));
             }
         }
-        acting.sort_by_key(|(id, _)| *id);
+        sort_by_key(&mut acting, |(id, _)| *id);
         let mut notes = Vec::new();
         for (id, acts) in acting {
             when(&mut notes, acts, vec![Statement::Set(acted, number(id.index()))]);

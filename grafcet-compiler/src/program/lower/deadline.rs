@@ -3,6 +3,7 @@
 use super::Lower;
 use super::changes::{Change, changes};
 use super::clocks::{Clock, literal};
+use crate::list::List;
 use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
 use crate::program::build::{all, any, at_least, below, choose, compare, not, sub, ticks};
 use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value};
@@ -54,7 +55,7 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         for association in model.associations.values() {
-            let mut asked: Vec<&Written> = association.condition.iter().chain(&association.event).collect();
+            let mut asked: Vec<&Written> = association.condition.iter().and(&association.event).collect();
             if association.qualifier == Qualifier::N {
                 asked.extend(association.effect.expressions());
             }
@@ -63,7 +64,7 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         // Edges and delays are sampled in every cycle.
-        let sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
+        let sampled = model.edges.values().map(|edge| &edge.of).and(model.delays.values().map(|delay| &delay.of));
         for of in sampled {
             if of.tree.may_differ() {
                 found.push(Expr::Value(Value::Bool(true)));
@@ -94,7 +95,7 @@ impl<'m> Lower<'_, 'm> {
                 let open = passed.map(|passed| not(Expr::Place(passed)));
                 // What takes no time is never waited for.
                 if literal(change) != Some(0) {
-                    waits.push((all([active].into_iter().chain(open).collect()), end));
+                    waits.push((all([active].into_iter().and(open).collect()), end));
                 }
             }
             Change::Always => waits.push((active, ticks(1))),

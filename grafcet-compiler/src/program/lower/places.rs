@@ -217,7 +217,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         let (mut early, mut late) = (Set::new(), Set::new());
         for transition in model.transitions.values() {
             self.edges_in(&transition.condition.reads, &mut early);
-            for reads in transition.clearing.iter().flat_map(Effect::reads) {
+            for reads in transition.clearing.iter().flat(Effect::reads) {
                 self.edges_in(reads, &mut early);
             }
         }

@@ -1,6 +1,7 @@
 //! The cycle of an `sfc`, IEC 61131-3: one evolution, then the actions.
 
 use super::Lower;
+use crate::list::List;
 use crate::model::{Id, Name, Read, StepId};
 use crate::program::build::{all, any, differ, no, not, part, when, yes};
 use crate::program::{Expr, Mark, PlaceId, Statement};
@@ -147,7 +148,7 @@ impl<'m> Lower<'_, 'm> {
         for (place, copy) in kept {
             moves.push(differ(*place, *copy));
         }
-        moves.extend(self.turned.into_iter().chain(self.opaque_ran).map(Expr::Place));
+        moves.extend(self.turned.into_iter().and(self.opaque_ran).map(Expr::Place));
         vec![Statement::Set(settled, not(any(moves)))]
     }
 }

@@ -4,6 +4,7 @@
 use super::Lower;
 use super::clocks::Clock;
 use super::view::Moment;
+use crate::list::List;
 use crate::model::{Blinker, Id, MacroId};
 use crate::program::build::{add, all, any, at_least, choose, differ, no, not, ticks, when, zero};
 use crate::program::{Expr, Role, Statement};
@@ -19,7 +20,7 @@ impl<'m> Lower<'_, 'm> {
         }
         body.push(Statement::Set(reading, Expr::Now));
         let mut begun = Vec::new();
-        for clock in self.time.iter().chain(&self.macro_time).flatten() {
+        for clock in self.time.iter().and(&self.macro_time).flatten() {
             match (*clock, self.elapsed) {
                 (Clock::Counted(time), Some(elapsed)) => {
                     body.push(Statement::Set(time, add(Expr::Place(time), Expr::Place(elapsed))));
@@ -42,7 +43,7 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn keep_times(&self) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         let steps = self.time.iter().zip(&self.reached);
-        for (time, reached) in steps.chain(self.macro_time.iter().zip(&self.macro_reached)) {
+        for (time, reached) in steps.and(self.macro_time.iter().zip(&self.macro_reached)) {
             if let (Some(time), Some(reached)) = (time, reached) {
                 body.push(Statement::Set(*reached, time.passed(Expr::Now)));
             }

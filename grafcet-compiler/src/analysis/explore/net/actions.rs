@@ -83,17 +83,17 @@ impl Actions {
 
     /// The formulas that actions evaluate.
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
-        let targets = self.targets.iter().flat_map(|target| match target {
+        let targets = self.targets.iter().flat(|target| match target {
             Target::Control { by, .. } | Target::Assigned { by, .. } => by.iter(),
             Target::Own(action) => std::slice::from_ref(action).iter(),
         });
         let mut formulas = Vec::new();
-        for action in self.stored.iter().chain(self.clearing.values().flatten()).chain(targets) {
-            formulas.extend(action.event.iter().chain(&action.condition));
+        for action in self.stored.iter().and(self.clearing.values().flatten()).and(targets) {
+            formulas.extend(action.event.iter().and(&action.condition));
             collect(&action.program, &mut formulas);
         }
-        let rivals = self.rivals.iter().flat_map(|(a, b)| [a, b]);
-        formulas.extend(rivals.flat_map(|rival| &rival.conditions));
+        let rivals = self.rivals.iter().flat(|(a, b)| [a, b]);
+        formulas.extend(rivals.flat(|rival| &rival.conditions));
         formulas
     }
 

@@ -12,7 +12,7 @@ use crate::analysis::explore::valuation::knowledge::{Knowledge, Known, Learnt};
 use crate::analysis::numbers::is_computed;
 use crate::list::List;
 use crate::model::{Arena, Binary, Model, Tree};
-use crate::sorted::{Map, sort};
+use crate::sorted::{Map, sort, sort_unstable};
 
 /// How far a number lies above another, as an atom.
 #[derive(Debug)]
@@ -148,7 +148,7 @@ impl Links {
     /// Whether there are numbers of which all this is true; `unclear` are the atoms of which that is not known.
     fn allow(&self, knowledge: &Knowledge, tries: &mut Tries, left: &mut u64, unclear: &mut Vec<AtomId>) -> bool {
         let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
-        asked.sort_unstable();
+        sort_unstable(&mut asked);
         asked.dedup();
         for number in asked {
             let allowed = match &self.groups[number] {
