@@ -87,6 +87,17 @@ pub(crate) trait List: Iterator + Sized {
 
 impl<I: Iterator> List for I {}
 
+/// Puts what an iterator yields behind what is there: `extend`.
+pub(crate) trait PushAll<T> {
+    fn push_all(&mut self, items: impl IntoIterator<Item = T>);
+}
+
+impl<T> PushAll<T> for Vec<T> {
+    fn push_all(&mut self, items: impl IntoIterator<Item = T>) {
+        fill(self, &mut items.into_iter());
+    }
+}
+
 /// An iterator behind a pointer. With that of the standard library goes a table of all that it could do beside, and with a closure one
 /// function more.
 trait Source<T> {

@@ -1,7 +1,7 @@
 //! Transitions that compete for a step: which never get their turn (`sfc`), and which can clear together (`grafcet`).
 
 use super::{Answer, Concurrency, Condition, Logic};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -64,7 +64,7 @@ impl Branches<'_> {
             if model.is_grafcet() {
                 self.overlapping(id, &before, &mut found);
             } else {
-                found.shadowed.extend(self.shadowed(id, &before));
+                found.shadowed.push_all(self.shadowed(id, &before));
             }
         }
         found

@@ -1,7 +1,7 @@
 //! Conditions that always have the same value, whatever the inputs.
 
 use super::{Answer, Condition, Logic};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, Expr, Model, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -83,7 +83,7 @@ pub(crate) fn apart(logic: &Logic<'_>, tree: &Tree) -> Option<(StepId, StepId)> 
     let mut open = vec![tree];
     while let Some(tree) = open.pop() {
         match tree {
-            Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.extend([&**b, &**a]),
+            Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.push_all([&**b, &**a]),
             Tree::Read(Read::Active(step)) => steps.push(*step),
             _ => {}
         }

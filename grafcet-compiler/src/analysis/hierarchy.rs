@@ -1,6 +1,6 @@
 //! Which partial grafcets act on which, and the initial situation that follows from it.
 
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Model, PartialId, StepId};
 use crate::sorted::Set;
 
@@ -15,7 +15,7 @@ pub fn top_down(model: &Model) -> Vec<PartialId> {
         let Some(next) = waiting.iter().position(ready) else { break };
         order.push(waiting.remove(next));
     }
-    order.extend(waiting);
+    order.push_all(waiting);
     order
 }
 

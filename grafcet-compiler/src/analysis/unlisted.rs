@@ -2,7 +2,7 @@
 //! is known. What would follow from a list, `mode: Mode in {…}`.
 
 use super::{Condition, Logic};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, Model, Name, Read, Tree, Ty, Unary};
 
 /// More of them are not compared with each other.
@@ -58,7 +58,7 @@ fn never(logic: &Logic<'_>, name: Name, variants: &[Tree]) -> Vec<Condition> {
         let (is, differs) = (of(Binary::Eq, variant), of(Binary::Ne, variant));
         never.push(both(is.clone(), differs.clone()));
         never.push(both(not(is.clone()), not(differs)));
-        never.extend(variants[..at].iter().map(|other| both(is.clone(), of(Binary::Eq, other))));
+        never.push_all(variants[..at].iter().map(|other| both(is.clone(), of(Binary::Eq, other))));
     }
     never
 }

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use super::targets;
 use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Effect, Expr, Model, Name, Place, Read, Ty, VarId};
 use crate::plan::is_stored;
 use crate::sorted::Set;
@@ -49,12 +49,12 @@ fn expressions(model: &Model) -> Vec<(&[Read], TokenStream)> {
     let effects = model.effects();
     let mut exprs: Vec<&Expr> = model.transitions.values().map(|t| &t.condition).list();
     for association in model.associations.values() {
-        exprs.extend(association.condition.iter().and(&association.event));
+        exprs.push_all(association.condition.iter().and(&association.event));
     }
-    exprs.extend(model.edges.values().map(|edge| &edge.of));
-    exprs.extend(model.delays.values().map(|delay| &delay.of));
+    exprs.push_all(model.edges.values().map(|edge| &edge.of));
+    exprs.push_all(model.delays.values().map(|delay| &delay.of));
     for effect in &effects {
-        exprs.extend(effect.expressions());
+        exprs.push_all(effect.expressions());
     }
     let mut all: Vec<(&[Read], TokenStream)> = Vec::new();
     for expr in exprs {

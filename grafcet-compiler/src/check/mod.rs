@@ -30,7 +30,7 @@ pub use initial::initial_values;
 use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races, mixed};
 use crate::diagnostic::{Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, Name, Read, TransitionId, Tree};
 use crate::sorted::Set;
 use rulings::Rulings;
@@ -90,7 +90,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
     };
     let mut stays = waits::check(model, structure, exploration, &never_clear, &mut told, sink);
-    stays.extend(reach::dead_ends(model, &never_clear, sink));
+    stays.push_all(reach::dead_ends(model, &never_clear, sink));
     let known = properties::Told { stays: &stays, partings: &partings, rulings: &rulings };
     properties::homes(model, &claims, limits, &known, sink);
     silent::check(model, exploration, &dead, told, sink);

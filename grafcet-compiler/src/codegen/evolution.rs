@@ -9,7 +9,7 @@ use super::bind::Moment;
 use super::branches::Branch;
 use super::situation::At;
 use super::{Cx, names};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::place::quote;
 use crate::plan::{Form, RegionId};
@@ -156,7 +156,7 @@ impl Cx<'_> {
         }
         for (_, steps) in alike {
             if steps.len() < ALIKE {
-                arms.extend(steps.into_iter().map(|step| vec![step]));
+                arms.push_all(steps.into_iter().map(|step| vec![step]));
             } else {
                 arms.push(steps);
             }
@@ -354,11 +354,11 @@ impl Cx<'_> {
             } else {
                 writes.push(self.enter(*target));
             }
-            writes.extend(self.begin_time(*target, transition));
+            writes.push_all(self.begin_time(*target, transition));
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
         let below = self.below(transition);
-        writes.extend(self.overwrite_below(&below));
+        writes.push_all(self.overwrite_below(&below));
         let (actions, at_once) = (self.acts_on_clearing(id), self.stored_at_once(transition, &below));
         let (writes, end) = (self.few_at_a_time(&writes), self.end_below(transition.partial, &below));
         quote!(#actions #at_once #writes #moved #end)

@@ -6,7 +6,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::place::quote;
 use crate::plan::{LeftOver, RegionId, Target, source_order};
@@ -119,7 +119,8 @@ impl Cx<'_> {
             }
             order.push(id);
             if let Some(place) = assigned(id) {
-                order.extend(source_order(self.model).filter(|other| *other != id && assigned(*other) == Some(place)));
+                order
+                    .push_all(source_order(self.model).filter(|other| *other != id && assigned(*other) == Some(place)));
             }
         }
         order

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use super::control::set_by;
 use super::machine::{Field, Machine};
 use super::{Cx, derives, names, recipe, types};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Place, Qualifier};
 use crate::place::quote;
 use crate::plan::{RegionId, Target, What};
@@ -188,10 +188,10 @@ impl Cx<'_> {
 
     pub(super) fn fields(&self) -> Vec<Field> {
         let mut fields = self.region_fields();
-        fields.extend(self.place_fields());
-        fields.extend(self.time_fields());
-        fields.extend(self.control_fields());
-        fields.extend(self.call_fields());
+        fields.push_all(self.place_fields());
+        fields.push_all(self.time_fields());
+        fields.push_all(self.control_fields());
+        fields.push_all(self.call_fields());
         fields
     }
 
@@ -234,7 +234,7 @@ impl Cx<'_> {
         let stored = self.plan.memory.stored.iter().map(|id| output(*id, names::output_field(self.model, *id)));
         let last = self.plan.memory.last.iter().map(|id| output(*id, names::output_last_field(self.model, *id)));
         let mut fields: Vec<_> = stored.and(last).list();
-        fields.extend(self.plan.memory.vars.iter().map(|id| {
+        fields.push_all(self.plan.memory.vars.iter().map(|id| {
             let var = &self.model.vars[*id];
             Field {
                 name: names::var_field(self.model, *id),
@@ -244,10 +244,10 @@ impl Cx<'_> {
         }));
         // After a value that was true no edge rises: there is none in the first cycle (A26).
         let edges = self.plan.memory.edges.iter();
-        fields.extend(
+        fields.push_all(
             edges.map(|(id, rising, falling)| self.flag(&names::edge_field(*id).to_string(), *rising && !falling)),
         );
-        fields.extend(
+        fields.push_all(
             self.plan
                 .memory
                 .late_edges
@@ -264,14 +264,14 @@ impl Cx<'_> {
         let p = &self.p;
         let ticks = |name| Field { name, ty: quote!(#p::Ticks), initial: quote!(#p::Ticks::ZERO) };
         let mut fields = vec![ticks(names::local("now"))];
-        fields.extend(self.left_over_field().map(|(name, ty, initial)| Field { name, ty, initial }));
-        fields.extend(self.timed_regions().map(|region| {
+        fields.push_all(self.left_over_field().map(|(name, ty, initial)| Field { name, ty, initial }));
+        fields.push_all(self.timed_regions().map(|region| {
             let (name, time) = (names::step_time(region, self.plan), self.time_type(region));
             Field { name, initial: quote!(#time::ZERO), ty: time }
         }));
-        fields.extend(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
-        fields.extend((0..self.plan.memory.phases.len()).map(|index| ticks(names::phase(index))));
-        fields.extend(self.model.delays.ids().map(|id| Field {
+        fields.push_all(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
+        fields.push_all((0..self.plan.memory.phases.len()).map(|index| ticks(names::phase(index))));
+        fields.push_all(self.model.delays.ids().map(|id| Field {
             name: names::delay_field(id),
             ty: quote!(#p::Delay),
             initial: quote!(#p::Delay::new()),

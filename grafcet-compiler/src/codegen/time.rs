@@ -6,7 +6,7 @@ use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
 use crate::place::quote;
 use crate::plan::{Counted, Phase, RegionId};
@@ -243,8 +243,8 @@ impl Cx<'_> {
     fn samples(&self) -> Vec<Sample> {
         let mut order = Vec::new();
         let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).list();
-        waiting.extend(self.model.delays.ids().map(Sample::Delay));
-        waiting.extend(self.plan.memory.combinational.iter().copied().map(Sample::Combinational));
+        waiting.push_all(self.model.delays.ids().map(Sample::Delay));
+        waiting.push_all(self.plan.memory.combinational.iter().copied().map(Sample::Combinational));
         while let Some(next) = waiting.iter().position(|sample| !self.looks_at(*sample, &waiting)) {
             order.push(waiting.remove(next));
         }

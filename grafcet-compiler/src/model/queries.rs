@@ -8,7 +8,7 @@ use super::{
     TransitionId, Tree, Ty, Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
-use crate::list::List;
+use crate::list::{List, PushAll};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays; and what
@@ -18,14 +18,14 @@ impl Model {
         let mut all: Vec<&[Read]> = Vec::new();
         for transition in self.transitions.values() {
             all.push(&transition.condition.reads);
-            all.extend(transition.clearing.iter().flat(Effect::reads));
+            all.push_all(transition.clearing.iter().flat(Effect::reads));
         }
         for association in self.associations.values() {
-            all.extend(association.reads());
+            all.push_all(association.reads());
         }
-        all.extend(self.edges.values().map(|edge| &edge.of.reads[..]));
-        all.extend(self.delays.values().map(|delay| &delay.of.reads[..]));
-        all.extend(self.steps.values().filter_map(|step| step.late.as_ref()).map(slice::from_ref));
+        all.push_all(self.edges.values().map(|edge| &edge.of.reads[..]));
+        all.push_all(self.delays.values().map(|delay| &delay.of.reads[..]));
+        all.push_all(self.steps.values().filter_map(|step| step.late.as_ref()).map(slice::from_ref));
         all
     }
 
@@ -46,7 +46,7 @@ impl Model {
     pub fn effects(&self) -> Vec<&Effect> {
         let mut all: Vec<&Effect> = self.associations.values().map(|association| &association.effect).list();
         for transition in self.transitions.values() {
-            all.extend(&transition.clearing);
+            all.push_all(&transition.clearing);
         }
         all
     }
@@ -326,7 +326,7 @@ impl Association {
     #[must_use]
     pub fn reads(&self) -> Vec<&[Read]> {
         let mut all: Vec<&[Read]> = self.condition.iter().and(&self.event).map(|expr| &expr.reads[..]).list();
-        all.extend(self.effect.reads());
+        all.push_all(self.effect.reads());
         all
     }
 }

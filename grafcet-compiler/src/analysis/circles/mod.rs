@@ -17,7 +17,7 @@ use std::rc::Rc;
 use self::run::{Node, Outcome, Run};
 use self::view::View;
 use super::{Answer, Concurrency, Condition, Logic, combinational, hierarchy};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
@@ -176,7 +176,7 @@ impl<'m> Circles<'m> {
                     parent: None,
                     cleared: Vec::new(),
                 };
-                found.extend(self.endless(Some(held)).into_iter().flatten());
+                found.push_all(self.endless(Some(held)).into_iter().flatten());
             }
         }
         found

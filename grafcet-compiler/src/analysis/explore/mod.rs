@@ -38,7 +38,7 @@ use self::search::{Search, settles as stability};
 use self::verdicts::Report;
 use self::verdicts::future::Future;
 use super::{Concurrency, Nesting};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
@@ -144,8 +144,8 @@ impl Exploration {
             }
             if graph.complete {
                 let future = Future::of(&self.net, graph);
-                self.deadlocks.extend(report.deadlocks(&future));
-                self.stuck_joins.extend(report.stuck_joins(&future));
+                self.deadlocks.push_all(report.deadlocks(&future));
+                self.stuck_joins.push_all(report.stuck_joins(&future));
             }
         }
         let most = |graph: &Graph| graph.states.iter().map(|state| state.active.len()).max().unwrap_or(0);
@@ -163,7 +163,7 @@ impl Exploration {
             }
         }
         let known: Vec<Vec<StepId>> = self.deadlocks.iter().map(|deadlock| deadlock.steps.clone()).list();
-        self.deadlocks.extend(deadlocks.into_iter().filter(|deadlock| !known.contains(&deadlock.steps)));
+        self.deadlocks.push_all(deadlocks.into_iter().filter(|deadlock| !known.contains(&deadlock.steps)));
         for stuck in stuck_joins {
             let same = |other: &StuckJoin| (other.join, other.waiting) == (stuck.join, stuck.waiting);
             if !self.stuck_joins.iter().any(same) {

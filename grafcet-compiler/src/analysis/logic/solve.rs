@@ -6,7 +6,7 @@
 use super::formula::{AtomId, Formula};
 use super::ranges::Ranges;
 use super::values::Values;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::sorted::Map;
 
 /// A function and the value it shall have.
@@ -96,8 +96,8 @@ impl Search<'_> {
                     }
                 }
                 Formula::Not(inner) => goals.push((inner, !wanted)),
-                Formula::All(parts) if wanted => goals.extend(parts.iter().map(|part| (part, true))),
-                Formula::Any(parts) if !wanted => goals.extend(parts.iter().map(|part| (part, false))),
+                Formula::All(parts) if wanted => goals.push_all(parts.iter().map(|part| (part, true))),
+                Formula::Any(parts) if !wanted => goals.push_all(parts.iter().map(|part| (part, false))),
                 _ => open.push((formula, wanted)),
             }
         }

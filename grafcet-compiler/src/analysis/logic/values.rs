@@ -7,7 +7,7 @@ use super::solve::{Domains, Search, Undecided};
 use crate::analysis::differences::{Differences, FAR};
 use crate::analysis::numbers::{float, range};
 use crate::analysis::terms::{Demands, Terms, Told, integer};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::{Map, Set};
 
@@ -183,7 +183,7 @@ impl Computed {
         }
         for (id, key, before) in keys(atoms, asked) {
             if let Key::Boolean(tree) = key {
-                all.numbers.extend(all.terms.of(tree, before).map(|term| (id, term)));
+                all.numbers.push_all(all.terms.of(tree, before).map(|term| (id, term)));
             }
         }
         all
@@ -193,7 +193,7 @@ impl Computed {
         let mut demands = Demands::default();
         let hull = |atom: &AtomId| domains.get(atom).and_then(Ranges::hull);
         for (atom, term) in &self.numbers {
-            demands.spans.extend(hull(atom).map(|span| (*term, span)));
+            demands.spans.push_all(hull(atom).map(|span| (*term, span)));
         }
         for (atom, a, b) in &self.orders {
             let Some((low, high)) = hull(atom) else { continue };

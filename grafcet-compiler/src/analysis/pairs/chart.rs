@@ -2,7 +2,7 @@
 
 use super::demands::{Demand, holds};
 use super::{Relation, drags};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
 use crate::sorted::{Set, sort};
 
@@ -54,7 +54,7 @@ impl Chart {
         for (id, partial) in model.partials.iter() {
             if let Some(outer) = partial.enclosed_by {
                 let linked = partial.steps.iter().filter(|step| model.steps[**step].linked);
-                chart.links[outer.index()].extend(linked.map(|step| step.index()));
+                chart.links[outer.index()].push_all(linked.map(|step| step.index()));
             }
             for force in model.forces.values().filter(|force| force.target == id) {
                 chart.commands[force.step.index()].push(id.index());

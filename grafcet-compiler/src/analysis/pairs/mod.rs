@@ -22,7 +22,7 @@ use self::chart::{Arc, Chart};
 use self::demands::Demand;
 use super::Relation;
 use super::hierarchy::initial_situation;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, TransitionId};
 use crate::sorted::Set;
 
@@ -167,7 +167,7 @@ impl<'m> Search<'m> {
             self.queue_all(&chart.needing[b]);
             for (one, other) in [(a, b), (b, a)] {
                 let forced = chart.forces[one].iter().flat(|(_, forced)| forced);
-                pairs.extend(forced.map(|step| (*step, other)));
+                pairs.push_all(forced.map(|step| (*step, other)));
             }
         }
     }

@@ -6,7 +6,7 @@ mod causes;
 
 use super::explore::{Limits, Rival, rivals_meeting};
 use super::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Association, AssociationId, Effect, Expr, Id, Model, Name, Place, Qualifier, Read, StepId, TransitionId, Tree,
     Trigger, Unary,
@@ -217,7 +217,7 @@ impl<'m> Race<'m> {
             Cause::Transition(id) => {
                 let transition = &self.model.transitions[id];
                 all.push(self.logic.condition(&transition.condition.tree));
-                all.extend(transition.sources.iter().map(active));
+                all.push_all(transition.sources.iter().map(active));
             }
             Cause::While(step) if self.model.is_grafcet() => all.push(active(&step)),
             Cause::While(_) => {}

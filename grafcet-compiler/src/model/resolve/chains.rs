@@ -7,7 +7,7 @@ use super::scope::Meaning;
 use super::{Resolver, expr, otherwise};
 use crate::ast::{self, Arrow, Condition, Node};
 use crate::diagnostic::{Mark, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
 use crate::similar;
 use crate::sorted::Set;
@@ -350,7 +350,7 @@ impl Resolver<'_> {
                 let message = format!("this does not say what `{name}` becomes; write `{name} = …`");
                 self.sink.rule(&rules::WRONG_TARGET, &[], vec![(clearing.mark, message)]);
             }
-            effects.extend(effect);
+            effects.push_all(effect);
         }
         effects
     }

@@ -7,7 +7,7 @@ use super::scope::{Meaning, refuse_reserved, spelled};
 use super::{Resolver, expr};
 use crate::ast::{self, DeclKind, Item, StepKind, Time};
 use crate::diagnostic::{Mark, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, TimeRef,
     Tree, Ty, Unary, Var,
@@ -168,7 +168,7 @@ impl Resolver<'_> {
         });
         self.steps.push(id);
         self.model.partials[partial].steps.push(id);
-        self.withins.extend(step.within.clone().map(|within| (id, within)));
+        self.withins.push_all(step.within.clone().map(|within| (id, within)));
         // A second step of a name is not on its own: what is drawn to it cannot be told from the first, nor what is drawn
         // from a step `any` from what is drawn from all.
         let told_apart = self.scope.declare(&step.name, Meaning::Step(id), self.sink) && step.name != "any";

@@ -280,7 +280,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             return plain(name);
         }
         let side = |steps: &[StepId]| {
-            let names: Vec<String> = steps.iter().map(|step| self.step_name(*step)).collect();
+            let names: Vec<String> = steps.iter().map(|step| self.step_name(*step)).list();
             if names.len() == 1 { names.concat() } else { format!("({})", names.join(",")) }
         };
         format!("{}→{}", side(&transition.sources), side(&transition.targets))

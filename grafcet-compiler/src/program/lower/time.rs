@@ -72,7 +72,7 @@ impl<'m> Lower<'_, 'm> {
 
     /// The time and the phases of a region or macro-step, set to zero.
     fn counters(&self, of: Role, time: Option<Clock>) -> Vec<Statement<'m>> {
-        let mut all: Vec<Statement<'m>> = time.into_iter().map(Clock::begin).collect();
+        let mut all: Vec<Statement<'m>> = time.into_iter().map(Clock::begin).list();
         for phases in &self.phases {
             let same = match (of, phases.role) {
                 (Role::Time(region), Role::Phase { region: other, .. }) => region == other,
@@ -92,7 +92,7 @@ impl<'m> Lower<'_, 'm> {
         let mut body = Vec::new();
         if let Some(passed) = self.passed {
             let over = self.outlasted.iter().map(|(of, end)| self.is_over(*of, *end));
-            body.push(Statement::Set(passed, any(over.collect())));
+            body.push(Statement::Set(passed, any(over.list())));
         }
         for (of, longest) in &self.bounds {
             let Some(clock) = self.clock(*of) else { continue };
@@ -123,12 +123,12 @@ impl<'m> Lower<'_, 'm> {
             };
         }
         let steps = &self.regions.all()[region].steps;
-        any(steps.iter().map(|step| Expr::Place(self.entered[step.index()])).collect())
+        any(steps.iter().map(|step| Expr::Place(self.entered[step.index()])).list())
     }
 
     /// Whether `M.X` has just become true.
     fn rises(&self, id: MacroId) -> Expr<'m> {
-        let is = any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).collect());
+        let is = any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).list());
         all(vec![is, not(self.macro_active(id, Moment::Before))])
     }
 }

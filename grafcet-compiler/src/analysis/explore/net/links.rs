@@ -10,7 +10,7 @@ use crate::analysis::explore::valuation::Valuation;
 use crate::analysis::explore::valuation::computed::Computed;
 use crate::analysis::explore::valuation::knowledge::{Knowledge, Known, Learnt};
 use crate::analysis::numbers::is_computed;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Arena, Binary, Model, Tree};
 use crate::sorted::{Map, sort, sort_unstable};
 
@@ -220,7 +220,7 @@ impl Compared {
         for (position, operand) in all.iter().enumerate() {
             let (group, members) = groups.or_default(union.root(position));
             group.numbers.push((number(operand), operand.range));
-            group.atoms.extend(number(operand));
+            group.atoms.push_all(number(operand));
             members.push(position);
         }
         for (atom, a, b, is_float) in &pairs {
@@ -327,7 +327,7 @@ impl Valuation<'_> {
         if allowed && !unclear.is_empty() {
             self.late = true;
             let computed = unclear.into_iter().filter(|atom| links.is_computed(*atom));
-            self.granted.extend(computed.map(|atom| (atom, Known::Unknown)));
+            self.granted.push_all(computed.map(|atom| (atom, Known::Unknown)));
         }
         allowed
     }

@@ -15,7 +15,7 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::{AtomId, Formula};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{StepId, TransitionId};
 use crate::sorted::{Map, sort, sort_unstable};
 
@@ -129,7 +129,7 @@ pub(crate) fn groups(net: &Net, open: &[TransitionId]) -> Vec<Vec<TransitionId>>
     let mut union = Union::new(open.len());
     let mut by_source: Vec<(StepId, usize)> = Vec::new();
     for (position, transition) in open.iter().enumerate() {
-        by_source.extend(net.arcs[*transition].sources.iter().map(|step| (*step, position)));
+        by_source.push_all(net.arcs[*transition].sources.iter().map(|step| (*step, position)));
     }
     sort(&mut by_source);
     for pair in by_source.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
@@ -157,14 +157,14 @@ fn shared(net: &Net, groups: &[Vec<TransitionId>]) -> Vec<AtomId> {
     let mut uses: Vec<(AtomId, usize)> = Vec::new();
     for (number, group) in groups.iter().enumerate() {
         for transition in group {
-            uses.extend(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
+            uses.push_all(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
         }
     }
     sort(&mut uses);
     uses.dedup();
     let twice = uses.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[0].0);
     let mut shared: Vec<AtomId> = twice.list();
-    shared.extend(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
+    shared.push_all(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
     sort_unstable(&mut shared);
     shared.dedup();
     shared

@@ -8,7 +8,7 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
 use crate::analysis::explore::verdicts::rivals;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Dialect, StepId, TransitionId, Trigger};
 use crate::sorted::sort_unstable;
 
@@ -54,7 +54,7 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
             || after != valuation.now.active
             || outcome.writes.iter().any(|(slot, bit)| valuation.now.slots[*slot] != *bit);
         if !changes {
-            done.cleared.extend(cleared);
+            done.cleared.push_all(cleared);
             done.too_long = evolutions > net.max_evolutions;
             return When::Sample;
         }
@@ -68,7 +68,7 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
         } else if !net.calls.is_empty() {
             valuation.forget_calls();
         }
-        done.cleared.extend(cleared);
+        done.cleared.push_all(cleared);
         commit(valuation, after, outcome.writes);
         done.transient.push(valuation.now.active.clone());
         if !valuation.to_the_turn {

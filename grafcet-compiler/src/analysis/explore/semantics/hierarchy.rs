@@ -2,7 +2,7 @@
 
 use super::{Done, evolve as clear, note_doubled};
 use crate::analysis::explore::net::{Net, Order};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{StepId, TransitionId};
 use crate::sorted::sort_unstable;
 
@@ -33,11 +33,11 @@ pub(crate) fn evolve(
                 let left: Vec<StepId> = own.iter().flat(|t| &net.arcs[*t].sources).copied().list();
                 let targets: Vec<StepId> = own.iter().flat(|t| &net.arcs[*t].targets).copied().list();
                 note_doubled(net, before, &left, &own, done);
-                cleared.extend(own);
+                cleared.push_all(own);
                 clear(&here, &left, &targets)
             }
         };
-        after.extend(later);
+        after.push_all(later);
         sort_unstable(&mut after);
     }
     sort_unstable(&mut cleared);

@@ -5,7 +5,7 @@ use crate::analysis::explore::net::actions::{Action, Command, Target, Timed};
 use crate::analysis::explore::net::formula::Formula;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::valuation::{State, Valuation, When};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Dialect, Qualifier, StepId, TransitionId, Trigger};
 use crate::sorted::{sort_by_key, sort_unstable};
 
@@ -75,7 +75,7 @@ fn act(valuation: &mut Valuation<'_>, change: &Change) {
     let steps = change.before.iter().and(&valuation.now.active);
     let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().list();
     let lasting = net.actions.lasting.iter().filter(|(slot, _)| valuation.now.slots[*slot] != Bit::False);
-    numbers.extend(lasting.map(|(_, target)| *target));
+    numbers.push_all(lasting.map(|(_, target)| *target));
     sort_unstable(&mut numbers);
     numbers.dedup();
     let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();

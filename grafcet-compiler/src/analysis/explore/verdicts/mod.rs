@@ -14,7 +14,7 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::search::graph::{Cycle, Doubled, Graph};
 use crate::analysis::explore::valuation::knowledge::Known;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, PartialId, StepId, TransitionId};
 use crate::sorted::{Set, sort_unstable};
 
@@ -37,7 +37,7 @@ impl Report<'_> {
         if let Some(last) = path.cycles.last_mut().filter(|_| !ages.is_empty()) {
             let known = |given: &Given| ages.iter().any(|(atom, _)| self.net.atoms[*atom].what == given.what);
             last.given.retain(|given| !known(given));
-            last.given.extend(ages.iter().filter_map(|age| self.given(age)));
+            last.given.push_all(ages.iter().filter_map(|age| self.given(age)));
         }
         path
     }
