@@ -44,10 +44,11 @@ impl Text {
 
     /// Reads one token; or a place, or the end, where it says no.
     fn read(&mut self) -> bool {
-        let token = self.take();
-        match token.as_bytes() {
+        let start = self.take();
+        let token = &self.source.as_bytes()[start..self.read];
+        match token {
             [] => return false,
-            b"#" => match &self.source.as_bytes()[self.next()..] {
+            b"#" => match self.source.as_bytes()[self.next()..] {
                 [b'[', ..] => self.operator(token),
                 [b'(', ..] => return self.pass_repetition(),
                 _ => {
@@ -62,10 +63,12 @@ impl Text {
             // Of a lifetime, whose name comes next.
             b"'" => self.tokens.append(located(Punct::new('\'', Spacing::Joint), self.span)),
             [b'"' | b'0'..=b'9', ..] | [b'r', b'"' | b'#', ..] => {
-                let literal = token.parse::<Literal>().expect("rustc has read it");
+                let literal = self.source[start..self.read].parse::<Literal>().expect("rustc has read it");
                 self.tokens.append(located(literal, self.span));
             }
-            [first, ..] if is_of_word(*first) => self.tokens.append(Ident::new(token, self.span)),
+            [first, ..] if is_of_word(*first) => {
+                self.tokens.append(Ident::new(&self.source[start..self.read], self.span));
+            }
             _ => self.operator(token),
         }
         true
@@ -75,20 +78,21 @@ impl Text {
     fn pass_repetition(&mut self) -> bool {
         let mut depth = 0;
         loop {
-            match self.take() {
-                "(" | "[" | "{" => depth += 1,
-                ")" | "]" | "}" => depth -= 1,
-                "*" if depth == 0 => return false,
+            let start = self.take();
+            match &self.source.as_bytes()[start..self.read] {
+                b"(" | b"[" | b"{" => depth += 1,
+                b")" | b"]" | b"}" => depth -= 1,
+                b"*" if depth == 0 => return false,
                 _ => {}
             }
         }
     }
 
-    /// The text of the next token, empty at the end.
-    fn take(&mut self) -> &'static str {
+    /// Reads past the next token and says where it begins; at the end there is none and it is empty.
+    fn take(&mut self) -> usize {
         let start = self.next();
         self.read = start + length(&self.source.as_bytes()[start..]);
-        &self.source[start..self.read]
+        start
     }
 
     /// Where the next token begins. This and what it calls runs without optimisation, some thousand times for a chart: hence no iterators.
@@ -112,10 +116,12 @@ impl Text {
         }
     }
 
-    fn operator(&mut self, operator: &str) {
-        for (index, byte) in operator.bytes().enumerate() {
+    fn operator(&mut self, operator: &[u8]) {
+        let mut index = 0;
+        while index < operator.len() {
             let spacing = if index + 1 < operator.len() { Spacing::Joint } else { Spacing::Alone };
-            self.tokens.append(located(Punct::new(char::from(byte), spacing), self.span));
+            self.tokens.append(located(Punct::new(char::from(operator[index]), spacing), self.span));
+            index += 1;
         }
     }
 }
