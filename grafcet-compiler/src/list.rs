@@ -177,3 +177,36 @@ impl<I: Iterator, J: Iterator<Item = I::Item>> Iterator for And<I, J> {
 
     searches!();
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{List, PushAll};
+
+    #[test]
+    fn sequences_of_sequences() {
+        let rows = [vec![], vec![1, 2], vec![], vec![3], vec![]];
+        assert_eq!(rows.iter().flat(|row| row).copied().list(), [1, 2, 3]);
+        let mut rest = rows.iter().flat(|row| row);
+        assert!(
+            rest.find(|number| **number == 2).is_some() && rest.any(|number| *number == 3) && rest.next().is_none()
+        );
+        assert_eq!(rows.iter().flat(Vec::clone).fold(0, |sum, number| 10 * sum + number), 123);
+    }
+
+    #[test]
+    fn one_behind_the_other() {
+        assert_eq!([1, 2].into_iter().and([3]).and([]).and(Some(4)).list(), [1, 2, 3, 4]);
+        let none: [u8; 0] = [];
+        assert_eq!(none.into_iter().and(none).next(), None);
+        let mut both = [1, 2].iter().and(&[3, 4]);
+        assert!(both.all(|number| *number < 3) || both.next() == Some(&4));
+    }
+
+    #[test]
+    fn behind_what_is_there() {
+        let mut all = vec![1];
+        all.push_all([2, 3].into_iter().filter(|number| number % 2 == 1));
+        all.push_all(vec![4]);
+        assert_eq!(all, [1, 3, 4]);
+    }
+}

@@ -1,7 +1,7 @@
 //! Tokens that stand written out in the compiler's source, with places for others: what `quote!` of the crate `quote` makes, and the very
 //! same tokens.
 //!
-//! That one is a call for each token, fifteen thousand in this crate, which whoever uses the macro compiles. Here the text is read when
+//! That one is a call for each token, twelve thousand in this crate, which whoever uses the macro compiles. Here the text is read when
 //! it is needed, and only places are calls. It is a text that rustc has read as tokens before, so that it is not checked again; characters in
 //! single quotes it has none.
 
