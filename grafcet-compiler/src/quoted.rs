@@ -307,6 +307,7 @@ mod tests {
         as_the_crate_does!(f(#(#names,)*) { #(#names),* } #(#values)||* => { #(#values)&&* } + #(#values)|* => #one);
         as_the_crate_does!(#(#none)* #(#none),* #one #(#[a(")")] fn #names() -> #one { [#values] })* #one);
         as_the_crate_does!((#((#names))&&*) #(#names)=>* #one);
+        as_the_crate_does!(#(*#names * [#values * 2];)* #(*#names),* * #one);
     }
 
     #[test]
