@@ -3,7 +3,7 @@
 //!
 //! That one is a call for each token, twelve thousand in this crate, which whoever uses the macro compiles. Here the text is read when
 //! it is needed, and only places are calls. It is a text that rustc has read as tokens before, so that it is not checked again; characters in
-//! single quotes it has none.
+//! single quotes and raw identifiers it has none.
 
 use std::mem;
 
