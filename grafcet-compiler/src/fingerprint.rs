@@ -1,5 +1,7 @@
 //! A number that tells charts apart, for whoever stores what a chart did and reads it later.
 
+use crate::list::List;
+
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// The fingerprint of a chart: it follows from its tokens, but for comments. Blanks and line ends do not matter.
@@ -63,7 +65,7 @@ impl Hash {
 /// Tokens without a path, wherever it stands in them: how a program calls a crate says nothing about a chart.
 pub(crate) fn without(tokens: TokenStream, path: &[TokenTree]) -> TokenStream {
     let same = |(one, other): (&TokenTree, &TokenTree)| one.to_string() == other.to_string();
-    let mut rest = &tokens.into_iter().collect::<Vec<_>>()[..];
+    let mut rest = &tokens.into_iter().list()[..];
     let mut kept = TokenStream::new();
     while let Some((first, behind)) = rest.split_first() {
         if !path.is_empty() && rest.len() >= path.len() && rest.iter().zip(path).all(same) {

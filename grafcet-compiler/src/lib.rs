@@ -21,9 +21,12 @@ pub mod plan;
 pub mod plant;
 pub mod program;
 mod qualifier;
+mod quoted;
 mod similar;
 pub mod sorted;
 mod visit;
+
+use crate::list::{List, PushAll};
 
 use proc_macro2::TokenStream;
 
@@ -70,7 +73,7 @@ pub fn diagnose(chart: TokenStream, wanted: Wanted<'_>) -> Vec<Diagnostic> {
     let call = plant::Call::of(&chart);
     let compiled = alone(chart, &root, wanted);
     let mut messages = compiled.messages;
-    messages.extend(call.into_iter().flat_map(|call| plants(&call, compiled.sound, &root, wanted).1));
+    messages.push_all(call.into_iter().flat(|call| plants(&call, compiled.sound, &root, wanted).1));
     messages
 }
 

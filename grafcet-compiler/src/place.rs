@@ -9,6 +9,7 @@ use std::cell::Cell;
 use proc_macro2::{Span, TokenStream, TokenTree};
 
 use crate::list::List;
+pub(crate) use crate::quoted::quote;
 
 thread_local! {
     static KEYWORD: Cell<Option<Span>> = const { Cell::new(None) };
@@ -57,9 +58,3 @@ pub(crate) fn moved(tokens: &TokenStream) -> TokenStream {
     };
     tokens.clone().into_iter().map(moved).map(TokenStream::from).tokens()
 }
-
-/// As that of the crate `quote`, with its tokens at the chart's keyword.
-macro_rules! quote {
-    ($($tokens:tt)*) => { ::quote::quote_spanned!($crate::place::here()=> $($tokens)*) };
-}
-pub(crate) use quote;

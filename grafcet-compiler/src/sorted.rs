@@ -30,18 +30,15 @@ macro_rules! search {
 /// Sorts by a key; what has the same key stays in its order.
 ///
 /// Numbers are sorted in place of the items: so there is one sort for items of all types, of which each would be forty functions.
-pub(crate) fn sort_by_key<T: Clone, K: Ord>(items: &mut Vec<T>, key: impl Fn(&T) -> K) {
-    let compare = |a: usize, b: usize| key(&items[a]).cmp(&key(&items[b]));
-    if let Some(order) = order(items.len(), &compare) {
-        *items = order.into_iter().map(|number| items[number].clone()).list();
-    }
+pub(crate) fn sort_by_key<T, K: Ord>(items: &mut [T], key: impl Fn(&T) -> K) {
+    let order = order(items.len(), &|a, b| key(&items[a]).cmp(&key(&items[b])));
+    put(items, order);
 }
 
 /// The same of what is its own key.
-pub(crate) fn sort<T: Clone + Ord>(items: &mut Vec<T>) {
-    if let Some(order) = order(items.len(), &|a, b| items[a].cmp(&items[b])) {
-        *items = order.into_iter().map(|number| items[number].clone()).list();
-    }
+pub(crate) fn sort<T: Ord>(items: &mut [T]) {
+    let order = order(items.len(), &|a, b| items[a].cmp(&items[b]));
+    put(items, order);
 }
 
 /// The numbers of so many items in their order; none where they stand in order.
@@ -50,8 +47,47 @@ fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Option<Vec
         return None;
     }
     let mut order = (0..count).list();
-    order.sort_by(|a, b| compare(*a, *b));
+    sort_so(&mut order, |a, b| compare(*a, *b).then(a.cmp(b)) == Ordering::Less);
     Some(order)
+}
+
+/// Puts the items in that order, along the circles in which they change places.
+fn put<T>(items: &mut [T], order: Option<Vec<usize>>) {
+    let Some(mut order) = order else { return };
+    for start in 0..items.len() {
+        let mut place = start;
+        while order[place] != start {
+            let from = order[place];
+            items.swap(place, from);
+            order[place] = place;
+            place = from;
+        }
+        order[place] = place;
+    }
+}
+
+/// Sorts in place; what is equal stays in no order.
+pub(crate) fn sort_unstable<T: Ord>(items: &mut [T]) {
+    sort_so(items, T::lt);
+}
+
+/// Shell's sort, with Knuth's gaps: one function for each type of item, where the sorts of the standard library are twenty. Lists are
+/// short here, and mostly in order.
+fn sort_so<T>(items: &mut [T], before: impl Fn(&T, &T) -> bool) {
+    let mut gap = 1;
+    while gap < items.len() / 3 {
+        gap = 3 * gap + 1;
+    }
+    while gap > 0 {
+        for end in gap..items.len() {
+            let mut place = end;
+            while place >= gap && before(&items[place], &items[place - gap]) {
+                items.swap(place, place - gap);
+                place -= gap;
+            }
+        }
+        gap /= 3;
+    }
 }
 
 /// A set: a slice in ascending order, each value once.
@@ -342,7 +378,7 @@ impl<'a, K, V> IntoIterator for &'a Map<K, V> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Map, Set};
+    use super::{Map, Set, sort, sort_by_key, sort_unstable};
 
     #[test]
     fn a_set_holds_each_value_once_in_ascending_order() {
@@ -376,5 +412,39 @@ mod tests {
             *value = 6;
         }
         assert!(map.values().eq(&[5, 4, 6, 7]) && map.contains_key("d") && !map.contains_key("b"));
+    }
+    /// So many numbers below `span`, of which many are the same.
+    fn mixed(count: usize, span: usize) -> Vec<usize> {
+        (0..count).map(|number| number * number % 1009 * 7 % span).collect()
+    }
+
+    #[test]
+    fn sorted_as_the_standard_library_does() {
+        for count in (0..50).chain([100, 1000, 5000]) {
+            let numbers = mixed(count, 300);
+            let backwards = || numbers.iter().rev().copied().collect::<Vec<_>>();
+            let mut expected = backwards();
+            expected.sort_unstable();
+            let (mut stable, mut unstable, mut again) = (backwards(), backwards(), expected.clone());
+            sort(&mut stable);
+            sort_unstable(&mut unstable);
+            sort_unstable(&mut again);
+            assert_eq!((&stable, &unstable, &again), (&expected, &expected, &expected), "{count}");
+        }
+    }
+
+    #[test]
+    fn what_has_the_same_key_stays_in_its_order() {
+        for count in (0..50).chain([1000]) {
+            let mut items: Vec<(usize, usize)> = mixed(count, 10).into_iter().zip(0..).collect();
+            let mut expected = items.clone();
+            expected.sort_unstable();
+            sort_by_key(&mut items, |(key, _)| *key);
+            assert_eq!(items, expected, "{count}");
+        }
+        // A circle of all of them.
+        let mut turned: Vec<usize> = (1..100).chain([0]).collect();
+        sort_by_key(&mut turned, |number| *number);
+        assert!(turned.iter().copied().eq(0..100));
     }
 }

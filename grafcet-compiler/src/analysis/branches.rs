@@ -1,7 +1,7 @@
 //! Transitions that compete for a step: which never get their turn (`sfc`), and which can clear together (`grafcet`).
 
 use super::{Answer, Concurrency, Condition, Logic};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -54,8 +54,7 @@ impl Branches<'_> {
         let stands = |id: &TransitionId| model.transitions[*id].any.is_none_or(|any| model.anys[any].first == *id);
         for id in model.transitions.ids().filter(|id| !dead.contains(id) && stands(id)) {
             // What competes with it and stands before it.
-            let others =
-                model.transitions[id].sources.iter().flat_map(|step| model.leaving[step.index()].iter().copied());
+            let others = model.transitions[id].sources.iter().flat(|step| model.leaving[step.index()].iter().copied());
             let before: Set<TransitionId> = others.filter(|other| *other < id && !dead.contains(other)).collect();
             if before.is_empty() {
                 continue;
@@ -65,7 +64,7 @@ impl Branches<'_> {
             if model.is_grafcet() {
                 self.overlapping(id, &before, &mut found);
             } else {
-                found.shadowed.extend(self.shadowed(id, &before));
+                found.shadowed.push_all(self.shadowed(id, &before));
             }
         }
         found
@@ -157,7 +156,7 @@ impl Branches<'_> {
                 continue;
             }
             let (first, second) = (&self.model.transitions[*other], &self.model.transitions[id]);
-            let steps: Set<StepId> = first.sources.iter().chain(&second.sources).copied().collect();
+            let steps: Set<StepId> = first.sources.iter().and(&second.sources).copied().collect();
             let active = |step: &StepId| self.logic.condition(&Tree::Read(Read::Active(*step)));
             let active: Vec<Condition> = steps.iter().map(active).list();
             let goals = [(self.condition(*other), true), (own, true)];

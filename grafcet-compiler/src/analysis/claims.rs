@@ -103,7 +103,7 @@ impl<'m> Claims<'m> {
             }
         }
         let (triggers, sought) = sought(model, logic, &known);
-        let watched: Vec<&Tree> = claimed.iter().chain(&sought).map(|(_, tree)| tree).list();
+        let watched: Vec<&Tree> = claimed.iter().and(&sought).map(|(_, tree)| tree).list();
         let exploration = Exploration::assuming(model, &limits, &watched, never);
         let alone = |tree: &Tree| alone::watched(model, &limits, tree, never, claimed.len() == 1);
         for (index, (property, violation)) in claimed.iter().enumerate() {

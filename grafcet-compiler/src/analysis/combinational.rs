@@ -1,6 +1,6 @@
 //! Boolean variables of a `grafcet` that continuous actions assert: they hold no value of their own (A22).
 
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Association, Binary, Effect, Model, Name, Place, Qualifier, Read, Tree, Unary, VarId};
 use crate::sorted::Set;
 
@@ -17,7 +17,7 @@ pub fn in_order(model: &Model) -> Vec<VarId> {
         let Some(next) = waiting.iter().position(ready) else { break };
         order.push(waiting.remove(next));
     }
-    order.extend(waiting);
+    order.push_all(waiting);
     order
 }
 

@@ -1,7 +1,7 @@
 //! Conditions that always have the same value, whatever the inputs.
 
 use super::{Answer, Condition, Logic};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, Expr, Model, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -83,14 +83,14 @@ pub(crate) fn apart(logic: &Logic<'_>, tree: &Tree) -> Option<(StepId, StepId)> 
     let mut open = vec![tree];
     while let Some(tree) = open.pop() {
         match tree {
-            Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.extend([&**b, &**a]),
+            Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.push_all([&**b, &**a]),
             Tree::Read(Read::Active(step)) => steps.push(*step),
             _ => {}
         }
     }
     let active = |step: &StepId| logic.condition(&Tree::Read(Read::Active(*step)));
     let active: Vec<Condition> = steps.iter().map(active).list();
-    let pairs = (0..steps.len()).flat_map(|a| (a + 1..steps.len()).map(move |b| (a, b)));
+    let pairs = (0..steps.len()).flat(|a| (a + 1..steps.len()).map(move |b| (a, b)));
     let mut apart = pairs.filter(|(a, b)| logic.impossible(&[(&active[*a], true), (&active[*b], true)]));
     apart.next().map(|(a, b)| (steps[a], steps[b]))
 }

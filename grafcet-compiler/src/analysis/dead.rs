@@ -3,7 +3,7 @@
 use super::Concurrency;
 use super::explore::Exploration;
 use super::hierarchy::initial_situation;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Blinker, ForceOrder, Id, Model, Name, Read, StepId, Transition, TransitionId};
 use crate::sorted::Set;
 
@@ -73,15 +73,15 @@ impl<'m> Dead<'m> {
         let mut behind = vec![false; model.steps.len()];
         let mut follow = Set::new();
         let causes = open.iter().filter(|(_, waits)| waits.is_empty());
-        let mut work: Vec<StepId> = causes.flat_map(|(id, _)| model.transitions[*id].targets.iter().copied()).list();
+        let mut work: Vec<StepId> = causes.flat(|(id, _)| model.transitions[*id].targets.iter().copied()).list();
         // Of steps to which no arrow leads it has been said.
-        work.extend(model.steps.ids().filter(|step| !self.is_drawn(*step)));
+        work.push_all(model.steps.ids().filter(|step| !self.is_drawn(*step)));
         while !work.is_empty() {
             while let Some(step) = work.pop() {
                 if !std::mem::replace(&mut behind[step.index()], true) {
                     // What waits itself leads on only where it follows.
                     let onward = model.leaving[step.index()].iter().filter(|id| !waiting[id.index()]);
-                    work.extend(onward.flat_map(|id| &model.transitions[*id].targets));
+                    work.extend(onward.flat(|id| &model.transitions[*id].targets));
                 }
             }
             open.retain(|(id, waits)| {
@@ -183,7 +183,7 @@ fn idle(model: &Model, exploration: &Exploration) -> Set<TransitionId> {
 fn drawn(model: &Model) -> Vec<bool> {
     let mut drawn = vec![false; model.steps.len()];
     let mut work: Vec<StepId> = initial_situation(model).into_iter().list();
-    work.extend(model.steps.iter().filter(|(_, step)| step.linked).map(|(id, _)| id));
+    work.push_all(model.steps.iter().filter(|(_, step)| step.linked).map(|(id, _)| id));
     for force in model.forces.values() {
         match &force.order {
             ForceOrder::Hold => {}

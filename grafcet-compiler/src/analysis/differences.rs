@@ -1,5 +1,7 @@
 //! Whole numbers whose differences have bounds.
 
+use crate::list::List;
+
 /// Beyond this, numbers of 128 bits leave no room to calculate: such a bound is none.
 pub(super) const FAR: i128 = i128::MAX / 4;
 
@@ -51,7 +53,7 @@ impl Differences {
     /// The same of all numbers, zero first.
     pub(super) fn ranges(&self) -> Vec<(Option<i128>, Option<i128>)> {
         let (highs, lows) = (self.distances(false), self.distances(true));
-        lows.into_iter().map(|low| low.map(|low| -low)).zip(highs).collect()
+        lows.into_iter().map(|low| low.map(|low| -low)).zip(highs).list()
     }
 
     /// The greatest value that each number can have; `mirrored`, of its opposite.

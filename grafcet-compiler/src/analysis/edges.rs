@@ -1,5 +1,6 @@
 //! Edges that can but let a transition clear.
 
+use crate::list::List;
 use crate::model::{Association, Binary, Effect, Model, Read, Tree, Unary};
 
 /// Whether all that reads an edge is a condition of a transition that an edge can make true and not false. A search that is
@@ -7,11 +8,10 @@ use crate::model::{Association, Binary, Effect, Model, Read, Tree, Unary};
 #[must_use]
 pub fn edges_only_help(model: &Model) -> bool {
     let is_edge = |read: &Read| matches!(read, Read::Rising(_) | Read::Falling(_));
-    let acting = model.associations.values().flat_map(Association::reads).flatten();
-    let clearing =
-        model.transitions.values().flat_map(|transition| &transition.clearing).flat_map(Effect::reads).flatten();
-    let sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
-    !acting.chain(clearing).chain(sampled.flat_map(|of| &of.reads)).any(is_edge)
+    let acting = model.associations.values().flat(Association::reads).flatten();
+    let clearing = model.transitions.values().flat(|transition| &transition.clearing).flat(Effect::reads).flatten();
+    let sampled = model.edges.values().map(|edge| &edge.of).and(model.delays.values().map(|delay| &delay.of));
+    !acting.and(clearing).and(sampled.flat(|of| &of.reads)).any(is_edge)
         && model.transitions.values().all(|transition| helps(&transition.condition.tree, true))
 }
 

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 
 use super::{Concurrency, Searches, exclusive, hierarchy};
+use crate::list::List;
 use crate::model::{Model, PartialId, StepId, Tree};
 use crate::sorted::Set;
 
@@ -27,7 +28,7 @@ impl<'m> Facts<'m> {
     /// Computes them.
     #[must_use]
     pub fn of(model: &'m Model) -> Self {
-        let never: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).collect();
+        let never: Vec<&Tree> = model.assumptions.iter().map(|assumption| &assumption.never.tree).list();
         let concurrency = Concurrency::of(model);
         let assumed = if never.is_empty() { concurrency.clone() } else { Concurrency::assuming(model, &never) };
         Self {

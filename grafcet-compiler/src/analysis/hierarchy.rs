@@ -1,6 +1,6 @@
 //! Which partial grafcets act on which, and the initial situation that follows from it.
 
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Model, PartialId, StepId};
 use crate::sorted::Set;
 
@@ -15,7 +15,7 @@ pub fn top_down(model: &Model) -> Vec<PartialId> {
         let Some(next) = waiting.iter().position(ready) else { break };
         order.push(waiting.remove(next));
     }
-    order.extend(waiting);
+    order.push_all(waiting);
     order
 }
 
@@ -24,7 +24,7 @@ pub fn top_down(model: &Model) -> Vec<PartialId> {
 pub fn masters(model: &Model, partial: PartialId) -> Vec<PartialId> {
     let enclosing = model.partials[partial].enclosed_by.into_iter();
     let forcing = model.forces.values().filter(|force| force.target == partial).map(|force| force.step);
-    enclosing.chain(forcing).map(|step| model.steps[step].partial).list()
+    enclosing.and(forcing).map(|step| model.steps[step].partial).list()
 }
 
 /// The initial situation: the initial steps, what an initial step forces (A11), and inside an enclosing step that is

@@ -22,9 +22,9 @@ pub(crate) fn pairs(concurrency: &Concurrency, things: &[(usize, Option<StepId>)
         let others: Vec<usize> = match step {
             Some(step) => concurrency
                 .beside(*step)
-                .chain([*step])
+                .and([*step])
                 .filter_map(|other| at.get(&other))
-                .flat_map(|things| things.iter().copied())
+                .flat(|things| things.iter().copied())
                 .list(),
             None => things.iter().map(|(other, _)| *other).list(),
         };

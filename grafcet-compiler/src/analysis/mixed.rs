@@ -1,5 +1,6 @@
 //! Places with actions of two kinds (A8), which is refused: nobody can say what they hold.
 
+use crate::list::List;
 use crate::model::{Effect, Model, Place, Qualifier};
 use crate::sorted::Set;
 
@@ -21,7 +22,7 @@ pub fn mixed(model: &Model) -> Set<Place> {
         let places = if lasts { &mut lasting } else { &mut written };
         places.extend(association.effect.writes());
     }
-    for effect in model.transitions.values().flat_map(|transition| &transition.clearing) {
+    for effect in model.transitions.values().flat(|transition| &transition.clearing) {
         written.extend(effect.writes());
     }
     lasting.intersection(&written).copied().collect()

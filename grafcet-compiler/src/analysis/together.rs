@@ -1,6 +1,7 @@
 //! Which situations a chart can be in, as a table by which one that comes from outside is looked at: a stored one, or one that is asked for by hand.
 
 use super::{Concurrency, Facts, Nesting, explore};
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, StepId};
 
 /// Of charts with more steps a stored situation is not looked at: a table of pairs grows with the square of their number.
@@ -40,7 +41,7 @@ impl Situations {
         let row = model.steps.len().div_ceil(8);
         let most = MOST_SITUATIONS.min(MOST_BYTES / row.max(1));
         if let Some(found) = explore::situations(model, WORK, most) {
-            return Self::Listed(found.iter().flat_map(|steps| bits(steps, row)).collect());
+            return Self::Listed(found.iter().flat(|steps| bits(steps, row)).list());
         }
         let exclusive = Concurrency::of_exclusive_branches(model);
         let concurrency = facts.concurrency.across_partials(model);
@@ -55,7 +56,7 @@ impl Situations {
                     others.push(b);
                 }
             }
-            table.extend(bits(&others, row));
+            table.push_all(bits(&others, row));
         }
         if is_whole { Self::Whole(table) } else { Self::Pairs(table) }
     }

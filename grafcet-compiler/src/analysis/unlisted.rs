@@ -2,7 +2,7 @@
 //! is known. What would follow from a list, `mode: Mode in {…}`.
 
 use super::{Condition, Logic};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, Model, Name, Read, Tree, Ty, Unary};
 
 /// More of them are not compared with each other.
@@ -22,7 +22,7 @@ pub(crate) fn unlisted(model: &Model, logic: &Logic<'_>) -> Vec<Unlisted> {
         collect(model, &transition.condition.tree, &mut compared);
     }
     for association in model.associations.values() {
-        for expr in association.condition.iter().chain(&association.event) {
+        for expr in association.condition.iter().and(&association.event) {
             collect(model, &expr.tree, &mut compared);
         }
     }
@@ -42,7 +42,7 @@ impl Unlisted {
     /// Whether the conditions could not hold together, if the variants were listed.
     pub(crate) fn decides(&self, logic: &Logic<'_>, conditions: &[Condition]) -> bool {
         let goals = conditions.iter().map(|condition| (condition, true));
-        let goals: Vec<_> = goals.chain(self.never.iter().map(|never| (never, false))).list();
+        let goals: Vec<_> = goals.and(self.never.iter().map(|never| (never, false))).list();
         logic.impossible(&goals)
     }
 }
@@ -58,7 +58,7 @@ fn never(logic: &Logic<'_>, name: Name, variants: &[Tree]) -> Vec<Condition> {
         let (is, differs) = (of(Binary::Eq, variant), of(Binary::Ne, variant));
         never.push(both(is.clone(), differs.clone()));
         never.push(both(not(is.clone()), not(differs)));
-        never.extend(variants[..at].iter().map(|other| both(is.clone(), of(Binary::Eq, other))));
+        never.push_all(variants[..at].iter().map(|other| both(is.clone(), of(Binary::Eq, other))));
     }
     never
 }

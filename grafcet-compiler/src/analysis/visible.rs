@@ -1,5 +1,6 @@
 //! What outputs are at the end of a cycle, as conditions over steps and inputs, where that follows from them alone.
 
+use crate::list::List;
 use crate::model::{Association, Binary, Effect, Expr, Model, Name, OutputId, Place, Qualifier, Read, Tree, Ty};
 
 /// The tree with such outputs replaced. The result holds at the end of a cycle where the tree does.
@@ -31,7 +32,7 @@ fn value(model: &Model, id: OutputId) -> Option<Tree> {
             _ => {}
         }
     }
-    let clearing = model.transitions.values().flat_map(|transition| &transition.clearing);
+    let clearing = model.transitions.values().flat(|transition| &transition.clearing);
     let writes = |effect: &Effect| match effect {
         Effect::Control(place) | Effect::Assign(place, _) => *place == Place::Output(id),
         Effect::Block(code) => code.writes.contains(&Place::Output(id)),

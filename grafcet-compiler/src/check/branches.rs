@@ -4,7 +4,7 @@ use super::drawing;
 use super::rivals::{self, Rivals};
 use crate::analysis::{Overlap, Rivalry, Shadowed};
 use crate::diagnostic::{Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, LevelAttr, Model, Transition, TransitionId};
 use crate::sorted::{Map, Set};
 
@@ -67,7 +67,7 @@ fn report_overlapping(model: &Model, found: &[Overlap], sink: &mut Sink) {
     let mut inputs: Map<(usize, usize), &str> = Map::new();
     for Overlap { first, second, inputs: when } in found {
         let mut scopes: Vec<&[LevelAttr]> = vec![&model.transitions[*first].levels];
-        scopes.extend(model.levels_of_transition(&model.transitions[*second]));
+        scopes.push_all(model.levels_of_transition(&model.transitions[*second]));
         rivals.add(first.index(), second.index(), &scopes);
         inputs.insert((first.index(), second.index()), when);
     }

@@ -4,6 +4,7 @@ use super::branches::never_else;
 use crate::analysis::explore::situation;
 use crate::analysis::{Condition, Constant, Constants, Logic, apart, constant, has_edge, holds_without_edge};
 use crate::diagnostic::{Severity, Sink, rules};
+use crate::list::List;
 use crate::model::{Expr, LevelAttr, Model, Transition, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -41,7 +42,7 @@ pub(super) fn check(
         }
     }
     for association in model.associations.values() {
-        for expr in association.condition.iter().chain(&association.event) {
+        for expr in association.condition.iter().and(&association.event) {
             let scopes = model.levels_of(&model.steps[association.step]);
             match constant(logic, &logic.of_action(&expr.tree), &expr.tree) {
                 Some(Constant::Never) => never_true(model, logic, expr, "this action never acts", &scopes, sink),

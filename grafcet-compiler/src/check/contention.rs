@@ -3,7 +3,7 @@
 use super::rivals::{self, Rivals};
 use crate::analysis::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
 use crate::diagnostic::{Rule, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, OutputId, Place, Qualifier, Read, TimeRef, Tree};
 use crate::sorted::Map;
 
@@ -108,7 +108,7 @@ impl Contention<'_> {
     fn conditions(&self, all: &[&Association]) -> Vec<Condition> {
         let mut conditions = Vec::new();
         for association in all {
-            conditions.extend(association.condition.iter().map(|expr| self.logic.of_action(&expr.tree)));
+            conditions.push_all(association.condition.iter().map(|expr| self.logic.of_action(&expr.tree)));
             conditions.push(self.logic.condition(&Tree::Read(Read::Active(association.step))));
         }
         conditions
@@ -159,7 +159,7 @@ impl Contention<'_> {
             let (one, other) = (&self.model.steps[all[*first].step], &self.model.steps[all[*second].step]);
             let mut scopes: Vec<&[LevelAttr]> = vec![&one.levels, &other.levels, levels];
             scopes.push(&self.model.partials[one.partial].levels);
-            scopes.extend(self.model.levels_of(other).split_off(1));
+            scopes.push_all(self.model.levels_of(other).split_off(1));
             rivals.add(*first, *second, &scopes);
         }
         rivals.report(sink, |one, others| {

@@ -6,7 +6,7 @@ use quote::ToTokens;
 use super::targets;
 use crate::analysis::combinational;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Effect, Expr, Model, Name, Place, Read, Ty, VarId};
 use crate::plan::is_stored;
 use crate::sorted::Set;
@@ -19,7 +19,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
 /// A continuous output is read.
 fn reads_continuous(model: &Model, sink: &mut Sink) {
     let at_an_instant = model.associations.values().filter(|a| is_stored(a)).map(|a| &a.effect);
-    let effects = at_an_instant.chain(model.transitions.values().flat_map(|t| &t.clearing));
+    let effects = at_an_instant.and(model.transitions.values().flat(|t| &t.clearing));
     let mut stored: Set<Place> = Set::new();
     effects.for_each(|effect| stored.extend(effect.writes()));
     for (reads, tokens) in expressions(model) {
@@ -49,12 +49,12 @@ fn expressions(model: &Model) -> Vec<(&[Read], TokenStream)> {
     let effects = model.effects();
     let mut exprs: Vec<&Expr> = model.transitions.values().map(|t| &t.condition).list();
     for association in model.associations.values() {
-        exprs.extend(association.condition.iter().chain(&association.event));
+        exprs.push_all(association.condition.iter().and(&association.event));
     }
-    exprs.extend(model.edges.values().map(|edge| &edge.of));
-    exprs.extend(model.delays.values().map(|delay| &delay.of));
+    exprs.push_all(model.edges.values().map(|edge| &edge.of));
+    exprs.push_all(model.delays.values().map(|delay| &delay.of));
     for effect in &effects {
-        exprs.extend(effect.expressions());
+        exprs.push_all(effect.expressions());
     }
     let mut all: Vec<(&[Read], TokenStream)> = Vec::new();
     for expr in exprs {

@@ -2,6 +2,7 @@
 
 use crate::ast::is_of;
 use crate::diagnostic::{Mark, Sink};
+use crate::list::List;
 use crate::model::Model;
 
 /// `serde` derives for arrays of up to 32 bytes. Beside a bit for each step there may be two: for the first cycle and for a
@@ -14,8 +15,7 @@ pub(super) fn check(model: &Model, sink: &mut Sink) {
     if !model.flags || steps <= MOST {
         return;
     }
-    for path in model.derives.iter().flat_map(|derive| &derive.traits).filter(|path| is_of(path, "serde", "Serialize"))
-    {
+    for path in model.derives.iter().flat(|derive| &derive.traits).filter(|path| is_of(path, "serde", "Serialize")) {
         let message = format!(
             "serde stores arrays of up to 32 bytes, and with `encoding flags;` {steps} steps take more: up to {MOST} steps \
              go together with serde; leave out `encoding flags;`, or this derive"

@@ -33,7 +33,7 @@ fn initial_steps(model: &Model, sink: &mut Sink) {
                 (Mark::from(name), message)
             };
             let own = initial.iter().map(|step| &model.steps[*step].levels[..]);
-            let scopes: Vec<_> = own.chain([&model.levels[..]]).list();
+            let scopes: Vec<_> = own.and([&model.levels[..]]).list();
             sink.rule(&rules::SEVERAL_INITIAL_STEPS, &scopes, initial.iter().map(note).list());
         }
     }

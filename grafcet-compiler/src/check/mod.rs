@@ -30,7 +30,7 @@ pub use initial::initial_values;
 use crate::analysis::explore::{Exploration, Limits};
 use crate::analysis::{Branches, Claims, Constants, Dead, Explained, Facts, Logic, Prover, Races, mixed};
 use crate::diagnostic::{Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, Name, Read, TransitionId, Tree};
 use crate::sorted::Set;
 use rulings::Rulings;
@@ -74,7 +74,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     // Of these one of the rules of conditions and branches says that they never clear.
     let mut said = constants.never.clone();
     said.extend(rivalry.shadowed.iter().map(|shadowed| shadowed.id));
-    let never_clear: Set<TransitionId> = dead.idle.iter().chain(&said).copied().collect();
+    let never_clear: Set<TransitionId> = dead.idle.iter().and(&said).copied().collect();
     let presumed = branches.presumed_exclusive();
 
     let rulings = Rulings::of(model, &claims, prover, facts);
@@ -86,11 +86,11 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     let partings = if presumed.is_empty() {
         safety::check(model, exploration, sink)
     } else {
-        let never: Vec<&Tree> = never.iter().copied().chain(&presumed).list();
+        let never: Vec<&Tree> = never.iter().copied().and(&presumed).list();
         safety::check(model, &Exploration::assuming(model, &limits, &[], &never), sink)
     };
     let mut stays = waits::check(model, structure, exploration, &never_clear, &mut told, sink);
-    stays.extend(reach::dead_ends(model, &never_clear, sink));
+    stays.push_all(reach::dead_ends(model, &never_clear, sink));
     let known = properties::Told { stays: &stays, partings: &partings, rulings: &rulings };
     properties::homes(model, &claims, limits, &known, sink);
     silent::check(model, exploration, &dead, told, sink);
@@ -115,7 +115,7 @@ pub fn with_plants(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, si
 
 /// Transitions that no branch is compared with: they never clear, or their condition is not the one that is meant.
 fn not_compared(model: &Model, dead: &Dead<'_>, constants: &Constants, sink: &Sink) -> Set<TransitionId> {
-    let mut left_out: Set<TransitionId> = dead.idle.iter().chain(&constants.never).copied().collect();
+    let mut left_out: Set<TransitionId> = dead.idle.iter().and(&constants.never).copied().collect();
     if sink.broke(&rules::READS_CONTINUOUS) {
         let reads_output = |read: &Read| matches!(read, Read::Name(Name::Output(_)));
         let unclear = model.transitions.iter().filter(|(_, t)| t.condition.reads.iter().any(reads_output));

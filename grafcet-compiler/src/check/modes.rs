@@ -20,7 +20,7 @@ enum Mode {
 }
 
 pub(super) fn check(model: &Model, sink: &mut Sink) {
-    let places = model.outputs.ids().map(Place::Output).chain(model.vars.ids().map(Place::Var));
+    let places = model.outputs.ids().map(Place::Output).and(model.vars.ids().map(Place::Var));
     for place in places {
         let uses = uses(model, place);
         let Some(first) = uses.first() else { continue };

@@ -338,7 +338,7 @@ fn grouped(number: u64) -> String {
 
 /// The times that have passed at the end of a way.
 fn times(path: &Path) -> Vec<&Given> {
-    let given = path.cycles.last().into_iter().flat_map(|cycle| &cycle.given);
+    let given = path.cycles.last().into_iter().flat(|cycle| &cycle.given);
     given.filter(|given| matches!(given.what, Tree::Read(Read::Since(_) | Read::MacroSince(_)))).list()
 }
 

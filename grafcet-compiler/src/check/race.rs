@@ -33,7 +33,7 @@ struct Race<'m> {
 
 impl Race<'_> {
     fn report(&self, sink: &mut Sink) {
-        let writers: Set<Writer> = self.meets.iter().flat_map(|meet| [meet.first, meet.second]).collect();
+        let writers: Set<Writer> = self.meets.iter().flat(|meet| [meet.first, meet.second]).collect();
         let number = |writer: Writer| writers.iter().position(|other| *other == writer).unwrap_or_default();
         let mut rivals = Rivals::new(&rules::WRITE_RACE, self.model.dialect);
         // What races on activation and on deactivation is told once.

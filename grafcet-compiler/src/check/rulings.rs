@@ -2,7 +2,7 @@
 
 use crate::analysis::explore::Answer;
 use crate::analysis::{Claims, Facts, Prover, Question, Ruling};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, Property};
 
 /// The questions and their answers.
@@ -61,7 +61,7 @@ fn questions(model: &Model, claims: &Claims<'_>) -> Vec<Question> {
         all.push(Question::NoCycle);
     }
     if !all.is_empty() {
-        all.extend((0..model.often.len()).map(Question::NeverComes));
+        all.push_all((0..model.often.len()).map(Question::NeverComes));
     }
     all
 }

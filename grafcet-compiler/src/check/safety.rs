@@ -6,7 +6,7 @@
 
 use crate::analysis::explore::{Activation, Exploration, Meeting, Parting};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
@@ -74,7 +74,7 @@ fn report(model: &Model, step: StepId, meeting: &Meeting, activation: &Activatio
         }
     }
     let others = starts.iter().skip(1).map(|other| &model.steps[*other].name);
-    notes.extend(others.map(|name| (Mark::from(name), format!("the chart starts in `{name}`, too"))));
+    notes.push_all(others.map(|name| (Mark::from(name), format!("the chart starts in `{name}`, too"))));
     let scopes = [&by.levels[..], &model.steps[step].levels, &model.partials[by.partial].levels, &model.levels];
     sink.rule_in(model.dialect, &rules::UNSAFE_STEP, &scopes, notes);
 }

@@ -2,6 +2,7 @@
 
 use crate::analysis::Concurrency;
 use crate::diagnostic::{Mark, Rule, Sink, rules};
+use crate::list::List;
 use crate::model::{ActionId, Association, Effect, LevelAttr, Model, Place, Qualifier, Statement, StepId, Tree, Ty};
 use crate::sorted::{Map, Set};
 
@@ -108,7 +109,7 @@ fn collect(model: &Model) -> Map<Stored, Uses> {
             },
         }
     }
-    for effect in model.transitions.values().flat_map(|transition| &transition.clearing) {
+    for effect in model.transitions.values().flat(|transition| &transition.clearing) {
         written(&mut all, effect);
     }
     all
@@ -148,7 +149,7 @@ fn statement(all: &mut Map<Stored, Uses>, statement: &Statement, association: &A
             assign(all.or_default(Stored::Place(*place)), value, association.target_mark, association.step);
         }
         Statement::If(_, then, otherwise) => {
-            then.iter().chain(otherwise).for_each(|inner| self::statement(all, inner, association));
+            then.iter().and(otherwise).for_each(|inner| self::statement(all, inner, association));
         }
     }
 }

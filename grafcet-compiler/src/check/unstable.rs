@@ -4,7 +4,7 @@ use crate::analysis::circles::{Circle, Circles};
 use crate::analysis::explore::Exploration;
 use crate::analysis::{Concurrency, Logic};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{LevelAttr, Model, PartialId, StepId, TransitionId, Tree};
 use crate::sorted::Set;
 
@@ -53,7 +53,8 @@ pub(super) fn check(
         );
         let levels = |id: &TransitionId| &model.transitions[*id].levels[..];
         let mut scopes: Vec<&[LevelAttr]> = circle.transitions.iter().map(levels).list();
-        scopes.extend(circle.transitions.first().map(|id| &model.partials[model.transitions[*id].partial].levels[..]));
+        scopes
+            .push_all(circle.transitions.first().map(|id| &model.partials[model.transitions[*id].partial].levels[..]));
         scopes.push(&model.levels);
         sink.rule(&rules::POSSIBLE_INSTABILITY, &scopes, notes(model, &circle, &message));
     }
@@ -97,7 +98,7 @@ fn through_the_same(model: &Model, circles: Vec<Circle>, known: &[Circle]) -> Ve
             Some((_, same)) => {
                 let new = circle.transitions.into_iter().filter(|id| !same.transitions.contains(id));
                 let new: Vec<TransitionId> = new.list();
-                same.transitions.extend(new);
+                same.transitions.push_all(new);
             }
             None => all.push((ways, circle)),
         }
@@ -118,10 +119,10 @@ fn text(model: &Model, circle: &Circle) -> String {
     let ways = ways(model, circle);
     let path = |partial: &PartialId| {
         let is_own = |step: &StepId| model.steps[*step].partial == *partial;
-        let own = ways.iter().filter(|(from, to)| from.iter().chain(*to).any(is_own));
+        let own = ways.iter().filter(|(from, to)| from.iter().and(*to).any(is_own));
         let own: Vec<&Way<'_>> = own.list();
         let mut parts: Vec<String> = own.iter().map(|(sources, _)| side(sources)).list();
-        parts.extend(own.last().map(|(_, targets)| side(targets)));
+        parts.push_all(own.last().map(|(_, targets)| side(targets)));
         format!("`{}`", parts.join(" → "))
     };
     partials.iter().map(path).list().join(" with ")

@@ -4,6 +4,7 @@
 use proc_macro2::Ident;
 
 use crate::diagnostic::{Rule, Sink, rules};
+use crate::list::List;
 use crate::model::{Code, Effect, Expr, LevelAttr, Model, Name, Place, Read, Statement, TimeRef, Tree};
 use crate::sorted::Set;
 
@@ -74,12 +75,12 @@ struct Usage {
 impl Usage {
     fn of(model: &Model) -> Self {
         let mut usage =
-            Self { read: Set::new(), written: model.effects().into_iter().flat_map(Effect::writes).copied().collect() };
+            Self { read: Set::new(), written: model.effects().into_iter().flat(Effect::writes).copied().collect() };
         for transition in model.transitions.values() {
             usage.expr(&transition.condition);
         }
         for association in model.associations.values() {
-            association.condition.iter().chain(&association.event).for_each(|expr| usage.expr(expr));
+            association.condition.iter().and(&association.event).for_each(|expr| usage.expr(expr));
             usage.times(association.time);
         }
         model.steps.values().for_each(|step| usage.times(step.within()));
@@ -92,7 +93,7 @@ impl Usage {
         model.lets.values().for_each(|named| usage.read.extend(&named.mentions));
         model.assumptions.iter().for_each(|assumption| usage.expr(&assumption.never));
         model.often.iter().for_each(|often| usage.expr(often));
-        model.properties.iter().flat_map(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
+        model.properties.iter().flat(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
         for effect in model.effects() {
             match effect {
                 Effect::Control(_) => {}

@@ -6,7 +6,7 @@
 use crate::analysis::explore::{Deadlock, Exploration, Stay, StuckJoin, situation, smallest};
 use crate::analysis::{Concurrency, Explained};
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, LevelAttr, Model, StepId, TransitionId};
 use crate::sorted::{Set, sort};
 
@@ -24,10 +24,10 @@ pub(super) fn check(
     for deadlock in smallest(&contended) {
         let errors = sink.errors();
         contention(model, exploration, deadlock, sink);
-        stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
+        stays.push_all((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
     let (mut reported, mut denied) = (Set::new(), Set::new());
-    let mut waiting: Set<StepId> = contended.iter().flat_map(|deadlock| &deadlock.steps).copied().collect();
+    let mut waiting: Set<StepId> = contended.iter().flat(|deadlock| &deadlock.steps).copied().collect();
     // Of convergences that never clear nothing has been said before.
     let joins: Set<TransitionId> = exploration.stuck_joins().iter().map(|stuck| stuck.join).collect();
     let others_dead = |join: TransitionId| dead.iter().any(|id| *id != join && !joins.contains(id));
@@ -62,7 +62,7 @@ pub(super) fn check(
     for deadlock in smallest(&ends) {
         let errors = sink.errors();
         report(model, deadlock, sink);
-        stays.extend((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
+        stays.push_all((sink.errors() > errors).then(|| Stay { active: deadlock.steps.clone(), within: None }));
     }
     stays
 }
@@ -72,7 +72,7 @@ fn contention(model: &Model, exploration: &Exploration, deadlock: &Deadlock, sin
     let here = situation(model, &deadlock.steps);
     let note = |step: &StepId| {
         let joins = exploration.stuck_joins().iter().filter(|stuck| stuck.waiting == *step);
-        let missing = joins.flat_map(|stuck| &model.transitions[stuck.join].sources);
+        let missing = joins.flat(|stuck| &model.transitions[stuck.join].sources);
         let mut missing: Vec<StepId> = missing.filter(|source| !deadlock.steps.contains(source)).copied().list();
         sort(&mut missing);
         missing.dedup();
@@ -151,6 +151,6 @@ fn deadlocked(model: &Model, deadlock: &Deadlock, mut notes: Vec<(Mark, String)>
         first.push_str(&deadlock.path.table(model));
     }
     let mut scopes: Vec<&[LevelAttr]> = deadlock.steps.iter().map(|step| &model.steps[*step].levels[..]).list();
-    scopes.extend([&model.partials[deadlock.partial].levels[..], &model.levels]);
+    scopes.push_all([&model.partials[deadlock.partial].levels[..], &model.levels]);
     sink.rule(&rules::DEADLOCK, &scopes, notes);
 }

@@ -79,7 +79,7 @@ impl Cx<'_> {
 
     /// What steps do while they are active.
     fn acts_of(&self, steps: &[StepId]) -> TokenStream {
-        let associations = steps.iter().flat_map(|step| &self.model.steps[*step].associations);
+        let associations = steps.iter().flat(|step| &self.model.steps[*step].associations);
         let acts = associations.map(|id| self.gather_local(*id).into_body());
         acts.list().into_iter().collect()
     }

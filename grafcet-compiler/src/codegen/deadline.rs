@@ -204,13 +204,13 @@ impl Cx<'_> {
                 Effect::Assign(Place::Output(_), value) if association.qualifier == Qualifier::N => Some(value),
                 _ => None,
             };
-            let mut asked = association.condition.iter().chain(&association.event).chain(value);
+            let mut asked = association.condition.iter().and(&association.event).and(value);
             if asked.any(|expr| expr.tree.may_differ()) {
                 found.insert(vec![association.step]);
             }
         }
         // Edges and delays are sampled in every cycle.
-        let mut sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
+        let mut sampled = model.edges.values().map(|edge| &edge.of).and(model.delays.values().map(|delay| &delay.of));
         if sampled.any(|of| of.tree.may_differ()) {
             found.insert(Vec::new());
         }
@@ -225,7 +225,7 @@ impl Cx<'_> {
             transition.clearing.iter().for_each(|effect| of_effect(effect, &mut found));
         }
         for (id, association) in self.model.associations.iter() {
-            association.condition.iter().chain(&association.event).for_each(|expr| collect(&expr.tree, &mut found));
+            association.condition.iter().and(&association.event).for_each(|expr| collect(&expr.tree, &mut found));
             of_effect(&association.effect, &mut found);
             if let Some(time) = self.plan.control.step_limit(self.model, id) {
                 found.insert((Clock::Step(association.step), Threshold::At(time)));

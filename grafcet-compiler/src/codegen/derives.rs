@@ -6,7 +6,7 @@ use syn::{Path, Type};
 
 use super::requirements;
 use crate::ast::is_of;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, Ty};
 use crate::place::quote;
 
@@ -28,7 +28,7 @@ pub(super) fn of<'t>(types: impl Iterator<Item = &'t Ty>) -> Derives {
     let foreign = requirements::distinct(types.iter().copied(), requirements::is_copy);
     let mut derives = vec!["Clone", "Copy"];
     if types.iter().all(|ty| !matches!(ty, Ty::Other(_)) || ty.is_float()) {
-        derives.extend(["Debug", "PartialEq"]);
+        derives.push_all(["Debug", "PartialEq"]);
         if !types.iter().any(|ty| ty.is_float()) {
             derives.push("Eq");
         }
@@ -99,8 +99,7 @@ impl Derives {
     /// What the chart derives beside these and others that the type has already.
     pub(super) fn users(&self, model: &Model, others: &[&str]) -> TokenStream {
         let has = |path: &&Path| {
-            !standard(path)
-                .is_some_and(|name| self.names.iter().chain(&self.by_hand).chain(others).any(|own| name == *own))
+            !standard(path).is_some_and(|name| self.names.iter().and(&self.by_hand).and(others).any(|own| name == *own))
         };
         let reaches = |path: &&Path| has(path) && (!self.is_chart || observes(path));
         let attributes = model.derives.iter().map(|derive| {

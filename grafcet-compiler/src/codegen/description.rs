@@ -137,11 +137,11 @@ fn step_tables(steps: &[Step<'_>]) -> TokenStream {
         ]
     };
     let names = texts("STEPS", steps.iter().map(|step| step.name));
-    let numbers = numbers("STEP_NUMBERS", &quote!(Number), steps.iter().flat_map(row));
-    let forces = texts("FORCES", steps.iter().flat_map(|step| step.forces).copied());
-    let actions: Vec<&Action<'_>> = steps.iter().flat_map(|step| step.actions).list();
+    let numbers = numbers("STEP_NUMBERS", &quote!(Number), steps.iter().flat(row));
+    let forces = texts("FORCES", steps.iter().flat(|step| step.forces).copied());
+    let actions: Vec<&Action<'_>> = steps.iter().flat(|step| step.actions).list();
     let (count, written) = (number(actions.len()), or_empty(!actions.is_empty(), "ACTIONS"));
-    let parts = actions.iter().flat_map(|a| [a.qualifier, a.time, a.condition, a.text]);
+    let parts = actions.iter().flat(|a| [a.qualifier, a.time, a.condition, a.text]);
     let actions = texts("ACTIONS", parts);
     quote! {
         #names
@@ -157,11 +157,11 @@ fn step_tables(steps: &[Step<'_>]) -> TokenStream {
 
 fn transition_tables(transitions: &[Transition<'_>]) -> TokenStream {
     let row = |t: &Transition<'_>| [t.sources.len(), t.targets.len(), t.clearing.len()].map(short);
-    let ends = transitions.iter().flat_map(|t| t.sources.iter().chain(t.targets));
-    let named = texts("TRANSITIONS", transitions.iter().flat_map(|t| [t.name, t.condition]));
-    let rows = numbers("TRANSITION_NUMBERS", &quote!(Number), transitions.iter().flat_map(row));
+    let ends = transitions.iter().flat(|t| t.sources.iter().and(t.targets));
+    let named = texts("TRANSITIONS", transitions.iter().flat(|t| [t.name, t.condition]));
+    let rows = numbers("TRANSITION_NUMBERS", &quote!(Number), transitions.iter().flat(row));
     let ends = numbers("ENDS", &quote!(End), ends.map(|id| Literal::usize_suffixed(*id)));
-    let clearing = texts("CLEARING", transitions.iter().flat_map(|t| t.clearing).copied());
+    let clearing = texts("CLEARING", transitions.iter().flat(|t| t.clearing).copied());
     quote!(#named #rows #ends #clearing)
 }
 

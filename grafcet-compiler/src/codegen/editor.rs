@@ -7,6 +7,7 @@ use quote::format_ident;
 
 use super::names::Names;
 use super::types::rust_type;
+use crate::list::PushAll;
 use crate::model::{Mention, Model};
 use crate::place::{self, quote};
 
@@ -26,7 +27,7 @@ pub(super) fn mentions(model: &Model, names: &Names, p: &TokenStream) -> TokenSt
             Mention::Let(id) => (&mut lets, Some(&model.lets[*id].name)),
             Mention::Partial(id) => (&mut partials, model.partials[*id].name.as_ref()),
         };
-        mentioned.extend(name.map(|name| at(name, *span)));
+        mentioned.push_all(name.map(|name| at(name, *span)));
     }
     // The types are called by the chart's name, but not what is mentioned.
     let [step, read, record, actions] =

@@ -1,7 +1,7 @@
 //! What the documentation of a chart's type says about its encoding.
 
 use super::{Cx, names};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::plan::{Region, RegionId};
 
 /// How many sets of steps, and of each how many steps, are named.
@@ -20,7 +20,7 @@ impl Cx<'_> {
         let bytes = bytes((0..regions.len()).map(|region| self.region_bytes(region)).sum());
         let [region] = regions else {
             let mut sets: Vec<_> = regions.iter().take(named(regions.len())).map(|region| self.set(region)).list();
-            sets.extend(more(regions.len()));
+            sets.push_all(more(regions.len()));
             let sets = sets.join("\n- ");
             return Some(format!(
                 "The situation takes {bytes}: for each of these sets of steps, which of them is active, if any. No two of \
@@ -62,7 +62,7 @@ impl Cx<'_> {
     fn set(&self, region: &Region) -> String {
         let named = region.steps.iter().take(named(region.steps.len()));
         let named = named.map(|step| format!("`{}`", names::private_variant(self.model, *step)));
-        named.chain(more(region.steps.len())).list().join(", ")
+        named.and(more(region.steps.len())).list().join(", ")
     }
 }
 

@@ -9,11 +9,11 @@ use super::bind::Moment;
 use super::branches::Branch;
 use super::situation::At;
 use super::{Cx, names};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::place::quote;
 use crate::plan::{Form, RegionId};
-use crate::sorted::Map;
+use crate::sorted::{Map, sort_unstable};
 
 /// From so many steps on, one arm for all that end alike is less code than an arm for each.
 const ALIKE: usize = 6;
@@ -156,12 +156,12 @@ impl Cx<'_> {
         }
         for (_, steps) in alike {
             if steps.len() < ALIKE {
-                arms.extend(steps.into_iter().map(|step| vec![step]));
+                arms.push_all(steps.into_iter().map(|step| vec![step]));
             } else {
                 arms.push(steps);
             }
         }
-        arms.sort_unstable();
+        sort_unstable(&mut arms);
         arms
     }
 
@@ -293,7 +293,7 @@ impl Cx<'_> {
     /// `None` is "always".
     fn enabled(&self, id: TransitionId) -> Option<TokenStream> {
         let condition = self.condition(id).map(|condition| self.value(condition, Moment::Enabled(id)));
-        let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().chain(condition).list();
+        let terms: Vec<_> = self.other_sources(&self.model.transitions[id]).into_iter().and(condition).list();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 
@@ -311,9 +311,8 @@ impl Cx<'_> {
 
     /// A28: transitions that compete for the sources of an AND-convergence, by priority.
     fn contest(&self, contest: &[TransitionId]) -> TokenStream {
-        let mut sources: Vec<StepId> =
-            contest.iter().flat_map(|id| &self.model.transitions[*id].sources).copied().list();
-        sources.sort_unstable();
+        let mut sources: Vec<StepId> = contest.iter().flat(|id| &self.model.transitions[*id].sources).copied().list();
+        sort_unstable(&mut sources);
         sources.dedup();
         let declare = sources.iter().map(|step| names::left_local(*step)).map(|left| quote!(let mut #left = false;));
         let transitions = contest.iter().map(|id| {
@@ -323,7 +322,7 @@ impl Cx<'_> {
             // Nothing has left the sources of an `else`: none of the other branches could clear.
             let condition =
                 transition.plain_else().is_none().then(|| self.value(&transition.condition, Moment::Enabled(*id)));
-            let terms = active.chain(left.iter().map(|left| quote!(!#left))).chain(condition);
+            let terms = active.and(left.iter().map(|left| quote!(!#left))).and(condition);
             let clear = self.clear(*id);
             quote!(if #(#terms)&&* { #(#left = true;)* #clear })
         });
@@ -355,11 +354,11 @@ impl Cx<'_> {
             } else {
                 writes.push(self.enter(*target));
             }
-            writes.extend(self.begin_time(*target, transition));
+            writes.push_all(self.begin_time(*target, transition));
         }
         let moved = (!writes.is_empty()).then(|| self.note_moved()).flatten();
         let below = self.below(transition);
-        writes.extend(self.overwrite_below(&below));
+        writes.push_all(self.overwrite_below(&below));
         let (actions, at_once) = (self.acts_on_clearing(id), self.stored_at_once(transition, &below));
         let (writes, end) = (self.few_at_a_time(&writes), self.end_below(transition.partial, &below));
         quote!(#actions #at_once #writes #moved #end)

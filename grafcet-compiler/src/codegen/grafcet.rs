@@ -177,7 +177,7 @@ impl Cx<'_> {
     /// A25: the situation is a fixed point, and nothing else is to be done.
     fn unchanged(&self) -> TokenStream {
         let same = if self.plan.shape.notes_moves { vec![quote!(!moved)] } else { self.is_same() };
-        let terms: Vec<_> = same.into_iter().chain(self.collected_unchanged()).list();
+        let terms: Vec<_> = same.into_iter().and(self.collected_unchanged()).list();
         if terms.is_empty() { quote!(true) } else { quote!(#(#terms)&&*) }
     }
 

@@ -61,7 +61,7 @@ impl<'m> Machine<'m> {
     /// As the plan says.
     pub(super) fn planned(cx: &Cx<'m>) -> Self {
         let (model, plan) = (cx.model, cx.plan);
-        let remembered = plan.memory.stored.iter().chain(&plan.memory.last).map(|id| &model.outputs[*id].ty);
+        let remembered = plan.memory.stored.iter().and(&plan.memory.last).map(|id| &model.outputs[*id].ty);
         let vars = plan.memory.vars.iter().map(|id| &model.vars[*id].ty);
         let values = plan.memory.vars.iter().map(|id| {
             let held = names::var_field(model, *id);
@@ -73,7 +73,7 @@ impl<'m> Machine<'m> {
             fields: cx.fields(),
             clock: plan.memory.time.then(|| names::local("now")),
             began: Vec::new(),
-            stored: remembered.chain(vars).list(),
+            stored: remembered.and(vars).list(),
             cycle: cx.cycle_body(),
             evolve: cx.evolve_function(),
             active: model.steps.ids().map(|step| chart_impl::holds(cx, step)).list(),

@@ -3,7 +3,7 @@
 use super::control::set_by;
 use super::{Cx, names};
 use crate::held::Held;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ActionId, AssociationId, Effect, Qualifier, StepId};
 use crate::plan::{Counted, RegionId, Target, is_stored, source_order};
 use crate::program::{Program, Role};
@@ -26,21 +26,21 @@ impl Cx<'_> {
         }
         held.push((names::state_before().to_string(), Held::Deadline));
         held.push(("settled".to_owned(), Held::Deadline));
-        held.extend(memory.stored.iter().map(|id| (names::output_field(model, *id).to_string(), Held::Output(*id))));
-        held.extend(memory.last.iter().map(|id| (names::output_last_field(model, *id).to_string(), Held::Last(*id))));
-        held.extend(memory.vars.iter().map(|id| (names::var_field(model, *id).to_string(), Held::Var(*id))));
-        held.extend(memory.edges.iter().map(|(id, ..)| (names::edge_field(*id).to_string(), Held::Edge(*id))));
+        held.push_all(memory.stored.iter().map(|id| (names::output_field(model, *id).to_string(), Held::Output(*id))));
+        held.push_all(memory.last.iter().map(|id| (names::output_last_field(model, *id).to_string(), Held::Last(*id))));
+        held.push_all(memory.vars.iter().map(|id| (names::var_field(model, *id).to_string(), Held::Var(*id))));
+        held.push_all(memory.edges.iter().map(|(id, ..)| (names::edge_field(*id).to_string(), Held::Edge(*id))));
         let late = memory.late_edges.iter();
-        held.extend(late.map(|(id, ..)| (names::late_edge(*id, None).to_string(), Held::ActionEdge(*id))));
-        held.extend(memory.macro_times.iter().map(|id| (names::macro_time(*id).to_string(), Held::MacroTime(*id))));
-        held.extend(memory.phases.iter().enumerate().map(|(index, phase)| {
+        held.push_all(late.map(|(id, ..)| (names::late_edge(*id, None).to_string(), Held::ActionEdge(*id))));
+        held.push_all(memory.macro_times.iter().map(|id| (names::macro_time(*id).to_string(), Held::MacroTime(*id))));
+        held.push_all(memory.phases.iter().enumerate().map(|(index, phase)| {
             let what = match phase.of {
                 Counted::Region(region) => Held::Phase(self.steps_of(region), phase.period),
                 Counted::Macro(id) => Held::MacroPhase(id, phase.period),
             };
             (names::phase(index).to_string(), what)
         }));
-        held.extend(model.delays.ids().map(|id| (names::delay_field(id).to_string(), Held::Delay(id))));
+        held.push_all(model.delays.ids().map(|id| (names::delay_field(id).to_string(), Held::Delay(id))));
         for (index, target) in plan.control.targets.iter().enumerate() {
             self.held_by_target(index, target, &mut held);
         }

@@ -390,7 +390,7 @@ fn camel(name: &str) -> String {
     let mut camel: String = words
         .map(|word| {
             let mut chars = word.chars();
-            chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+            chars.next().map_or_else(String::new, |first| first.to_uppercase().and(chars).collect())
         })
         .collect();
     if !camel.starts_with(char::is_alphabetic) {

@@ -24,10 +24,10 @@ impl Cx<'_> {
     fn changed_in_place(&self) -> Vec<Ident> {
         let states = (0..self.plan.regions.all().len()).map(|region| names::region_field(region, self.plan));
         let times = self.counted_regions().filter(|_| self.plan.shape.begins_on_entry);
-        let times = times.flat_map(|region| self.counters_of(region));
+        let times = times.flat(|region| self.counters_of(region));
         let places = self.written_at_once();
         let places = places.iter().map(|place| names::place_field(self.model, *place));
-        states.chain(times).chain(places).list()
+        states.and(times).and(places).list()
     }
 
     /// An `sfc` only wants to know for `next_deadline`.
@@ -139,7 +139,7 @@ impl Cx<'_> {
         let transition = &self.model.transitions[id];
         let sources = transition.sources.iter().map(|step| self.in_step(At::Now, *step));
         let condition = self.condition(id).map(|condition| self.value(condition, Moment::Enabled(id)));
-        let terms: Vec<_> = sources.chain(condition).list();
+        let terms: Vec<_> = sources.and(condition).list();
         quote!(#(#terms)&&*)
     }
 

@@ -64,7 +64,7 @@ impl Cx<'_> {
             _ => self.elapsed(time, association.step, moment),
         });
         let condition = association.condition.as_ref().map(|condition| self.value(condition, moment));
-        let terms: Vec<_> = limit.into_iter().chain(condition).list();
+        let terms: Vec<_> = limit.into_iter().and(condition).list();
         (!terms.is_empty()).then(|| quote!(#(#terms)&&*))
     }
 

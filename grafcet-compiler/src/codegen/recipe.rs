@@ -5,7 +5,7 @@ use quote::quote_spanned;
 
 use super::{Cx, derives, types};
 use crate::analysis::integer_constant;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, Ty};
 use crate::place::{self, quote};
 
@@ -82,8 +82,8 @@ fn ranges(cx: &Cx<'_>) -> TokenStream {
         let shown = shown.trim_start_matches("r#");
         let refused = quote!(return #p::Option::Some(#p::OutOfRange { param: #shown, range: #text }));
         let (low, high) = (Literal::i128_unsuffixed(range.low), Literal::i128_unsuffixed(range.high));
-        asked.extend(below.then(|| quote!(if #value < #low { #refused; })));
-        asked.extend(above.then(|| quote!(if #value > #high { #refused; })));
+        asked.push_all(below.then(|| quote!(if #value < #low { #refused; })));
+        asked.push_all(above.then(|| quote!(if #value > #high { #refused; })));
         // The value of a constant of Rust is known to rustc alone.
         if let Some(init) = param.init.as_ref().filter(|init| integer_constant(&init.tree).is_none()) {
             let message = format!("`{shown}` is not in `{text}`");

@@ -31,7 +31,7 @@ pub(super) fn all(cx: &Cx<'_>, machine: &Machine<'_>, situations: &Situations, f
         quote!(#name { #fields } #in_range where { #foreign })
     });
     let began = machine.began.iter().map(|name| quote!(#name)).tokens();
-    let is_reading = |field: &&Field| machine.clock.iter().chain(&machine.began).any(|reading| *reading == field.name);
+    let is_reading = |field: &&Field| machine.clock.iter().and(&machine.began).any(|reading| *reading == field.name);
     let state = machine.fields.iter().filter(|field| !is_reading(field)).map(|Field { name, ty, .. }| {
         let how = listed.of_type(ty, p);
         quote!(#name: #ty #how,)
@@ -187,7 +187,7 @@ fn foreign(model: &Model, machine: &Machine<'_>, listed: &Listed<'_>) -> TokenSt
     let inputs = model.inputs.iter().map(|(id, input)| (&input.ty, listed.of_name(Name::Input(id)).is_some()));
     let params = model.params.iter().map(|(id, param)| (&param.ty, listed.of_name(Name::Param(id)).is_some()));
     let stored = machine.stored.iter().map(|ty| (*ty, listed.has_type(ty)));
-    let foreign = inputs.chain(params).chain(stored).filter_map(|(ty, is_listed)| match ty {
+    let foreign = inputs.and(params).and(stored).filter_map(|(ty, is_listed)| match ty {
         Ty::Other(rust) if !ty.is_float() && !is_listed => {
             let bound = quote_spanned!(place::mixed().located_at(rust.span())=> __Record);
             Some(quote!(#rust: #bound,))

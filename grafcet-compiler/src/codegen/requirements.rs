@@ -17,7 +17,7 @@ pub(super) fn copied(model: &Model, p: &TokenStream) -> TokenStream {
     let outputs = model.outputs.values().map(|output| &output.ty);
     let vars = model.vars.values().map(|var| &var.ty);
     let params = model.params.values().map(|param| &param.ty);
-    let foreign = distinct(inputs.chain(outputs).chain(vars).chain(params), is_copy);
+    let foreign = distinct(inputs.and(outputs).and(vars).and(params), is_copy);
     foreign.iter().map(|ty| call(ty, &quote!(copied), &TokenStream::new(), p)).map(|call| quote!(#call;)).tokens()
 }
 

@@ -10,7 +10,7 @@ use crate::list::List;
 use crate::model::{Association, Effect, Expr, StepId};
 use crate::place::quote;
 use crate::plan::{RegionId, is_stored};
-use crate::sorted::Map;
+use crate::sorted::{Map, sort_by_key};
 
 /// Something that happens in a cycle.
 pub(super) enum Item {
@@ -102,7 +102,7 @@ impl Cx<'_> {
                 Effect::Assign(_, value) => Some(value),
                 _ => None,
             };
-            association.condition.iter().chain(value).any(opaque)
+            association.condition.iter().and(value).any(opaque)
         });
         if !calls && !self.plan.shape.is_flags() {
             let mut regions = Vec::new();
@@ -111,7 +111,7 @@ impl Cx<'_> {
                     regions.push(region);
                 }
             }
-            items.sort_by_key(|item| regions.iter().position(|region| *region == self.region_of(item)));
+            sort_by_key(&mut items, |item| regions.iter().position(|region| *region == self.region_of(item)));
             let nests = self.plan.nests.as_ref().filter(|_| items.iter().all(|item| matches!(item, Item::After(..))));
             if let Some(nests) = nests {
                 return self.side_by_side(nests, items);
@@ -162,7 +162,7 @@ impl Cx<'_> {
     fn segment(&self, segment: Segment) -> TokenStream {
         let Segment { before, region, mut arms, .. } = segment;
         if self.plan.shape.is_flags() {
-            arms.sort_by_key(|(step, _)| *step);
+            sort_by_key(&mut arms, |(step, _)| *step);
             return self.visit(if before { At::Before } else { At::After }, &arms);
         }
         let state = if before { names::before(region, self.plan).to_token_stream() } else { self.state_after(region) };

@@ -6,7 +6,7 @@ use super::bind::Moment;
 use super::segments::Item;
 use super::situation::At;
 use super::{Cx, names};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::place::quote;
 use crate::plan::{LeftOver, RegionId, Target, source_order};
@@ -59,15 +59,15 @@ impl Cx<'_> {
             // Nothing but the active step's own actions: its arm does it all. What is an expression comes first, so that it
             // does not stand between the arms.
             let (alone, arms): (Vec<_>, Vec<_>) = source_order(self.model).partition(|id| self.is_expression(*id));
-            let items = alone.into_iter().chain(arms).map(|id| self.gather_local(id));
+            let items = alone.into_iter().and(arms).map(|id| self.gather_local(id));
             let entered = source_order(self.model).map(|id| self.local_run(id, Part::Activation));
             let rest = self.part(Part::Rest);
-            let all = self.in_order(items.chain(entered).chain(rest));
+            let all = self.in_order(items.and(entered).and(rest));
             return quote!(#last #resets #all #apply_resets);
         }
         // Where the arms of the branches act, what is left are steps that stand in no branch.
         let acted = self.plan.nests.iter().flatten().filter(|_| self.plan.acts_in_arms);
-        let acted: Vec<RegionId> = acted.flat_map(|nest| &nest.regions).copied().list();
+        let acted: Vec<RegionId> = acted.flat(|nest| &nest.regions).copied().list();
         let left = |id: &AssociationId| {
             let step = self.model.associations[*id].step;
             !acted.contains(&self.plan.regions.of_step(step))
@@ -119,7 +119,8 @@ impl Cx<'_> {
             }
             order.push(id);
             if let Some(place) = assigned(id) {
-                order.extend(source_order(self.model).filter(|other| *other != id && assigned(*other) == Some(place)));
+                order
+                    .push_all(source_order(self.model).filter(|other| *other != id && assigned(*other) == Some(place)));
             }
         }
         order

@@ -5,7 +5,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use super::control::set_by;
 use super::machine::{Field, Machine};
 use super::{Cx, derives, names, recipe, types};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Place, Qualifier};
 use crate::place::quote;
 use crate::plan::{RegionId, Target, What};
@@ -47,7 +47,7 @@ pub(super) fn variants(cx: &Cx<'_>, states: &StateEnum) -> Vec<Ident> {
     let steps = cx.plan.regions.all()[states.region].steps.iter().map(|step| names::private_variant(cx.model, *step));
     let empty = states.empty.then(|| cx.names.empty.clone());
     let start = states.start.then(|| cx.names.start.clone());
-    steps.chain(empty).chain(start).list()
+    steps.and(empty).and(start).list()
 }
 
 /// The type and what belongs to it.
@@ -188,10 +188,10 @@ impl Cx<'_> {
 
     pub(super) fn fields(&self) -> Vec<Field> {
         let mut fields = self.region_fields();
-        fields.extend(self.place_fields());
-        fields.extend(self.time_fields());
-        fields.extend(self.control_fields());
-        fields.extend(self.call_fields());
+        fields.push_all(self.place_fields());
+        fields.push_all(self.time_fields());
+        fields.push_all(self.control_fields());
+        fields.push_all(self.call_fields());
         fields
     }
 
@@ -233,8 +233,8 @@ impl Cx<'_> {
         };
         let stored = self.plan.memory.stored.iter().map(|id| output(*id, names::output_field(self.model, *id)));
         let last = self.plan.memory.last.iter().map(|id| output(*id, names::output_last_field(self.model, *id)));
-        let mut fields: Vec<_> = stored.chain(last).list();
-        fields.extend(self.plan.memory.vars.iter().map(|id| {
+        let mut fields: Vec<_> = stored.and(last).list();
+        fields.push_all(self.plan.memory.vars.iter().map(|id| {
             let var = &self.model.vars[*id];
             Field {
                 name: names::var_field(self.model, *id),
@@ -244,10 +244,10 @@ impl Cx<'_> {
         }));
         // After a value that was true no edge rises: there is none in the first cycle (A26).
         let edges = self.plan.memory.edges.iter();
-        fields.extend(
+        fields.push_all(
             edges.map(|(id, rising, falling)| self.flag(&names::edge_field(*id).to_string(), *rising && !falling)),
         );
-        fields.extend(
+        fields.push_all(
             self.plan
                 .memory
                 .late_edges
@@ -264,14 +264,14 @@ impl Cx<'_> {
         let p = &self.p;
         let ticks = |name| Field { name, ty: quote!(#p::Ticks), initial: quote!(#p::Ticks::ZERO) };
         let mut fields = vec![ticks(names::local("now"))];
-        fields.extend(self.left_over_field().map(|(name, ty, initial)| Field { name, ty, initial }));
-        fields.extend(self.timed_regions().map(|region| {
+        fields.push_all(self.left_over_field().map(|(name, ty, initial)| Field { name, ty, initial }));
+        fields.push_all(self.timed_regions().map(|region| {
             let (name, time) = (names::step_time(region, self.plan), self.time_type(region));
             Field { name, initial: quote!(#time::ZERO), ty: time }
         }));
-        fields.extend(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
-        fields.extend((0..self.plan.memory.phases.len()).map(|index| ticks(names::phase(index))));
-        fields.extend(self.model.delays.ids().map(|id| Field {
+        fields.push_all(self.plan.memory.macro_times.iter().map(|id| ticks(names::macro_time(*id))));
+        fields.push_all((0..self.plan.memory.phases.len()).map(|index| ticks(names::phase(index))));
+        fields.push_all(self.model.delays.ids().map(|id| Field {
             name: names::delay_field(id),
             ty: quote!(#p::Delay),
             initial: quote!(#p::Delay::new()),
@@ -282,7 +282,7 @@ impl Cx<'_> {
     /// The flip-flops, timers and memories of the action control, as far as a target needs them.
     fn control_fields(&self) -> Vec<Field> {
         let targets = self.plan.control.targets.iter().enumerate();
-        targets.flat_map(|(index, target)| self.target_fields(index, target)).list()
+        targets.flat(|(index, target)| self.target_fields(index, target)).list()
     }
 
     fn target_fields(&self, index: usize, target: &Target) -> Vec<Field> {
@@ -371,7 +371,7 @@ pub(super) fn chart(cx: &Cx<'_>, machine: &Machine<'_>) -> TokenStream {
     let declared = fields.iter().map(|Field { name, ty, .. }| quote!(#name: #ty,));
     let values = fields.iter().map(|Field { name, initial, .. }| quote!(#name: #initial,));
     let stored = machine.stored.iter().copied();
-    let derives = derives::of(stored.chain(model.params.values().map(|param| &param.ty))).of_chart();
+    let derives = derives::of(stored.and(model.params.values().map(|param| &param.ty))).of_chart();
     let (written_out, derives) = (derives.written_out(name, p), derives.attributes(model, p));
     let levels = types::levels(model);
     let (params_field, new) = constructors(cx, &quote!(#(#values)*));

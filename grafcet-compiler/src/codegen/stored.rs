@@ -15,7 +15,7 @@ use crate::model::{
 };
 use crate::place::quote;
 use crate::plan::{Below, is_stored, source_order};
-use crate::sorted::Set;
+use crate::sorted::{Set, sort_by_key};
 
 /// When an association of a `grafcet` acts.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -81,7 +81,7 @@ impl Cx<'_> {
         });
         let events = self.event_calls().map(|id| names::due("call", id)).map(|due| quote!(!#due));
         let clearings = self.clearing_calls().map(|id| names::due("clearing", id.index())).map(|due| quote!(!#due));
-        places.chain(events).chain(clearings).list()
+        places.and(events).and(clearings).list()
     }
 
     /// The stored actions on the activation of the initial situation (A37).
@@ -90,7 +90,7 @@ impl Cx<'_> {
             .plan
             .initial
             .iter()
-            .flat_map(|step| &self.model.steps[*step].associations)
+            .flat(|step| &self.model.steps[*step].associations)
             .map(|id| &self.model.associations[*id])
             .filter(|association| instant(association) == Some(Instant::Activation))
             .list();
@@ -162,7 +162,7 @@ impl Cx<'_> {
     /// The places that such actions write.
     pub(super) fn written_at_once(&self) -> Set<Place> {
         let actions = self.model.associations.iter().filter(|(id, _)| self.acts_at_once(*id));
-        actions.flat_map(|(_, action)| action.effect.writes()).copied().collect()
+        actions.flat(|(_, action)| action.effect.writes()).copied().collect()
     }
 
     fn clearing_calls(&self) -> impl Iterator<Item = TransitionId> + '_ {
@@ -186,7 +186,7 @@ impl Cx<'_> {
         };
         // A forced evolution may leave and enter steps that never follow each other: of two that write one place, the last in the source counts.
         if !actions.iter().any(calls) && !self.plan.shape.given {
-            actions.sort_by_key(|(instant, _, _)| *instant);
+            sort_by_key(&mut actions, |(instant, _, _)| *instant);
         }
         self.in_order(actions.into_iter().map(|(instant, id, association)| {
             let body = self.stored_action(id, association, which);
@@ -238,7 +238,7 @@ impl Cx<'_> {
     }
 
     fn stored_condition(&self, association: &Association, moment: Moment) -> TokenStream {
-        let terms = association.event.iter().chain(&association.condition).map(|expr| self.value(expr, moment));
+        let terms = association.event.iter().and(&association.condition).map(|expr| self.value(expr, moment));
         quote!(#(#terms)&&*)
     }
 

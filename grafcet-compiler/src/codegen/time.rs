@@ -6,7 +6,7 @@ use super::bind::Moment;
 use super::situation::At;
 use super::{Cx, names};
 use crate::analysis::combinational::asserted;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{DelayId, EdgeId, Expr, Name, Read, StepId, Transition, VarId};
 use crate::place::quote;
 use crate::plan::{Counted, Phase, RegionId};
@@ -69,7 +69,7 @@ impl Cx<'_> {
     /// Everything that counts since the activation of a region's active step.
     pub(super) fn counters_of(&self, region: RegionId) -> Vec<Ident> {
         let since = self.plan.memory.step_times[region].then(|| names::step_time(region, self.plan));
-        since.into_iter().chain(self.phases_of(Counted::Region(region))).list()
+        since.into_iter().and(self.phases_of(Counted::Region(region))).list()
     }
 
     /// Regions of which something is counted since the activation of their active step.
@@ -91,7 +91,7 @@ impl Cx<'_> {
         });
         let macros = self.model.macros.ids().filter_map(|id| {
             let timed = self.plan.memory.macro_times.contains(&id).then(|| names::macro_time(id));
-            let counters: Vec<_> = timed.into_iter().chain(self.phases_of(Counted::Macro(id))).list();
+            let counters: Vec<_> = timed.into_iter().and(self.phases_of(Counted::Macro(id))).list();
             if counters.is_empty() {
                 return None;
             }
@@ -202,7 +202,7 @@ impl Cx<'_> {
             Some(quote!(let value: #p::bool = #value; #up #down self.#field = value;))
         });
         let sampled: TokenStream = sampled.tokens();
-        let sides = late.iter().flat_map(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
+        let sides = late.iter().flat(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
         let locals = sides.filter(|(_, used, _)| *used).map(|(id, _, side)| names::late_edge(id, Some(side)));
         let locals: Vec<_> = locals.list();
         let settled = self.unsettle_if(&quote!(#(#locals)||*));
@@ -243,8 +243,8 @@ impl Cx<'_> {
     fn samples(&self) -> Vec<Sample> {
         let mut order = Vec::new();
         let mut waiting: Vec<Sample> = self.model.edges.ids().map(Sample::Edge).list();
-        waiting.extend(self.model.delays.ids().map(Sample::Delay));
-        waiting.extend(self.plan.memory.combinational.iter().copied().map(Sample::Combinational));
+        waiting.push_all(self.model.delays.ids().map(Sample::Delay));
+        waiting.push_all(self.plan.memory.combinational.iter().copied().map(Sample::Combinational));
         while let Some(next) = waiting.iter().position(|sample| !self.looks_at(*sample, &waiting)) {
             order.push(waiting.remove(next));
         }
@@ -297,7 +297,7 @@ impl Cx<'_> {
         let (field, value) = (names::edge_field(id), self.value(&self.model.edges[id].of, Moment::Sample));
         let used = self.plan.memory.edges.iter().find(|(other, ..)| *other == id);
         let none = used.is_some_and(|(_, rising, falling)| *rising && *falling).then(|| quote!(&& !#none));
-        let sides = used.into_iter().flat_map(|(_, rising, falling)| [(*rising, true), (*falling, false)]);
+        let sides = used.into_iter().flat(|(_, rising, falling)| [(*rising, true), (*falling, false)]);
         let sides = sides.filter(|(used, _)| *used).map(|(_, is_rising)| {
             let local = names::edge_local(id, is_rising);
             let edge = if is_rising { quote!(value && !self.#field) } else { quote!(!value && self.#field) };
@@ -318,7 +318,7 @@ impl Cx<'_> {
 
     fn names_of_edges(&self, wanted: &[EdgeId]) -> Vec<Ident> {
         let edges = self.plan.memory.edges.iter().filter(|(id, ..)| wanted.contains(id));
-        let sides = edges.flat_map(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
+        let sides = edges.flat(|(id, rising, falling)| [(*id, *rising, true), (*id, *falling, false)]);
         sides.filter(|(_, used, _)| *used).map(|(id, _, is_rising)| names::edge_local(id, is_rising)).list()
     }
 

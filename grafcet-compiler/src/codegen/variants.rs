@@ -21,7 +21,7 @@ pub(super) fn all(cx: &Cx<'_>) -> TokenStream {
 fn check(cx: &Cx<'_>, variants: &Variants) -> TokenStream {
     let Some(name) = variants.names.first() else { return TokenStream::new() };
     let ty = ours(rust_type(cx.model.ty(*name), &cx.p));
-    let paths = std::iter::once(&variants.path).chain(&variants.others);
+    let paths = std::iter::once(&variants.path).and(&variants.others);
     let last = variants.list.last().map_or_else(place::mixed, |variant| located(variant.name.span()));
     let matches = paths.map(|path| {
         let patterns = variants.list.iter().map(|variant| {

@@ -1,6 +1,7 @@
 //! The table of rules: one row a rule, in the order of the page of rules.
 
 use crate::ast::{Dialect, LevelAttr, Severity};
+use crate::list::List;
 use crate::similar;
 
 /// A rule of the checker.
@@ -26,7 +27,7 @@ impl Rule {
     /// The level in force under these lint attributes, the innermost scope first.
     #[must_use]
     pub fn severity_in(&self, dialect: Dialect, scopes: &[&[LevelAttr]]) -> Severity {
-        let wanted = scopes.iter().flat_map(|s| s.iter().rev()).find(|l| l.rule == self.name);
+        let wanted = scopes.iter().flat(|s| s.iter().rev()).find(|l| l.rule == self.name);
         let default = self.default_in(dialect);
         match wanted {
             Some(level) if self.can_be_allowed || level.severity > default => level.severity,

@@ -27,10 +27,10 @@ pub(crate) fn root(expr: &Expr) -> Option<&Ident> {
 /// The names whose places an assignment to `left` writes: `a` and `b` of `(a, b.c) = …`.
 pub(crate) fn targets(left: &Expr) -> Vec<&Ident> {
     match left {
-        Expr::Tuple(tuple) => tuple.elems.iter().flat_map(targets).list(),
-        Expr::Array(array) => array.elems.iter().flat_map(targets).list(),
-        Expr::Call(call) => call.args.iter().flat_map(targets).list(),
-        Expr::Struct(fields) => fields.fields.iter().flat_map(|field| targets(&field.expr)).list(),
+        Expr::Tuple(tuple) => tuple.elems.iter().flat(targets).list(),
+        Expr::Array(array) => array.elems.iter().flat(targets).list(),
+        Expr::Call(call) => call.args.iter().flat(targets).list(),
+        Expr::Struct(fields) => fields.fields.iter().flat(|field| targets(&field.expr)).list(),
         Expr::Paren(paren) => targets(&paren.expr),
         place => root(place).into_iter().list(),
     }

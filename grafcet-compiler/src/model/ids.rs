@@ -3,56 +3,7 @@
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut};
 
-/// What others build upon, as loops: the standard library's own go through four functions more, for each closure anew, and whoever
-/// uses the macro builds it without optimisation.
-macro_rules! searches {
-    () => {
-        fn fold<B, F: FnMut(B, Self::Item) -> B>(mut self, begin: B, mut join: F) -> B {
-            let mut joined = begin;
-            while let Some(item) = self.next() {
-                joined = join(joined, item);
-            }
-            joined
-        }
-
-        fn any<F: FnMut(Self::Item) -> bool>(&mut self, mut test: F) -> bool {
-            while let Some(item) = self.next() {
-                if test(item) {
-                    return true;
-                }
-            }
-            false
-        }
-
-        fn all<F: FnMut(Self::Item) -> bool>(&mut self, mut test: F) -> bool {
-            while let Some(item) = self.next() {
-                if !test(item) {
-                    return false;
-                }
-            }
-            true
-        }
-
-        fn find<P: FnMut(&Self::Item) -> bool>(&mut self, mut test: P) -> Option<Self::Item> {
-            while let Some(item) = self.next() {
-                if test(&item) {
-                    return Some(item);
-                }
-            }
-            None
-        }
-
-        fn find_map<B, F: FnMut(Self::Item) -> Option<B>>(&mut self, mut look: F) -> Option<B> {
-            while let Some(item) = self.next() {
-                let found = look(item);
-                if found.is_some() {
-                    return found;
-                }
-            }
-            None
-        }
-    };
-}
+use crate::list::searches;
 
 /// An index into one arena.
 pub trait Id: Copy {

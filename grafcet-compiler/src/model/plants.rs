@@ -1,6 +1,7 @@
 //! What stands beside a chart in a proof: the plants of its call, and how they hang together.
 
 use super::{InputId, MacroId, Model, Name, OutputId, StepId};
+use crate::list::List;
 
 /// The plants of a call; none for a chart alone.
 #[derive(Default)]
@@ -81,7 +82,7 @@ impl Plants {
     /// The names of the plants, as a message says them: `` `Lift` and `Arm` ``.
     #[must_use]
     pub fn names(&self) -> String {
-        let names: Vec<String> = self.list.iter().map(|plant| format!("`{}`", plant.model.name)).collect();
+        let names: Vec<String> = self.list.iter().map(|plant| format!("`{}`", plant.model.name)).list();
         match names.split_last() {
             Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
             _ => names.concat(),

@@ -8,7 +8,7 @@ use super::{
     TransitionId, Tree, Ty, Unary, Variants,
 };
 use crate::diagnostic::rules::Rule;
-use crate::list::List;
+use crate::list::{List, PushAll};
 
 impl Model {
     /// What each expression of the chart reads: conditions, events, values, arguments, blocks, edges and delays; and what
@@ -18,14 +18,14 @@ impl Model {
         let mut all: Vec<&[Read]> = Vec::new();
         for transition in self.transitions.values() {
             all.push(&transition.condition.reads);
-            all.extend(transition.clearing.iter().flat_map(Effect::reads));
+            all.push_all(transition.clearing.iter().flat(Effect::reads));
         }
         for association in self.associations.values() {
-            all.extend(association.reads());
+            all.push_all(association.reads());
         }
-        all.extend(self.edges.values().map(|edge| &edge.of.reads[..]));
-        all.extend(self.delays.values().map(|delay| &delay.of.reads[..]));
-        all.extend(self.steps.values().filter_map(|step| step.late.as_ref()).map(slice::from_ref));
+        all.push_all(self.edges.values().map(|edge| &edge.of.reads[..]));
+        all.push_all(self.delays.values().map(|delay| &delay.of.reads[..]));
+        all.push_all(self.steps.values().filter_map(|step| step.late.as_ref()).map(slice::from_ref));
         all
     }
 
@@ -46,7 +46,7 @@ impl Model {
     pub fn effects(&self) -> Vec<&Effect> {
         let mut all: Vec<&Effect> = self.associations.values().map(|association| &association.effect).list();
         for transition in self.transitions.values() {
-            all.extend(&transition.clearing);
+            all.push_all(&transition.clearing);
         }
         all
     }
@@ -98,8 +98,8 @@ impl Model {
         let transitions = self.transitions.values().map(|transition| &transition.levels);
         let outputs = self.outputs.values().map(|output| &output.levels);
         let vars = self.vars.values().map(|var| &var.levels);
-        let inside = partials.chain(steps).chain(transitions).chain(outputs).chain(vars);
-        inside.chain([&self.levels]).flatten().any(|level| level.rule == rule.name)
+        let inside = partials.and(steps).and(transitions).and(outputs).and(vars);
+        inside.and([&self.levels]).flatten().any(|level| level.rule == rule.name)
     }
 
     /// Whether two transitions never clear together by what they are: one is the `else` of the other, or that of an `any` which comes
@@ -325,8 +325,8 @@ impl Association {
     /// What its expressions read, one list an expression: condition, event and effect.
     #[must_use]
     pub fn reads(&self) -> Vec<&[Read]> {
-        let mut all: Vec<&[Read]> = self.condition.iter().chain(&self.event).map(|expr| &expr.reads[..]).list();
-        all.extend(self.effect.reads());
+        let mut all: Vec<&[Read]> = self.condition.iter().and(&self.event).map(|expr| &expr.reads[..]).list();
+        all.push_all(self.effect.reads());
         all
     }
 }
@@ -387,7 +387,7 @@ impl Claim {
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {
             Self::Never(condition) => vec![condition],
-            Self::Always { premise, condition } => premise.iter().chain([condition]).list(),
+            Self::Always { premise, condition } => premise.iter().and([condition]).list(),
             Self::Home(..) => Vec::new(),
             Self::LeadsTo { from, to, .. } => vec![from, to],
             Self::Before { first, then } => vec![first, then],

@@ -9,7 +9,7 @@ use super::input::Turns;
 use super::{Error, Input, Result};
 use crate::ast::{Attrs, Derive, LevelAttr};
 use crate::diagnostic::{Mark, Severity, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 
 /// The attributes in front of an item.
 #[derive(Default)]
@@ -184,7 +184,7 @@ fn derive(meta: &Meta, mark: Mark) -> Result<Option<Derive>> {
     let mut traits = Vec::new();
     for meta in metas {
         let Some(inner) = derive(meta, mark)?.filter(|inner| inner.when.is_none()) else { return Ok(None) };
-        traits.extend(inner.traits);
+        traits.push_all(inner.traits);
     }
     Ok((!traits.is_empty()).then_some(Derive { when: Some(when), traits, mark }))
 }

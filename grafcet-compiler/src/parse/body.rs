@@ -7,6 +7,7 @@ use super::recover::{self, Items};
 use super::{Input, Result, attrs, chain, decl, named, partial, property, setting, step, words};
 use crate::ast::{Body, DeclKind, Item};
 use crate::diagnostic::Sink;
+use crate::list::PushAll;
 
 /// All of a body. What cannot be parsed is reported and left out.
 pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
@@ -16,10 +17,10 @@ pub(super) fn parse(mut input: Input, sink: &mut Sink) -> Body {
         let start = input;
         if let Err(error) = item(&mut input, &mut body.items, sink) {
             error.report(sink);
-            body.broken.extend(recover::names(start));
+            body.broken.push_all(recover::names(start));
             body.lost_step |= recover::may_be_step(start);
             recover::skip(&mut input, &start, Items::OfChart);
-            body.lost.extend(start.names_until(&input));
+            body.lost.push_all(start.names_until(&input));
         }
         recover::moved(&mut input, &start, sink);
     }
@@ -36,7 +37,7 @@ fn item(input: &mut Input, items: &mut Vec<Item>, sink: &mut Sink) -> Result<()>
     }
     if chain::begins(input) {
         let attrs = outer.attrs;
-        items.extend(chain::parse(input, &attrs, sink)?.into_iter().map(Item::Chain));
+        items.push_all(chain::parse(input, &attrs, sink)?.into_iter().map(Item::Chain));
         recover::semicolon(input, Items::OfChart, sink);
         return Ok(());
     }

@@ -3,7 +3,7 @@
 //! `!a || b`. So they are opened before anything looks at them, and where the operators around could take them apart they
 //! get parentheses. What is checked, what is shown and what runs is then the same.
 
-use crate::list::List;
+use crate::list::{List, PushAll};
 use proc_macro2::{Delimiter, Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::{Expr, Type};
 
@@ -36,7 +36,7 @@ pub(super) fn opened(tokens: TokenStream) -> Vec<TokenTree> {
         } else {
             // What did not touch makes no operator: `a < $t` with `<T>::MAX`.
             apart(&mut out);
-            out.extend(content);
+            out.push_all(content);
             apart(&mut out);
         }
         behind_fragment = true;

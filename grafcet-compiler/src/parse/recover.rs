@@ -5,6 +5,7 @@ use proc_macro2::{Delimiter, Ident};
 use super::input::Turns;
 use super::{Error, Input, association, chain, words};
 use crate::diagnostic::Sink;
+use crate::list::PushAll;
 
 /// Which items stand in a body.
 #[derive(Clone, Copy, PartialEq)]
@@ -143,7 +144,7 @@ pub(super) fn names(mut start: Input) -> Vec<Ident> {
     while is_list && turns.more(&start) && !start.at(";") && !start.on_new_line() {
         let name = start;
         if start.bump() && start.at(":") && !start.at("::") && !name.at(":") {
-            names.extend({ name }.eat_ident());
+            names.push_all({ name }.eat_ident());
         }
     }
     names

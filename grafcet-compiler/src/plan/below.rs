@@ -164,7 +164,7 @@ impl Search<'_> {
 
     fn all_below(&self, partial: PartialId) -> Vec<PartialId> {
         let direct = directly(self.model, partial);
-        direct.flat_map(|id| std::iter::once(id).chain(self.all_below(id))).list()
+        direct.flat(|id| std::iter::once(id).and(self.all_below(id))).list()
     }
 
     /// Whether nothing in a partial grafcet clears as long as a step above it is active.

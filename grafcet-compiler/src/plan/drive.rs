@@ -87,7 +87,7 @@ impl<'m> Uses<'m> {
             }
             read_by_actions.extend(association.reads().into_iter().flatten().filter_map(output));
         }
-        for effect in model.transitions.values().flat_map(|t| &t.clearing) {
+        for effect in model.transitions.values().flat(|t| &t.clearing) {
             cleared.extend(effect.writes().iter().copied().filter_map(written));
         }
         if model.dialect == Dialect::Sfc {

@@ -70,10 +70,10 @@ fn root(group: &[usize], mut item: usize) -> usize {
 
 /// Steps that one transition may take away while another gives them back: activation wins (rule 5 of IEC 60848).
 fn entered_last(model: &Model, concurrency: &Concurrency, exclusive: &[bool]) -> Set<StepId> {
-    let kept = model.transitions.values().flat_map(|transition| {
+    let kept = model.transitions.values().flat(|transition| {
         let overlapping = |step: &&StepId| transition.sources.contains(step) && !exclusive[step.index()];
         transition.targets.iter().filter(overlapping)
     });
     let entered_twice = model.steps.ids().filter(|step| concurrency.activated_while_active(*step));
-    entered_twice.chain(kept.copied()).collect()
+    entered_twice.and(kept.copied()).collect()
 }

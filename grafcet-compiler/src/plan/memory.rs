@@ -101,7 +101,7 @@ impl Memory {
     /// first cycle (A26).
     #[must_use]
     pub fn asks_for_start(&self) -> bool {
-        self.edges.iter().chain(&self.late_edges).any(|(_, rising, falling)| *rising && *falling)
+        self.edges.iter().and(&self.late_edges).any(|(_, rising, falling)| *rising && *falling)
     }
 }
 
@@ -110,9 +110,9 @@ impl Memory {
 fn edges(model: &Model, all: &Set<Read>) -> (Vec<UsedEdge>, Vec<UsedEdge>) {
     let mut acting: Set<Read> = Set::new();
     let mut others: Set<Read> = Set::new();
-    acting.extend(model.associations.values().flat_map(Association::reads).flatten().copied());
-    others.extend(model.transitions.values().flat_map(|transition| &transition.condition.reads).copied());
-    others.extend(model.delays.values().flat_map(|delay| &delay.of.reads).copied());
+    acting.extend(model.associations.values().flat(Association::reads).flatten().copied());
+    others.extend(model.transitions.values().flat(|transition| &transition.condition.reads).copied());
+    others.extend(model.delays.values().flat(|delay| &delay.of.reads).copied());
     // An edge of an edge comes after it.
     let looks = |reads: &Set<Read>, id: EdgeId| reads.contains(&Read::Rising(id)) || reads.contains(&Read::Falling(id));
     for (id, edge) in model.edges.iter().rev() {
@@ -145,7 +145,7 @@ fn begins_on_entry(model: &Model) -> bool {
     };
     let own = |transition: &Transition| {
         let mut times = transition.condition.reads.iter().filter_map(time_of);
-        let mut clearing = transition.clearing.iter().flat_map(Effect::reads).flatten();
+        let mut clearing = transition.clearing.iter().flat(Effect::reads).flatten();
         times.all(|step| transition.sources.contains(&step)) && !clearing.any(|read| time_of(read).is_some())
     };
     let stored = |association: &Association| {
@@ -163,7 +163,7 @@ fn timed_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepI
     });
     let is_limited = |(id, _): &(AssociationId, &Association)| control.step_limit(model, *id).is_some();
     let limited = model.associations.iter().filter(is_limited).map(|(_, association)| association.step);
-    read.chain(limited).collect()
+    read.and(limited).collect()
 }
 
 /// Steps from whose activation something blinks.
@@ -203,7 +203,7 @@ fn long_steps(model: &Model, control: &Control, reads: &Set<Read>) -> Set<StepId
         _ => None,
     });
     let limited = model.associations.iter().filter(|(id, _)| control.step_limit(model, *id).is_some_and(is_long));
-    read.chain(limited.map(|(_, association)| association.step)).collect()
+    read.and(limited.map(|(_, association)| association.step)).collect()
 }
 
 /// Regions whose times take 16 bits. One such region alone would mostly save no memory, as the struct is aligned to words, and

@@ -72,7 +72,7 @@ impl Search<'_> {
             (!owned.is_empty()).then_some((*step, owned))
         };
         let alone: Vec<_> = alone.iter().filter_map(leaving).list();
-        let from_alone: Set<_> = alone.iter().flat_map(|(_, owned)| owned).copied().collect();
+        let from_alone: Set<_> = alone.iter().flat(|(_, owned)| owned).copied().collect();
         let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone.contains(id)).list();
         let (common, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| self.is_common(*id, &regions));
         if rest.is_empty() {
@@ -133,7 +133,7 @@ impl Search<'_> {
     /// The regions of a transition's steps: one, and all of them.
     fn touched(&self, id: TransitionId) -> (RegionId, impl Iterator<Item = RegionId> + '_) {
         let transition = &self.model.transitions[id];
-        let steps = transition.sources.iter().chain(&transition.targets);
+        let steps = transition.sources.iter().and(&transition.targets);
         (self.regions.of_step(transition.sources[0]), steps.map(|step| self.regions.of_step(*step)))
     }
 }

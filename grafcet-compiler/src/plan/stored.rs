@@ -25,8 +25,8 @@ impl Stored {
             return stored;
         }
         for transition in model.transitions.values() {
-            stored.collected.extend(transition.clearing.iter().flat_map(Effect::writes));
-            stored.collected.extend(transition.clearing.iter().flat_map(Effect::reads).flatten().filter_map(place));
+            stored.collected.extend(transition.clearing.iter().flat(Effect::writes));
+            stored.collected.extend(transition.clearing.iter().flat(Effect::reads).flatten().filter_map(place));
         }
         let actions: Vec<&Association> = model.associations.values().filter(|a| is_stored(a)).list();
         for action in &actions {
@@ -47,9 +47,9 @@ impl Stored {
             }
             if stored.collected.len() == before {
                 // What is only read needs no local.
-                let clearings = model.transitions.values().flat_map(|t| &t.clearing);
-                let effects = actions.iter().map(|action| &action.effect).chain(clearings);
-                let written: Set<Place> = effects.flat_map(Effect::writes).copied().collect();
+                let clearings = model.transitions.values().flat(|t| &t.clearing);
+                let effects = actions.iter().map(|action| &action.effect).and(clearings);
+                let written: Set<Place> = effects.flat(Effect::writes).copied().collect();
                 stored.collected.retain(|place| written.contains(place));
                 stored.at_any_time = at_any_time(model, &stored.collected, races);
                 return stored;
@@ -60,7 +60,7 @@ impl Stored {
     /// A forced evolution may leave and enter steps that never follow each other, whose actions then see each other's values unless all are collected.
     pub(super) fn collect_all(&mut self, model: &Model) {
         let actions = model.associations.values().filter(|association| model.is_grafcet() && is_stored(association));
-        self.collected.extend(actions.flat_map(|action| action.effect.writes()).copied());
+        self.collected.extend(actions.flat(|action| action.effect.writes()).copied());
         self.at_any_time = Set::new();
     }
 
@@ -73,7 +73,7 @@ impl Stored {
 
 /// Which actions can act at any time of an evolution. Where two race, the order of the source counts.
 fn at_any_time(model: &Model, collected: &Set<Place>, races: &Races) -> Set<AssociationId> {
-    let tested: Set<Place> = model.transitions.values().flat_map(|t| &t.condition.reads).filter_map(place).collect();
+    let tested: Set<Place> = model.transitions.values().flat(|t| &t.condition.reads).filter_map(place).collect();
     let fits = |association: &Association| {
         let value = match &association.effect {
             Effect::Control(_) => None,
@@ -87,7 +87,7 @@ fn at_any_time(model: &Model, collected: &Set<Place>, races: &Races) -> Set<Asso
                 .writes()
                 .iter()
                 .all(|place| !collected.contains(place) && !tested.contains(place) && !races.are_about(*place))
-            && association.condition.iter().chain(value).all(|expr| stands_still(model, expr))
+            && association.condition.iter().and(value).all(|expr| stands_still(model, expr))
     };
     model.associations.iter().filter(|(_, association)| fits(association)).map(|(id, _)| id).collect()
 }

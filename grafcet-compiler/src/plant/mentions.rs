@@ -7,7 +7,7 @@ use quote::{ToTokens, quote};
 
 use super::call::{Call, is_sign, is_word};
 use crate::diagnostic::Sink;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Claim, Expr, Model, Name, Read, Seen, Ty, Watched};
 use crate::similar;
 
@@ -202,7 +202,7 @@ impl Replacer<'_> {
             return Some(Seen::Value(value));
         }
         let mut known = values(model).into_iter().map(|value| model.value_name(value)).list();
-        known.extend(model.steps.values().map(|step| &step.name));
+        known.push_all(model.steps.values().map(|step| &step.name));
         let near = similar::nearest(name, &known);
         let field = |near: &Ident| if model.steps.values().any(|step| step.name == *near) { ".X" } else { "" };
         let hint =
@@ -214,7 +214,7 @@ impl Replacer<'_> {
 
 fn values(model: &Model) -> Vec<Name> {
     let mut all = model.inputs.ids().map(Name::Input).list();
-    all.extend(model.outputs.ids().map(Name::Output));
-    all.extend(model.vars.ids().map(Name::Var));
+    all.push_all(model.outputs.ids().map(Name::Output));
+    all.push_all(model.vars.ids().map(Name::Var));
     all
 }

@@ -21,6 +21,7 @@ use crate::analysis::{Facts, Prover};
 use crate::ast::{Body, Chart, Item, Property, Setting};
 use crate::check;
 use crate::diagnostic::{self, Diagnostic, Sink};
+use crate::list::{List, PushAll};
 use crate::model::{self, Model, Plant, Plants};
 use crate::parse;
 use crate::place::quote;
@@ -63,7 +64,7 @@ pub(crate) fn items(
         _ = said.finish();
         let compiled = compile(plain.tokens);
         all_sound &= compiled.sound;
-        of_plants.extend(compiled.messages.iter().cloned());
+        of_plants.push_all(compiled.messages.iter().cloned());
         let tokens = compiled.tokens(root);
         let cfgs = &plant.cfgs;
         items.extend(if cfgs.is_empty() {
@@ -83,7 +84,7 @@ pub(crate) fn items(
     let mut messages = sink.finish();
     let mut tokens = diagnostic::tokens(&messages, root);
     tokens.extend(items);
-    messages.extend(of_plants);
+    messages.push_all(of_plants);
     (tokens, messages)
 }
 
@@ -108,7 +109,7 @@ fn system(call: &Call, sink: &mut Sink) -> Option<Model> {
         written::refuse(&chart.body, sink);
         list.push((model, plain.free));
     }
-    let models: Vec<&Model> = list.iter().map(|(model, _)| model).collect();
+    let models: Vec<&Model> = list.iter().map(|(model, _)| model).list();
     let mentions = mentions::replaced(call, &models, sink);
     let chart = parse::chart(mentions.tokens.clone(), sink)?;
     let mut system = model::resolve(&chart, sink);
@@ -116,7 +117,7 @@ fn system(call: &Call, sink: &mut Sink) -> Option<Model> {
     let (driven, wires) = wires::of(&system, &list, sink);
     let watched = mentions.watched(&system);
     mentions.name(&mut system);
-    let list = list.into_iter().zip(wires).map(|((model, _), wires)| Plant { model, wires }).collect();
+    let list = list.into_iter().zip(wires).map(|((model, _), wires)| Plant { model, wires }).list();
     system.plants = Plants { list, driven, watched };
     Some(system)
 }

@@ -1,6 +1,7 @@
 //! Expressions put together. What is trivial is left away, so that a person can read the rest.
 
 use super::{Comparison, Expr, PlaceId, Statement, Value};
+use crate::list::PushAll;
 
 pub(super) fn yes<'m>() -> Expr<'m> {
     Expr::Value(Value::Bool(true))
@@ -39,7 +40,7 @@ pub(super) fn all(parts: Vec<Expr<'_>>) -> Expr<'_> {
         match (known(&part), part) {
             (Some(true), _) => {}
             (Some(false), _) => return no(),
-            (None, Expr::All(inner)) => rest.extend(inner),
+            (None, Expr::All(inner)) => rest.push_all(inner),
             (None, part) => rest.push(part),
         }
     }
@@ -59,7 +60,7 @@ pub(super) fn any(parts: Vec<Expr<'_>>) -> Expr<'_> {
         match (known(&part), part) {
             (Some(false), _) => {}
             (Some(true), _) => return yes(),
-            (None, Expr::Any(inner)) => rest.extend(inner),
+            (None, Expr::Any(inner)) => rest.push_all(inner),
             (None, part) => rest.push(part),
         }
     }
@@ -112,7 +113,7 @@ pub(super) fn number<'m>(index: usize) -> Expr<'m> {
 /// `if condition: …`; nothing where there is nothing to do, no question where there is none.
 pub(super) fn when<'m>(into: &mut Vec<Statement<'m>>, condition: Expr<'m>, body: Vec<Statement<'m>>) {
     match known(&condition) {
-        Some(true) => into.extend(body),
+        Some(true) => into.push_all(body),
         Some(false) => {}
         None if body.is_empty() => {}
         None => into.push(Statement::If(condition, body, Vec::new())),

@@ -25,7 +25,7 @@ use crate::model::{
     ActionId, AssociationId, Code, DelayId, EdgeId, Expr as Written, InputId, MacroId, Model, OutputId, ParamId, Place,
     Qualifier, Read, StepId, TransitionId, Tree, Ty, VarId,
 };
-use crate::sorted::Set;
+use crate::sorted::{Set, sort_unstable};
 
 pub use lower::{Encoding, Refused, counted, naive};
 
@@ -347,7 +347,7 @@ impl Program<'_> {
                 _ => {}
             }
         }
-        active.sort_unstable();
+        sort_unstable(&mut active);
         active
     }
 

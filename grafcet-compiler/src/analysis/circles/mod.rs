@@ -17,7 +17,7 @@ use std::rc::Rc;
 use self::run::{Node, Outcome, Run};
 use self::view::View;
 use super::{Answer, Concurrency, Condition, Logic, combinational, hierarchy};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, Name, Read, StepId, Transition, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
@@ -100,8 +100,8 @@ impl<'m> Circles<'m> {
         let resting = self.resting();
         let enters = |id: &TransitionId| self.can_enter(*id, resting.as_ref());
         let turns = |id: &TransitionId| endless.contains_key(id) || !enters(id);
-        let entered = endless.iter().filter(|(id, _)| enters(id)).flat_map(|(_, rings)| rings.clone());
-        let mut found: Vec<Ring> = at_start.into_iter().chain(entered).list();
+        let entered = endless.iter().filter(|(id, _)| enters(id)).flat(|(_, rings)| rings.clone());
+        let mut found: Vec<Ring> = at_start.into_iter().and(entered).list();
         let mut known = Set::new();
         // What enters the circle in a stable situation, has to lead to no end, too. A search that goes on without a
         // transition, by stored values alone, is no circle of the chart.
@@ -118,7 +118,7 @@ impl<'m> Circles<'m> {
         let mut seen: Set<Set<TransitionId>> = known.iter().map(|circle| set(&circle.transitions)).collect();
         let mut found: Vec<Circle> = Vec::new();
         for id in self.model.transitions.ids() {
-            if found.iter().chain(known).any(|circle| circle.transitions.contains(&id)) || !self.can_enter(id, None) {
+            if found.iter().and(known).any(|circle| circle.transitions.contains(&id)) || !self.can_enter(id, None) {
                 continue;
             }
             let mut run = Run::new(self, self.entry(id));
@@ -176,7 +176,7 @@ impl<'m> Circles<'m> {
                     parent: None,
                     cleared: Vec::new(),
                 };
-                found.extend(self.endless(Some(held)).into_iter().flatten());
+                found.push_all(self.endless(Some(held)).into_iter().flatten());
             }
         }
         found
@@ -200,7 +200,7 @@ impl<'m> Circles<'m> {
         let transitions = || circle.iter().map(|id| &self.model.transitions[*id]);
         // Steps that the circle itself activates together are no marks beside each other.
         let branches = transitions().any(|transition| transition.targets.len() > 1);
-        let steps: Set<StepId> = transitions().flat_map(|transition| transition.sources.iter().copied()).collect();
+        let steps: Set<StepId> = transitions().flat(|transition| transition.sources.iter().copied()).collect();
         let beside = |a: &StepId| {
             let same = |b: &StepId| self.model.steps[*a].partial == self.model.steps[*b].partial;
             steps.iter().any(|b| same(b) && self.parallel.together(*a, *b))
@@ -241,7 +241,7 @@ impl<'m> Circles<'m> {
     fn cleared(&self, id: TransitionId) -> Goals {
         let sources = self.model.transitions[id].sources.iter();
         let active = sources.map(|step| (Rc::new(self.logic.condition(&Tree::Read(Read::Active(*step)))), true));
-        std::iter::once((Rc::clone(&self.conditions[id.index()]), true)).chain(active).list()
+        std::iter::once((Rc::clone(&self.conditions[id.index()]), true)).and(active).list()
     }
 
     /// Steps that are active beside, because the condition says so, and stay it in that evolution.
@@ -253,7 +253,7 @@ impl<'m> Circles<'m> {
         };
         let stays = |step: &StepId| {
             let variable = self.logic.condition(&Tree::Read(Read::Active(*step)));
-            let excluded = |more: Goals| self.logic.impossible(&borrowed(&goals.iter().cloned().chain(more).list()));
+            let excluded = |more: Goals| self.logic.impossible(&borrowed(&goals.iter().cloned().and(more).list()));
             excluded(vec![(Rc::new(variable), false)])
                 && self.model.leaving[step.index()].iter().all(|other| excluded(self.cleared(*other)))
         };
@@ -270,7 +270,7 @@ impl<'m> Circles<'m> {
         let transition = &self.model.transitions[id];
         let Some(own) = plain(id) else { return false };
         !self.logic.has_assumptions()
-            && transition.targets.iter().flat_map(|step| &self.model.leaving[step.index()]).all(|next| {
+            && transition.targets.iter().flat(|step| &self.model.leaving[step.index()]).all(|next| {
                 let apart = plain(*next).is_some_and(|reads| reads.iter().all(|read| !own.contains(read)));
                 apart && !self.always[next.index()]
             })

@@ -65,13 +65,13 @@ impl Circles<'_> {
         let asked_for = |read: &Read| match read {
             Read::Active(step) | Read::Elapsed(_, step) => {
                 let inactive = (Rc::new(self.logic.condition(&Tree::Read(Read::Active(*step)))), false);
-                let goals: Goals = self.cleared(id).into_iter().chain([inactive]).list();
+                let goals: Goals = self.cleared(id).into_iter().and([inactive]).list();
                 self.logic.impossible(&borrowed(&goals)).then_some(*step)
             }
             _ => None,
         };
         let asked_for = transition.condition.reads.iter().filter_map(asked_for);
-        transition.sources.iter().copied().chain(asked_for).collect()
+        transition.sources.iter().copied().and(asked_for).collect()
     }
 
     pub(super) fn is_forced(&self, step: StepId) -> bool {
@@ -99,14 +99,14 @@ impl Circles<'_> {
         };
         let starts = own.initial.then_some(first);
         let entered = self.model.entering[step.index()].iter().filter_map(|id| self.entry(*id));
-        starts.into_iter().chain(entered).any(|node| {
+        starts.into_iter().and(entered).any(|node| {
             let view = View::new(self, &node);
             // A convergence waits for steps of which nothing is known here.
             let enabled = self.model.leaving[step.index()]
                 .iter()
                 .filter(|id| self.model.transitions[**id].sources.iter().all(|source| node.active.contains(source)));
             let stay = enabled.map(|id| (Rc::new(view.condition(*id)), false));
-            let goals: Goals = node.goals.iter().cloned().chain(stay).list();
+            let goals: Goals = node.goals.iter().cloned().and(stay).list();
             !self.logic.impossible(&borrowed(&goals))
         })
     }

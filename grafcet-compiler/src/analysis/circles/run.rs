@@ -110,7 +110,7 @@ impl<'r, 'm> Run<'r, 'm> {
         let (circles, node) = (self.circles, &self.nodes[at]);
         let view = View::new(circles, node);
         let leaving: Set<TransitionId> =
-            node.active.iter().flat_map(|step| circles.model.leaving[step.index()].iter().copied()).collect();
+            node.active.iter().flat(|step| circles.model.leaving[step.index()].iter().copied()).collect();
         let mut enabled = Enabled { surely: Vec::new(), maybe: Vec::new() };
         for id in leaving {
             if !circles.model.transitions[id].sources.iter().all(|step| node.active.contains(step)) {
@@ -139,13 +139,13 @@ impl<'r, 'm> Run<'r, 'm> {
         for chosen in 0..1_usize << enabled.maybe.len() {
             let is_chosen = |index: usize| chosen >> index & 1 == 1;
             let choice = enabled.maybe.iter().enumerate().map(|(i, (_, c))| (Rc::clone(c), is_chosen(i)));
-            let goals: Goals = self.nodes[at].goals.iter().cloned().chain(choice).list();
+            let goals: Goals = self.nodes[at].goals.iter().cloned().and(choice).list();
             // One open condition alone can have both values.
             if enabled.maybe.len() > 1 && self.circles.logic.impossible(&borrowed(&goals)) {
                 continue;
             }
             let maybe = enabled.maybe.iter().enumerate().filter(|(i, _)| is_chosen(*i)).map(|(_, (id, _))| *id);
-            let cleared: Vec<TransitionId> = enabled.surely.iter().copied().chain(maybe).list();
+            let cleared: Vec<TransitionId> = enabled.surely.iter().copied().and(maybe).list();
             match self.clear(at, cleared, goals) {
                 Some(next) => {
                     self.nodes.push(next);
@@ -161,7 +161,7 @@ impl<'r, 'm> Run<'r, 'm> {
     fn clear(&self, at: usize, cleared: Vec<TransitionId>, goals: Goals) -> Option<Node> {
         let (transitions, node) = (&self.circles.model.transitions, &self.nodes[at]);
         let steps = |pick: fn(&crate::model::Transition) -> &Vec<StepId>| {
-            cleared.iter().flat_map(|id| pick(&transitions[*id]).iter().copied()).collect::<Set<StepId>>()
+            cleared.iter().flat(|id| pick(&transitions[*id]).iter().copied()).collect::<Set<StepId>>()
         };
         let (sources, targets) = (steps(|t| &t.sources), steps(|t| &t.targets));
         let mut active: Set<StepId> = node.active.difference(&sources).copied().collect();

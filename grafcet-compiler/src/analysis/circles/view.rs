@@ -4,6 +4,7 @@ use super::Circles;
 use super::run::Node;
 use crate::analysis::Condition;
 use crate::analysis::logic::UNKNOWN;
+use crate::list::List;
 use crate::model::{
     Binary, Blink, Blinker, EdgeId, Effect, Id, MacroId, Model, Name, Place, Read, StepId, TimeRef, TransitionId, Tree,
 };
@@ -157,8 +158,8 @@ impl<'v, 'm> View<'v, 'm> {
 
 /// What the actions of a chart may change.
 pub(super) fn written(model: &Model) -> Set<Name> {
-    let clearings = model.transitions.values().flat_map(|transition| &transition.clearing);
-    let effects = model.associations.values().map(|association| &association.effect).chain(clearings);
+    let clearings = model.transitions.values().flat(|transition| &transition.clearing);
+    let effects = model.associations.values().map(|association| &association.effect).and(clearings);
     let mut written = Set::new();
     for effect in effects {
         match effect {

@@ -70,7 +70,7 @@ pub enum Doubt {
 /// Per watched expression whether it can hold.
 pub(super) fn answers(net: &Net, sooner: Option<&Graph>, whole: &Graph) -> Vec<Answer> {
     let answer = |index| {
-        let mut graphs = sooner.into_iter().chain([whole]);
+        let mut graphs = sooner.into_iter().and([whole]);
         match graphs.find_map(|graph| Report { net, graph }.path_to_watched(index)) {
             Some(path) if path.granted.is_empty() => Answer::Possible(path),
             Some(path) => Answer::Unknown(Doubt::Unfollowed(path.granted)),

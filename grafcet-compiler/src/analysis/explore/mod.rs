@@ -38,7 +38,7 @@ use self::search::{Search, settles as stability};
 use self::verdicts::Report;
 use self::verdicts::future::Future;
 use super::{Concurrency, Nesting};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, StepId, TransitionId, Tree};
 use crate::sorted::Map;
 
@@ -137,15 +137,15 @@ impl Exploration {
     }
 
     fn judge(&mut self, sooner: Option<&Graph>, pieces: &[Graph]) {
-        for graph in sooner.into_iter().chain([&self.whole]).chain(pieces) {
+        for graph in sooner.into_iter().and([&self.whole]).and(pieces) {
             let report = Report { net: &self.net, graph };
             for (step, activation) in report.activations() {
                 self.unsafe_steps.or_insert_with(step, || activation);
             }
             if graph.complete {
                 let future = Future::of(&self.net, graph);
-                self.deadlocks.extend(report.deadlocks(&future));
-                self.stuck_joins.extend(report.stuck_joins(&future));
+                self.deadlocks.push_all(report.deadlocks(&future));
+                self.stuck_joins.push_all(report.stuck_joins(&future));
             }
         }
         let most = |graph: &Graph| graph.states.iter().map(|state| state.active.len()).max().unwrap_or(0);
@@ -163,7 +163,7 @@ impl Exploration {
             }
         }
         let known: Vec<Vec<StepId>> = self.deadlocks.iter().map(|deadlock| deadlock.steps.clone()).list();
-        self.deadlocks.extend(deadlocks.into_iter().filter(|deadlock| !known.contains(&deadlock.steps)));
+        self.deadlocks.push_all(deadlocks.into_iter().filter(|deadlock| !known.contains(&deadlock.steps)));
         for stuck in stuck_joins {
             let same = |other: &StuckJoin| (other.join, other.waiting) == (stuck.join, stuck.waiting);
             if !self.stuck_joins.iter().any(same) {

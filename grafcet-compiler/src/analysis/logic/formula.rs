@@ -1,5 +1,5 @@
 //! Boolean functions over atoms.
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::sorted::sort;
 
 /// The upper bound where a boolean atom is true: beyond all numbers.
@@ -105,7 +105,7 @@ impl Formula {
                         demands.push((atom, i128::MIN, low - 1));
                     }
                 }
-                Self::All(parts) => work.extend(parts),
+                Self::All(parts) => work.push_all(parts),
                 _ => {}
             }
         }

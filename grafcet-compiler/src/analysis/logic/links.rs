@@ -6,7 +6,7 @@ use super::Concurrency;
 use super::atoms::{Atoms, Key};
 use super::formula::{AtomId, Formula};
 use super::read::{Reader, is_constant};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{DelayId, MacroId, Model, Name, PartialId, Read, StepId, TimeRef, Tree};
 use crate::sorted::{Map, Set};
 
@@ -76,14 +76,14 @@ impl Links {
             let assuming = self.has_assumptions();
             let own = self.own.or_insert_with(atom, || {
                 let mut links = own(model, atoms, atom);
-                links.extend(before(model, atoms, atom, assuming));
+                links.push_all(before(model, atoms, atom, assuming));
                 links
             });
             let own = own.iter().filter(|link| link.in_actions || !in_action).map(|link| (&link.formula, false));
             let values = if assuming { atoms.compared(atom) } else { Vec::new() };
             let compared = values.iter().filter_map(|value| self.compared.get(value)).flatten();
-            let assumed = self.assumed.get(&atom).into_iter().flatten().chain(compared).map(|formula| (formula, true));
-            for (formula, is_assumed) in own.chain(assumed) {
+            let assumed = self.assumed.get(&atom).into_iter().flatten().and(compared).map(|formula| (formula, true));
+            for (formula, is_assumed) in own.and(assumed) {
                 if found.iter().any(|known| Rc::ptr_eq(&known.formula, formula)) {
                     continue;
                 }
@@ -95,8 +95,8 @@ impl Links {
                 found.push(Fact { formula: Rc::clone(formula), is_assumed });
             }
         }
-        let between = steps(model, concurrency, atoms, asked).into_iter().chain(delays(model, atoms, asked));
-        found.extend(between.map(|formula| Fact { formula: Rc::new(formula), is_assumed: false }));
+        let between = steps(model, concurrency, atoms, asked).into_iter().and(delays(model, atoms, asked));
+        found.push_all(between.map(|formula| Fact { formula: Rc::new(formula), is_assumed: false }));
         found
     }
 }
@@ -143,7 +143,7 @@ fn own(model: &Model, atoms: &mut Atoms, atom: AtomId) -> Vec<Link> {
             for tree in [&a, &b] {
                 let Some(active) = since(tree) else { continue };
                 let zero = Formula::Leaf { atom: reader.atoms.number(model, tree), low: 0, high: 0 };
-                links.extend(link(reader.read(active).or(zero), false));
+                links.push_all(link(reader.read(active).or(zero), false));
             }
             links
         }
@@ -194,11 +194,11 @@ fn steps(model: &Model, concurrency: Option<&Concurrency>, atoms: &Atoms, asked:
     }
     let single = single.iter().map(|(atom, steps)| Activity { atom: *atom, steps });
     let macros = macros.iter().map(|(atom, id)| Activity { atom: *atom, steps: &model.macros[*id].steps });
-    let all: Vec<Activity<'_>> = single.chain(macros).list();
+    let all: Vec<Activity<'_>> = single.and(macros).list();
     let mut found = Vec::new();
     for (i, a) in all.iter().enumerate() {
         for b in &all[i + 1..] {
-            found.extend(pair(model, concurrency, a, b));
+            found.push_all(pair(model, concurrency, a, b));
         }
         if a.steps.len() > 1 {
             let inside: Vec<&Activity<'_>> = all.iter().filter(|b| b.atom != a.atom && is_inside(b, a)).list();

@@ -171,7 +171,7 @@ impl<'m> Logic<'m> {
     /// Whether one of `others` holds wherever `a` does; `false` where that cannot be shown.
     #[must_use]
     pub fn implies(&self, a: &Condition, others: &[&Condition]) -> bool {
-        let goals: Vec<_> = others.iter().map(|other| (*other, false)).chain([(a, true)]).list();
+        let goals: Vec<_> = others.iter().map(|other| (*other, false)).and([(a, true)]).list();
         self.impossible(&goals)
     }
 
@@ -207,7 +207,7 @@ impl<'m> Logic<'m> {
         for condition in given {
             condition.formula.each_atom(&mut |atom| _ = known.insert(atom));
         }
-        let all: Vec<_> = given.iter().map(|condition| (*condition, true)).chain(goals.iter().copied()).list();
+        let all: Vec<_> = given.iter().map(|condition| (*condition, true)).and(goals.iter().copied()).list();
         let text = |order: &[AtomId], found: &Domains| {
             let order: Vec<AtomId> = order.iter().copied().filter(|atom| !known.contains(atom)).list();
             witness::text(self.model, &self.atoms.borrow(), &order, found)
@@ -246,7 +246,7 @@ impl<'m> Logic<'m> {
             links.about(self.model, self.concurrency, &mut atoms, &mut asked, in_action)
         };
         let goals = goals.iter().map(|(condition, wanted)| (&condition.formula, *wanted));
-        let all = links.iter().map(|link| (&*link.formula, true)).chain(goals.clone());
+        let all = links.iter().map(|link| (&*link.formula, true)).and(goals.clone());
         let found = if trust == Trust::Known {
             let loose = self.loose(&asked);
             // An assumption about what nobody knows may exclude whatever is found.
@@ -255,11 +255,11 @@ impl<'m> Logic<'m> {
                 .iter()
                 .filter(is_assumed)
                 .map(|link| (&*link.formula, true))
-                .chain(goals)
+                .and(goals)
                 .map(|(formula, wanted)| (formula.certainly(wanted, &|atom| loose.contains(&atom)), wanted))
                 .list();
             let all = links.iter().map(|link| (&*link.formula, true));
-            self.solve(&asked, all.chain(certain.iter().map(|(formula, wanted)| (formula, *wanted))).list(), true)
+            self.solve(&asked, all.and(certain.iter().map(|(formula, wanted)| (formula, *wanted))).list(), true)
         } else {
             self.solve(&asked, all.list(), false)
         };

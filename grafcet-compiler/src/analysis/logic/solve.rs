@@ -6,7 +6,7 @@
 use super::formula::{AtomId, Formula};
 use super::ranges::Ranges;
 use super::values::Values;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::sorted::Map;
 
 /// A function and the value it shall have.
@@ -67,7 +67,7 @@ impl Search<'_> {
         let Some(first) = open.pop() else { return self.settle(domains, depth) };
         let depth = depth.checked_sub(1).ok_or(Undecided)?;
         for way in self.ways(first, &domains)? {
-            let goals = open.iter().copied().chain(way).list();
+            let goals = open.iter().copied().and(way).list();
             if let Some(found) = self.search(domains.clone(), goals, depth)? {
                 return Ok(Some(found));
             }
@@ -96,8 +96,8 @@ impl Search<'_> {
                     }
                 }
                 Formula::Not(inner) => goals.push((inner, !wanted)),
-                Formula::All(parts) if wanted => goals.extend(parts.iter().map(|part| (part, true))),
-                Formula::Any(parts) if !wanted => goals.extend(parts.iter().map(|part| (part, false))),
+                Formula::All(parts) if wanted => goals.push_all(parts.iter().map(|part| (part, true))),
+                Formula::Any(parts) if !wanted => goals.push_all(parts.iter().map(|part| (part, false))),
                 _ => open.push((formula, wanted)),
             }
         }
@@ -130,7 +130,7 @@ impl Search<'_> {
         for part in parts {
             if self.value(part, domains)?.is_none() {
                 self.pay(before.len())?;
-                ways.push(before.iter().copied().chain([(part, wanted)]).list());
+                ways.push(before.iter().copied().and([(part, wanted)]).list());
                 before.push((part, !wanted));
             }
         }

@@ -7,6 +7,7 @@ use super::solve::{Domains, Search, Undecided};
 use crate::analysis::differences::{Differences, FAR};
 use crate::analysis::numbers::{float, range};
 use crate::analysis::terms::{Demands, Terms, Told, integer};
+use crate::list::{List, PushAll};
 use crate::model::{Model, Name, Read, Tree};
 use crate::sorted::{Map, Set};
 
@@ -116,8 +117,8 @@ impl Values {
     fn gap(&self, domains: &Domains) -> Option<(AtomId, Vec<Ranges>)> {
         let orders = self.orders.iter().map(|(atom, ..)| (*atom, true));
         let numbers = self.compared.iter().filter_map(|value| Some((value.number?, false)));
-        let computed = self.computed.iter().flat_map(|computed| &computed.numbers).map(|(atom, _)| (*atom, false));
-        orders.chain(numbers).chain(computed).find_map(|(atom, is_order)| {
+        let computed = self.computed.iter().flat(|computed| &computed.numbers).map(|(atom, _)| (*atom, false));
+        orders.and(numbers).and(computed).find_map(|(atom, is_order)| {
             let domain = domains.get(&atom)?;
             let mut parts = domain.parts();
             let (low, high) = domain.hull()?;
@@ -182,7 +183,7 @@ impl Computed {
         }
         for (id, key, before) in keys(atoms, asked) {
             if let Key::Boolean(tree) = key {
-                all.numbers.extend(all.terms.of(tree, before).map(|term| (id, term)));
+                all.numbers.push_all(all.terms.of(tree, before).map(|term| (id, term)));
             }
         }
         all
@@ -192,7 +193,7 @@ impl Computed {
         let mut demands = Demands::default();
         let hull = |atom: &AtomId| domains.get(atom).and_then(Ranges::hull);
         for (atom, term) in &self.numbers {
-            demands.spans.extend(hull(atom).map(|span| (*term, span)));
+            demands.spans.push_all(hull(atom).map(|span| (*term, span)));
         }
         for (atom, a, b) in &self.orders {
             let Some((low, high)) = hull(atom) else { continue };

@@ -4,7 +4,7 @@
 use crate::analysis::{Answer, Condition, Logic};
 use crate::list::List;
 use crate::model::{Binary, Id, Model, Name, Read, StepId, TimeRef, TransitionId, Tree, Unary};
-use crate::sorted::{Map, Set, sort};
+use crate::sorted::{Map, Set, sort, sort_unstable};
 
 /// Whether that holds for all transitions of a chart, whose conditions read inputs and how long their sources are active.
 pub(super) fn is_free(model: &Model, never: &[&Tree]) -> bool {
@@ -165,8 +165,8 @@ impl<'m> Groups<'m> {
             // What is entered from there has to be looked at again.
             let mut next: Vec<usize> = vec![number];
             for _ in 1..CHAIN {
-                next = next.iter().flat_map(|number| &self.all[*number].next).copied().list();
-                next.sort_unstable();
+                next = next.iter().flat(|number| &self.all[*number].next).copied().list();
+                sort_unstable(&mut next);
                 next.dedup();
                 open.extend(next.iter().filter(|number| !std::mem::replace(&mut is_open[**number], true)));
             }
@@ -190,7 +190,7 @@ impl<'m> Groups<'m> {
         let mut ways = vec![next];
         for entry in entries {
             let own = self.ways(*entry);
-            ways = ways.iter().flat_map(|way| own.iter().map(|own| [&way[..], &own[..]].concat())).list();
+            ways = ways.iter().flat(|way| own.iter().map(|own| [&way[..], &own[..]].concat())).list();
         }
         ways.iter().any(|way| self.can_be(way))
     }
@@ -206,9 +206,9 @@ impl<'m> Groups<'m> {
         let others = || group.leaving.iter().filter(|other| **other != id).map(|other| self.reading(*other));
         let with = |time: Time, others_time: Time| {
             let others = others().map(|other| Some((other.at(others_time)?, false)));
-            others.chain([own.at(time).map(|own| (own, true))]).collect::<Option<Goals<'_>>>()
+            others.and([own.at(time).map(|own| (own, true))]).collect::<Option<Goals<'_>>>()
         };
-        with(Time::Soon, Time::Soon).into_iter().chain(with(Time::Late, Time::Ever)).list()
+        with(Time::Soon, Time::Soon).into_iter().and(with(Time::Late, Time::Ever)).list()
     }
 
     fn reading(&self, id: TransitionId) -> &Reading {

@@ -183,8 +183,8 @@ impl<'m> Reduction<'m> {
         let of = |node: &usize| sequences.of.get(*node).copied();
         let all: Set<Option<usize>> = branches.iter().map(|branch| Some(*branch)).collect();
         let one_each = |nodes: &[usize]| nodes.len() == all.len() && nodes.iter().map(of).collect::<Set<_>>() == all;
-        let mut entering = branches.iter().flat_map(|branch| &sequences.entering[*branch]);
-        let mut leaving = branches.iter().flat_map(|branch| &sequences.leaving[*branch]);
+        let mut entering = branches.iter().flat(|branch| &sequences.entering[*branch]);
+        let mut leaving = branches.iter().flat(|branch| &sequences.leaving[*branch]);
         let Some(first) = leaving.next() else { return false };
         let last: Set<usize> = self.arcs[*first].sources.iter().copied().collect();
         let starts = branches.iter().filter(|branch| self.starts(sequences, **branch)).count();
@@ -213,10 +213,10 @@ impl<'m> Reduction<'m> {
             behind[from].push(to);
             before[to].push(from);
         }
-        let entered = sequences.entering[branch].iter().flat_map(|arc| &self.arcs[*arc].targets);
+        let entered = sequences.entering[branch].iter().flat(|arc| &self.arcs[*arc].targets);
         let active: Vec<usize> = nodes.iter().copied().filter(|node| self.nodes[*node].active).list();
         let first: Vec<usize> =
-            entered.chain(&active).filter(|node| nodes.contains(node)).map(|node| number(*node)).list();
+            entered.and(&active).filter(|node| nodes.contains(node)).map(|node| number(*node)).list();
         active.len() < 2
             && behind[number(*last)].is_empty()
             && reached(&first, &behind).iter().all(|is| *is)

@@ -2,7 +2,7 @@
 
 use super::demands::{Demand, holds};
 use super::{Relation, drags};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, Model, StepId, TransitionId};
 use crate::sorted::{Set, sort};
 
@@ -54,7 +54,7 @@ impl Chart {
         for (id, partial) in model.partials.iter() {
             if let Some(outer) = partial.enclosed_by {
                 let linked = partial.steps.iter().filter(|step| model.steps[**step].linked);
-                chart.links[outer.index()].extend(linked.map(|step| step.index()));
+                chart.links[outer.index()].push_all(linked.map(|step| step.index()));
             }
             for force in model.forces.values().filter(|force| force.target == id) {
                 chart.commands[force.step.index()].push(id.index());
@@ -83,13 +83,13 @@ impl Chart {
             let asks = demands != [Demand::default()];
             let outer = model.partials[transition.partial].enclosed_by;
             let outside: Vec<usize> = outer
-                .map(|step| std::iter::once(step.index()).chain(self.around[step.index()].iter().copied()).list())
+                .map(|step| std::iter::once(step.index()).and(self.around[step.index()].iter().copied()).list())
                 .unwrap_or_default();
             for demand in &mut demands {
-                demand.active.extend(sources.iter().chain(&outside));
+                demand.active.extend(sources.iter().and(&outside));
             }
             demands.retain(|demand| demand.active.is_disjoint(&demand.inactive));
-            let needed: Set<usize> = demands.iter().flat_map(|demand| &demand.active).copied().collect();
+            let needed: Set<usize> = demands.iter().flat(|demand| &demand.active).copied().collect();
             for step in needed {
                 self.needing[step].push(index);
             }
@@ -122,7 +122,7 @@ impl Chart {
         let entered: Vec<Vec<usize>> = arcs.iter().map(|arc| self.entered(&arc.targets)).list();
         let mut dragged: Vec<Vec<usize>> = Vec::new();
         for (index, drags) in drags.iter().enumerate() {
-            let steps: Vec<usize> = drags.iter().flat_map(|drag| arcs[*drag].sources.iter().copied()).list();
+            let steps: Vec<usize> = drags.iter().flat(|drag| arcs[*drag].sources.iter().copied()).list();
             // Whatever leaves or enters such a step in the same evolution is not seen one after the other.
             for step in &steps {
                 let touches = |other: &usize| arcs[*other].sources.contains(step) || entered[*other].contains(step);
@@ -147,7 +147,7 @@ impl Chart {
             if !entered.contains(&step) {
                 entered.push(step);
                 open.extend(&self.links[step]);
-                open.extend(self.forces[step].iter().flat_map(|(_, forced)| forced));
+                open.extend(self.forces[step].iter().flat(|(_, forced)| forced));
             }
         }
         sort(&mut entered);
@@ -170,7 +170,7 @@ impl Chart {
         let away = |other: &usize, (target, forced): &(usize, Vec<usize>)| {
             *target == self.part_of[*other] && !forced.contains(other)
         };
-        let mut chain = std::iter::once(&other).chain(&self.around[other]);
+        let mut chain = std::iter::once(&other).and(&self.around[other]);
         chain.any(|other| self.forces[step].iter().any(|order| away(other, order)))
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn holds(model: &Model, tree: &Tree, value: bool) -> Vec<Demand> {
 
 /// Either of two.
 fn any(a: Vec<Demand>, b: Vec<Demand>) -> Vec<Demand> {
-    let all: Set<Demand> = a.into_iter().chain(b).collect();
+    let all: Set<Demand> = a.into_iter().and(b).collect();
     // Where one of them demands nothing, that is enough.
     let enough = all.len() > ALTERNATIVES || all.first() == Some(&Demand::default());
     if enough { vec![Demand::default()] } else { all.into_iter().list() }
@@ -60,8 +60,8 @@ fn all(a: &[Demand], b: &[Demand]) -> Vec<Demand> {
         return a.to_vec();
     }
     let both = |one: &Demand, other: &Demand| Demand {
-        active: one.active.iter().chain(&other.active).copied().collect(),
-        inactive: one.inactive.iter().chain(&other.inactive).copied().collect(),
+        active: one.active.iter().and(&other.active).copied().collect(),
+        inactive: one.inactive.iter().and(&other.inactive).copied().collect(),
     };
     let mut found = Set::new();
     for one in a {

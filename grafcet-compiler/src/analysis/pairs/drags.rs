@@ -1,7 +1,7 @@
 //! What has to clear with a transition: in a `grafcet` all that is enabled and whose condition holds clears at once.
 
 use crate::analysis::Relation;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Binary, ForceOrder, Id, Model, PartialId, Read, Transition, TransitionId, Tree, Unary};
 use crate::sorted::{Map, Set};
 
@@ -15,7 +15,7 @@ pub(super) fn of(model: &Model, may_meet: &Relation, granted: &Set<TransitionId>
         let mut given: Set<usize> = own.clone();
         given.extend((0..terms.all.len()).filter(|term| follows(terms.all[*term], &sources, may_meet)));
         let mut held: Vec<usize> = terms.without.clone();
-        held.extend(given.iter().flat_map(|term| terms.first_in[*term].iter().copied()));
+        held.push_all(given.iter().flat(|term| terms.first_in[*term].iter().copied()));
         held.retain(|other| {
             let theirs = &model.transitions[TransitionId::new(*other)];
             *other != id.index()
@@ -53,7 +53,7 @@ impl<'m> Terms<'m> {
             while let Some(tree) = open.pop() {
                 match tree {
                     Tree::Bool(true) => {}
-                    Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.extend([&**a, &**b]),
+                    Tree::Binary(Binary::And | Binary::BitAnd, a, b) => open.push_all([&**a, &**b]),
                     _ => {
                         let next = numbers.len();
                         let number = *numbers.or_insert_with(tree, || next);

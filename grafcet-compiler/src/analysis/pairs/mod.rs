@@ -22,7 +22,7 @@ use self::chart::{Arc, Chart};
 use self::demands::Demand;
 use super::Relation;
 use super::hierarchy::initial_situation;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Model, TransitionId};
 use crate::sorted::Set;
 
@@ -85,8 +85,7 @@ impl<'m> Search<'m> {
             self.enter_together(&entered);
             let needed: Vec<usize> = demand.active.iter().copied().list();
             for target in &entered {
-                let bystanders =
-                    self.relation.common_beyond(&needed, *target).into_iter().chain(needed.iter().copied());
+                let bystanders = self.relation.common_beyond(&needed, *target).into_iter().and(needed.iter().copied());
                 for bystander in bystanders.list() {
                     if self.reachable[bystander] && chart.stays(bystander, arc, demand, &entered) {
                         self.relate(*target, bystander);
@@ -123,7 +122,7 @@ impl<'m> Search<'m> {
     fn is_possible(&self, chart: &Chart, arc: &Arc, demand: &Demand) -> bool {
         let meets = |(a, b): (usize, usize)| self.relation.contains(a, b);
         let mut pairs =
-            demand.active.iter().enumerate().flat_map(|(place, a)| demand.active[place + 1..].iter().map(|b| (*a, *b)));
+            demand.active.iter().enumerate().flat(|(place, a)| demand.active[place + 1..].iter().map(|b| (*a, *b)));
         demand.active.iter().all(|step| self.reachable[*step] && !chart.commands[*step].contains(&arc.partial))
             && pairs.all(meets)
     }
@@ -167,8 +166,8 @@ impl<'m> Search<'m> {
             self.queue_all(&chart.needing[a]);
             self.queue_all(&chart.needing[b]);
             for (one, other) in [(a, b), (b, a)] {
-                let forced = chart.forces[one].iter().flat_map(|(_, forced)| forced);
-                pairs.extend(forced.map(|step| (*step, other)));
+                let forced = chart.forces[one].iter().flat(|(_, forced)| forced);
+                pairs.push_all(forced.map(|step| (*step, other)));
             }
         }
     }

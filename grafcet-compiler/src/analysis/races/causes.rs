@@ -45,18 +45,18 @@ impl<'m> Race<'m> {
         let own = &self.model.steps[step];
         let outer = self.model.partials[own.partial].enclosed_by;
         if matches!(when, When::Left(_)) {
-            causes.extend(outer.into_iter().flat_map(|outer| self.causes(When::Left(outer), depth + 1)));
+            causes.extend(outer.into_iter().flat(|outer| self.causes(When::Left(outer), depth + 1)));
             let empties = self.orders(own.partial).filter(|(_, order)| !self.activates(order, step));
-            causes.extend(empties.flat_map(|(by, _)| self.causes(When::Entered(by), depth + 1)));
+            causes.extend(empties.flat(|(by, _)| self.causes(When::Entered(by), depth + 1)));
             return causes;
         }
         if own.initial && outer.is_none() {
             causes.insert(Cause::Start);
         }
         let link = outer.filter(|_| own.linked);
-        causes.extend(link.into_iter().flat_map(|outer| self.causes(When::Entered(outer), depth + 1)));
+        causes.extend(link.into_iter().flat(|outer| self.causes(When::Entered(outer), depth + 1)));
         let forced = self.orders(own.partial).filter(|(_, order)| self.activates(order, step));
-        causes.extend(forced.flat_map(|(by, _)| self.causes(When::Entered(by), depth + 1)));
+        causes.extend(forced.flat(|(by, _)| self.causes(When::Entered(by), depth + 1)));
         causes
     }
 
@@ -93,7 +93,7 @@ impl<'m> Race<'m> {
     /// encloses it (A19), or brings an order on its partial grafcet (A13).
     fn prevents(&self, id: TransitionId, other: TransitionId) -> bool {
         let (clears, mut partial) = (&self.model.transitions[id], self.model.transitions[other].partial);
-        let orders = || clears.targets.iter().flat_map(|step| &self.model.steps[*step].forces);
+        let orders = || clears.targets.iter().flat(|step| &self.model.steps[*step].forces);
         let mut orders = orders().map(|id| &self.model.forces[*id]).list();
         if orders.iter().any(|force| force.target == partial) {
             return true;

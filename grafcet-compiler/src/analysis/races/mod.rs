@@ -6,7 +6,7 @@ mod causes;
 
 use super::explore::{Limits, Rival, rivals_meeting};
 use super::{Concurrency, Condition, Logic, Unlisted, meeting, unlisted};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Association, AssociationId, Effect, Expr, Id, Model, Name, Place, Qualifier, Read, StepId, TransitionId, Tree,
     Trigger, Unary,
@@ -55,7 +55,7 @@ impl Races {
                 .iter()
                 .zip(&causes)
                 .enumerate()
-                .flat_map(|(i, (write, causes))| race.steps_of(write, causes).into_iter().map(move |step| (i, step)))
+                .flat(|(i, (write, causes))| race.steps_of(write, causes).into_iter().map(move |step| (i, step)))
                 .list();
             for (i, j) in meeting::pairs(concurrency, &things) {
                 let (first, second) = (&writes[i], &writes[j]);
@@ -150,7 +150,7 @@ impl<'m> Race<'m> {
                 Trigger::Activation => When::Entered(association.step),
                 Trigger::Active | Trigger::Event => When::Active(association.step),
             };
-            let conditions: Vec<_> = association.condition.iter().chain(&association.event).list();
+            let conditions: Vec<_> = association.condition.iter().and(&association.event).list();
             for place in association.effect.writes() {
                 let (value, conditions) = (value.clone(), conditions.clone());
                 all.or_default(*place).push(Write { value, when, conditions, writer: Writer::Action(id), number: 0 });
@@ -217,7 +217,7 @@ impl<'m> Race<'m> {
             Cause::Transition(id) => {
                 let transition = &self.model.transitions[id];
                 all.push(self.logic.condition(&transition.condition.tree));
-                all.extend(transition.sources.iter().map(active));
+                all.push_all(transition.sources.iter().map(active));
             }
             Cause::While(step) if self.model.is_grafcet() => all.push(active(&step)),
             Cause::While(_) => {}
@@ -255,9 +255,9 @@ impl<'m> Race<'m> {
         // In an `sfc` those of actions are read after the evolution, those of transitions before it.
         if !self.model.is_grafcet() && (!a.0.conditions.is_empty() || !b.0.conditions.is_empty()) {
             let of = |write: &Write<'_>| write.conditions.iter().map(|expr| self.logic.of_action(&expr.tree)).list();
-            return of(a.0).into_iter().chain(of(b.0)).list();
+            return of(a.0).into_iter().and(of(b.0)).list();
         }
-        self.conditions(a.0, a.1).into_iter().chain(self.conditions(b.0, b.1)).list()
+        self.conditions(a.0, a.1).into_iter().and(self.conditions(b.0, b.1)).list()
     }
 
     /// The steps by which writes meet: in a `grafcet` for each cause one that is active before, where there is one.

@@ -71,7 +71,7 @@ impl Stability {
     #[must_use]
     pub fn is_memoryless(model: &Model) -> bool {
         let stays = |read: &Read| is_constant_read(read) || matches!(read, Read::Active(_) | Read::MacroActive(_));
-        model.transitions.values().flat_map(|transition| &transition.condition.reads).all(stays)
+        model.transitions.values().flat(|transition| &transition.condition.reads).all(stays)
     }
 
     /// Every search ends.
@@ -96,7 +96,7 @@ impl Stability {
 /// The steps that are active alone and that no transition can leave in the cycle in which another one has entered them. An edge of what
 /// changes within a search, as of a step or of another edge, has to be looked at once more: the next cycle compares with the last evolution.
 fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
-    if !model.edges.values().flat_map(|edge| &edge.of.reads).all(is_constant_read) {
+    if !model.edges.values().flat(|edge| &edge.of.reads).all(is_constant_read) {
         return Ends::default();
     }
     let is_sequence = model.partials.len() == 1
@@ -105,7 +105,7 @@ fn search_ends(model: &Model, successors: &mut Successors<'_>) -> Ends {
     if !is_sequence {
         return Ends::default();
     }
-    let mut steps: Set<StepId> = model.transitions.values().flat_map(|t| &t.targets).copied().collect();
+    let mut steps: Set<StepId> = model.transitions.values().flat(|t| &t.targets).copied().collect();
     let entered = steps.len();
     for (id, transition) in model.transitions.iter() {
         let goes_on = transition.sources != transition.targets && !successors.is_followed_by_none(id);
@@ -125,7 +125,7 @@ fn is_refilled(model: &Model) -> bool {
         other => !is_constant_read(other),
     };
     let mut transitions = model.transitions.values();
-    let mut reads = model.transitions.values().flat_map(|transition| &transition.condition.reads);
+    let mut reads = model.transitions.values().flat(|transition| &transition.condition.reads);
     transitions.any(|transition| transition.sources.is_empty()) && (model.partials.len() > 1 || reads.any(varies))
 }
 

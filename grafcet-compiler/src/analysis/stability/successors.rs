@@ -66,14 +66,14 @@ impl<'m> Successors<'m> {
     /// The transitions that one may enable.
     pub(super) fn after(&mut self, id: TransitionId) -> Vec<TransitionId> {
         let next: Vec<_> =
-            self.activates[id.index()].iter().flat_map(|step| self.model.leaving[step.index()].clone()).list();
+            self.activates[id.index()].iter().flat(|step| self.model.leaving[step.index()].clone()).list();
         next.into_iter().filter(|other| self.can_clear_together(id, *other)).list()
     }
 
     /// Whether nothing that leaves the steps a transition activates can clear in the same cycle.
     pub(super) fn is_followed_by_none(&mut self, id: TransitionId) -> bool {
         let leaving: Vec<_> =
-            self.activates[id.index()].iter().flat_map(|step| self.model.leaving[step.index()].clone()).list();
+            self.activates[id.index()].iter().flat(|step| self.model.leaving[step.index()].clone()).list();
         leaving
             .into_iter()
             .all(|next| !self.hold_together(self.condition_of[id.index()], self.entered_of[next.index()]))

@@ -4,7 +4,7 @@ use super::build::{limits, usual};
 use super::spans::{Question, Spent, windows};
 use super::{Demands, Fit, Node, Operation, Span, Terms, Told, What};
 use crate::analysis::differences::FAR;
-use crate::list::List;
+use crate::list::{List, PushAll};
 
 /// So many values are tried one by one.
 const FEW: u128 = 1024;
@@ -134,7 +134,7 @@ impl Question<'_> {
             if cut >= 0 {
                 parts.reverse();
             }
-            open.extend(parts);
+            open.push_all(parts);
         }
         Ok(if odd { Found::Odd } else { Found::Nothing })
     }

@@ -7,7 +7,7 @@ use super::Printer;
 use super::visit::{self, Seen};
 use crate::codegen::machine::Field;
 use crate::codegen::{Cx, names, rust, types};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, StepId, Ty};
 use crate::place::quote;
 
@@ -127,8 +127,8 @@ impl Layout {
             all.push(Value::Step(Some(*step)));
         }
         let states = self.regions[region];
-        all.extend(states.empty.then_some(Value::Step(None)));
-        all.extend(states.start.map(|Start(seen)| Value::Start(seen)));
+        all.push_all(states.empty.then_some(Value::Step(None)));
+        all.push_all(states.start.map(|Start(seen)| Value::Start(seen)));
         all
     }
 

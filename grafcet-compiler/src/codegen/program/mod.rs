@@ -118,7 +118,7 @@ impl<'m> Printer<'_, 'm> {
     }
 
     fn late(&self) -> Vec<(StepId, TokenStream)> {
-        let late = self.program.deadline.iter().flat_map(|deadline| &deadline.late);
+        let late = self.program.deadline.iter().flat(|deadline| &deadline.late);
         late.map(|(step, over)| (*step, self.condition(over))).list()
     }
 
@@ -180,7 +180,7 @@ impl<'m> Printer<'_, 'm> {
             let start = (states.start == Some(Start(Some(*id)))).then(|| self.start(0));
             // There is always an active step.
             let none = (states.empty && index == 0).then(|| cx.empty(0));
-            let others = start.into_iter().chain(none).map(|other| quote!(| #other));
+            let others = start.into_iter().and(none).map(|other| quote!(| #other));
             quote!(#variant #(#others)* => #name,)
         });
         let (arms, state) = (arms.tokens(), state(0));

@@ -6,6 +6,7 @@ use quote::{ToTokens, quote_spanned};
 use super::Printer;
 use crate::codegen::rust::{bare, behind, plain_name, without_parens};
 use crate::codegen::{names, writes};
+use crate::list::List;
 use crate::model::{Name, Place, Read, placeholder};
 use crate::place::{self, quote};
 use crate::program::{Expr, Run, User};
@@ -34,7 +35,7 @@ impl<'m> Printer<'_, 'm> {
     /// A block of the user: what it may write is a copy, which is taken over after it.
     pub(super) fn run(&self, run: &Run<'m>) -> TokenStream {
         let mut tokens = run.code.tokens.clone();
-        let written: Vec<Place> = run.writes.iter().map(|write| write.name).collect();
+        let written: Vec<Place> = run.writes.iter().map(|write| write.name).list();
         let bindings = self.bindings(&run.binds, &written, true);
         let (mut flags, mut takes) = (TokenStream::new(), TokenStream::new());
         for write in &run.writes {

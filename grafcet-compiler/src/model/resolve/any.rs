@@ -11,7 +11,7 @@ use super::expr;
 use super::scope::Meaning;
 use crate::ast::{self, Arrow, Condition, Item, Node, StepKind};
 use crate::diagnostic::{Mark, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Any, AnyId, Binary, Expr, ForceOrder, Id, PartialId, Read, StepId, Transition, TransitionId, Tree, Unary,
     placeholder,
@@ -139,7 +139,7 @@ impl Resolver<'_> {
 
     /// The steps of a target: of a macro-step all of its expansion.
     fn all_of(&self, node: &Node) -> Set<StepId> {
-        let steps = super::chains::names(node).iter().flat_map(|name| match self.scope.get(name) {
+        let steps = super::chains::names(node).iter().flat(|name| match self.scope.get(name) {
             Some(Meaning::Step(step)) => vec![step],
             Some(Meaning::Macro(id)) => self.model.macros[id].steps.clone(),
             _ => Vec::new(),
@@ -226,7 +226,7 @@ impl Resolver<'_> {
     fn asked_again_by_else(&mut self) {
         let asks = |(_, transition): &(TransitionId, &Transition)| transition.plain_else().is_none();
         let elses = self.model.transitions.iter().filter(asks).filter_map(|(_, one)| one.otherwise.clone());
-        let mut branches: Vec<TransitionId> = elses.flatten().collect();
+        let mut branches: Vec<TransitionId> = elses.flatten().list();
         sort(&mut branches);
         branches.dedup();
         for id in branches {
@@ -273,7 +273,7 @@ fn both(a: &Expr, b: Expr) -> Expr {
         right: Box::new(in_parens(b.tokens)),
     });
     let mut reads = a.reads.clone();
-    reads.extend(b.reads.into_iter().filter(|read| !a.reads.contains(read)));
+    reads.push_all(b.reads.into_iter().filter(|read| !a.reads.contains(read)));
     let tree = Tree::Binary(Binary::And, Box::new(a.tree.clone()), Box::new(b.tree));
     Expr { tree, tokens, reads, text: a.text.clone(), mark: a.mark }
 }
@@ -307,7 +307,7 @@ fn active(steps: &[StepId], mark: Mark) -> Expr {
                 right: Box::new(right.tokens),
             });
             let tree = Tree::Binary(Binary::Or, Box::new(left.tree), Box::new(right.tree));
-            (tree, tokens, left.reads.into_iter().chain(right.reads).list())
+            (tree, tokens, left.reads.into_iter().and(right.reads).list())
         }
     };
     Expr { tree, tokens, reads, text: String::new(), mark }

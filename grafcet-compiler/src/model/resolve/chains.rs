@@ -7,7 +7,7 @@ use super::scope::Meaning;
 use super::{Resolver, expr, otherwise};
 use crate::ast::{self, Arrow, Condition, Node};
 use crate::diagnostic::{Mark, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Blinker, Dialect, Effect, MacroId, PartialId, StepId, Transition};
 use crate::similar;
 use crate::sorted::Set;
@@ -23,8 +23,8 @@ impl Resolver<'_> {
     /// All transitions of a chain, in source order.
     pub(super) fn chain(&mut self, chain: &ast::Chain, partial: PartialId) {
         let mut before = &chain.first;
-        let nodes = std::iter::once(before).chain(chain.rest.iter().map(|(_, node)| node));
-        nodes.flat_map(names).for_each(|name| self.mention(name));
+        let nodes = std::iter::once(before).and(chain.rest.iter().map(|(_, node)| node));
+        nodes.flat(names).for_each(|name| self.mention(name));
         self.repeated(before);
         if chain.rest.is_empty() {
             self.node(before, End::Source, partial);
@@ -234,7 +234,7 @@ impl Resolver<'_> {
     /// An expansion is entered and left through its macro-step alone.
     fn crossing(&mut self, before: &Node, after: &Node) {
         let ends = names(before).iter().map(|name| (name, End::Source));
-        let ends = ends.chain(names(after).iter().map(|name| (name, End::Target)));
+        let ends = ends.and(names(after).iter().map(|name| (name, End::Target)));
         let placed: Vec<_> = ends.filter_map(|(name, end)| Some((name, end, self.expansion(name)?))).list();
         // Seen from outside: from where the fewest expansions are around it.
         let Some((.., home)) = placed.iter().min_by_key(|(.., inside)| inside.len()) else { return };
@@ -350,7 +350,7 @@ impl Resolver<'_> {
                 let message = format!("this does not say what `{name}` becomes; write `{name} = …`");
                 self.sink.rule(&rules::WRONG_TARGET, &[], vec![(clearing.mark, message)]);
             }
-            effects.extend(effect);
+            effects.push_all(effect);
         }
         effects
     }
@@ -382,8 +382,8 @@ pub(super) fn drawn(body: &ast::Body, found: &mut Set<String>) {
     for item in &body.items {
         match item {
             ast::Item::Chain(chain) => {
-                let nodes = std::iter::once(&chain.first).chain(chain.rest.iter().map(|(_, node)| node));
-                for name in nodes.flat_map(names) {
+                let nodes = std::iter::once(&chain.first).and(chain.rest.iter().map(|(_, node)| node));
+                for name in nodes.flat(names) {
                     found.insert(name.to_string());
                 }
             }

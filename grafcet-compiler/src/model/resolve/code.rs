@@ -7,7 +7,7 @@ use syn::{BinOp, Block, Stmt};
 use super::Resolver;
 use super::expr::Lower;
 use super::scope::Meaning;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::methods;
 use crate::model::{Binary, Code, Name, Place, Read, Statement, Tree};
 use crate::visit::{self, Locals, Visit};
@@ -24,11 +24,11 @@ pub(super) fn resolve(block: &Block, resolver: &mut Resolver<'_>) -> Code {
     let reads = std::mem::take(&mut lower.reads);
     let statements = statements(&mut block.clone(), &mut lower);
     let mut code = Code { tokens, statements, reads, writes: places, unsure: Vec::new(), text: super::text::of(block) };
-    code.unsure.extend(unsure.into_iter().filter(|(place, _)| !code.writes.contains(place)));
+    code.unsure.push_all(unsure.into_iter().filter(|(place, _)| !code.writes.contains(place)));
     if by_reference {
         // `ref mut x` in a pattern: whatever is matched may be written through it.
         let read = code.reads.iter().filter_map(|read| place_of(*read)).filter(|place| !code.writes.contains(place));
-        code.unsure.extend(read.map(|place| (place, "ref mut".to_owned())).list());
+        code.unsure.push_all(read.map(|place| (place, "ref mut".to_owned())).list());
     }
     for (place, _) in &code.unsure {
         if !code.writes.contains(place) {

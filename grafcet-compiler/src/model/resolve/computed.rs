@@ -3,6 +3,7 @@
 use syn::Expr;
 
 use super::expr::Lower;
+use crate::list::List;
 use crate::model::{Binary, Computed, How, Integer};
 
 impl Lower<'_, '_> {
@@ -41,7 +42,7 @@ impl Lower<'_, '_> {
 /// The type that `u16::from` makes.
 pub(super) fn made_from(function: &Expr) -> Option<Integer> {
     let Expr::Path(path) = function else { return None };
-    let names: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+    let names: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).list();
     match &names[..] {
         [ty, from] if path.qself.is_none() && from == "from" => Integer::named(ty),
         _ => None,

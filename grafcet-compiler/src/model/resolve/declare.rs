@@ -7,7 +7,7 @@ use super::scope::{Meaning, refuse_reserved, spelled};
 use super::{Resolver, expr};
 use crate::ast::{self, DeclKind, Item, StepKind, Time};
 use crate::diagnostic::{Mark, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Action, Expr, Id, Input, MacroId, MacroStep, Name, Output, Param, Partial, PartialId, Read, Step, StepId, TimeRef,
     Tree, Ty, Unary, Var,
@@ -136,7 +136,7 @@ impl Resolver<'_> {
     }
 
     fn declare_partial(&mut self, inner: &ast::Partial, enclosed_by: Option<StepId>) -> PartialId {
-        let levels = inner.attrs.levels.iter().chain(&inner.body.levels).cloned().list();
+        let levels = inner.attrs.levels.iter().and(&inner.body.levels).cloned().list();
         let id =
             self.model.partials.push(partial(Some(spelled(&inner.name)), enclosed_by, &inner.attrs.passed_on, levels));
         self.partials.push(id);
@@ -168,7 +168,7 @@ impl Resolver<'_> {
         });
         self.steps.push(id);
         self.model.partials[partial].steps.push(id);
-        self.withins.extend(step.within.clone().map(|within| (id, within)));
+        self.withins.push_all(step.within.clone().map(|within| (id, within)));
         // A second step of a name is not on its own: what is drawn to it cannot be told from the first, nor what is drawn
         // from a step `any` from what is drawn from all.
         let told_apart = self.scope.declare(&step.name, Meaning::Step(id), self.sink) && step.name != "any";
@@ -319,7 +319,7 @@ pub(super) fn first_paragraph(attrs: &[syn::Attribute]) -> String {
         _ => None,
     };
     let lines: Vec<String> = attrs.iter().filter_map(text).list();
-    let lines = lines.iter().flat_map(|text| text.lines().map(str::trim).chain(text.is_empty().then_some("")));
+    let lines = lines.iter().flat(|text| text.lines().map(str::trim).and(text.is_empty().then_some("")));
     let words: Vec<&str> = lines.skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty()).list();
     words.join(" ")
 }

@@ -6,6 +6,7 @@ use quote::ToTokens;
 use super::expr::{Lower, Seen};
 use super::names::is_of_step;
 use super::scope::Meaning;
+use crate::list::PushAll;
 use crate::model::{Read, Tree};
 use crate::visit::{self, Locals, Visit};
 
@@ -83,7 +84,7 @@ impl Lower<'_, '_> {
                     if !local && (is_step || name != "late" && !matches!(meaning, Some(Meaning::Value(_)))) {
                         self.lower(&mut field);
                         out.truncate(out.len() - 2);
-                        out.extend(field.into_token_stream());
+                        out.push_all(field.into_token_stream());
                         return;
                     }
                 }

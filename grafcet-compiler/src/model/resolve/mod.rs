@@ -38,6 +38,7 @@ use super::{
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
+use crate::list::PushAll;
 use crate::sorted::Set;
 
 /// Resolves a chart. Mistakes go to the sink; the model holds all that could be understood.
@@ -130,7 +131,7 @@ struct Cursor {
 
 fn empty(chart: &ast::Chart) -> Model {
     let mut levels = chart.attrs.levels.clone();
-    levels.extend(chart.body.levels.iter().cloned());
+    levels.push_all(chart.body.levels.iter().cloned());
     Model {
         dialect: chart.dialect,
         name: chart.name.clone(),

@@ -12,7 +12,7 @@ use super::declare::Where;
 use super::otherwise::in_parentheses;
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{
     Assumption, Binary, Edge, EdgeId, Expr, Id, Input, InputId, Modes, Name, PartialId, Read, StepId, Transition,
     TransitionId, Tree, Ty, Unary, placeholder,
@@ -269,7 +269,7 @@ impl Make<'_, '_> {
         });
         let tree = Tree::Binary(operator, Box::new(a.tree), Box::new(b.tree));
         let mut reads = a.reads;
-        reads.extend(b.reads);
+        reads.push_all(b.reads);
         Expr { tree, tokens, reads, text: String::new(), mark: self.at }
     }
 }

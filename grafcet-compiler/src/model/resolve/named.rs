@@ -12,7 +12,7 @@ use super::otherwise::in_parentheses;
 use super::scope::{Meaning, spelled};
 use crate::ast;
 use crate::diagnostic::Mark;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Expr, Id, Let, LetId, Mention, Name, Tree};
 use crate::place;
 use crate::sorted::Set;
@@ -147,7 +147,7 @@ impl Resolver<'_> {
         let mut names = Vec::new();
         for tree in tokens {
             match tree {
-                TokenTree::Group(group) => names.extend(self.names_in(group.stream())),
+                TokenTree::Group(group) => names.push_all(self.names_in(group.stream())),
                 TokenTree::Ident(name) => {
                     if let Some(Meaning::Value(value)) = self.scope.get(&name) {
                         names.push(value);

@@ -33,7 +33,7 @@ impl Resolver<'_> {
                 self.model.transitions[id].condition = self.none_of(id, &others);
                 // As all of them are enabled together, they stand at the same step in the generated code.
                 let sources = self.model.transitions[others[0]].sources.clone();
-                others.iter().chain([&id]).for_each(|one| self.model.transitions[*one].sources.clone_from(&sources));
+                others.iter().and([&id]).for_each(|one| self.model.transitions[*one].sources.clone_from(&sources));
                 self.model.transitions[id].otherwise = Some(others);
             }
         }
@@ -97,7 +97,7 @@ impl Resolver<'_> {
         let conditions: Vec<&Expr> = others.iter().map(|other| &self.model.transitions[*other].condition).list();
         let mut reads: Vec<Read> = Vec::new();
         let mut known: Set<Read> = Set::new();
-        for read in conditions.iter().flat_map(|condition| &condition.reads) {
+        for read in conditions.iter().flat(|condition| &condition.reads) {
             if known.insert(*read) {
                 reads.push(*read);
             }

@@ -12,7 +12,7 @@ use super::declare::Where;
 use super::expr::{Lower, step_path};
 use super::scope::Meaning;
 use crate::diagnostic::{Mark, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::methods::{self, Kind};
 use crate::model::Ty;
 
@@ -211,7 +211,7 @@ impl Resolver<'_> {
     /// `assume pure level_ok, sensors::valid;`
     pub(super) fn assume_pure(&mut self, paths: &[syn::Path], place: Where) {
         if place == Where::Chart {
-            self.pure.extend(paths.iter().map(|path| (path.clone(), false)));
+            self.pure.push_all(paths.iter().map(|path| (path.clone(), false)));
         }
     }
 

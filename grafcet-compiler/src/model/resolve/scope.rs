@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use super::modes;
 use crate::ast::Body;
 use crate::diagnostic::{Mark, Sink, rules};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{ActionId, LetId, MacroId, Name, PartialId, StepId};
 use crate::similar;
 use crate::sorted::Map;
@@ -73,7 +73,7 @@ impl Scope {
 
     /// Takes note of the names of items that could not be parsed.
     pub(super) fn add_broken(&mut self, body: &Body) {
-        self.broken.extend(body.broken.iter().cloned());
+        self.broken.push_all(body.broken.iter().cloned());
     }
 
     /// Declares `name`; `false` if it is taken. A reserved one is reported and declared all the same, so that its uses

@@ -1,6 +1,7 @@
 //! At which times of a step or macro-step something changes: what expressions and qualifiers compare with.
 
 use super::control::limits_by_step;
+use crate::list::List;
 use crate::model::{
     AssociationId, Binary, Blinker, Effect, Expr as Written, Model, Name, Qualifier, Read, TimeRef, Tree,
 };
@@ -29,7 +30,7 @@ pub(super) fn changes(model: &Model) -> Changes {
         transition.clearing.iter().for_each(|effect| of_effect(effect, &mut found));
     }
     for (id, association) in model.associations.iter() {
-        association.condition.iter().chain(&association.event).for_each(|one| of_tree(&one.tree, &mut found));
+        association.condition.iter().and(&association.event).for_each(|one| of_tree(&one.tree, &mut found));
         of_effect(&association.effect, &mut found);
         if let Some(time) = association.time.filter(|_| is_time_of_step(model, id)) {
             found.insert((Blinker::Step(association.step), Change::At(time)));

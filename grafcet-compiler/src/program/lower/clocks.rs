@@ -103,7 +103,7 @@ impl<'m> Lower<'_, 'm> {
         let mut all = self.model.expressions().concat();
         if self.clocks == Clocks::Counted {
             for property in &self.model.properties {
-                all.extend(property.claim.expressions().iter().flat_map(|expr| &expr.reads));
+                all.extend(property.claim.expressions().iter().flat(|expr| &expr.reads));
             }
         }
         all.retain(|read| !matches!(read, Read::Active(_) | Read::MacroActive(_)));
@@ -117,7 +117,7 @@ impl<'m> Lower<'_, 'm> {
         let has_timer = |(id, association): (crate::model::AssociationId, &crate::model::Association)| {
             association.time.is_some() && !is_time_of_step(model, id)
         };
-        self.time.iter().chain(&self.macro_time).flatten().any(counted)
+        self.time.iter().and(&self.macro_time).flatten().any(counted)
             || !self.phases.is_empty()
             || !model.delays.is_empty()
             || model.associations.iter().any(has_timer)

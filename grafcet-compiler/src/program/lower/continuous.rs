@@ -4,6 +4,7 @@
 use super::Lower;
 use super::places::plain;
 use super::view::Moment;
+use crate::list::{List, PushAll};
 use crate::model::{ActionId, AssociationId, Effect, Id, Place, Qualifier};
 use crate::program::build::{all, any, choose, not, number, part, when, yes};
 use crate::program::{Expr, Initial, Phase, PlaceId, Role, Statement, Type, Value};
@@ -38,7 +39,7 @@ impl<'m> Lower<'_, 'm> {
         for id in self.model.outputs.ids() {
             self.continuous_output(Place::Output(id), &mut body, &mut takes);
         }
-        body.extend(takes);
+        body.push_all(takes);
         part(cycle, "continuous outputs (A9)", body);
     }
 
@@ -70,7 +71,7 @@ impl<'m> Lower<'_, 'm> {
             let begin = Initial::Value(Value::Int(0));
             self.field(format!("acted.{name}"), Role::Acted(first), Type::Number, begin)
         });
-        body.push(Statement::Set(q, any(associations.iter().map(|id| self.asserts(*id)).collect())));
+        body.push(Statement::Set(q, any(associations.iter().map(|id| self.asserts(*id)).list())));
         for id in associations {
             if let Some(acted) = acted {
                 when(body, self.asserts(*id), vec![Statement::Set(acted, number(id.index()))]);
@@ -82,7 +83,7 @@ impl<'m> Lower<'_, 'm> {
         let mut arms = Vec::new();
         for id in associations {
             let Effect::Call(_, args) = &model.associations[*id].effect else { continue };
-            let args = args.iter().map(|arg| self.user(arg, Moment::Before)).collect();
+            let args = args.iter().map(|arg| self.user(arg, Moment::Before)).list();
             let call = self.call(action, phase.clone(), args);
             arms.push((vec![Value::Int(i128::try_from(id.index()).unwrap_or(i128::MAX))], call));
         }
@@ -115,7 +116,7 @@ impl<'m> Lower<'_, 'm> {
         let next = self.next_copy(to);
         let asserted = |id: &AssociationId| matches!(model.associations[*id].effect, Effect::Control(_));
         if driving.iter().all(asserted) && matches!(self.places[to.0].initial, Initial::Default) {
-            let value = any(driving.iter().map(|id| self.asserts(*id)).collect());
+            let value = any(driving.iter().map(|id| self.asserts(*id)).list());
             body.push(Statement::Set(next, value));
         } else {
             let mut otherwise = vec![Statement::Set(next, Expr::Initial(to))];
@@ -126,7 +127,7 @@ impl<'m> Lower<'_, 'm> {
                 };
                 otherwise = vec![Statement::If(self.asserts(id), vec![Statement::Set(next, value)], otherwise)];
             }
-            body.extend(otherwise);
+            body.push_all(otherwise);
         }
         takes.push(Statement::Set(to, Expr::Place(next)));
     }

@@ -12,9 +12,11 @@
 use super::Lower;
 use super::places::plain;
 use super::view::Moment;
+use crate::list::{List, PushAll};
 use crate::model::{ActionId, Association, AssociationId, Effect, Id, Model, Place, Qualifier, TimeRef};
 use crate::program::build::{add, all, any, at_least, choose, compare, no, not, number, when, yes, zero};
 use crate::program::{Comparison, Expr, Initial, PlaceId, Role, Statement, Type, Value};
+use crate::sorted::sort_by_key;
 
 /// A31: what associations are combined for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -71,7 +73,7 @@ impl<'m> Lower<'_, 'm> {
                 None => grouped.push((what, vec![id])),
             }
         }
-        grouped.into_iter().map(|(what, associations)| self.target(what, associations)).collect()
+        grouped.into_iter().map(|(what, associations)| self.target(what, associations)).list()
     }
 
     fn target(&mut self, what: What, associations: Vec<AssociationId>) -> Target {
@@ -154,7 +156,7 @@ impl<'m> Lower<'_, 'm> {
             };
             terms.push(Term { qualifier, holds, sets });
         }
-        let holds = any(terms.iter().map(|term| term.holds.clone()).collect());
+        let holds = any(terms.iter().map(|term| term.holds.clone()).list());
         body.push(Statement::Set(target.q, all(vec![not(reset), holds])));
         self.who_acts(target, flags, &terms, &mut body);
         self.how_it_ends(target, flags, &terms, &mut body);
@@ -173,7 +175,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     fn input(&self, target: &Target, flags: &[PlaceId], qualifier: Qualifier) -> Expr<'m> {
-        any(self.under(target, qualifier).iter().map(|id| Expr::Place(flags[id.index()])).collect())
+        any(self.under(target, qualifier).iter().map(|id| Expr::Place(flags[id.index()])).list())
     }
 
     /// A boolean that only S and R control starts with its initial value.
@@ -245,7 +247,7 @@ impl<'m> Lower<'_, 'm> {
     ) -> Expr<'m> {
         let mut times: Vec<(AssociationId, TimeRef)> = Vec::new();
         for id in self.under(target, qualifier) {
-            times.extend(self.model.associations[id].time.map(|time| (id, time)));
+            times.push_all(self.model.associations[id].time.map(|time| (id, time)));
         }
         let Some(((_, last), others)) = times.split_last() else { return zero() };
         if others.iter().all(|(_, time)| time == last) {
@@ -293,13 +295,13 @@ impl<'m> Lower<'_, 'm> {
                     _ => {
                         let by =
                             setter.flatten().map(|by| compare(Comparison::Equal, Expr::Place(by), number(id.index())));
-                        all(by.into_iter().chain([term.holds.clone()]).collect())
+                        all(by.into_iter().and([term.holds.clone()]).list())
                     }
                 };
                 acting.push((id, acts));
             }
         }
-        acting.sort_by_key(|(id, _)| *id);
+        sort_by_key(&mut acting, |(id, _)| *id);
         let mut notes = Vec::new();
         for (id, acts) in acting {
             when(&mut notes, acts, vec![Statement::Set(acted, number(id.index()))]);
@@ -357,7 +359,7 @@ impl<'m> Lower<'_, 'm> {
         }
         let fell = all(vec![Expr::Place(was), not(Expr::Place(target.q))]);
         body.push(Statement::Set(by_leaving, all(vec![fell, any(causes)])));
-        body.extend(notes);
+        body.push_all(notes);
     }
 }
 

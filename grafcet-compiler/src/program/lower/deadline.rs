@@ -3,6 +3,7 @@
 use super::Lower;
 use super::changes::{Change, changes};
 use super::clocks::{Clock, literal};
+use crate::list::{List, PushAll};
 use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
 use crate::program::build::{all, any, at_least, below, choose, compare, not, sub, ticks};
 use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value};
@@ -50,20 +51,20 @@ impl<'m> Lower<'_, 'm> {
         let mut found = Vec::new();
         for transition in model.transitions.values() {
             if transition.condition.tree.may_differ() {
-                found.push(all(transition.sources.iter().map(|step| self.is(*step)).collect()));
+                found.push(all(transition.sources.iter().map(|step| self.is(*step)).list()));
             }
         }
         for association in model.associations.values() {
-            let mut asked: Vec<&Written> = association.condition.iter().chain(&association.event).collect();
+            let mut asked: Vec<&Written> = association.condition.iter().and(&association.event).list();
             if association.qualifier == Qualifier::N {
-                asked.extend(association.effect.expressions());
+                asked.push_all(association.effect.expressions());
             }
             if asked.iter().any(|expr| expr.tree.may_differ()) {
                 found.push(self.is(association.step));
             }
         }
         // Edges and delays are sampled in every cycle.
-        let sampled = model.edges.values().map(|edge| &edge.of).chain(model.delays.values().map(|delay| &delay.of));
+        let sampled = model.edges.values().map(|edge| &edge.of).and(model.delays.values().map(|delay| &delay.of));
         for of in sampled {
             if of.tree.may_differ() {
                 found.push(Expr::Value(Value::Bool(true)));
@@ -76,7 +77,7 @@ impl<'m> Lower<'_, 'm> {
     fn wait(&self, of: Blinker, change: Change, from: Option<PlaceId>, waits: &mut Vec<(Expr<'m>, Expr<'m>)>) {
         let active = match of {
             Blinker::Step(step) => self.is(step),
-            Blinker::Macro(id) => any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).collect()),
+            Blinker::Macro(id) => any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).list()),
         };
         match change {
             Change::At(_) | Change::Behind(_) => {
@@ -94,7 +95,7 @@ impl<'m> Lower<'_, 'm> {
                 let open = passed.map(|passed| not(Expr::Place(passed)));
                 // What takes no time is never waited for.
                 if literal(change) != Some(0) {
-                    waits.push((all([active].into_iter().chain(open).collect()), end));
+                    waits.push((all([active].into_iter().and(open).list()), end));
                 }
             }
             Change::Always => waits.push((active, ticks(1))),

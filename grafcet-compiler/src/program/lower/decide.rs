@@ -36,7 +36,7 @@ impl<'m> Lower<'_, 'm> {
                 parts.push(not(Expr::Place(self.anys[other.index()])));
             }
         }
-        parts.push(any(one.sources.iter().map(|step| self.was(*step)).collect()));
+        parts.push(any(one.sources.iter().map(|step| self.was(*step)).list()));
         parts.push(self.own_condition(&self.model.transitions[one.first]));
         all(parts)
     }
@@ -76,7 +76,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     fn all_active(&self, transition: &Transition) -> Expr<'m> {
-        all(transition.sources.iter().map(|step| self.was(*step)).collect())
+        all(transition.sources.iter().map(|step| self.was(*step)).list())
     }
 
     /// The condition that is written there, without what an `any` puts in front of it.
@@ -98,7 +98,7 @@ impl<'m> Lower<'_, 'm> {
     /// Whether an `any` has really cleared: the hierarchy may be against it.
     pub(super) fn any_cleared(&self, id: AnyId) -> Expr<'m> {
         let of = self.model.transitions.iter().filter(|(_, transition)| transition.any == Some(id));
-        any(of.map(|(transition, _)| Expr::Place(self.clears[transition.index()])).collect())
+        any(of.map(|(transition, _)| Expr::Place(self.clears[transition.index()])).list())
     }
 }
 

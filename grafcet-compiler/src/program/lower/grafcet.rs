@@ -1,6 +1,7 @@
 //! The cycle of a `grafcet`, IEC 60848: the search for stability.
 
 use super::Lower;
+use crate::list::{List, PushAll};
 use crate::model::{Effect, Id, OutputId, Place};
 use crate::program::build::{all, any, compare, differ, no, not, number, part, when, yes};
 use crate::program::{Comparison, Expr, Initial, Mark, PlaceId, Role, Statement, Type, Value};
@@ -56,24 +57,23 @@ impl<'m> Lower<'_, 'm> {
         let (writes, calls) = self.stored_actions(stored);
         part(&mut body, "stored actions, on the values before (A5)", writes);
         let mut changes: Vec<Expr<'m>> =
-            self.was.iter().zip(&self.state).map(|(was, state)| differ(*was, *state)).collect();
-        changes.extend(stored.next.iter().map(|(place, next)| differ(*place, *next)));
-        changes.extend(stored.due.iter().map(|due| Expr::Place(*due)));
-        let mut is_stable: Vec<Statement<'m>> =
-            stable.map(|stable| Statement::Set(stable, yes())).into_iter().collect();
+            self.was.iter().zip(&self.state).map(|(was, state)| differ(*was, *state)).list();
+        changes.push_all(stored.next.iter().map(|(place, next)| differ(*place, *next)));
+        changes.push_all(stored.due.iter().map(|due| Expr::Place(*due)));
+        let mut is_stable: Vec<Statement<'m>> = stable.map(|stable| Statement::Set(stable, yes())).into_iter().list();
         is_stable.push(Statement::Break);
         part(&mut body, "stable (A25)", vec![Statement::If(not(any(changes)), is_stable, Vec::new())]);
         if let Some(stable) = stable {
             let mut stop = vec![Statement::Set(stable, no())];
-            stop.extend(self.take_back());
+            stop.push_all(self.take_back());
             stop.push(Statement::Break);
             let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound as usize));
             part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
         }
         let mut commit = calls;
-        commit.extend(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
-        commit.extend(self.begin_times());
-        commit.extend(self.use_up_edges());
+        commit.push_all(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
+        commit.push_all(self.begin_times());
+        commit.push_all(self.use_up_edges());
         // Without a bound it is enough to know whether there has been one.
         let count = if stable.is_some() { Expr::Next(self.evolutions) } else { number(1) };
         commit.push(Statement::Set(self.evolutions, count));
@@ -85,7 +85,7 @@ impl<'m> Lower<'_, 'm> {
     /// The bound stops the search: the situation it had reached stays.
     fn take_back(&self) -> Vec<Statement<'m>> {
         let pairs = self.was.iter().zip(&self.state);
-        pairs.map(|(was, state)| Statement::Set(*state, Expr::Place(*was))).collect()
+        pairs.map(|(was, state)| Statement::Set(*state, Expr::Place(*was))).list()
     }
 
     fn tell_evolution(&self) -> Vec<Statement<'m>> {
@@ -117,8 +117,8 @@ impl<'m> Lower<'_, 'm> {
         if !self.delays.is_empty() {
             moves.push(compare(Comparison::Differs, Expr::Place(self.evolutions), number(0)));
         }
-        moves.extend(kept.iter().map(|(place, copy)| differ(*place, *copy)));
-        moves.extend(self.opaque_ran.map(Expr::Place));
+        moves.push_all(kept.iter().map(|(place, copy)| differ(*place, *copy)));
+        moves.push_all(self.opaque_ran.map(Expr::Place));
         vec![Statement::Set(settled, not(any(moves)))]
     }
 

@@ -1,6 +1,7 @@
 //! Partial grafcets from the top of the hierarchy to its bottom: forcing, enclosing (A11 to A19, A21).
 
 use super::Lower;
+use crate::list::{List, PushAll};
 use crate::model::{ForceOrder, Id, PartialId, StepId};
 use crate::program::build::{all, any, no, not};
 use crate::program::{Expr, Statement};
@@ -17,7 +18,7 @@ impl<'m> Lower<'_, 'm> {
                     parts.push(not(self.was(force.step)));
                 }
             }
-            parts.extend(partial.enclosed_by.map(|step| self.was(step)));
+            parts.push_all(partial.enclosed_by.map(|step| self.was(step)));
             body.push(Statement::Set(free, all(parts)));
         }
         body
@@ -44,7 +45,7 @@ impl<'m> Lower<'_, 'm> {
                 };
                 below = vec![Statement::If(self.is(force.step), forced, below)];
             }
-            body.extend(below);
+            body.push_all(below);
         }
         body
     }
@@ -56,7 +57,7 @@ impl<'m> Lower<'_, 'm> {
             for step in &self.model.partials[partial].steps {
                 let transitions = if leaving { &self.model.leaving } else { &self.model.entering };
                 let clearing: Vec<Expr<'m>> =
-                    transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).collect();
+                    transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).list();
                 if !clearing.is_empty() {
                     body.push(Statement::If(any(clearing), vec![self.put(*step, !leaving)], Vec::new()));
                 }
@@ -73,13 +74,13 @@ impl<'m> Lower<'_, 'm> {
                 body.push(self.empty(region));
             }
         }
-        body.extend(steps.iter().map(|step| self.put(*step, true)));
+        body.push_all(steps.iter().map(|step| self.put(*step, true)));
         body
     }
 
     fn clears_nothing(&self, partial: PartialId) -> Vec<Statement<'m>> {
         let transitions = self.model.partials[partial].transitions.iter();
-        transitions.map(|id| Statement::Set(self.clears[id.index()], no())).collect()
+        transitions.map(|id| Statement::Set(self.clears[id.index()], no())).list()
     }
 
     fn steps_where(&self, partial: PartialId, wanted: fn(&crate::model::Step) -> bool) -> Vec<StepId> {

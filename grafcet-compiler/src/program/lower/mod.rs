@@ -108,7 +108,7 @@ fn program<'m>(
     let mut lower = Lower::new(model, &regions, facts, clocks);
     let cycle = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
-    let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).collect();
+    let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).list();
     let mut beside = Vec::new();
     if regions.len() > 1 {
         for step in model.steps.ids() {

@@ -217,7 +217,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         let (mut early, mut late) = (Set::new(), Set::new());
         for transition in model.transitions.values() {
             self.edges_in(&transition.condition.reads, &mut early);
-            for reads in transition.clearing.iter().flat_map(Effect::reads) {
+            for reads in transition.clearing.iter().flat(Effect::reads) {
                 self.edges_in(reads, &mut early);
             }
         }
@@ -280,7 +280,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             return plain(name);
         }
         let side = |steps: &[StepId]| {
-            let names: Vec<String> = steps.iter().map(|step| self.step_name(*step)).collect();
+            let names: Vec<String> = steps.iter().map(|step| self.step_name(*step)).list();
             if names.len() == 1 { names.concat() } else { format!("({})", names.join(",")) }
         };
         format!("{}→{}", side(&transition.sources), side(&transition.targets))

@@ -4,6 +4,7 @@
 use super::Lower;
 use super::control::{Target, What, drives};
 use super::view::Moment;
+use crate::list::{List, PushAll};
 use crate::model::{ActionId, AssociationId, Code, Effect, Id, Place, Qualifier, Read, Ty};
 use crate::program::build::{all, any, at_least, choose, differ, no, not, number, part, when};
 use crate::program::{Expr, Phase, PlaceId, Run, Statement, Value, Write};
@@ -16,7 +17,7 @@ impl<'m> Lower<'_, 'm> {
         part(cycle, "flags of the actions, read before the first runs (point 5)", body);
         let mut control = Vec::new();
         for target in &targets {
-            control.extend(self.control(target, &flags));
+            control.push_all(self.control(target, &flags));
         }
         part(cycle, "action control (point 4)", control);
         let (mut leaving, mut entering, mut rest) = (Vec::new(), Vec::new(), Vec::new());
@@ -31,7 +32,7 @@ impl<'m> Lower<'_, 'm> {
         }
         self.note_turns(&targets, &mut rest);
         for target in &targets {
-            rest.extend(target.was.map(|was| Statement::Set(was, Expr::Place(target.q))));
+            rest.push_all(target.was.map(|was| Statement::Set(was, Expr::Place(target.q))));
         }
         part(cycle, "deactivations (A29)", leaving);
         part(cycle, "activations", entering);
@@ -57,7 +58,7 @@ impl<'m> Lower<'_, 'm> {
         let model = self.model;
         let to = self.place(place);
         let assigns = |id: &&AssociationId| matches!(model.associations[**id].effect, Effect::Assign(..));
-        let assigning: Vec<AssociationId> = target.associations.iter().filter(assigns).copied().collect();
+        let assigning: Vec<AssociationId> = target.associations.iter().filter(assigns).copied().list();
         let mut otherwise = vec![match place {
             Place::Output(_) if !assigning.is_empty() => Statement::Set(to, Expr::Initial(to)),
             _ => Statement::Set(to, Expr::Place(target.q)),
@@ -66,7 +67,7 @@ impl<'m> Lower<'_, 'm> {
             let run = self.effect(&model.associations[id].effect, Moment::After, first());
             otherwise = vec![Statement::If(Expr::Place(flags[id.index()]), run, otherwise)];
         }
-        into.extend(otherwise);
+        into.push_all(otherwise);
     }
 
     /// P0, and the final call where leaving a step has ended the action. "P0 together with a final call is one run."
@@ -83,7 +84,7 @@ impl<'m> Lower<'_, 'm> {
             let run = self.acted(target, Moment::Leaving, Expr::Value(Value::Phase(Phase::Final)));
             when(&mut body, Expr::Place(by_leaving), run);
         }
-        into.extend(in_turn(runs, body));
+        into.push_all(in_turn(runs, body));
     }
 
     /// P1. "P1 together with an active Q is one run": with the arguments of the last in the source of those that act.
@@ -103,22 +104,22 @@ impl<'m> Lower<'_, 'm> {
             };
             runs.push((flags[id.index()], run));
         }
-        into.extend(in_turn(runs, Vec::new()));
+        into.push_all(in_turn(runs, Vec::new()));
     }
 
     /// Runs while Q holds, and the final call that leaving has not caused.
     fn run_rest(&mut self, target: &Target, flags: &[PlaceId], into: &mut Vec<Statement<'m>>) {
         let Some(was) = target.was else { return };
         let none_of = |lower: &Self, qualifier| -> Vec<Expr<'m>> {
-            lower.with(target, qualifier).iter().map(|id| not(Expr::Place(flags[id.index()]))).collect()
+            lower.with(target, qualifier).iter().map(|id| not(Expr::Place(flags[id.index()]))).list()
         };
         let (p1, p0) = (none_of(self, Qualifier::P1), none_of(self, Qualifier::P0));
         let phase = choose_phase(Expr::Place(was), Phase::Repeated);
         let run = self.acted(target, Moment::After, phase);
         when(into, all([vec![Expr::Place(target.q)], p1].concat()), run);
         let mut ends = vec![Expr::Place(was), not(Expr::Place(target.q))];
-        ends.extend(p0);
-        ends.extend(target.by_leaving.map(|by| not(Expr::Place(by))));
+        ends.push_all(p0);
+        ends.push_all(target.by_leaving.map(|by| not(Expr::Place(by))));
         let run = self.acted(target, Moment::After, Expr::Value(Value::Phase(Phase::Final)));
         when(into, all(ends), run);
     }
@@ -157,12 +158,12 @@ impl<'m> Lower<'_, 'm> {
             Effect::Assign(place, value) => {
                 let mut body = vec![Statement::Set(self.place(*place), self.user(value, moment))];
                 if self.is_untold(*place) {
-                    body.extend(self.note_opaque());
+                    body.push_all(self.note_opaque());
                 }
                 body
             }
             Effect::Call(action, args) => {
-                let args = args.iter().map(|arg| self.user(arg, moment)).collect();
+                let args = args.iter().map(|arg| self.user(arg, moment)).list();
                 self.call(*action, phase, args)
             }
             Effect::Block(code) => {
@@ -193,7 +194,7 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         let run = self.run_block(code, writes, moment);
-        into.extend(run);
+        into.push_all(run);
         for (own, noted, to) in copies {
             let take = vec![Statement::Set(to, Expr::Place(own))];
             into.push(Statement::If(Expr::Place(noted), take, Vec::new()));
@@ -210,7 +211,7 @@ impl<'m> Lower<'_, 'm> {
         }
         let mut body = vec![Statement::Run(Box::new(Run { code, binds, writes }))];
         if self.is_opaque(code) {
-            body.extend(self.note_opaque());
+            body.push_all(self.note_opaque());
         }
         body
     }
@@ -234,7 +235,7 @@ impl<'m> Lower<'_, 'm> {
     /// A call of a declared action.
     pub(super) fn call(&self, action: ActionId, phase: Expr<'m>, args: Vec<Expr<'m>>) -> Vec<Statement<'m>> {
         let mut body = vec![Statement::Call(action, phase, args)];
-        body.extend(self.note_opaque());
+        body.push_all(self.note_opaque());
         body
     }
 

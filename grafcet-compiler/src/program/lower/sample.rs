@@ -3,6 +3,7 @@
 use super::Lower;
 use super::view::Moment;
 use crate::analysis::{combinational, edges_only_help};
+use crate::list::{List, PushAll};
 use crate::model::{DelayId, EdgeId, Effect, Id, Name, Place, Read, VarId};
 use crate::program::build::{add, all, any, at_least, choose, compare, differ, no, not, when, zero};
 use crate::program::{Comparison, Expr, Statement};
@@ -67,13 +68,13 @@ impl<'m> Lower<'_, 'm> {
     /// The edges are seen: the next ones compare with what is now.
     pub(super) fn use_up_edges(&self) -> Vec<Statement<'m>> {
         let edges = self.edges.iter().flatten();
-        edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).collect()
+        edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).list()
     }
 
     /// The same of those that actions see.
     pub(super) fn use_up_action_edges(&self) -> Vec<Statement<'m>> {
         let edges = self.action_edges.iter().flatten();
-        edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).collect()
+        edges.map(|edges| Statement::Set(edges.before, Expr::Place(edges.now))).list()
     }
 
     /// Whether there is an edge that something asks for: it is gone in the next cycle.
@@ -145,8 +146,8 @@ impl<'m> Lower<'_, 'm> {
                     let none = Statement::Set(edges.before, Expr::Place(edges.now));
                     when(&mut body, fresh.clone(), vec![none]);
                 }
-                Sample::Delay(id) => body.extend(self.sample_delay(id)),
-                Sample::Combinational(id) => body.extend(self.combinational(id)),
+                Sample::Delay(id) => body.push_all(self.sample_delay(id)),
+                Sample::Combinational(id) => body.push_all(self.combinational(id)),
             }
         }
         body

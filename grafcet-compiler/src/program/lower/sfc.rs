@@ -1,6 +1,7 @@
 //! The cycle of an `sfc`, IEC 61131-3: one evolution, then the actions.
 
 use super::Lower;
+use crate::list::{List, PushAll};
 use crate::model::{Id, Name, Read, StepId};
 use crate::program::build::{all, any, differ, no, not, part, when, yes};
 use crate::program::{Expr, Mark, PlaceId, Statement};
@@ -15,8 +16,8 @@ impl<'m> Lower<'_, 'm> {
         part(&mut cycle, "delays and edges", self.sample_once());
         let first = self.enter_initial();
         let mut evolution = self.decide();
-        evolution.extend(self.note_changes());
-        evolution.extend(self.write_situation());
+        evolution.push_all(self.note_changes());
+        evolution.push_all(self.write_situation());
         let evolve = vec![Statement::If(Expr::Place(self.first), first, evolution)];
         part(&mut cycle, "first cycle, or evolution (points 1 to 3)", evolve);
         part(&mut cycle, "what observers are told", self.tell());
@@ -28,7 +29,7 @@ impl<'m> Lower<'_, 'm> {
         part(&mut cycle, "times that are over", self.bound_times());
         part(&mut cycle, "whether the next cycle would do the same", self.settle(&kept));
         let mut end = self.use_up_edges();
-        end.extend(self.use_up_action_edges());
+        end.push_all(self.use_up_action_edges());
         end.push(Statement::Set(self.first, no()));
         part(&mut cycle, "end", end);
         cycle
@@ -36,12 +37,12 @@ impl<'m> Lower<'_, 'm> {
 
     pub(super) fn copy_situation(&self) -> Vec<Statement<'m>> {
         let pairs = self.was.iter().zip(&self.state);
-        pairs.map(|(was, state)| Statement::Set(*was, Expr::Place(*state))).collect()
+        pairs.map(|(was, state)| Statement::Set(*was, Expr::Place(*state))).list()
     }
 
     /// Point 1: the initial situation is entered, no transition is evaluated (A27).
     fn enter_initial(&self) -> Vec<Statement<'m>> {
-        self.initial.iter().map(|step| Statement::Set(self.entered[step.index()], yes())).collect()
+        self.initial.iter().map(|step| Statement::Set(self.entered[step.index()], yes())).list()
     }
 
     /// Which steps are left and which are entered. A4s: one that is left and entered is both; one that was active and is not left is
@@ -67,7 +68,7 @@ impl<'m> Lower<'_, 'm> {
     /// The transitions that lead from a step, or to it.
     fn clearing(&self, step: StepId, from: bool) -> Vec<Expr<'m>> {
         let transitions = if from { &self.model.leaving } else { &self.model.entering };
-        transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).collect()
+        transitions[step.index()].iter().map(|id| Expr::Place(self.clears[id.index()])).list()
     }
 
     /// `X' = (X − ∪ sources(F)) ∪ ∪ targets(F)`
@@ -105,7 +106,7 @@ impl<'m> Lower<'_, 'm> {
     }
 
     fn any_clears(&self) -> Expr<'m> {
-        any(self.clears.iter().map(|place| Expr::Place(*place)).collect())
+        any(self.clears.iter().map(|place| Expr::Place(*place)).list())
     }
 
     /// Outputs that actions read, as the previous cycle returned them (point 6). Of a chart with time also the variables and all other outputs
@@ -125,7 +126,7 @@ impl<'m> Lower<'_, 'm> {
                 }
             }
         }
-        let copies = kept.iter().map(|(place, copy)| Statement::Set(*copy, Expr::Place(*place))).collect();
+        let copies = kept.iter().map(|(place, copy)| Statement::Set(*copy, Expr::Place(*place))).list();
         (kept, copies)
     }
 
@@ -147,7 +148,7 @@ impl<'m> Lower<'_, 'm> {
         for (place, copy) in kept {
             moves.push(differ(*place, *copy));
         }
-        moves.extend(self.turned.into_iter().chain(self.opaque_ran).map(Expr::Place));
+        moves.push_all(self.turned.into_iter().and(self.opaque_ran).map(Expr::Place));
         vec![Statement::Set(settled, not(any(moves)))]
     }
 }

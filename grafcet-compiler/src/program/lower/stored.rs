@@ -3,6 +3,7 @@
 
 use super::Lower;
 use super::view::Moment;
+use crate::list::{List, PushAll};
 use crate::model::{Association, Code, Effect, Id, Place, Qualifier};
 use crate::program::build::{all, no, not, when, yes};
 use crate::program::{Expr, Phase, PlaceId, Statement, Value, Write};
@@ -74,7 +75,7 @@ impl<'m> Lower<'_, 'm> {
         }
         body.splice(0..0, begin(stored));
         body.append(&mut stored.calls);
-        body.extend(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
+        body.push_all(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
         stored.due.clear();
         body
     }
@@ -136,7 +137,7 @@ impl<'m> Lower<'_, 'm> {
             Effect::Call(action, args) => {
                 let due = self.truth(format!("due{}.{}", self.places.len(), self.model.actions[*action].name));
                 body.push(Statement::Set(due, occurs));
-                let args = args.iter().map(|arg| self.user(arg, moment)).collect();
+                let args = args.iter().map(|arg| self.user(arg, moment)).list();
                 let call = self.call(*action, Expr::Value(Value::Phase(Phase::First)), args);
                 stored.calls.push(Statement::If(Expr::Place(due), call, Vec::new()));
                 stored.due.push(due);
@@ -160,8 +161,8 @@ impl<'m> Lower<'_, 'm> {
             takes.push(Statement::If(Expr::Place(noted), take, Vec::new()));
             writes.push(Write { name: *name, to: own, noted: Some(noted) });
         }
-        body.extend(self.run_block(code, writes, moment));
-        body.extend(takes);
+        body.push_all(self.run_block(code, writes, moment));
+        body.push_all(takes);
         body
     }
 
@@ -174,5 +175,5 @@ impl<'m> Lower<'_, 'm> {
 
 /// Each place keeps its value where nothing writes it.
 fn begin<'m>(stored: &Stored<'m>) -> Vec<Statement<'m>> {
-    stored.next.iter().map(|(place, next)| Statement::Set(*next, Expr::Place(*place))).collect()
+    stored.next.iter().map(|(place, next)| Statement::Set(*next, Expr::Place(*place))).list()
 }

@@ -4,6 +4,7 @@
 use super::Lower;
 use super::clocks::Clock;
 use super::view::Moment;
+use crate::list::List;
 use crate::model::{Blinker, Id, MacroId};
 use crate::program::build::{add, all, any, at_least, choose, differ, no, not, ticks, when, zero};
 use crate::program::{Expr, Role, Statement};
@@ -19,7 +20,7 @@ impl<'m> Lower<'_, 'm> {
         }
         body.push(Statement::Set(reading, Expr::Now));
         let mut begun = Vec::new();
-        for clock in self.time.iter().chain(&self.macro_time).flatten() {
+        for clock in self.time.iter().and(&self.macro_time).flatten() {
             match (*clock, self.elapsed) {
                 (Clock::Counted(time), Some(elapsed)) => {
                     body.push(Statement::Set(time, add(Expr::Place(time), Expr::Place(elapsed))));
@@ -42,7 +43,7 @@ impl<'m> Lower<'_, 'm> {
     pub(super) fn keep_times(&self) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         let steps = self.time.iter().zip(&self.reached);
-        for (time, reached) in steps.chain(self.macro_time.iter().zip(&self.macro_reached)) {
+        for (time, reached) in steps.and(self.macro_time.iter().zip(&self.macro_reached)) {
             if let (Some(time), Some(reached)) = (time, reached) {
                 body.push(Statement::Set(*reached, time.passed(Expr::Now)));
             }
@@ -71,7 +72,7 @@ impl<'m> Lower<'_, 'm> {
 
     /// The time and the phases of a region or macro-step, set to zero.
     fn counters(&self, of: Role, time: Option<Clock>) -> Vec<Statement<'m>> {
-        let mut all: Vec<Statement<'m>> = time.into_iter().map(Clock::begin).collect();
+        let mut all: Vec<Statement<'m>> = time.into_iter().map(Clock::begin).list();
         for phases in &self.phases {
             let same = match (of, phases.role) {
                 (Role::Time(region), Role::Phase { region: other, .. }) => region == other,
@@ -91,7 +92,7 @@ impl<'m> Lower<'_, 'm> {
         let mut body = Vec::new();
         if let Some(passed) = self.passed {
             let over = self.outlasted.iter().map(|(of, end)| self.is_over(*of, *end));
-            body.push(Statement::Set(passed, any(over.collect())));
+            body.push(Statement::Set(passed, any(over.list())));
         }
         for (of, longest) in &self.bounds {
             let Some(clock) = self.clock(*of) else { continue };
@@ -122,12 +123,12 @@ impl<'m> Lower<'_, 'm> {
             };
         }
         let steps = &self.regions.all()[region].steps;
-        any(steps.iter().map(|step| Expr::Place(self.entered[step.index()])).collect())
+        any(steps.iter().map(|step| Expr::Place(self.entered[step.index()])).list())
     }
 
     /// Whether `M.X` has just become true.
     fn rises(&self, id: MacroId) -> Expr<'m> {
-        let is = any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).collect());
+        let is = any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).list());
         all(vec![is, not(self.macro_active(id, Moment::Before))])
     }
 }

@@ -1,6 +1,7 @@
 //! What an expression of the user reads, at each moment of the cycle.
 
 use super::Lower;
+use crate::list::List;
 use crate::model::{Blink, Blinker, Expr as Written, Id, MacroId, Name, Read, StepId, TimeRef, Tree};
 use crate::program::build::{all, any, at_least, below, choose, no, not, ticks, yes, zero};
 use crate::program::{Expr, PlaceId, Statement, User, Value};
@@ -116,7 +117,7 @@ impl<'m> Lower<'_, 'm> {
 
     /// A20: while any step of the expansion is.
     pub(super) fn macro_active(&self, id: MacroId, moment: Moment) -> Expr<'m> {
-        any(self.model.macros[id].steps.iter().map(|step| self.active(*step, moment)).collect())
+        any(self.model.macros[id].steps.iter().map(|step| self.active(*step, moment)).list())
     }
 
     /// `Step.T`: zero for a step that is not active; A34: for one just left the time it had reached.

@@ -4,7 +4,7 @@ use super::compile::Compiler;
 use super::formula::Formula;
 use super::slots::{Bit, Slots};
 use crate::analysis::explore::verdicts::rivals::Watched;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Association, Effect, Id, Model, Place, Qualifier, Statement, StepId, TransitionId, Tree};
 use crate::sorted::{Map, Set};
 
@@ -83,17 +83,17 @@ impl Actions {
 
     /// The formulas that actions evaluate.
     pub(crate) fn formulas(&self) -> Vec<&Formula> {
-        let targets = self.targets.iter().flat_map(|target| match target {
+        let targets = self.targets.iter().flat(|target| match target {
             Target::Control { by, .. } | Target::Assigned { by, .. } => by.iter(),
             Target::Own(action) => std::slice::from_ref(action).iter(),
         });
         let mut formulas = Vec::new();
-        for action in self.stored.iter().chain(self.clearing.values().flatten()).chain(targets) {
-            formulas.extend(action.event.iter().chain(&action.condition));
+        for action in self.stored.iter().and(self.clearing.values().flatten()).and(targets) {
+            formulas.push_all(action.event.iter().and(&action.condition));
             collect(&action.program, &mut formulas);
         }
-        let rivals = self.rivals.iter().flat_map(|(a, b)| [a, b]);
-        formulas.extend(rivals.flat_map(|rival| &rival.conditions));
+        let rivals = self.rivals.iter().flat(|(a, b)| [a, b]);
+        formulas.push_all(rivals.flat(|rival| &rival.conditions));
         formulas
     }
 
@@ -208,7 +208,7 @@ impl Compile<'_, '_> {
                     numbers.insert(place, number);
                     let target = self.target(model, (place, slot), &association.effect, action);
                     if let Target::Control { timed, .. } = &target {
-                        actions.lasting.extend(timed.flip_flops.iter().map(|(_, slot)| (*slot, number)));
+                        actions.lasting.push_all(timed.flip_flops.iter().map(|(_, slot)| (*slot, number)));
                     }
                     actions.targets.push(target);
                 }
@@ -282,7 +282,7 @@ impl Compile<'_, '_> {
         let mut commands = Vec::new();
         for statement in statements {
             match statement {
-                Statement::Assign(place, value) => commands.extend(self.set(*place, value)),
+                Statement::Assign(place, value) => commands.push_all(self.set(*place, value)),
                 Statement::If(condition, then, otherwise) => {
                     let condition = self.compiler.formula(condition);
                     commands.push(Command::If(condition, self.commands(then), self.commands(otherwise)));

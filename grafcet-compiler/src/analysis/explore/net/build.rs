@@ -10,7 +10,7 @@ use super::{actions, clocks, unfollowed, units};
 use crate::analysis::explore::verdicts::rivals::Rival;
 use crate::list::List;
 use crate::model::{Arena, ForceOrder, Id, Model, PartialId, Step, StepId, TransitionId, Tree};
-use crate::sorted::Map;
+use crate::sorted::{Map, sort_unstable};
 
 /// What a chart is explored for.
 struct Subject<'a, 'm> {
@@ -40,8 +40,8 @@ impl Net {
     fn with(model: &Model, subject: &Subject<'_, '_>, assumed_never: &[&Tree]) -> Self {
         let Subject { watched, rivals, slice } = *subject;
         let kept = |id: TransitionId| slice.is_none_or(|slice| slice.has_transition(model, id));
-        let asked = rivals.iter().flat_map(|(a, b)| a.conditions().chain(b.conditions()));
-        let asked: Vec<&Tree> = watched.iter().copied().chain(asked).list();
+        let asked = rivals.iter().flat(|(a, b)| a.conditions().and(b.conditions()));
+        let asked: Vec<&Tree> = watched.iter().copied().and(asked).list();
         let slots = Slots::of(model, &asked, &kept);
         let mut compiler = Compiler::new(model, &slots.numbers);
         let conditions: Vec<Formula> = model
@@ -118,7 +118,7 @@ impl Net {
         net.note_common();
         net.note_confluence();
         net.clocks = clocks::of(&net);
-        let assumed: Vec<AtomId> = net.assumed_never.iter().flat_map(|formula| net.atoms_of(formula)).list();
+        let assumed: Vec<AtomId> = net.assumed_never.iter().flat(|formula| net.atoms_of(formula)).list();
         net.beside = unfollowed::beside(&net.atoms, &net.unfollowed, &assumed);
         net
     }
@@ -126,7 +126,7 @@ impl Net {
     fn draw(&mut self, model: &Model, conditions: Vec<Formula>) {
         for ((id, transition), condition) in model.transitions.iter().zip(conditions) {
             let mut sources: Vec<StepId> = transition.sources.clone();
-            sources.sort_unstable();
+            sort_unstable(&mut sources);
             for source in &sources {
                 self.leaving[*source].push(id);
             }
@@ -135,7 +135,7 @@ impl Net {
             }
             let (mut atoms, mut edge_atoms) = (Vec::new(), Vec::new());
             self.collect(&condition, &mut atoms, &mut edge_atoms);
-            for step in transition.sources.iter().chain(&transition.targets) {
+            for step in transition.sources.iter().and(&transition.targets) {
                 self.has_arcs[self.unit_of[*step]] = true;
             }
             let mut reads_steps: Vec<StepId> = Vec::new();
@@ -199,13 +199,13 @@ impl Net {
 
     fn note_common(&mut self) {
         let mut common = Vec::new();
-        for formula in self.watched.iter().chain(&self.assumed_never) {
+        for formula in self.watched.iter().and(&self.assumed_never) {
             self.collect(formula, &mut common, &mut Vec::new());
         }
         for atom in common {
             self.is_common[atom] = true;
         }
-        for atom in self.arcs.values().flat_map(|arc| &arc.edge_atoms) {
+        for atom in self.arcs.values().flat(|arc| &arc.edge_atoms) {
             self.is_edge_atom[*atom] = true;
         }
         for atom in &self.common_edge_atoms {
@@ -253,7 +253,7 @@ impl Net {
         self.common_edge_atoms = with_assumed(common, &assumed);
         for step in self.edge_atoms.ids() {
             let mut atoms = with_assumed(std::mem::take(&mut self.edge_atoms[step]), &assumed);
-            atoms.sort_unstable();
+            sort_unstable(&mut atoms);
             self.edge_atoms[step] = atoms;
         }
     }
@@ -269,7 +269,7 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
     let mut orders: Map<PartialId, Vec<(StepId, Order)>> = Map::new();
     let pick = |part: &crate::model::Partial, wanted: fn(&Step) -> bool| -> Vec<StepId> {
         let mut steps: Vec<StepId> = part.steps.iter().filter(|step| wanted(&model.steps[**step])).copied().list();
-        steps.sort_unstable();
+        sort_unstable(&mut steps);
         steps
     };
     let is_left_out = |id: PartialId| slice.is_some_and(|slice| !slice.has_partial(id));
@@ -277,7 +277,7 @@ fn parts(model: &Model, slice: Option<&Slice>) -> Vec<Part> {
         let order = match &force.order {
             ForceOrder::Steps(steps) => {
                 let mut steps: Vec<StepId> = steps.clone();
-                steps.sort_unstable();
+                sort_unstable(&mut steps);
                 Order::To(steps)
             }
             ForceOrder::Init => Order::To(pick(&model.partials[force.target], |step| step.initial)),

@@ -6,7 +6,7 @@ use super::Net;
 use super::formula::{AtomId, Formula, Kind};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Arena, StepId};
 use crate::sorted::Set;
 
@@ -102,7 +102,7 @@ impl Valuation<'_> {
             }
             let comes = marks.iter().position(|mark| self.decide(&Formula::Below(*atom, *mark), When::Now));
             let reached = marks[..comes.unwrap_or(marks.len())].last();
-            ages.extend(reached.map(|mark| (*atom, Known::Range(*mark, net.range(*atom).1))));
+            ages.push_all(reached.map(|mark| (*atom, Known::Range(*mark, net.range(*atom).1))));
         }
         ages
     }

@@ -10,9 +10,9 @@ use crate::analysis::explore::valuation::Valuation;
 use crate::analysis::explore::valuation::computed::Computed;
 use crate::analysis::explore::valuation::knowledge::{Knowledge, Known, Learnt};
 use crate::analysis::numbers::is_computed;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Arena, Binary, Model, Tree};
-use crate::sorted::{Map, sort};
+use crate::sorted::{Map, sort, sort_unstable};
 
 /// How far a number lies above another, as an atom.
 #[derive(Debug)]
@@ -148,7 +148,7 @@ impl Links {
     /// Whether there are numbers of which all this is true; `unclear` are the atoms of which that is not known.
     fn allow(&self, knowledge: &Knowledge, tries: &mut Tries, left: &mut u64, unclear: &mut Vec<AtomId>) -> bool {
         let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
-        asked.sort_unstable();
+        sort_unstable(&mut asked);
         asked.dedup();
         for number in asked {
             let allowed = match &self.groups[number] {
@@ -220,7 +220,7 @@ impl Compared {
         for (position, operand) in all.iter().enumerate() {
             let (group, members) = groups.or_default(union.root(position));
             group.numbers.push((number(operand), operand.range));
-            group.atoms.extend(number(operand));
+            group.atoms.push_all(number(operand));
             members.push(position);
         }
         for (atom, a, b, is_float) in &pairs {
@@ -327,7 +327,7 @@ impl Valuation<'_> {
         if allowed && !unclear.is_empty() {
             self.late = true;
             let computed = unclear.into_iter().filter(|atom| links.is_computed(*atom));
-            self.granted.extend(computed.map(|atom| (atom, Known::Unknown)));
+            self.granted.push_all(computed.map(|atom| (atom, Known::Unknown)));
         }
         allowed
     }

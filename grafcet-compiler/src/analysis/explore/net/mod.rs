@@ -19,7 +19,7 @@ use self::slots::Bit;
 use crate::analysis::Concurrency;
 use crate::list::List;
 use crate::model::{Arena, StepId, TransitionId};
-use crate::sorted::Map;
+use crate::sorted::{Map, sort_unstable};
 
 /// A transition.
 pub(crate) struct Arc {
@@ -140,8 +140,8 @@ impl Net {
     /// All that is evaluated.
     pub(crate) fn formulas(&self) -> impl Iterator<Item = &Formula> {
         let conditions = self.arcs.values().map(|arc| &arc.condition);
-        let parts = self.shared.iter().chain(self.edges.iter().flatten()).chain(&self.watched);
-        conditions.chain(parts).chain(self.actions.formulas())
+        let parts = self.shared.iter().and(self.edges.iter().flatten()).and(&self.watched);
+        conditions.and(parts).and(self.actions.formulas())
     }
 
     fn atoms_of(&self, formula: &Formula) -> Vec<AtomId> {
@@ -173,7 +173,7 @@ impl Net {
         };
         let slots = writers.into_iter().filter(|(_, by)| foreign(*by)).map(|(slot, _)| slot);
         let mut slots: Vec<usize> = slots.list();
-        slots.sort_unstable();
+        sort_unstable(&mut slots);
         slots.dedup();
         slots
     }

@@ -76,7 +76,7 @@ fn initial(model: &Model, place: Place) -> Bit {
 fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree], kept: &dyn Fn(TransitionId) -> bool) -> Set<Place> {
     let mut needed = Set::new();
     let transitions = model.transitions.iter().filter(|(id, _)| kept(*id));
-    let mut reads: Vec<Read> = transitions.flat_map(|(_, t)| t.condition.reads.iter().copied()).list();
+    let mut reads: Vec<Read> = transitions.flat(|(_, t)| t.condition.reads.iter().copied()).list();
     for tree in watched {
         reads_of(tree, &mut reads);
     }
@@ -98,8 +98,8 @@ fn needed(model: &Model, writers: &Writers<'_>, watched: &[&Tree], kept: &dyn Fn
                 reads.extend(effect.reads().into_iter().flatten());
             }
             for association in writers.associations(model, place) {
-                let conditions = association.condition.iter().chain(&association.event);
-                reads.extend(conditions.flat_map(|expr: &Expr| &expr.reads));
+                let conditions = association.condition.iter().and(&association.event);
+                reads.extend(conditions.flat(|expr: &Expr| &expr.reads));
             }
         }
     }
@@ -135,7 +135,7 @@ impl<'m> Writers<'m> {
                 writers.effects.or_default(*place).push(&association.effect);
             }
         }
-        for effect in model.transitions.values().flat_map(|t| &t.clearing) {
+        for effect in model.transitions.values().flat(|t| &t.clearing) {
             for place in effect.writes() {
                 writers.effects.or_default(*place).push(effect);
             }

@@ -138,7 +138,7 @@ impl<'m> Found<'m> {
         let mut union = Union::new(self.net.leaving.len());
         for transition in &turn {
             let arc = &self.net.arcs[*transition];
-            let mut steps = arc.sources.iter().chain(&arc.targets).chain(&arc.reads_steps);
+            let mut steps = arc.sources.iter().and(&arc.targets).and(&arc.reads_steps);
             if let Some(first) = steps.next() {
                 steps.for_each(|step| union.join(first.index(), step.index()));
             }
@@ -163,7 +163,7 @@ impl<'m> Found<'m> {
         let known = self.rings.iter().position(|ring| set(&ring.transitions) == own);
         known.unwrap_or_else(|| {
             let arcs = transitions.iter().map(|id| &self.net.arcs[*id]);
-            let steps = arcs.flat_map(|arc| arc.sources.iter().chain(&arc.targets).copied()).collect();
+            let steps = arcs.flat(|arc| arc.sources.iter().and(&arc.targets).copied()).collect();
             self.rings.push(Ring { transitions, steps });
             self.rings.len() - 1
         })

@@ -23,7 +23,7 @@ use crate::analysis::explore::semantics;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::model::{StepId, TransitionId};
-use crate::sorted::sort;
+use crate::sorted::{sort, sort_unstable};
 
 /// Explores one piece of a chart, or all of it.
 pub(crate) struct Search<'n, 's> {
@@ -139,7 +139,7 @@ impl<'n, 's> Search<'n, 's> {
             crate::analysis::explore::net::Order::To(steps) => Some(own(steps)),
             crate::analysis::explore::net::Order::Hold => None,
         });
-        let starts: Vec<Vec<StepId>> = orders.chain([own(&part.linked)]).list();
+        let starts: Vec<Vec<StepId>> = orders.and([own(&part.linked)]).list();
         for start in starts {
             if !start.is_empty() || sourceless && self.commanded {
                 let entry = self.root(false, start);
@@ -279,7 +279,7 @@ impl<'n, 's> Search<'n, 's> {
         }
         let mut joins: Vec<TransitionId> = done.enabled_later;
         joins.retain(|transition| net.arcs[*transition].sources.len() > 1);
-        joins.sort_unstable();
+        sort_unstable(&mut joins);
         joins.dedup();
         let changed = self.changed(from, &next, &done.transient).into_boxed_slice();
         let (cleared, joins) = (cycle.cleared.clone().into_boxed_slice(), joins.into_boxed_slice());
@@ -306,12 +306,12 @@ impl<'n, 's> Search<'n, 's> {
             return changed;
         }
         let mut before: &[StepId] = &self.graph.states[from].active;
-        for after in transient.iter().map(|active| &active[..]).chain([&next.active[..]]) {
+        for after in transient.iter().map(|active| &active[..]).and([&next.active[..]]) {
             changed.extend(before.iter().filter(|step| after.binary_search(step).is_err()));
             changed.extend(after.iter().filter(|step| before.binary_search(step).is_err()));
             before = after;
         }
-        changed.sort_unstable();
+        sort_unstable(&mut changed);
         changed.dedup();
         changed
     }

@@ -15,9 +15,9 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::{AtomId, Formula};
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{Valuation, When};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{StepId, TransitionId};
-use crate::sorted::{Map, sort};
+use crate::sorted::{Map, sort, sort_unstable};
 
 /// Whether a group of transitions can wait in a cycle.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -98,8 +98,8 @@ pub(crate) fn arbitrate(valuation: &mut Valuation<'_>, found: &Groups, may_move:
         moved |= group.iter().any(|transition| valuation.decide(&net.arcs[*transition].condition, When::Now));
     }
     if moved && !net.grafcet {
-        free.extend(waiting.iter().flat_map(|(group, _)| *group));
-        free.sort_unstable();
+        free.extend(waiting.iter().flat(|(group, _)| *group));
+        sort_unstable(&mut free);
         return free;
     }
     let chosen = if may_move { valuation.tape.choose(waiting.len() + 1) } else { waiting.len() };
@@ -114,7 +114,7 @@ pub(crate) fn arbitrate(valuation: &mut Valuation<'_>, found: &Groups, may_move:
             valuation.wait(group, values);
         }
     }
-    free.sort_unstable();
+    sort_unstable(&mut free);
     free
 }
 
@@ -129,7 +129,7 @@ pub(crate) fn groups(net: &Net, open: &[TransitionId]) -> Vec<Vec<TransitionId>>
     let mut union = Union::new(open.len());
     let mut by_source: Vec<(StepId, usize)> = Vec::new();
     for (position, transition) in open.iter().enumerate() {
-        by_source.extend(net.arcs[*transition].sources.iter().map(|step| (*step, position)));
+        by_source.push_all(net.arcs[*transition].sources.iter().map(|step| (*step, position)));
     }
     sort(&mut by_source);
     for pair in by_source.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
@@ -157,15 +157,15 @@ fn shared(net: &Net, groups: &[Vec<TransitionId>]) -> Vec<AtomId> {
     let mut uses: Vec<(AtomId, usize)> = Vec::new();
     for (number, group) in groups.iter().enumerate() {
         for transition in group {
-            uses.extend(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
+            uses.push_all(net.arcs[*transition].atoms.iter().map(|atom| (*atom, number)));
         }
     }
     sort(&mut uses);
     uses.dedup();
     let twice = uses.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[0].0);
     let mut shared: Vec<AtomId> = twice.list();
-    shared.extend(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
-    shared.sort_unstable();
+    shared.push_all(uses.iter().map(|(atom, _)| *atom).filter(|atom| net.is_common[*atom]));
+    sort_unstable(&mut shared);
     shared.dedup();
     shared
 }
@@ -217,7 +217,7 @@ fn can_wait(valuation: &mut Valuation<'_>, group: &[TransitionId]) -> Wait {
         just_entered.extend(arc.sources.iter().filter(|step| valuation.just_entered.contains(step)));
         steps_matter |= !arc.reads_steps.is_empty();
     }
-    atoms.sort_unstable();
+    sort_unstable(&mut atoms);
     atoms.dedup();
     let (given, recorded) = valuation.knowledge_of(&atoms);
     let key = (group.to_vec(), given, recorded, just_entered, valuation.edgeless, valuation.previous.is_some());
@@ -274,7 +274,7 @@ fn covers(ways: &[Vec<(AtomId, Known)>], given: &[(AtomId, Known)]) -> bool {
     };
     let ways: Vec<Vec<(AtomId, Known)>> = ways.iter().map(new).list();
     let mut atoms: Vec<AtomId> = ways.iter().flatten().map(|(atom, _)| *atom).list();
-    atoms.sort_unstable();
+    sort_unstable(&mut atoms);
     atoms.dedup();
     // All combinations of boolean values, each atom decided in all of them.
     atoms.len() < 8

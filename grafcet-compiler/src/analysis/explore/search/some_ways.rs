@@ -17,7 +17,7 @@ use crate::analysis::explore::valuation::{State, When};
 use crate::analysis::explore::verdicts::Report;
 use crate::analysis::explore::verdicts::future::{Future, ends};
 use crate::analysis::explore::verdicts::path::{Deadlock, StuckJoin};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Arena, StepId, TransitionId};
 use crate::sorted::sort_by_key;
 
@@ -55,7 +55,7 @@ pub(crate) fn go(net: &Net, limit: u64, seen: &mut Seen) -> Ways {
         }
         long.push(graph);
     }
-    ways.graphs.extend(long);
+    ways.graphs.push_all(long);
     ways
 }
 
@@ -103,7 +103,7 @@ impl Ways {
             let report = Report { net, graph: &beyond };
             let way = Report { net, graph }.path_to(end);
             let here = |deadlock: Deadlock| Deadlock { path: way.clone(), ..deadlock };
-            self.deadlocks.extend(report.deadlocks_of(&future, [0]).into_iter().map(here));
+            self.deadlocks.push_all(report.deadlocks_of(&future, [0]).into_iter().map(here));
             for stuck in report.stuck_joins_of(&future, [0]) {
                 let culprit = Report { net, graph }.parting(end, stuck.join);
                 self.stuck_joins.push(StuckJoin { culprit, path: way.clone(), ..stuck });
@@ -126,7 +126,7 @@ fn led_to(net: &Net, cycles: &[&[TransitionId]], step: StepId, by: TransitionId)
             let event = events.len();
             events.push((*transition, causes));
             if number == last && *transition == by {
-                needed.extend(active[step].into_iter().chain([event]));
+                needed.push_all(active[step].into_iter().and([event]));
             }
             for target in &arc.targets {
                 active[*target] = Some(event);
@@ -188,7 +188,7 @@ impl Search<'_, '_> {
             }
         }
         let known = self.graph.states.len();
-        for transition in clusters.into_iter().flat_map(|cluster| cluster.into_iter().map(Some).chain([None])) {
+        for transition in clusters.into_iter().flat(|cluster| cluster.into_iter().map(Some).and([None])) {
             match transition {
                 Some(transition) => {
                     if let Some(leaf) = self.aim(&state, &enabled, Some(transition)) {
@@ -264,7 +264,7 @@ impl Search<'_, '_> {
         self.valuation.tape.restart();
         self.valuation.begin(state);
         let others = enabled.iter().copied().filter(|transition| Some(*transition) != at);
-        let goals: Vec<TransitionId> = at.into_iter().chain(others).list();
+        let goals: Vec<TransitionId> = at.into_iter().and(others).list();
         for (number, goal) in goals.iter().enumerate() {
             let clears = Some(*goal) == at;
             let floor = self.valuation.tape.asked();
@@ -324,7 +324,7 @@ impl Report<'_> {
         while let Some(step) = work.pop() {
             if !std::mem::replace(&mut reached[step], true) {
                 let arcs = self.net.leaving[step].iter().filter(|transition| **transition != join);
-                work.extend(arcs.flat_map(|transition| &self.net.arcs[*transition].targets));
+                work.extend(arcs.flat(|transition| &self.net.arcs[*transition].targets));
             }
         }
         self.net.arcs[join].sources.iter().all(|source| reached[*source])

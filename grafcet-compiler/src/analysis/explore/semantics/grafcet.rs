@@ -8,7 +8,9 @@ use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
 use crate::analysis::explore::verdicts::rivals;
+use crate::list::{List, PushAll};
 use crate::model::{Dialect, StepId, TransitionId, Trigger};
+use crate::sorted::sort_unstable;
 
 /// What the stored actions of one evolution do together.
 struct Outcome {
@@ -52,7 +54,7 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
             || after != valuation.now.active
             || outcome.writes.iter().any(|(slot, bit)| valuation.now.slots[*slot] != *bit);
         if !changes {
-            done.cleared.extend(cleared);
+            done.cleared.push_all(cleared);
             done.too_long = evolutions > net.max_evolutions;
             return When::Sample;
         }
@@ -66,7 +68,7 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
         } else if !net.calls.is_empty() {
             valuation.forget_calls();
         }
-        done.cleared.extend(cleared);
+        done.cleared.push_all(cleared);
         commit(valuation, after, outcome.writes);
         done.transient.push(valuation.now.active.clone());
         if !valuation.to_the_turn {
@@ -115,7 +117,7 @@ fn step(
 /// Whether the evolution may change values that are not followed.
 fn writes_more(valuation: &Valuation<'_>, after: &[StepId], cleared: &[TransitionId]) -> bool {
     let (steps, transitions) = &valuation.net.writes_more;
-    valuation.now.active.iter().chain(after).any(|step| steps[*step]) || cleared.iter().any(|id| transitions[*id])
+    valuation.now.active.iter().and(after).any(|step| steps[*step]) || cleared.iter().any(|id| transitions[*id])
 }
 
 fn commit(valuation: &mut Valuation<'_>, after: Vec<StepId>, writes: Vec<(usize, Bit)>) {
@@ -169,7 +171,7 @@ fn turned<'a>(
     anchor: &'a mut Option<Anchor>,
 ) -> Option<&'a Anchor> {
     let mut just_entered = valuation.just_entered.clone();
-    just_entered.sort_unstable();
+    sort_unstable(&mut just_entered);
     let same = anchor.as_ref().is_some_and(|known| {
         known.now == valuation.now
             && known.previous == valuation.previous
@@ -196,11 +198,11 @@ fn actions(valuation: &mut Valuation<'_>, after: &[StepId], cleared: &[Transitio
     let before = valuation.now.active.clone();
     rivals::note(valuation, &before, after, cleared);
     let mut due: Vec<usize> = Vec::new();
-    let steps = before.iter().chain(after.iter().filter(|step| before.binary_search(step).is_err()));
+    let steps = before.iter().and(after.iter().filter(|step| before.binary_search(step).is_err()));
     for step in steps.filter_map(|step| net.actions.stored_of.get(step)) {
         due.extend(step);
     }
-    due.sort_unstable();
+    sort_unstable(&mut due);
     for number in due {
         let action = &net.actions.stored[number];
         if occurs(valuation, action, &before, after) {

@@ -2,15 +2,16 @@
 
 use super::{Done, evolve as clear, note_doubled};
 use crate::analysis::explore::net::{Net, Order};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{StepId, TransitionId};
+use crate::sorted::sort_unstable;
 
 /// Whether what stands above imposes nothing new in an evolution from a situation that an evolution has led to: no step
 /// that gives orders or encloses is left or entered.
 pub(crate) fn is_free(net: &Net, fireable: &[TransitionId]) -> bool {
     let governs = |step: &StepId| net.governs[*step];
     let mut arcs = fireable.iter().map(|transition| &net.arcs[*transition]);
-    !arcs.any(|arc| arc.sources.iter().chain(&arc.targets).any(governs))
+    !arcs.any(|arc| arc.sources.iter().and(&arc.targets).any(governs))
 }
 
 /// The situation after the evolution, and the transitions cleared in it.
@@ -29,17 +30,17 @@ pub(crate) fn evolve(
             None => {
                 let own = fireable.iter().filter(|transition| net.arcs[**transition].partial == *part);
                 let own: Vec<TransitionId> = own.copied().list();
-                let left: Vec<StepId> = own.iter().flat_map(|t| &net.arcs[*t].sources).copied().list();
-                let targets: Vec<StepId> = own.iter().flat_map(|t| &net.arcs[*t].targets).copied().list();
+                let left: Vec<StepId> = own.iter().flat(|t| &net.arcs[*t].sources).copied().list();
+                let targets: Vec<StepId> = own.iter().flat(|t| &net.arcs[*t].targets).copied().list();
                 note_doubled(net, before, &left, &own, done);
-                cleared.extend(own);
+                cleared.push_all(own);
                 clear(&here, &left, &targets)
             }
         };
-        after.extend(later);
-        after.sort_unstable();
+        after.push_all(later);
+        sort_unstable(&mut after);
     }
-    cleared.sort_unstable();
+    sort_unstable(&mut cleared);
     (after, cleared)
 }
 

@@ -9,6 +9,7 @@ use crate::analysis::explore::search::reduction::arbitrate;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
 use crate::list::List;
 use crate::model::{StepId, TransitionId};
+use crate::sorted::sort_unstable;
 
 /// What happened in one run of a cycle.
 #[derive(Default, Debug)]
@@ -59,7 +60,7 @@ pub(crate) fn enabled(net: &Net, unit: Option<usize>, active: &[StepId]) -> Vec<
             net.parts[part].enclosed_by.as_ref().is_none_or(has) && !(ordered && net.order(part, active).is_some())
         });
     }
-    enabled.sort_unstable();
+    sort_unstable(&mut enabled);
     enabled
 }
 
@@ -94,8 +95,8 @@ pub(crate) fn end(valuation: &Valuation<'_>, when: When) -> State {
 
 /// `(active − left) ∪ targets`, ascending.
 pub(crate) fn evolve(active: &[StepId], left: &[StepId], targets: &[StepId]) -> Vec<StepId> {
-    let mut after: Vec<StepId> = active.iter().filter(|step| !left.contains(step)).chain(targets).copied().list();
-    after.sort_unstable();
+    let mut after: Vec<StepId> = active.iter().filter(|step| !left.contains(step)).and(targets).copied().list();
+    sort_unstable(&mut after);
     after.dedup();
     after
 }

@@ -5,9 +5,9 @@ use crate::analysis::explore::net::actions::{Action, Command, Target, Timed};
 use crate::analysis::explore::net::formula::Formula;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::valuation::{State, Valuation, When};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Dialect, Qualifier, StepId, TransitionId, Trigger};
-use crate::sorted::sort_by_key;
+use crate::sorted::{sort_by_key, sort_unstable};
 
 /// How the evolution changed the situation.
 struct Change {
@@ -72,11 +72,11 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
 /// Rules 4 and 5: every action control, then the actions in their order.
 fn act(valuation: &mut Valuation<'_>, change: &Change) {
     let net = valuation.net;
-    let steps = change.before.iter().chain(&valuation.now.active);
+    let steps = change.before.iter().and(&valuation.now.active);
     let mut numbers: Vec<usize> = steps.filter_map(|step| net.actions.targets_of.get(step)).flatten().copied().list();
     let lasting = net.actions.lasting.iter().filter(|(slot, _)| valuation.now.slots[*slot] != Bit::False);
-    numbers.extend(lasting.map(|(_, target)| *target));
-    numbers.sort_unstable();
+    numbers.push_all(lasting.map(|(_, target)| *target));
+    sort_unstable(&mut numbers);
     numbers.dedup();
     let mut runs: Vec<(Moment, usize, Effect<'_>)> = Vec::new();
     for number in numbers {

@@ -17,6 +17,7 @@ use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::links::Tries;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction::{Groups, Waits};
+use crate::sorted::sort_unstable;
 
 /// A situation at the end of a cycle, with what the next one remembers of it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -255,8 +256,8 @@ impl<'n> Valuation<'n> {
 
     /// The atoms of which something is known in this run.
     pub(crate) fn asked(&self) -> Vec<AtomId> {
-        let mut asked: Vec<AtomId> = self.given.learnt().iter().chain(self.recorded.learnt()).copied().list();
-        asked.sort_unstable();
+        let mut asked: Vec<AtomId> = self.given.learnt().iter().and(self.recorded.learnt()).copied().list();
+        sort_unstable(&mut asked);
         asked.dedup();
         asked
     }

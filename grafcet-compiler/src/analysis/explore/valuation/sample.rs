@@ -4,7 +4,7 @@ use super::knowledge::{Knowledge, Known, Learnt};
 use super::{Valuation, When};
 use crate::analysis::explore::net::formula::{AtomId, Formula, Kind};
 use crate::list::List;
-use crate::sorted::sort;
+use crate::sorted::{sort, sort_unstable};
 
 impl Valuation<'_> {
     /// What was decided about this cycle, and about the cycle before it, ascending.
@@ -29,7 +29,7 @@ impl Valuation<'_> {
             Formula::Is(atom) | Formula::Below(atom, _) | Formula::Equals(atom, _) => {
                 let known = |atom: &AtomId| knowledge.get(*atom) != Known::Unknown;
                 let beside = self.net.beside.get(atom).map_or(&[][..], Vec::as_slice);
-                known(atom) || self.net.links.with(*atom).iter().chain(beside).any(known)
+                known(atom) || self.net.links.with(*atom).iter().and(beside).any(known)
             }
             Formula::Not(inner) => self.touches(inner, when),
             Formula::And(a, b) | Formula::Or(a, b) | Formula::Same(a, b) => {
@@ -55,7 +55,7 @@ impl Valuation<'_> {
             atoms.extend(&self.net.edge_atoms[*step]);
         }
         atoms.extend(&self.net.common_edge_atoms);
-        atoms.sort_unstable();
+        sort_unstable(&mut atoms);
         atoms.dedup();
         atoms
     }

@@ -5,6 +5,7 @@ use crate::analysis::explore::search::graph::Graph;
 use crate::analysis::explore::semantics;
 use crate::list::List;
 use crate::model::{StepId, TransitionId};
+use crate::sorted::sort_unstable;
 
 /// Per strongly connected group of states, what can still happen: which pieces of the chart move, which sources of
 /// AND-convergences are left, which AND-convergences are enabled.
@@ -26,8 +27,8 @@ impl Future {
             .ids()
             .filter(|t| net.arcs[*t].sources.len() > 1 && graph.unit.is_none_or(|unit| net.unit_of_arc(*t) == unit))
             .list();
-        let mut waiting: Vec<StepId> = joins.iter().flat_map(|join| &net.arcs[*join].sources).copied().list();
-        waiting.sort_unstable();
+        let mut waiting: Vec<StepId> = joins.iter().flat(|join| &net.arcs[*join].sources).copied().list();
+        sort_unstable(&mut waiting);
         waiting.dedup();
         let (group_of, groups) = groups(graph);
         let mut future = Self { group_of, rows: Vec::new(), units: net.units, waiting, joins };

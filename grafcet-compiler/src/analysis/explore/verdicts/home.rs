@@ -16,6 +16,7 @@ use crate::analysis::explore::search::graph::{Edge, Graph, Seen};
 use crate::analysis::explore::valuation::knowledge::Known;
 use crate::list::List;
 use crate::model::{StepId, Tree};
+use crate::sorted::sort_unstable;
 
 /// In how many cases it is looked whether one of several ways exists.
 const CASES: usize = 1000;
@@ -99,9 +100,9 @@ struct At {
 impl At {
     fn of(net: &Net, graph: &Graph, home: &[StepId], others: &[Stay]) -> Self {
         let mut steps = home.to_vec();
-        steps.sort_unstable();
+        sort_unstable(&mut steps);
         let mut parts: Vec<usize> = steps.iter().map(|step| net.part_of[*step]).list();
-        parts.sort_unstable();
+        sort_unstable(&mut parts);
         let is_concerned = |step: &&StepId| parts.binary_search(&net.part_of[**step]).is_ok();
         let states = graph.states.iter().enumerate().filter(|(_, state)| !state.first);
         let at_home = states.filter(|(_, state)| {
@@ -140,7 +141,7 @@ impl At {
         let mut open = (0..returns.len()).filter(|state| !returns[*state]).peekable();
         open.peek()?;
         let mut what: Vec<Tree> = Vec::new();
-        let edges = open.flat_map(|state| &graph.edges[state]);
+        let edges = open.flat(|state| &graph.edges[state]);
         let granted = edges.filter_map(|edge| edge.granted.as_deref()).flatten();
         for tree in granted.map(|(atom, _)| &net.atoms[*atom].what) {
             if !what.contains(tree) {
@@ -158,12 +159,12 @@ fn unfollowed(net: &Net) -> Vec<Tree> {
         Kind::Slot(slot) => is_any(slot),
         _ => net.unfollowed[**atom] || net.links.is_computed(**atom),
     };
-    let mut atoms: Vec<AtomId> = net.arcs.values().flat_map(|arc| &arc.atoms).filter(open).copied().list();
+    let mut atoms: Vec<AtomId> = net.arcs.values().flat(|arc| &arc.atoms).filter(open).copied().list();
     if atoms.is_empty() {
         let all: Vec<AtomId> = net.atoms.ids().list();
         atoms.extend(all.iter().filter(open));
     }
-    atoms.sort_unstable();
+    sort_unstable(&mut atoms);
     atoms.dedup();
     atoms.into_iter().map(|atom| net.atoms[atom].what.clone()).list()
 }

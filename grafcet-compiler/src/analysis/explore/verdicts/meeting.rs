@@ -94,7 +94,7 @@ fn meeting(model: &Model, events: &[Event], first: usize, second: usize) -> Meet
     let passed: Vec<StepId> = (0..events.len())
         .filter(|event| before[*event])
         .filter_map(by)
-        .flat_map(|transition| model.transitions[transition].sources.iter().copied())
+        .flat(|transition| model.transitions[transition].sources.iter().copied())
         .list();
     let goes_back = |transition: &TransitionId| {
         let targets = &model.transitions[*transition].targets;

@@ -14,9 +14,9 @@ use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::search::graph::{Cycle, Doubled, Graph};
 use crate::analysis::explore::valuation::knowledge::Known;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Id, PartialId, StepId, TransitionId};
-use crate::sorted::Set;
+use crate::sorted::{Set, sort_unstable};
 
 /// Turns numbers back into names.
 pub(crate) struct Report<'n> {
@@ -37,7 +37,7 @@ impl Report<'_> {
         if let Some(last) = path.cycles.last_mut().filter(|_| !ages.is_empty()) {
             let known = |given: &Given| ages.iter().any(|(atom, _)| self.net.atoms[*atom].what == given.what);
             last.given.retain(|given| !known(given));
-            last.given.extend(ages.iter().filter_map(|age| self.given(age)));
+            last.given.push_all(ages.iter().filter_map(|age| self.given(age)));
         }
         path
     }
@@ -92,7 +92,7 @@ impl Report<'_> {
         let inputs = |(atom, _): &&(AtomId, Known)| matches!(self.net.atoms[*atom].kind, Kind::Free | Kind::Number(..));
         let later: Vec<_> = later.iter().filter(inputs).list();
         let sooner = cycle.given.iter().filter(|(atom, _)| !later.iter().any(|(other, _)| other == atom));
-        let given = sooner.chain(later.iter().copied()).filter_map(|known| self.given(known));
+        let given = sooner.and(later.iter().copied()).filter_map(|known| self.given(known));
         PathCycle { given: given.list(), cleared: cycle.cleared.clone(), active: active.to_vec() }
     }
 
@@ -129,7 +129,7 @@ impl Report<'_> {
         let states = among.into_iter().map(|number| (number, &self.graph.states[number]));
         for (number, state) in states.filter(|(_, state)| !state.first) {
             let mut units: Vec<usize> = state.active.iter().map(|step| self.net.unit_of[*step]).list();
-            units.sort_unstable();
+            sort_unstable(&mut units);
             units.dedup();
             for unit in units {
                 if future.moves(number, unit) || !self.net.has_arcs[unit] || self.is_meant(&state.active, unit) {

@@ -84,9 +84,9 @@ impl Path {
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         const SHOWN: usize = 8;
-        let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).chain(self.situations()).list();
+        let mut situations: Vec<&Vec<StepId>> = std::iter::once(&self.start).and(self.situations()).list();
         situations.dedup();
-        let befores = std::iter::once(&[][..]).chain(situations.iter().map(|steps| &steps[..]));
+        let befores = std::iter::once(&[][..]).and(situations.iter().map(|steps| &steps[..]));
         let mut names: Vec<String> =
             situations.iter().zip(befores).map(|(steps, before)| in_short(model, steps, before)).list();
         if names.len() > SHOWN {

@@ -27,7 +27,7 @@ impl<'m> Rival<'m> {
             Self::Action(association) => Some(association),
             Self::Clearing(_) => None,
         };
-        association.into_iter().flat_map(|a| a.event.iter().chain(&a.condition)).map(|expr| &expr.tree)
+        association.into_iter().flat(|a| a.event.iter().and(&a.condition)).map(|expr| &expr.tree)
     }
 
     pub(crate) fn compile(self, compiler: &mut Compiler<'_>) -> Watched {
@@ -76,7 +76,7 @@ pub(crate) fn note(valuation: &mut Valuation<'_>, before: &[StepId], after: &[St
             continue;
         }
         let due = a.is_due(before, after, cleared) && b.is_due(before, after, cleared);
-        if due && a.conditions.iter().chain(&b.conditions).all(|condition| valuation.decide(condition, When::Now)) {
+        if due && a.conditions.iter().and(&b.conditions).all(|condition| valuation.decide(condition, When::Now)) {
             valuation.met.push(number);
         }
     }

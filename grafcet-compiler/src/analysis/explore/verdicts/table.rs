@@ -1,7 +1,7 @@
 //! A way as a table, for whoever has to follow it cycle by cycle.
 
 use super::path::{Path, PathCycle, situation};
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Model, TransitionId};
 
 /// A line of the table.
@@ -19,7 +19,7 @@ impl Path {
         }
         let first = rows.len();
         let cycles = self.cycles.iter().enumerate();
-        rows.extend(cycles.map(|(index, cycle)| row(model, first + index, cycle)));
+        rows.push_all(cycles.map(|(index, cycle)| row(model, first + index, cycle)));
         if rows.len() > SHOWN {
             rows.splice(SHOWN / 2..=rows.len() - SHOWN / 2, [["…"; 4].map(str::to_owned)]);
         }

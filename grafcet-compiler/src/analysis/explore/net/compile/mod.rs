@@ -117,7 +117,7 @@ impl<'m> Compiler<'m> {
         match read {
             Read::Active(step) if self.was => self.was_active(step),
             Read::MacroActive(id) if self.was => {
-                any(self.model.macros[id].steps.iter().map(|step| self.was_active(*step)).collect())
+                any(self.model.macros[id].steps.iter().map(|step| self.was_active(*step)).list())
             }
             Read::Active(step) => Formula::Is(self.atom(tree, Kind::Step(step))),
             Read::MacroActive(id) => Formula::Is(self.atom(tree, Kind::Macro(id.index()))),
