@@ -23,7 +23,7 @@ pub use cycle::{Call, Cycle, Evolution, Forced, Gap, Phase, Ran};
 pub use names::{Kind, Names, Signal, Step, Transition};
 pub use program::{Asked, Program};
 pub use regression::{Changed, test_of_record};
-pub use replay::{Replay, ReplayError};
+pub use replay::{Layout, Replay, ReplayError};
 pub use script::{BadLine, Scripted, script};
 pub use show::{chronogram, page, table, vcd};
 pub use simulation::{Error, Simulation};

@@ -76,7 +76,7 @@ Usage: cargo xtask <task>
   screenshots
             what rustdoc shows of the example charts, light and dark, for tests/screenshots (Chromium)
   soak CYCLES [--charts N] [--seconds N] [--seed N] [--dialect sfc|grafcet]
-            random charts for a long time, with clocks that wrap around, beside the interpreter where anything can change
+            random charts for a long time, with clocks that wrap around, on stretches of it beside the interpreter
   msrv      check the crates that ship with the oldest supported Rust
 ";
 

@@ -1,12 +1,13 @@
 //! The flight recorder on the emulated board: the cell runs, the program panics in the middle or hangs until its watchdog resets the board, the next start sends the record, and the host
-//! shows from it, and from the frames of the serial line, what happened.
+//! shows from it, and from the frames of the serial line, what happened: as lines, and as a page.
 
+use std::fs;
 use std::io::Write as _;
 use std::process::Stdio;
 
 use crate::command::{Result, run as run_command};
 use crate::firmware;
-use crate::project::cargo;
+use crate::project::{self, cargo};
 
 /// How the program on the board fails, one after the other: each time it has begun, it shows this.
 const FAILURES: [&str; 2] = ["# panic", "# watchdog"];
@@ -36,7 +37,9 @@ pub(crate) fn run() -> Result {
 /// One run of the program, which fails: what its record shows.
 fn one(failure: &str, shown: &str) -> Result<String> {
     let (record, lines): (Vec<&str>, Vec<&str>) = shown.lines().partition(|line| line.starts_with("record "));
-    let all = decoded(&record.join("\n"), &[])?;
+    let page = project::target("record").join(format!("{}.html", failure.trim_start_matches("# ")));
+    fs::create_dir_all(project::target("record")).map_err(|error| format!("{}: {error}", page.display()))?;
+    let all = decoded(&record.join("\n"), &["--page", &page.display().to_string()])?;
     let replayed: Vec<&str> = all.lines().collect();
     // The board could not show the cycle in which the program failed; the record has it.
     let Some((last, before)) = replayed.split_last().filter(|(_, before)| !before.is_empty()) else {
@@ -47,6 +50,7 @@ fn one(failure: &str, shown: &str) -> Result<String> {
     }
     println!("{failure}: {} cycles on the board equal those of the record", before.len());
     println!("{failure}: and this is the cycle in which the program failed: {last}");
+    println!("{failure}: the page {} shows all of them", page.display());
     Ok(all)
 }
 

@@ -159,7 +159,7 @@ impl<'m> Listed<'m> {
                     Literal::u32_unsuffixed(u32::try_from(number).unwrap_or(u32::MAX)),
                     variants::value(variants, variant),
                 );
-                quote!(#number #value,)
+                quote!(#number (#value),)
             });
             let values = values.tokens();
             quote!(#how #ty { #values })

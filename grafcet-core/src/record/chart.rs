@@ -71,7 +71,7 @@ macro_rules! __recorded {
         foreign { $($foreign:ty: $bound:tt,)* }
         possible { $possible:expr }
         enums { $($state:ident $($of:ident)? { $($variant:ident)* })* }
-        listed { $($listed:ident $listed_ty:ty { $($number:literal $value:path,)* })* }
+        listed { $($listed:ident $listed_ty:ty { $($number:literal ($($value:tt)*),)* })* }
     ) => {
         const _: () = {
             use $crate::record::names as __r;
@@ -86,12 +86,13 @@ macro_rules! __recorded {
                     const IS_WORD: __r::bool = true;
                     #[inline]
                     fn word(value: &$listed_ty) -> __r::u32 {
-                        match value { $($value => $number,)* }
+                        // Whether these are all variants, the chart asks itself, in the same words: rustc says it once.
+                        match value { $($($value)* { .. } => $number,)* _ => 0 }
                     }
                     fn write(value: &$listed_ty, to: &mut __r::Writer<'_>) { to.put(Self::word(value), Self::BITS); }
                     fn read(from: &mut __r::Reader<'_>) -> __r::Option<$listed_ty> {
                         match from.take(Self::BITS)? {
-                            $($number => __r::Option::Some($value),)*
+                            $($number => __r::Option::Some($($value)* {}),)*
                             _ => __r::Option::None,
                         }
                     }

@@ -12,10 +12,9 @@ use crate::interp::{self, Recalled, Situation, is_part};
 use crate::simulation::Simulation;
 use crate::value::outside;
 
-/// The fields of a state as far as they can be read, in their order.
-pub(super) struct Layout {
-    /// Tells layouts apart.
-    pub(super) number: u32,
+/// What the bits of a chart's recorded state mean, as far as they can be read: the fields in their order.
+pub struct Layout {
+    number: u32,
     fields: Vec<Field>,
     /// The first field that cannot be read, where there is one.
     unread: Option<String>,
@@ -50,8 +49,9 @@ enum Width {
 }
 
 impl Layout {
-    /// Of a chart that compiles.
-    pub(super) fn of(chart: &Chart) -> Option<Self> {
+    /// Of a chart that compiles; none of one that was made of a model.
+    #[must_use]
+    pub fn of(chart: &Chart) -> Option<Self> {
         let (root, source) = (quote!(::grafcet), chart.source()?.clone());
         let code = compile_with(&root, source.clone(), Wanted { recorded: true, prover: None });
         let parts: Vec<TokenTree> = recorded(code)?.stream().into_iter().collect();
@@ -77,6 +77,22 @@ impl Layout {
             fields.push(Field { what: what(&name), name, width: Width::Ticks(32) });
         }
         Some(Self { number, fields, unread })
+    }
+
+    /// Tells layouts apart, as [`Recordable::LAYOUT`](grafcet_core::record::Recordable::LAYOUT) of the compiled chart does.
+    #[must_use]
+    pub const fn number(&self) -> u32 {
+        self.number
+    }
+
+    /// What a state tells an [`Interpreter`](interp::Interpreter) that is to go on from it: the bits of [`write_state`](grafcet_core::record::Recordable::write_state)
+    /// after a cycle at this reading of the clock.
+    ///
+    /// # Errors
+    /// What cannot be read, in words.
+    pub fn recalled(&self, state: &[u8], now: u32) -> Result<Recalled, String> {
+        let (recalled, read) = self.read(state, now);
+        read.map(|()| recalled)
     }
 
     /// What a state tells, as far as it can be read; and what cannot be, in words.

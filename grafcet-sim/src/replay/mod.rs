@@ -7,7 +7,7 @@ use std::fmt;
 
 use grafcet_core::record::{Block, Change, Damage, Happened, Key, Reader, Records};
 
-use self::layout::Layout;
+pub use self::layout::Layout;
 use crate::chart::Chart;
 use crate::cycle::Gap;
 use crate::names::{Kind, Signal};
@@ -131,7 +131,7 @@ impl<'p> Replay<'p> {
             return Err(ReplayError::OtherChart { recorded, source });
         }
         let layout = is_same.then(|| Layout::of(chart)).flatten();
-        let is_other_layout = layout.as_ref().is_some_and(|layout| layout.number != stored);
+        let is_other_layout = layout.as_ref().is_some_and(|layout| layout.number() != stored);
         let mut run = Run {
             chart,
             program: &self.program,

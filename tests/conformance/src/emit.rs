@@ -22,7 +22,7 @@ pub fn module(text: &str, by: &str) -> Result<String, String> {
     let outputs: Vec<_> = model.outputs.values().map(|o| o.name.to_string()).collect();
     let outputs: String = outputs.iter().map(|o| format!("(\"{}\", number(o.{o})), ", plain(o))).collect();
     let (calls, no_calls) =
-        if model.actions.is_empty() { (String::new(), "()") } else { (actions(&model), "Calls::default()") };
+        if model.actions.is_empty() { (String::new(), "()") } else { (noted(&model), "Calls::default()") };
     let late = if model.steps.values().any(|step| step.late.is_some()) { "chart.late_steps()" } else { "[]" };
     let called = if model.actions.is_empty() { "Vec::new()" } else { "calls.0" };
     let (declare, params) = params(&model);
@@ -102,17 +102,24 @@ pub(crate) fn plain(name: &str) -> &str {
     name.trim_start_matches("r#")
 }
 
-/// The trait of the code actions, writing down every call.
-fn actions(model: &Model) -> String {
+/// The code actions, writing down every call.
+fn noted(model: &Model) -> String {
+    actions(model, "Calls", "Vec<String>", |name, args| {
+        format!("self.0.push(call(phase, \"{}\", &[{args}]));", plain(name))
+    })
+}
+
+/// A type that carries out the code actions: what it holds, and what a call does, by the action's name and its arguments as numbers.
+pub(crate) fn actions(model: &Model, by: &str, holds: &str, does: impl Fn(&str, &str) -> String) -> String {
     let mut methods = String::new();
     for action in model.actions.values() {
         let params = action.params.iter().map(|(name, ty)| format!(", {name}: {}", rust(ty)));
         let args = action.params.iter().map(|(name, _)| format!("number({name}), "));
         let (params, args, name) = (params.collect::<String>(), args.collect::<String>(), action.name.to_string());
-        let body = format!("self.0.push(call(phase, \"{}\", &[{args}]));", plain(&name));
+        let body = does(&name, &args);
         _ = writeln!(methods, "    fn {name}(&mut self, phase: Phase{params}) {{ {body} }}");
     }
-    format!("#[derive(Default)] struct Calls(Vec<String>);\nimpl {}Actions for Calls {{\n{methods}}}", model.name)
+    format!("#[derive(Default)] struct {by}({holds});\nimpl {}Actions for {by} {{\n{methods}}}", model.name)
 }
 
 /// What stands behind an exchange of the recipe: a chart with ranges may refuse it.

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
-use grafcet_conformance::{chart, emit, random};
+use grafcet_conformance::{chart, emit, fragments, random};
 use options::Options;
 use project::{Case, Outcome, PRINTED, Project};
 
@@ -95,8 +95,11 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
                     let name = format!("{}{number}", &name[..1]);
                     let by = if options.printed { PRINTED[batch.len() % 2] } else { emit::MACRO };
                     // What a record shows of a cycle by hand is the state behind it.
-                    let recorded = options.is_recorded(number) && !made.features.contains("forceable");
-                    let case = Case { name, chart: made.chart, timeline: made.timeline, by, recorded };
+                    let forced = made.features.contains("forceable") && options.soak().is_none();
+                    let recorded = options.is_recorded(number) && !forced;
+                    // The source has to be the compiled chart's, token by token: its fragments are written out.
+                    let chart = if options.soak().is_some() { fragments::plain(&made.chart) } else { made.chart };
+                    let case = Case { name, chart, timeline: made.timeline, by, recorded };
                     counts.recorded += usize::from(recorded);
                     batch.push((case, made.features));
                 }
@@ -110,15 +113,21 @@ fn dialect(grafcet: bool, options: &Options, project: &Project) -> Result<usize,
         accepted += batch.len();
         differing += play(project, &batch, options, &mut counts)?;
         match (options.soak(), counts.soaked) {
-            (Some(_), [cycles, compared, ticks]) => println!(
-                "{name}: {accepted} charts, {cycles} cycles, {compared} of them compared, the clocks have wrapped around {} times, {differing} differ",
+            (Some(_), [cycles, beside, compared, ticks, taken_over, followed]) => println!(
+                "{name}: {accepted} charts, {cycles} cycles, the interpreter beside {beside} of them, of which it has run {compared} and the others were repetitions; \
+                 it has taken over a state {taken_over} times, and followed {followed} charts all along as their states do not tell all; \
+                 the clocks have wrapped around {} times, {differing} differ",
                 ticks >> 32
             ),
             _ => println!("{name}: {accepted} charts x {} cycles, {differing} differ", options.cycles),
         }
     }
     if counts.recorded > 0 && options.soak().is_none() {
-        println!("{name}: {} of them recorded and restored", counts.recorded);
+        let [all, untold] = counts.traces;
+        println!(
+            "{name}: {} of them recorded and restored; from the source {all} traces, of which {untold} leave out cycles behind a state that does not tell all",
+            counts.recorded
+        );
     }
     counts.print(name, accepted);
     counts.check(name, grafcet, options.least)?;
@@ -140,7 +149,9 @@ fn play(project: &Project, batch: &[Drawn], options: &Options, counts: &mut Coun
         }
     }
     let soaked = outcomes.iter().filter(|outcome| outcome.kind == "soaked");
-    soaked.for_each(|outcome| counts.soak(&outcome.text));
+    soaked.for_each(|outcome| add(&mut counts.soaked, &outcome.text));
+    let same = outcomes.iter().filter(|outcome| outcome.kind == "same");
+    same.for_each(|outcome| add(&mut counts.traces, &outcome.text));
     let differing: Vec<_> = outcomes.iter().filter(|outcome| !["same", "soaked"].contains(&&*outcome.kind)).collect();
     for (index, outcome) in differing.iter().enumerate() {
         println!("{}: {}\n{}", outcome.name, outcome.kind, outcome.text);
@@ -164,16 +175,19 @@ struct Counts {
     kinds: BTreeMap<&'static str, [usize; 3]>,
     refused: BTreeMap<String, usize>,
     recorded: usize,
-    /// Cycles, those compared, and ticks of what has run for a long time.
-    soaked: [u64; 3],
+    /// What has run for a long time, as [`Done::line`](grafcet_conformance::recorded::Done::line) tells it.
+    soaked: [u64; 6],
+    /// Traces from sources, and those of them with cycles that are not shown.
+    traces: [u64; 2],
+}
+
+/// Adds the numbers of a line.
+fn add(sums: &mut [u64], line: &str) {
+    let numbers = line.split_whitespace().filter_map(|word| word.parse::<u64>().ok());
+    sums.iter_mut().zip(numbers).for_each(|(sum, number)| *sum += number);
 }
 
 impl Counts {
-    fn soak(&mut self, line: &str) {
-        let numbers = line.split_whitespace().filter_map(|word| word.parse::<u64>().ok());
-        self.soaked.iter_mut().zip(numbers).for_each(|(sum, number)| *sum += number);
-    }
-
     fn print(&self, dialect: &str, accepted: usize) {
         let sum: usize = self.refused.values().sum();
         let mut text = format!("{dialect}: {accepted} charts, {sum} more refused by the compiler, first because of\n");

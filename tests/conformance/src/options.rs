@@ -17,8 +17,8 @@ conformance --program …: their programs, without rustc
   --number   begins with the chart of this number, as the report gives it after `s` or `g`
   --shrink   of how many differing charts in a hundred the smallest form is looked for (default 1)
   --least    it is an error if fewer charts of a small kind are compared, or half as many of what large charts have (default 0)
-  --recorded one chart in N also loses its power at random moments, and is recorded and replayed (default 8; 0 for none)
-  --soak     each chart runs for so many cycles, beside the interpreter where anything can change, in place of all else
+  --recorded one chart in N also loses its power at random moments, is recorded and replayed, and runs a little longer (default 8; 0 for none)
+  --soak     each chart runs for so many cycles, on stretches of them beside the interpreter, in place of all else
   --seconds  and not longer than this (default 60)
   --folder   where the crates are written and built (default: in the target folder)
   --printed  the Rust that is printed from the charts' programs; the corpus, too";

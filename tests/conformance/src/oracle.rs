@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use grafcet_compiler::model::{Model, Ty};
-use grafcet_sim::interp::{self, Call, Interpreter, Phase, Situation, Value};
+use grafcet_sim::interp::{self, Call, Cycle, Interpreter, Phase, Recalled, Situation, Value};
 
 use crate::{Rest, Shown, Subject, Values};
 
@@ -22,6 +22,34 @@ impl<'m> Interpreted<'m> {
     pub fn new(model: &'m Model) -> Result<Self, String> {
         let machine = Interpreter::new(model).map_err(|error| error.to_string())?;
         Ok(Self { model, machine, rest: None })
+    }
+
+    /// Goes on from what a compiled chart remembers.
+    ///
+    /// # Errors
+    /// What that does not tell, in words.
+    pub fn recall(&mut self, recalled: &Recalled) -> Result<(), String> {
+        self.machine.recall(recalled)
+    }
+
+    /// A cycle, of which nobody asks what it leaves to the next one.
+    ///
+    /// # Errors
+    /// As of [`Subject::cycle`].
+    pub fn run(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {
+        let inputs = self.inputs(inputs);
+        let cycle = self.machine.cycle(&inputs, now).map_err(|error| error.to_string())?;
+        Ok(self.told(&cycle))
+    }
+
+    fn inputs(&self, values: &Values) -> Vec<Value> {
+        let given = |name: String| values.get(&name).copied().unwrap_or_default();
+        self.model.inputs.values().map(|i| value(given(plain(&i.name)), &i.ty)).collect()
+    }
+
+    fn told(&self, cycle: &Cycle) -> Shown {
+        let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
+        Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) }
     }
 
     fn show(&self, situation: &Situation, outputs: &[Value]) -> Shown {
@@ -50,28 +78,24 @@ impl<'m> Interpreted<'m> {
 
 impl Subject for Interpreted<'_> {
     fn cycle(&mut self, inputs: &Values, now: u32) -> Result<Shown, String> {
-        let given = |name: String| inputs.get(&name).copied().unwrap_or_default();
-        let inputs: Vec<Value> = self.model.inputs.values().map(|i| value(given(plain(&i.name)), &i.ty)).collect();
+        let inputs = self.inputs(inputs);
         let before = self.machine.memory().clone();
         let cycle = self.machine.cycle(&inputs, now).map_err(|error| error.to_string())?;
         // Arithmetic that leaves its type in the next cycle is no mistake of this one.
         let rest = || self.machine.rest(&before, &cycle, &inputs, now).ok();
         self.rest = self.model.uses_time().then(rest).flatten().map(told);
-        let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
-        Ok(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) })
+        Ok(self.told(&cycle))
     }
 
     fn force(&mut self, steps: &BTreeSet<String>, inputs: &Values, now: u32) -> Result<Option<Shown>, String> {
-        let given = |name: String| inputs.get(&name).copied().unwrap_or_default();
-        let inputs: Vec<Value> = self.model.inputs.values().map(|i| value(given(plain(&i.name)), &i.ty)).collect();
+        let inputs = self.inputs(inputs);
         let named = self.model.steps.iter().filter(|(_, step)| steps.contains(&plain(&step.name)));
         let situation: Situation = named.map(|(id, _)| id).collect();
         let cycle = self.machine.force_in(&interp::Nothing, &situation, &inputs, now);
         let cycle = cycle.map_err(|error| error.to_string())?;
         // A38: no condition has been asked.
         self.rest = self.model.uses_time().then_some(Rest::Goes);
-        let calls = cycle.calls.iter().map(|call| self.write(call)).collect();
-        Ok(Some(Shown { stable: cycle.stable, calls, ..self.show(&cycle.active, &cycle.outputs) }))
+        Ok(Some(self.told(&cycle)))
     }
 
     fn init(&mut self) -> Result<(), String> {

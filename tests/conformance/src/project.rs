@@ -27,7 +27,7 @@ pub(crate) struct Case {
 #[derive(Clone)]
 pub(crate) struct Outcome {
     pub(crate) name: String,
-    /// `same`, `lockstep`, `interpreter`, `deadline`, `restored`, `recorded`, `broken`, or `rustc` for code that does not compile.
+    /// `same`, `lockstep`, `interpreter`, `deadline`, `restored`, `recorded`, `soak`, `broken`, or `rustc` for code that does not compile.
     pub(crate) kind: String,
     /// What differs.
     pub(crate) text: String,
@@ -45,6 +45,10 @@ const PROGRAMS: usize = 2;
 
 /// The macros that print programs, naive and after all passes.
 pub(crate) const PRINTED: [&str; 2] = ["grafcet_conformance_printed::naive", "grafcet_conformance_printed::optimised"];
+
+/// What a soak is slow in.
+const FAST: &str =
+    "\n[profile.dev.package.grafcet-sim]\nopt-level = 3\n\n[profile.dev.package.grafcet-conformance]\nopt-level = 3\n";
 
 const ALLOWED: &str = "#![allow(warnings)]\n";
 
@@ -105,11 +109,12 @@ impl Project {
              grafcet = {{ path = '{}', features = ['wire'] }}\ngrafcet-conformance = {{ path = '{}' }}\n\
              grafcet-conformance-printed = {{ path = '{}' }}\n\n\
              [profile.dev]\ndebug = false\nincremental = false\nopt-level = {}\n\n\
-             [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n",
+             [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n{}",
             root.display(),
             root.join("tests/conformance").display(),
             root.join("tests/conformance/printed").display(),
-            if self.soak.is_some() { 2 } else { 0 },
+            if self.soak.is_some() { 3 } else { 0 },
+            if self.soak.is_some() { FAST } else { "" },
         );
         self.write("Cargo.toml", &text)?;
         // The versions that the workspace is tested with.
@@ -128,7 +133,7 @@ impl Project {
                 if case.recorded {
                     let more = written::module(&case.chart).map_err(|error| format!("{name}: {error}"))?;
                     module.push_str(&more);
-                    _ = writeln!(checks, "({name:?}, {name}::CHECKS),");
+                    _ = writeln!(checks, "({name:?}, {name}::CHECKS, {name}::SOAK),");
                 }
                 self.write(&format!("src/{name}.rs"), &module)?;
                 self.write(&format!("src/{name}.case"), &format!("{}---\n{}", case.chart, case.timeline))?;

@@ -1,5 +1,5 @@
 //! Reads what the emulated board has sent (`record 4752…` lines on the standard input, or the frames of its serial line in a file) and shows what happened, in the form in which the board showed it
-//! before it failed. `cargo xtask record` compares.
+//! before it failed. With `--page FILE` a record also becomes a page, from the chart's source alone. `cargo xtask record` compares.
 
 use std::io::Read as _;
 use std::process::ExitCode;
@@ -8,7 +8,9 @@ use grafcet::heapless;
 use grafcet::record::wire::{self, Follow, frame_len};
 use grafcet::record::{Moment, Records, replay};
 use grafcet_record::cell::{Cell, CellInputs, CellOutputs, CellStep};
+use grafcet_record::fuzz::{told, traced};
 use grafcet_record::script::{self, Notes};
+use grafcet_sim::{Chart, Replay, page};
 
 fn main() -> ExitCode {
     match run() {
@@ -41,22 +43,59 @@ impl Start {
 }
 
 fn run() -> Result<String, String> {
-    let starts = match std::env::args().nth(1) {
-        None => vec![recorded()?],
-        Some(file) => sent(&std::fs::read(&file).map_err(|error| format!("{file}: {error}"))?)?,
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let starts = match words[..] {
+        [] => vec![recorded(&standard_input()?)?],
+        ["--page", file] => {
+            let record = standard_input()?;
+            let start = recorded(&record)?;
+            std::fs::write(file, paged(&record, &start)?).map_err(|error| format!("{file}: {error}"))?;
+            vec![start]
+        }
+        [file] => sent(&std::fs::read(file).map_err(|error| format!("{file}: {error}"))?)?,
+        _ => return Err("decode [--page FILE] < LINES, or decode FRAMES".to_owned()),
     };
     starts.iter().map(shown).collect()
 }
 
-/// What a record in memory shows.
-fn recorded() -> Result<Start, String> {
+/// The record that stands in lines.
+fn standard_input() -> Result<Vec<u8>, String> {
     let mut text = String::new();
     std::io::stdin().read_to_string(&mut text).map_err(|error| error.to_string())?;
-    let record = bytes(&text).ok_or("a line is no record")?;
-    let records = Records::of(&record).map_err(|damage| format!("{damage:?}"))?;
+    bytes(&text).ok_or_else(|| "a line is no record".to_owned())
+}
+
+/// What a record in memory shows.
+fn recorded(record: &[u8]) -> Result<Start, String> {
+    let records = Records::of(record).map_err(|damage| format!("{damage:?}"))?;
     let mut start = Start::default();
     replay::<Cell>(&records, &mut (), |moment| start.see(&moment)).map_err(|error| format!("{error:?}"))?;
     Ok(start)
+}
+
+/// The page of a record, which has to show what the compiled chart shows of it, up to the last cycle.
+fn paged(record: &[u8], start: &Start) -> Result<String, String> {
+    let source = include_str!("../../../examples/charts/cell.rs");
+    let chart = Chart::in_file(source, "Cell").map_err(|refused| refused.to_string())?;
+    let trace = Replay::new().run(&chart, record).map_err(|error| error.to_string())?;
+    if let Some(warning) = trace.warnings.first() {
+        return Err(warning.clone());
+    }
+    let mut number = 0;
+    for (index, cycle) in trace.cycles.iter().enumerate() {
+        number += cycle.skipped as usize;
+        let (found, expected) =
+            (traced(&trace, index), start.0.get(number).map(|(_, outputs, steps)| told(steps, outputs)));
+        if expected.as_ref() != Some(&found) {
+            return Err(format!("cycle {number} is {expected:?}, and on the page {found}"));
+        }
+        number += 1;
+    }
+    if number != start.0.len() {
+        return Err(format!("the page ends after {number} cycles of {}", start.0.len()));
+    }
+    Ok(page(&chart, &trace))
 }
 
 /// What came over the serial line shows.

@@ -278,13 +278,20 @@ fn runs<C: Recordable<Outputs: Debug>>(
 
 /// The time, and active steps and outputs as text.
 fn shown<C: Recordable<Outputs: Debug>>(chart: &C, now: u32, outputs: &C::Outputs) -> (u32, String) {
-    let mut steps: Vec<String> =
-        C::STEPS.iter().filter(|step| chart.is_active(**step)).map(ToString::to_string).collect();
-    steps.sort_unstable();
-    (now, format!("{} {outputs:?}", steps.join(" ")))
+    let steps: Vec<C::Step> = C::STEPS.iter().copied().filter(|step| chart.is_active(*step)).collect();
+    (now, told(&steps, outputs))
 }
 
-fn traced(trace: &Trace, cycle: usize) -> String {
+/// Steps, in the order of their names, and outputs as text.
+pub fn told(steps: &[impl ToString], outputs: &impl Debug) -> String {
+    let mut steps: Vec<String> = steps.iter().map(ToString::to_string).collect();
+    steps.sort_unstable();
+    format!("{} {outputs:?}", steps.join(" "))
+}
+
+/// A cycle of a trace in the same form.
+#[must_use]
+pub fn traced(trace: &Trace, cycle: usize) -> String {
     let (names, cycle) = (&trace.names, &trace.cycles[cycle]);
     let mut steps: Vec<&str> = cycle.steps.iter().map(|step| names.steps[*step].name.as_str()).collect();
     steps.sort_unstable();

@@ -225,8 +225,8 @@ pub(super) const FAULTS: [Fault; 33] = [
         name: "by hand a later branch of the same steps clears, too (A39)",
         charts: Some("a39"),
         file: MODES,
-        right: "            if more.is_empty() {\n",
-        wrong: "            if false && more.is_empty() {\n",
+        right: "                return ByHand::Never;\n",
+        wrong: "                continue;\n",
     },
     Fault {
         name: "an `any` is held back by the modes (A39)",

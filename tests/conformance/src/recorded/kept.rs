@@ -5,7 +5,7 @@ use grafcet_core::record::wire::{Follow, Seen, Wire, frame_len, wire_len};
 use grafcet_core::record::{Blocked, Memory, Moment, Recordable, Recorder, Records, replay};
 use grafcet_sim::{Replay, Trace, Value};
 
-use super::{Recorded, once};
+use super::{Recorded, Traces, once};
 use crate::random::Rng;
 use crate::{Shown, Subject, Values};
 
@@ -73,7 +73,7 @@ impl<S: Recorded> Kept<S> {
     }
 
     /// Frames and record, run again from the chart's source. A record whose beginning was overwritten begins with a state.
-    pub(super) fn by_the_source(&self, text: &str) -> Result<(), String> {
+    pub(super) fn by_the_source(&self, text: &str) -> Result<Traces, String> {
         let plain = crate::fragments::plain(text);
         let chart = grafcet_sim::Chart::parse(&plain).map_err(|refused| refused.to_string())?;
         // Fragments of macros are other tokens, and so the chart has another fingerprint.
@@ -85,22 +85,25 @@ impl<S: Recorded> Kept<S> {
         if is_same || is_whole(memory.bytes()) {
             traces.push(("the record from source", run.run(&chart, memory.bytes())));
         }
+        let mut told = Traces::default();
         for (name, trace) in traces {
             let trace = trace.map_err(|error| format!("{name}: {error}"))?;
-            // What a field does not tell is said, and nothing is shown from there on.
-            let mut said = trace.gaps().map(|(_, gap)| &gap.reason).chain(&trace.warnings);
-            if said.any(|text| text.contains("does not tell")) {
-                continue;
-            }
-            if let Some(warning) = trace.warnings.get(usize::from(!is_same)) {
+            // What a field does not tell is said, and nothing is shown up to the next state.
+            let untold = |text: &String| text.contains("does not tell");
+            let is_untold = trace.gaps().any(|(_, gap)| untold(&gap.reason)) || trace.warnings.iter().any(untold);
+            let said = trace.warnings.iter().skip(usize::from(!is_same)).find(|text| !untold(text));
+            if let Some(warning) = said {
                 return Err(format!("{name}: {warning}"));
             }
-            self.trace(&trace, name)?;
+            self.trace(&trace, name, !is_untold)?;
+            told.all += 1;
+            told.untold += u32::from(is_untold);
         }
-        Ok(())
+        Ok(told)
     }
 
-    fn trace(&self, trace: &Trace, name: &'static str) -> Result<(), String> {
+    /// What a trace shows; with `whole` up to the last cycle, and all calls.
+    fn trace(&self, trace: &Trace, name: &'static str, whole: bool) -> Result<(), String> {
         let mut shown = Shows::new(&self.cycles, name);
         let (mut number, mut calls) = (0, Vec::new());
         for cycle in &trace.cycles {
@@ -125,7 +128,7 @@ impl<S: Recorded> Kept<S> {
             }));
             number += 1;
         }
-        shown.ends(&calls)
+        if whole { shown.ends(&calls) } else { shown.wrong.map_or(Ok(()), Err) }
     }
 }
 

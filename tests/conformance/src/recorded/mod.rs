@@ -15,7 +15,7 @@ use crate::oracle::Interpreted;
 use crate::reader::Line;
 use crate::{Shown, Values, play};
 
-pub use soak::{Done, Soak, soak};
+pub use soak::{Done, Long, Soak, soak};
 
 recordable! { Mode { Off, Auto, Manual } }
 
@@ -33,6 +33,9 @@ pub trait Recorded: 'static {
     /// Lends the code actions to `run`, and tells the calls.
     fn called(run: &mut dyn FnMut(&mut Actions<'_, Self>)) -> Vec<String>;
 
+    /// Lends code actions to `run` that do nothing.
+    fn silently(run: &mut dyn FnMut(&mut Actions<'_, Self>));
+
     /// What it shows; no calls.
     fn shown(chart: &Self::Chart, outputs: &Outputs<Self>) -> Shown;
 
@@ -48,7 +51,16 @@ type Outputs<S> = <<S as Recorded>::Chart as Chart>::Outputs;
 type Actions<'a, S> = <<S as Recorded>::Chart as Chart>::Actions<'a>;
 
 /// What a chart is compared by: its model, its text and its timeline.
-pub type Check = fn(&Model, &str, &[Line]) -> Result<(), String>;
+pub type Check = fn(&Model, &str, &[Line]) -> Result<Traces, String>;
+
+/// What was shown from a chart's source.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct Traces {
+    /// Records and frames.
+    pub all: u32,
+    /// Those of them with cycles that are not shown: behind a state that does not tell all.
+    pub untold: u32,
+}
 
 /// That a chart goes on when it is restored, and that its record shows what it did.
 #[must_use]
@@ -57,14 +69,15 @@ pub const fn checks<S: Recorded>() -> [Check; 2] {
 }
 
 /// A chart that is restored at random moments does what the interpreter does, which never stops.
-fn goes_on<S: Recorded>(model: &Model, text: &str, lines: &[Line]) -> Result<(), String> {
+fn goes_on<S: Recorded>(model: &Model, text: &str, lines: &[Line]) -> Result<Traces, String> {
     let mut resumed = resumed::Resumed::<S>::new(text.len() as u64);
-    play::in_lockstep(&mut resumed, &mut Interpreted::new(model)?, lines).map_err(|found| found.to_string())
+    play::in_lockstep(&mut resumed, &mut Interpreted::new(model)?, lines).map_err(|found| found.to_string())?;
+    Ok(Traces::default())
 }
 
 /// A chart in a recorder does what the interpreter does, and its record shows it again: to the compiled chart, and to the simulation from the
 /// chart's source.
-fn is_shown<S: Recorded>(model: &Model, text: &str, lines: &[Line]) -> Result<(), String> {
+fn is_shown<S: Recorded>(model: &Model, text: &str, lines: &[Line]) -> Result<Traces, String> {
     let mut kept = kept::Kept::<S>::new(text.len())?;
     play::in_lockstep(&mut kept, &mut Interpreted::new(model)?, lines).map_err(|found| found.to_string())?;
     kept.flush();

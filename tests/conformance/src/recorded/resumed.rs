@@ -39,7 +39,7 @@ impl<S: Recorded> Resumed<S> {
     }
 }
 
-fn bytes_of<C: Recordable>(chart: &C) -> Result<Vec<u8>, String> {
+pub(super) fn bytes_of<C: Recordable>(chart: &C) -> Result<Vec<u8>, String> {
     let mut bytes = vec![0xa5; snapshot_len::<C>()];
     snapshot(chart, &mut bytes).ok_or("a snapshot is longer than it says")?;
     Ok(bytes)
