@@ -11,6 +11,7 @@ mod output;
 mod prove;
 mod replay;
 mod report;
+mod simulate;
 
 use std::ffi::OsString;
 use std::fmt;
@@ -47,6 +48,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(options) => check::run(options),
         Command::Draw(options) => draw::run(options),
         Command::Export(options) => export::run(options),
+        Command::Simulate(options) => simulate::run(options),
         Command::Replay(options) => replay::run(options),
         Command::Coverage(options) => coverage::run(options),
         Command::Prove(options) => prove::run(options),

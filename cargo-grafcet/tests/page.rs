@@ -32,7 +32,7 @@ fn commands_of_the_page_show_what_stands_there() {
         }
         shown += "```";
     }
-    for command in ["check", "draw", "export st", "export pnml", "replay", "coverage", "prove"] {
+    for command in ["check", "draw", "export st", "export pnml", "simulate", "replay", "coverage", "prove"] {
         assert!(commands.iter().any(|one| one.starts_with(command)), "no example of {command}");
     }
     // `cargo xtask bless` records it anew.
