@@ -3,6 +3,7 @@
 mod args;
 mod check;
 mod coverage;
+mod diff;
 mod draw;
 mod export;
 mod find;
@@ -47,6 +48,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let done = match &args.command {
         Command::Check(options) => check::run(options),
         Command::Draw(options) => draw::run(options),
+        Command::Diff(options) => diff::run(options),
         Command::Export(options) => export::run(options),
         Command::Simulate(options) => simulate::run(options),
         Command::Replay(options) => replay::run(options),
