@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod args;
+mod beside;
 mod check;
 mod coverage;
 mod diff;

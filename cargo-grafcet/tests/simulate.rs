@@ -61,6 +61,10 @@ fn scripts() {
     assert!(done.err.starts_with("note: `{ for i"), "{}", done.err);
     assert!(done.err.ends_with("` is Rust that is not simulated: it writes nothing\n"), "{}", done.err);
     assert_eq!(play("Motor", "good.script", &["--frames", "20x5"]).code, Some(2));
+    // What it covers can be asked, too.
+    let done = tool(folder.path(), &["coverage", "charts.rs", "--chart", "Motor", "--script", "good.script"]);
+    assert_eq!((done.code, done.err.as_str()), (Some(1), ""), "{done:?}");
+    assert!(done.out.starts_with("Motor: 2 of 2 steps active, 1 of 2 transitions cleared"), "{}", done.out);
     // Without a terminal there is nothing to play in.
     let done = tool(folder.path(), &["simulate", "charts.rs", "--chart", "Motor"]);
     assert_eq!(done.code, Some(2));

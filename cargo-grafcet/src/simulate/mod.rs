@@ -7,7 +7,7 @@
 
 mod frame;
 mod screen;
-mod session;
+pub(crate) mod session;
 mod terminal;
 #[cfg(test)]
 mod tests;

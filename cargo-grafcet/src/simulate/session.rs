@@ -1,22 +1,16 @@
 //! A chart that somebody plays with: what has been done so far, and what the next cycle is given. It knows no terminal.
 
-use std::cell::RefCell;
 use std::collections::VecDeque;
-use std::rc::Rc;
 
-use grafcet_sim::{Chart, Cycle, Error, Kind, Names, Program, Scripted, Signal, Simulation, Value};
+use grafcet_sim::{Chart, Cycle, Error, Kind, Names, Scripted, Signal, Simulation, Value};
+
+use crate::beside::Beside;
 
 /// So many cycles can be taken back: each holds a copy of the chart's memory.
 const MOST_BACK: usize = 10_000;
 
-/// Values of what the program around the chart tells, by its text.
-type Told = Rc<RefCell<Vec<(String, Value)>>>;
-
 pub(crate) struct Session<'c> {
-    chart: &'c Chart,
-    /// The chart's inputs, and behind them what the program around it tells.
-    signals: Vec<Signal>,
-    told: Told,
+    beside: Beside<'c>,
     now: Moment<'c>,
     /// The moments before each of the last cycles.
     past: VecDeque<Moment<'c>>,
@@ -41,19 +35,10 @@ impl<'c> Session<'c> {
     /// # Errors
     /// Something in the chart depends on itself, or an initial value is not understood.
     pub(crate) fn new(chart: &'c Chart, step: u32) -> Result<Self, Error> {
-        let outside = chart.outside();
-        let signals: Vec<Signal> = chart.names().inputs.iter().chain(&outside).cloned().collect();
-        let values: Vec<Value> = signals.iter().enumerate().map(|(place, one)| first(chart, place, one)).collect();
-        let told: Told = Rc::default();
-        let asked = Rc::clone(&told);
-        // What blocks of Rust write is not known: they write nothing.
-        let program = Program::new().block(|_| Some(Vec::new())).function(move |question| {
-            let told = asked.borrow();
-            told.iter().find(|(text, _)| question.is(text)).map(|(_, value)| value.clone())
-        });
-        let simulation = Simulation::beside(chart, program)?;
-        let now = Moment { simulation, cycle: None, elapsed: 0 };
-        Ok(Self { chart, signals, told, now, past: VecDeque::new(), script: Vec::new(), values, step })
+        let beside = Beside::of(chart);
+        let now = Moment { simulation: beside.start()?, cycle: None, elapsed: 0 };
+        let values = beside.first();
+        Ok(Self { beside, now, past: VecDeque::new(), script: Vec::new(), values, step })
     }
 
     /// One cycle with the values that are set, a time step after the last one; the first is at zero.
@@ -70,10 +55,10 @@ impl<'c> Session<'c> {
     /// # Errors
     /// As of [`Session::cycle`].
     pub(crate) fn play(&mut self, (now, values): &Scripted) -> Result<&Cycle, Error> {
-        let known = values.iter().zip(&self.signals).enumerate();
+        let known = values.iter().enumerate();
         self.values = known
-            .map(|(place, (value, one))| match value {
-                Value::Unknown => first(self.chart, place, one),
+            .map(|(place, value)| match value {
+                Value::Unknown => self.beside.first_of(place),
                 value => value.clone(),
             })
             .collect();
@@ -81,12 +66,9 @@ impl<'c> Session<'c> {
     }
 
     fn cycle_at(&mut self, now: u32) -> Result<&Cycle, Error> {
-        let (inputs, outside) = self.values.split_at(self.inputs());
-        let texts = self.signals[inputs.len()..].iter().map(|signal| signal.name.clone());
-        *self.told.borrow_mut() = texts.zip(outside.iter().cloned()).collect();
-        let mut next = self.now.clone();
-        let cycle = next.simulation.cycle_with(now, inputs)?;
-        next.elapsed += self.script.last().map_or(0, |(last, _)| u64::from(now.wrapping_sub(*last)));
+        let (simulation, cycle) = self.beside.cycle(&self.now.simulation, now, &self.values)?;
+        let since = self.script.last().map_or(0, |(last, _)| u64::from(now.wrapping_sub(*last)));
+        let next = Moment { simulation, cycle: None, elapsed: self.now.elapsed + since };
         self.past.push_back(std::mem::replace(&mut self.now, next));
         if self.past.len() > MOST_BACK {
             self.past.pop_front();
@@ -114,7 +96,7 @@ impl<'c> Session<'c> {
     /// Turns a truth around, and takes the next one of a list. `false` where the signal is neither.
     pub(crate) fn toggle(&mut self, signal: usize) -> bool {
         let value = &mut self.values[signal];
-        match (&self.signals[signal].kind, &*value) {
+        match (&self.beside.signals()[signal].kind, &*value) {
             (Kind::Bool, Value::Bool(was)) => *value = Value::Bool(!was),
             (Kind::Listed(_, list), Value::Name(was)) => {
                 let place = list.iter().position(|name| name == was).map_or(0, |place| place + 1);
@@ -139,20 +121,20 @@ impl<'c> Session<'c> {
     }
 
     pub(crate) fn chart(&self) -> &'c Chart {
-        self.chart
+        self.beside.chart()
     }
 
     pub(crate) fn names(&self) -> &'c Names {
-        self.chart.names()
+        self.chart().names()
     }
 
     pub(crate) fn signals(&self) -> &[Signal] {
-        &self.signals
+        self.beside.signals()
     }
 
     /// So many of the signals are the chart's inputs.
     pub(crate) fn inputs(&self) -> usize {
-        self.chart.names().inputs.len()
+        self.beside.inputs()
     }
 
     pub(crate) fn values(&self) -> &[Value] {
@@ -182,19 +164,5 @@ impl<'c> Session<'c> {
     /// The chart as it is now.
     pub(crate) fn simulation(&self) -> &Simulation<'c> {
         &self.now.simulation
-    }
-}
-
-/// What a signal is before anybody has set it. A name that stands for itself is no variant that the chart names, where that is a function's, and the one that
-/// is meant, where it is a constant's.
-fn first(chart: &Chart, place: usize, signal: &Signal) -> Value {
-    match &signal.kind {
-        Kind::Bool => Value::Bool(false),
-        Kind::Int { .. } => Value::Int(0),
-        Kind::Float(_) => Value::Float(0.0),
-        Kind::Time => Value::Ticks(0),
-        Kind::Listed(_, list) => list.first().map_or(Value::Unknown, |first| Value::Name(first.clone())),
-        Kind::Other(_) if place < chart.names().inputs.len() => Value::Name("?".to_owned()),
-        Kind::Other(_) => Value::Name(signal.name.split_whitespace().collect()),
     }
 }
