@@ -14,6 +14,7 @@ mod prove;
 mod replay;
 mod report;
 mod simulate;
+mod suite;
 
 use std::ffi::OsString;
 use std::fmt;
@@ -54,6 +55,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Simulate(options) => simulate::run(options),
         Command::Replay(options) => replay::run(options),
         Command::Coverage(options) => coverage::run(options),
+        Command::Tests(options) => suite::run(options),
         Command::Prove(options) => prove::run(options),
     };
     match done {

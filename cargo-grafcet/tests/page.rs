@@ -32,7 +32,9 @@ fn commands_of_the_page_show_what_stands_there() {
         }
         shown += "```";
     }
-    for command in ["check", "draw", "diff", "export st", "export pnml", "simulate", "replay", "coverage", "prove"] {
+    for command in
+        ["check", "draw", "diff", "export st", "export pnml", "simulate", "replay", "coverage", "tests", "prove"]
+    {
         assert!(commands.iter().any(|one| one.starts_with(command)), "no example of {command}");
     }
     // `cargo xtask bless` records it anew.

@@ -35,8 +35,7 @@ pub(crate) fn run(options: &Simulate) -> Result<Outcome, Failure> {
     for block in chart.blocks() {
         complain(&format!("note: `{block}` is Rust that is not simulated: it writes nothing"));
     }
-    let step =
-        options.step.unwrap_or_else(|| u32::try_from((STEP / chart.names().nanos_per_tick).max(1)).unwrap_or(u32::MAX));
+    let step = options.step.unwrap_or_else(|| step(&chart));
     let mut session = match Session::new(&chart, step) {
         Ok(session) => session,
         Err(error) => {
@@ -48,6 +47,11 @@ pub(crate) fn run(options: &Simulate) -> Result<Outcome, Failure> {
         Some(file) => scripted(&chart, &mut session, file, options),
         None => terminal::play(&mut session, options.save.as_deref()).map(|()| Outcome::Well),
     }
+}
+
+/// The time from one cycle to the next where nobody says, in ticks.
+pub(crate) fn step(chart: &Chart) -> u32 {
+    u32::try_from((STEP / chart.names().nanos_per_tick).max(1)).unwrap_or(u32::MAX)
 }
 
 /// Runs the cycles of a file and shows what they did.
