@@ -71,6 +71,13 @@ fn conditions_and_ends() {
 }
 
 #[test]
+fn what_any_leaves() {
+    let chart = "sfc C { input a, stop: bool; initial step X; step Y; step Z; any -[stop]-> Z; X -[a]-> Y -[!a]-> X; Z -[!stop]-> X; }";
+    let done = diff(chart, &chart.replace("any -", "any except Y -"), &[]);
+    assert_eq!(done.out, "C: 1 change\n  the transition `any → Z` on `stop` is now `any except Y → Z`\n");
+}
+
+#[test]
 fn order_is_priority() {
     let both = "Off -[on]-> On -[off]-> Off;\n    On -[hot]-> Cool";
     let turned = "On -[hot]-> Cool;\n    Off -[on]-> On -[off]-> Off;\n    Cool";
@@ -127,6 +134,10 @@ fn what_is_only_called_otherwise() {
             "`Rest → Off` clears on `5s/Rest && level < 9` instead of `5s/Cool && level < 10`",
         ]
     );
+    // Neighbours of which nothing else tells.
+    let chain = "sfc C { input a, b, c: bool; initial step X; step Y; step Z; X -[a]-> Y -[b]-> Z -[c]-> X; }";
+    let done = diff(chain, &chain.replace('Y', "Two").replace('Z', "Three"), &[]);
+    assert_eq!(done.out, "C: 2 changes\n  the step `Y` is now called `Two`\n  the step `Z` is now called `Three`\n");
     // Its transitions are the same, its action is not.
     assert_eq!(
         said(&[("On ", "Running "), ("N relay;", "N relay; N lamp;")]),

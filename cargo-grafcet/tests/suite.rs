@@ -85,6 +85,9 @@ fn pairs() {
     // Eight pairs are eight ways in and out at least, of which four are needed anyhow.
     let (all, _) = told(chart, &["--pairs"]);
     assert!(all >= 9 && all > single, "{all} {single}");
+    // Three ways out behind each way in: one of them needs a way in that shows nothing new by itself.
+    let chart = "sfc C { input a, b, c: bool; initial step A; step B; step W; A -[a]-> B; A -[b]-> B; B -[a]-> W; B -[b]-> W; B -[c]-> W; W -[true]-> A; }";
+    assert_eq!(told(chart, &["--pairs"]).1.len(), 0);
 }
 
 #[test]
@@ -94,6 +97,15 @@ fn what_cannot_be_shown() {
     assert_eq!(open.len(), 2, "{open:?}");
     assert!(open[0].starts_with("`B → G` clears: the compiler says: "), "{open:?}");
     assert!(open[1].starts_with("`G → A` clears: "), "{open:?}");
+    // What is frozen waits for nothing.
+    let chart =
+        "grafcet C { input a: bool; partial One { initial step A { force Two {*}; } step B { force Two {*}; } A -[a]-> B -[!a]-> A; }
+       partial Two { initial step V; step Y; V -[a]-> Y -[!a]-> V; } }";
+    let (_, open) = told(chart, &[]);
+    assert!(
+        open.iter().any(|one| one.starts_with("`V → Y` does not clear although its steps are active: ")),
+        "{open:?}"
+    );
     // Of what no value is known, there is no way; and an effort that is too small is said.
     let chart =
         "sfc C { input x: u32; initial step A; step B; A -[x % 4096 == 77 && x / 4096 == 99]-> B -[true]-> A; }";

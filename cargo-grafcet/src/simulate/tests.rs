@@ -94,6 +94,10 @@ fn what_is_typed_and_chosen() {
     press(&mut screen, &mut session, "l300\n\n");
     assert_eq!(screen.message.as_deref(), Some("this cycle cannot be run: overflow: 300 in 8 bits"));
     assert_eq!(session.script().len(), 0);
+    // Who runs by himself does not try it again and again.
+    press(&mut screen, &mut session, " ");
+    screen.cycle(&mut session);
+    assert!(!screen.running);
     press(&mut screen, &mut session, "+-- z");
     assert_eq!((session.step(), screen.running), (500, true));
     assert_eq!(screen.message.as_deref(), Some("no input has the key z"));
@@ -103,6 +107,21 @@ fn what_is_typed_and_chosen() {
         assert_eq!(screen.press(KeyEvent::new(KeyCode::Char(code), KeyModifiers::CONTROL), &mut session), next);
     }
     assert_eq!(screen.press(KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE), &mut session), Next::End);
+}
+
+#[test]
+fn the_active_step_is_in_view() {
+    let steps: String = (1..20).map(|step| format!("step S{step}; ")).collect();
+    let chain: String = (1..20).map(|step| format!(" -[a]-> S{step}")).collect();
+    let chart = chart(&format!("sfc C {{ input a: bool; initial step S0; {steps} S0{chain} -[!a]-> S0; }}"));
+    let mut session = Session::new(&chart, 1000).expect("understood");
+    session.set(0, true.into());
+    for cycle in 0..20 {
+        session.cycle().expect("understood");
+        let frame = screen_of(&session, (60, 14));
+        let step = format!("●S{cycle} ");
+        assert!(frame.contains(&step), "{frame}");
+    }
 }
 
 #[test]

@@ -70,12 +70,11 @@ impl Ends {
         goals
     }
 
-    /// What a cycle has shown, behind one that ended with `before`; `entered` is brought up to date.
+    /// What a cycle has shown, behind one that ended with `before`, which the first one has not: it waits for nothing. `entered` is brought up to date.
     pub(crate) fn shown(&self, before: Option<&Blocked>, cycle: &Cycle, entered: &mut Entered) -> BTreeSet<Goal> {
         let mut shown = BTreeSet::new();
         let cleared: Vec<usize> = cycle.cleared().collect();
-        // The first cycle of a chart asks for no transition of an `sfc`.
-        let waited = before.into_iter().filter(|before| !before.is_first).flat_map(|before| &before.waiting);
+        let waited = before.into_iter().flat_map(|before| &before.waiting);
         let waited = waited.filter(|one| !matches!(one.why, Why::Frozen(_)) && !cleared.contains(&one.transition));
         shown.extend(waited.map(|one| Goal::Waited(one.transition)));
         for evolution in &cycle.evolutions {
@@ -91,5 +90,39 @@ impl Ends {
             }
         }
         shown
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use grafcet_sim::{Chart, Simulation};
+
+    use super::{Ends, Entered, Goal};
+
+    #[test]
+    fn what_is_forced_is_entered_by_no_transition() {
+        let chart = Chart::parse(
+            "grafcet C { input a, b, c: bool;
+               partial One { initial step A; step B { force Two {V}; } A -[a]-> B -[!a]-> A; }
+               partial Two { initial step V; step Y; V -[b]-> Y -[c]-> V; } }",
+        )
+        .unwrap_or_else(|refused| panic!("{refused}"));
+        let ends = Ends::of(chart.model());
+        let mut simulation = Simulation::new(&chart).expect("understood");
+        let (mut entered, mut pairs) = (Entered::new(), Vec::new());
+        // Transitions are numbered in the order of the source: `V → Y` is 2, `Y → V` is 3.
+        let cycles = ["", "b", "c", "b", "a", "", "b"];
+        for inputs in cycles {
+            let set = ["a", "b", "c"].map(|name| (name, inputs.contains(name).into()));
+            let cycle = simulation.cycle(0, &set).expect("understood");
+            let shown = ends.shown(None, &cycle, &mut entered);
+            pairs.push(shown.into_iter().filter(|goal| matches!(goal, Goal::Pair(..))).collect::<BTreeSet<_>>());
+        }
+        let only = |goals: &[Goal]| goals.iter().copied().collect::<BTreeSet<_>>();
+        assert_eq!(pairs[2..4], [only(&[Goal::Pair(2, 3)]), only(&[Goal::Pair(3, 2)])]);
+        // Now `V` is active by force.
+        assert_eq!(pairs[5..], [only(&[Goal::Pair(0, 1)]), only(&[])]);
     }
 }

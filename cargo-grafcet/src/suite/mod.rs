@@ -80,7 +80,9 @@ fn write(file: &Path, text: &str) -> Result<(), Failure> {
 fn explain(open: &mut BTreeMap<Goal, String>, chart: &Chart, found: &Found) {
     let model = chart.model();
     let drawn: Vec<_> = model.drawn_transitions().map(|(_, one)| one).collect();
-    let messages = check::messages_of(found, None);
+    let is_proof = |rule: &str| ["unreachable_step", "dead_transition", "never_true"].contains(&rule);
+    let mut messages = check::messages_of(found, None);
+    messages.retain(|message| message.said.rule.is_some_and(|rule| is_proof(rule.name)));
     for (goal, why) in open {
         match goal {
             Goal::Cleared(one) | Goal::Waited(one) => {
