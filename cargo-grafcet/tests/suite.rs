@@ -70,6 +70,19 @@ fn values_times_and_what_the_program_tells() {
 }
 
 #[test]
+fn what_is_assumed_never_comes() {
+    // Nor in the first cycle, and not as the rest position of inputs.
+    let done = suite(
+        "sfc C { input a, guard: bool; initial step A; step B; assume never !guard; A -[a]-> B -[!a]-> A; }",
+        &[],
+    );
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let cycles: Vec<&str> =
+        done.out.lines().filter(|line| line.starts_with('@') || line.starts_with("guard")).collect();
+    assert_eq!(cycles, ["guard", "@100 guard", "@200 a guard", "@300 a guard", "@400 guard"]);
+}
+
+#[test]
 fn pairs() {
     // Two ways in and two ways out: four pairs within `B`, and two ways in behind each way out.
     let chart =

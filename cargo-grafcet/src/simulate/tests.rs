@@ -111,8 +111,9 @@ fn what_is_typed_and_chosen() {
 
 #[test]
 fn the_active_step_is_in_view() {
-    let steps: String = (1..20).map(|step| format!("step S{step}; ")).collect();
-    let chain: String = (1..20).map(|step| format!(" -[a]-> S{step}")).collect();
+    let steps: Vec<String> = (1..20).map(|step| format!("step S{step}; ")).collect();
+    let chain: Vec<String> = (1..20).map(|step| format!(" -[a]-> S{step}")).collect();
+    let (steps, chain) = (steps.concat(), chain.concat());
     let chart = chart(&format!("sfc C {{ input a: bool; initial step S0; {steps} S0{chain} -[!a]-> S0; }}"));
     let mut session = Session::new(&chart, 1000).expect("understood");
     session.set(0, true.into());

@@ -35,8 +35,9 @@ pub(crate) fn run(options: &Tests) -> Result<Outcome, Failure> {
     }
     let beside = Beside::of(&chart);
     let step = options.step.unwrap_or_else(|| simulate::step(&chart));
-    let search = Search::new(&beside, options.pairs, step, options.effort);
-    let mut plan = match Plan::of(&search, options.effort) {
+    let plan =
+        Search::new(&beside, options.pairs, step, options.effort).and_then(|search| Plan::of(&search, options.effort));
+    let mut plan = match plan {
         Ok(plan) => plan,
         Err(error) => {
             complain(&format!("error: {} cannot be simulated: {error}", found.name));

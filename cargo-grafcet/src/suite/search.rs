@@ -26,6 +26,8 @@ pub(crate) struct Search<'c> {
     ends: Ends,
     /// By transition of the names, what its condition asks for, and with it what those beside it ask for.
     asked: Vec<[Asked; 2]>,
+    /// Values of signals that nobody needs otherwise.
+    rest: Vec<Value>,
     /// The signals whose former values count.
     remembered: BTreeSet<usize>,
     pairs: bool,
@@ -46,7 +48,9 @@ pub(crate) enum Ended<'c> {
 }
 
 impl<'c> Search<'c> {
-    pub(crate) fn new(beside: &'c Beside<'c>, pairs: bool, step: u32, effort: usize) -> Self {
+    /// # Errors
+    /// The chart cannot be run.
+    pub(crate) fn new(beside: &'c Beside<'c>, pairs: bool, step: u32, effort: usize) -> Result<Self, Error> {
         let model = beside.chart().model();
         let ends = Ends::of(model);
         let alone: Vec<Asked> =
@@ -57,7 +61,8 @@ impl<'c> Search<'c> {
             [asked.clone(), all]
         };
         let asked = alone.iter().enumerate().map(with_others).collect();
-        Self { beside, ends, asked, remembered: remembered(model, beside), pairs, step, effort }
+        let rest = rest(beside, &beside.start()?);
+        Ok(Self { beside, ends, asked, rest, remembered: remembered(model, beside), pairs, step, effort })
     }
 
     pub(crate) fn goals(&self) -> BTreeSet<Goal> {
@@ -71,7 +76,7 @@ impl<'c> Search<'c> {
     pub(crate) fn start(&self) -> Result<Node<'c>, Error> {
         let simulation = self.beside.start()?;
         let blocked = simulation.blocked();
-        Ok(Node { simulation, now: 0, values: self.beside.first(), cycle: None, blocked, entered: Entered::new() })
+        Ok(Node { simulation, now: 0, values: self.rest.clone(), cycle: None, blocked, entered: Entered::new() })
     }
 
     /// The shortest way from there to an open goal.
@@ -83,13 +88,13 @@ impl<'c> Search<'c> {
             let mut best: Option<(Node<'c>, BTreeSet<Goal>)> = None;
             for (now, values) in self.choices(&nodes[at].0) {
                 if tried == self.effort {
-                    return Ended::GivenUp;
+                    break;
                 }
                 tried += 1;
                 // A division by zero, or what does not fit, is no way.
                 let Ok((node, shown)) = self.cycle(&nodes[at].0, now, values) else { continue };
                 let new: BTreeSet<Goal> = shown.intersection(open).copied().collect();
-                if new.len() > best.as_ref().map_or(0, |(_, best)| best.len()) {
+                if worth(&new) > best.as_ref().map_or((0, 0), |(_, best)| worth(best)) {
                     best = Some((node, new));
                 } else if best.is_none() && seen.insert(self.key(&node)) {
                     nodes.push((node, at));
@@ -97,6 +102,9 @@ impl<'c> Search<'c> {
             }
             if let Some((last, new)) = best {
                 return Ended::Found(way(&nodes, at, last), new);
+            }
+            if tried == self.effort {
+                return Ended::GivenUp;
             }
             at += 1;
         }
@@ -113,14 +121,14 @@ impl<'c> Search<'c> {
 
     /// Times and values for the next cycle, first those in which little is set.
     fn choices(&self, node: &Node<'c>) -> Vec<(u32, Vec<Value>)> {
-        let rest = self.beside.first();
+        let rest = &self.rest;
         if node.cycle.is_none() {
-            return vec![(0, rest)];
+            return vec![(0, rest.clone())];
         }
         let mut ways: Vec<Vec<Value>> = vec![rest.clone(), node.values.clone()];
         for waiting in node.blocked.waiting.iter().filter(|one| !matches!(one.why, Why::Frozen(_))) {
             for (asked, base) in
-                self.asked[waiting.transition].iter().flat_map(|asked| [(asked, &rest), (asked, &node.values)])
+                self.asked[waiting.transition].iter().flat_map(|asked| [(asked, rest), (asked, &node.values)])
             {
                 for way in asked.ways(base, &node.simulation, self.beside) {
                     if !ways.contains(&way) {
@@ -131,7 +139,7 @@ impl<'c> Search<'c> {
         }
         let inputs = self.beside.inputs();
         ways.retain(|way| !node.simulation.is_excluded(&way[..inputs]));
-        ways.sort_by_key(|way| way.iter().zip(&rest).filter(|(value, rest)| value != rest).count());
+        ways.sort_by_key(|way| way.iter().zip(rest).filter(|(value, rest)| value != rest).count());
         let left: Vec<u32> = left(&node.blocked).into_iter().map(|(_, left)| left).collect();
         // Before a time that is over with the next step there is time enough for a cycle.
         let soon = left.iter().copied().min().filter(|left| *left <= self.step);
@@ -161,6 +169,11 @@ impl<'c> Search<'c> {
     }
 }
 
+/// How many goals there are; of as many those are worth more that are shown while the chart waits: who leaves has to come back for them.
+fn worth(goals: &BTreeSet<Goal>) -> (usize, usize) {
+    (goals.len(), goals.iter().filter(|goal| matches!(goal, Goal::Waited(_))).count())
+}
+
 /// From the beginning to a last cycle behind the node at a place.
 fn way<'c>(nodes: &[(Node<'c>, usize)], mut at: usize, last: Node<'c>) -> Vec<Node<'c>> {
     let mut way = vec![last];
@@ -187,6 +200,17 @@ fn left(blocked: &Blocked) -> Vec<(String, u32)> {
         }
     }
     found
+}
+
+/// What nobody has set, or where the chart assumes that this never comes, what is nearest to it and may come.
+fn rest(beside: &Beside<'_>, start: &Simulation<'_>) -> Vec<Value> {
+    let (model, first) = (beside.chart().model(), beside.first());
+    let mut asked = Asked::default();
+    model.assumptions.iter().for_each(|one| asked.join(Asked::of(&one.never.tree, model, beside)));
+    let mut ways = asked.ways(&first, start, beside);
+    ways.sort_by_key(|way| way.iter().zip(&first).filter(|(value, first)| value != first).count());
+    let may_come = |way: &Vec<Value>| !start.is_excluded(&way[..beside.inputs()]);
+    ways.into_iter().find(may_come).unwrap_or(first)
 }
 
 /// What edges and delays remember.
