@@ -1,5 +1,7 @@
 //! Written by `cargo grafcet tests`: from the chart, to be confirmed by a person.
 
+#![allow(clippy::pedantic, reason = "written by a program")]
+
 use grafcet::{Chart as _, Phase, Ticks};
 
 use super::recipe::{Dyer, DyerActions, DyerInputs, DyerStep};

@@ -98,6 +98,7 @@ pub(crate) fn rust(plan: &Plan<'_>, beside: &Beside<'_>, path: &str) -> Result<S
         calls = actions(model);
     }
     let mut text = format!("//! Written by `cargo grafcet tests`: {MARK}.\n\n");
+    text += "#![allow(clippy::pedantic, reason = \"written by a program\")]\n\n";
     types.sort();
     let phase = if calls.is_empty() { "" } else { ", Phase" };
     _ = writeln!(text, "use grafcet::{{Chart as _{phase}, Ticks}};\n\nuse {path}::{{{}}};", types.join(", "));
