@@ -27,10 +27,13 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     Check(Check),
     Draw(Draw),
+    Diff(Diff),
     #[command(subcommand)]
     Export(Export),
+    Simulate(Simulate),
     Replay(Replay),
     Coverage(Coverage),
+    Tests(Tests),
     Prove(Prove),
 }
 
@@ -122,6 +125,33 @@ pub(crate) struct Draw {
     pub(crate) width: Option<u16>,
 }
 
+/// Say what has changed from one version of a chart to another
+///
+/// Steps, transitions, conditions, actions, what is declared and claimed, and the order where it counts: which transition has priority. What has another name and is
+/// otherwise the same is renamed. Blanks and comments do not count. Charts of two files belong together by their names; where there is one in each, these do.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet diff old/motor.rs src/motor.rs
+  git show HEAD~1:src/motor.rs > old.rs; cargo grafcet diff old.rs src/motor.rs --draw
+
+Exit code 1 says that something has changed.")]
+pub(crate) struct Diff {
+    /// A file with the old version
+    pub(crate) old: PathBuf,
+    /// A file with the new version
+    pub(crate) new: PathBuf,
+    /// Only the charts of this name
+    #[arg(long, value_name = "NAME")]
+    pub(crate) chart: Option<String>,
+    /// Draw the new version; a dot marks the steps with which something has changed
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) draw: bool,
+    /// One JSON object a change
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
 /// Write charts in other notations
 #[derive(Subcommand, Debug)]
 pub(crate) enum Export {
@@ -186,6 +216,47 @@ pub(crate) enum StForm {
     FlipFlops,
 }
 
+/// Play with a chart in the terminal
+///
+/// The chart is drawn with its active steps. Each input has a key, which stands in front of its name: it turns a truth around, takes the next of a list of
+/// variants, or asks for a number. Enter makes one cycle, Space lets the chart run, Backspace takes a cycle back, `+` and `-` change the time from one cycle
+/// to the next, Ctrl-S saves the session as a script, Esc ends it. Functions and constants of the program around the chart are inputs under their own text;
+/// blocks of Rust that cannot be looked into write nothing.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet simulate --chart Motor
+  cargo grafcet simulate --chart Motor --save motor.script
+  cargo grafcet simulate --chart Motor --script motor.script    without a terminal
+
+Exit code 1 says that the chart has errors, or that a cycle of the script cannot be run.")]
+pub(crate) struct Simulate {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Run the cycles of this file without a terminal: one line a cycle with the inputs that are true
+    #[arg(long, value_name = "FILE")]
+    pub(crate) script: Option<PathBuf>,
+    /// Where Ctrl-S saves the session, also where the file is there already; else in NAME.script, which must be new
+    #[arg(long, value_name = "FILE", conflicts_with = "script")]
+    pub(crate) save: Option<PathBuf>,
+    /// The time from one cycle to the next at the beginning, in ticks of the chart's clock; else a tenth of a second
+    #[arg(long, value_name = "TICKS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) step: Option<u32>,
+    /// With --script: one JSON object a cycle
+    #[arg(long, requires = "script")]
+    pub(crate) json: bool,
+    /// With --script: what a terminal of this size shows after each cycle
+    #[arg(long, requires = "script", conflicts_with = "json", value_name = "COLUMNSxROWS", value_parser = size)]
+    pub(crate) frames: Option<(u16, u16)>,
+}
+
+/// `80x24`
+fn size(text: &str) -> Result<(u16, u16), String> {
+    let numbers = text.split_once('x').and_then(|(columns, rows)| Some((columns.parse().ok()?, rows.parse().ok()?)));
+    let fits = numbers.filter(|(columns, rows)| (40..=1000).contains(columns) && (12..=1000).contains(rows));
+    fits.ok_or_else(|| "columns and rows as in 80x24, from 40x12 on".to_owned())
+}
+
 /// Run a record of the flight recorder again, from the chart's source
 ///
 /// It shows cycle by cycle what the chart did and what it waited for. What is missing or differs from the recorded states is a warning.
@@ -242,6 +313,48 @@ pub(crate) struct Coverage {
     #[arg(long, value_name = "FILE")]
     pub(crate) lcov: Option<PathBuf>,
     /// One JSON object instead of lines
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Write a test suite out of a chart: as few cycles as show all of it
+///
+/// Sequences of cycles in which every transition clears, and in which each, its steps being active, does not clear once. What is expected of each cycle is what the chart does:
+/// somebody has to confirm that it is what is meant. The sequences are found by trying: in each cycle the values that conditions can tell apart.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet tests --chart Motor                      as scripts, to the output
+  cargo grafcet tests --chart Motor --out scripts --pairs
+  cargo grafcet tests --chart Motor --rust src/motor_tests.rs --path super
+  cargo grafcet tests --chart Motor --protocol motor.md  a page to tick off at the machine
+
+Exit code 1 says that something cannot be shown; it is listed with the reason.")]
+pub(crate) struct Tests {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Each pair of transitions one behind the other, too
+    #[arg(long)]
+    pub(crate) pairs: bool,
+    /// Write the scripts to NAME-1.script and so on in this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) out: Option<PathBuf>,
+    /// Write a Rust file with a test for each sequence
+    #[arg(long, value_name = "FILE")]
+    pub(crate) rust: Option<PathBuf>,
+    /// Where the Rust file finds the chart's types
+    #[arg(long, value_name = "PATH", default_value = "super", requires = "rust")]
+    pub(crate) path: String,
+    /// Write a page (Markdown) to tick off at the machine
+    #[arg(long, value_name = "FILE")]
+    pub(crate) protocol: Option<PathBuf>,
+    /// The time from one cycle to the next where the chart waits for none, in ticks of its clock; else a tenth of a second
+    #[arg(long, value_name = "TICKS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) step: Option<u32>,
+    /// So many cycles are tried on the way to each goal
+    #[arg(long, value_name = "CYCLES", default_value_t = 20_000)]
+    pub(crate) effort: usize,
+    /// One JSON object
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -2,10 +2,11 @@
 
 use std::fs;
 
-use grafcet_sim::{Coverage, Simulation, Trace, script};
+use grafcet_sim::{Coverage, script_of};
 use serde_json::{Value, json};
 
 use crate::args;
+use crate::simulate::session::Session;
 use crate::{Failure, Outcome, complain, find, replay, say};
 
 pub(crate) fn run(options: &args::Coverage) -> Result<Outcome, Failure> {
@@ -15,10 +16,11 @@ pub(crate) fn run(options: &args::Coverage) -> Result<Outcome, Failure> {
     for file in &options.script {
         let wrong = |error: &dyn std::fmt::Display| Failure::Said(format!("{}: {error}", file.display()));
         let text = fs::read_to_string(file).map_err(|error| Failure::file(file, &error))?;
-        let cycles = script(chart.names(), &text).map_err(|error| wrong(&error))?;
-        let mut simulation = Simulation::new(&chart).map_err(|error| wrong(&error))?;
-        let trace = Trace::play(&mut simulation, &cycles).map_err(|error| wrong(&error))?;
-        covered.add(&trace.coverage);
+        let mut session = Session::new(&chart, 1).map_err(|error| wrong(&error))?;
+        for scripted in &script_of(session.signals(), &text).map_err(|error| wrong(&error))? {
+            session.play(scripted).map_err(|error| wrong(&error))?;
+        }
+        covered.add(&session.simulation().coverage());
     }
     for file in &options.record {
         match replay::of_record(&chart, file, false)? {

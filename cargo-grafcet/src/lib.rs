@@ -1,8 +1,10 @@
 #![doc = include_str!("../README.md")]
 
 mod args;
+mod beside;
 mod check;
 mod coverage;
+mod diff;
 mod draw;
 mod export;
 mod find;
@@ -11,6 +13,8 @@ mod output;
 mod prove;
 mod replay;
 mod report;
+mod simulate;
+mod suite;
 
 use std::ffi::OsString;
 use std::fmt;
@@ -46,9 +50,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let done = match &args.command {
         Command::Check(options) => check::run(options),
         Command::Draw(options) => draw::run(options),
+        Command::Diff(options) => diff::run(options),
         Command::Export(options) => export::run(options),
+        Command::Simulate(options) => simulate::run(options),
         Command::Replay(options) => replay::run(options),
         Command::Coverage(options) => coverage::run(options),
+        Command::Tests(options) => suite::run(options),
         Command::Prove(options) => prove::run(options),
     };
     match done {

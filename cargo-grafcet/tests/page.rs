@@ -32,7 +32,9 @@ fn commands_of_the_page_show_what_stands_there() {
         }
         shown += "```";
     }
-    for command in ["check", "draw", "export st", "export pnml", "replay", "coverage", "prove"] {
+    for command in
+        ["check", "draw", "diff", "export st", "export pnml", "simulate", "replay", "coverage", "tests", "prove"]
+    {
         assert!(commands.iter().any(|one| one.starts_with(command)), "no example of {command}");
     }
     // `cargo xtask bless` records it anew.
@@ -68,7 +70,7 @@ fn write(folder: &Path, language: &str, body: &str) {
     let name = first.strip_prefix("// ").or_else(|| first.strip_prefix("# ")).filter(|name| !name.contains(' '));
     let name = match (language, name) {
         ("rust", None) => "src/main.rs",
-        ("rust,compile_fail" | "text", Some(name)) => name,
+        ("rust" | "rust,compile_fail" | "text", Some(name)) => name,
         _ => return,
     };
     // Lines that rustdoc hides.

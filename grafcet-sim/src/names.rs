@@ -153,21 +153,26 @@ impl Names {
 
 use grafcet_compiler::model as model_;
 
-fn kind(model: &Model, name: Name) -> Kind {
-    match model.ty(name) {
+/// What values a declared name can have.
+pub(crate) fn kind(model: &Model, name: Name) -> Kind {
+    match (kind_of(model.ty(name)), model.variants_of(name)) {
+        (Kind::Other(text), Some(listed)) => {
+            Kind::Listed(text, listed.list.iter().map(|one| one.name.to_string()).collect())
+        }
+        (kind, _) => kind,
+    }
+}
+
+/// What values a type has, as far as it tells alone.
+pub(crate) fn kind_of(ty: &Ty) -> Kind {
+    match ty {
         Ty::Bool(_) => Kind::Bool,
         Ty::Int { signed, bits, .. } => Kind::Int { signed: *signed, bits: *bits },
         Ty::Time(_) => Kind::Time,
-        ty @ Ty::Other(rust) if ty.is_float() => {
-            Kind::Float(if quote::quote!(#rust).to_string() == "f32" { 32 } else { 64 })
-        }
-        Ty::Other(rust) => {
-            let text = quote::quote!(#rust).to_string().replace(' ', "");
-            match model.variants_of(name) {
-                Some(listed) => Kind::Listed(text, listed.list.iter().map(|one| one.name.to_string()).collect()),
-                None => Kind::Other(text),
-            }
-        }
+        Ty::Other(rust) => match quote::quote!(#rust).to_string().replace(' ', "") {
+            text if ty.is_float() => Kind::Float(if text == "f32" { 32 } else { 64 }),
+            text => Kind::Other(text),
+        },
     }
 }
 

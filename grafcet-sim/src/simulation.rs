@@ -217,6 +217,16 @@ impl<'c> Simulation<'c> {
         blocked::blocked(self.chart, &self.machine.look(&world, &self.inputs))
     }
 
+    /// Whether the chart assumes (`assume never`) that these inputs do not come.
+    #[must_use]
+    pub fn is_excluded(&self, inputs: &[Value]) -> bool {
+        let model = self.chart.model();
+        let values: Vec<_> = model.inputs.values().zip(inputs).map(|(input, value)| inside(value, &input.ty)).collect();
+        let world = Beside { model, program: &self.program, coverage: None };
+        let look = self.machine.look(&world, &values);
+        model.assumptions.iter().any(|assumption| look.holds(&assumption.never.tree) == Ok(true))
+    }
+
     /// What the cycles so far have covered.
     #[must_use]
     pub fn coverage(&self) -> Coverage {

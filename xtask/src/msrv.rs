@@ -10,7 +10,8 @@ use crate::project;
 /// The `rust-version` of the workspace, as in `1.85`.
 const MSRV: &str = env!("CARGO_PKG_RUST_VERSION");
 
-const CRATES: [&str; 8] = [
+/// All but the tool `cargo-grafcet`, which people install and no program is built with: its terminal needs a newer Rust.
+const CRATES: [&str; 7] = [
     "grafcet",
     "grafcet-core",
     "grafcet-draw",
@@ -18,7 +19,6 @@ const CRATES: [&str; 8] = [
     "grafcet-compiler",
     "grafcet-sim",
     "grafcet-exchange",
-    "cargo-grafcet",
 ];
 
 /// A crate with the charts of the source documents and charts in the full language of both dialects.

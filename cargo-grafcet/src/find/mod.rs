@@ -107,7 +107,11 @@ fn of_packages(options: &Charts) -> Result<Vec<Found>, Failure> {
     Ok(charts)
 }
 
-fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
+/// The charts of these files, in the order of the source.
+///
+/// # Errors
+/// A file cannot be read or is no Rust, or there is no chart.
+pub(crate) fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
     let mut charts = Vec::new();
     for path in files {
         let file = File::read(path)?;

@@ -47,6 +47,7 @@ pub use self::recall::{Recalled, is_part};
 pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;
+pub(crate) use self::value::is_literal;
 pub use self::value::{Error, Value};
 pub use self::view::Situation;
 use self::view::View;

@@ -78,6 +78,11 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// Whether Rust that has no node of its own is a literal, or the path of a variant.
+pub(crate) fn is_literal(text: &str) -> bool {
+    Term::literal(text).is_some()
+}
+
 /// The range of an integer type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Width {

@@ -8,7 +8,7 @@ mod wave;
 
 pub use chronogram::chronogram;
 pub use page::page;
-pub use table::table;
+pub use table::{happened, table};
 pub use wave::vcd;
 
 use crate::names::Signal;

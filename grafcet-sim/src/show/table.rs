@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::{Axis, raised};
 use crate::cycle::Cycle;
+use crate::names::Names;
 use crate::trace::Trace;
 
 /// A trace as a table in characters: one line for each cycle in which something changed, below each other what it did.
@@ -31,7 +32,7 @@ pub fn table(trace: &Trace) -> String {
             let cycles = gap.cycles.map(|count| format!("{count} cycles, ")).unwrap_or_default();
             rows.push(Row::Line(format!("~~~ gap: {cycles}{}", gap.reason)));
         }
-        let mut happened = happened(trace, cycle).into_iter();
+        let mut happened = happened(&trace.names, cycle).into_iter();
         let head = [
             index.to_string(),
             if axis.is_time { axis.label(trace, axis.starts[index]) } else { String::new() },
@@ -79,9 +80,9 @@ fn steps(trace: &Trace, cycle: &Cycle) -> String {
     names.join(" ")
 }
 
-/// One line each.
-fn happened(trace: &Trace, cycle: &Cycle) -> Vec<String> {
-    let names = &trace.names;
+/// What a cycle did, one line each: its evolutions with the transitions that cleared, what is forced, what was called.
+#[must_use]
+pub fn happened(names: &Names, cycle: &Cycle) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for evolution in &cycle.evolutions {
         let cleared: Vec<&str> = evolution.cleared.iter().map(|id| names.transitions[*id].name.as_str()).collect();

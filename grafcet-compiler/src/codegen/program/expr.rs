@@ -69,6 +69,8 @@ impl<'m> Printer<'_, 'm> {
                 let state = self.get(*place);
                 let variants = steps.iter().map(|step| self.cx.variant(*step)).list();
                 match &variants[..] {
+                    // What only a step does that is never entered.
+                    [] => (quote!(false), Binds::Term),
                     [one] => (quote!(#state == #one), Binds::Compare),
                     _ => (quote!(#p::core::matches!(#state, #(#variants)|*)), Binds::Term),
                 }

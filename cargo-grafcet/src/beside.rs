@@ -1,0 +1,87 @@
+//! A chart with a place for everything that it is given: its inputs, and what the program around it tells.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use grafcet_sim::{Chart, Cycle, Error, Kind, Program, Signal, Simulation, Value};
+
+/// Values of what the program around the chart tells, by its text.
+type Told = Rc<RefCell<Vec<(String, Value)>>>;
+
+pub(crate) struct Beside<'c> {
+    chart: &'c Chart,
+    signals: Vec<Signal>,
+    told: Told,
+}
+
+impl<'c> Beside<'c> {
+    pub(crate) fn of(chart: &'c Chart) -> Self {
+        let signals = chart.names().inputs.iter().cloned().chain(chart.outside()).collect();
+        Self { chart, signals, told: Told::default() }
+    }
+
+    /// The chart before its first cycle.
+    ///
+    /// # Errors
+    /// Something in the chart depends on itself, or an initial value is not understood.
+    pub(crate) fn start(&self) -> Result<Simulation<'c>, Error> {
+        let asked = Rc::clone(&self.told);
+        // What blocks of Rust write is not known: they write nothing.
+        let program = Program::new().block(|_| Some(Vec::new())).function(move |question| {
+            let told = asked.borrow();
+            told.iter().find(|(text, _)| question.is(text)).map(|(_, value)| value.clone())
+        });
+        Simulation::beside(self.chart, program)
+    }
+
+    /// One cycle with a value for each signal; what went before stays as it is.
+    ///
+    /// # Errors
+    /// The chart's own arithmetic fails, or a value does not fit.
+    pub(crate) fn cycle(
+        &self,
+        before: &Simulation<'c>,
+        now: u32,
+        values: &[Value],
+    ) -> Result<(Simulation<'c>, Cycle), Error> {
+        let (inputs, outside) = values.split_at(self.inputs());
+        let texts = self.signals[inputs.len()..].iter().map(|signal| signal.name.clone());
+        *self.told.borrow_mut() = texts.zip(outside.iter().cloned()).collect();
+        let mut next = before.clone();
+        let cycle = next.cycle_with(now, inputs)?;
+        Ok((next, cycle))
+    }
+
+    pub(crate) fn chart(&self) -> &'c Chart {
+        self.chart
+    }
+
+    /// The chart's inputs, and behind them what the program around it tells.
+    pub(crate) fn signals(&self) -> &[Signal] {
+        &self.signals
+    }
+
+    /// So many of the signals are the chart's inputs.
+    pub(crate) fn inputs(&self) -> usize {
+        self.chart.names().inputs.len()
+    }
+
+    /// What the signals are before anybody has set them.
+    pub(crate) fn first(&self) -> Vec<Value> {
+        (0..self.signals.len()).map(|place| self.first_of(place)).collect()
+    }
+
+    /// A name that stands for itself is no variant that the chart names, where that is a function's, and the one that is meant, where it is a constant's.
+    pub(crate) fn first_of(&self, place: usize) -> Value {
+        let signal = &self.signals[place];
+        match &signal.kind {
+            Kind::Bool => Value::Bool(false),
+            Kind::Int { .. } => Value::Int(0),
+            Kind::Float(_) => Value::Float(0.0),
+            Kind::Time => Value::Ticks(0),
+            Kind::Listed(_, list) => list.first().map_or(Value::Unknown, |first| Value::Name(first.clone())),
+            Kind::Other(_) if place < self.inputs() => Value::Name("?".to_owned()),
+            Kind::Other(_) => Value::Name(signal.name.split_whitespace().collect()),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! `cargo grafcet tests`
+//!
+//! - `goals`: what is to be shown
+//! - `choices`: what a cycle may be given
+//! - `search`: the way to the next goal
+//! - `plan`: sequences that show all
+//! - `write`: these as scripts, Rust and a page
+
+mod choices;
+mod goals;
+mod plan;
+mod search;
+mod write;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use grafcet_sim::Chart;
+use serde_json::json;
+
+use crate::args::Tests;
+use crate::beside::Beside;
+use crate::find::{self, Found};
+use crate::{Failure, Outcome, check, complain, replay, say, simulate};
+use goals::Goal;
+use plan::Plan;
+use search::Search;
+
+pub(crate) fn run(options: &Tests) -> Result<Outcome, Failure> {
+    let found = find::one(&options.charts)?;
+    let Some(chart) = replay::chart(&found) else { return Ok(Outcome::Wrong) };
+    for block in chart.blocks() {
+        complain(&format!("note: `{block}` is Rust that is not simulated: it writes nothing"));
+    }
+    let beside = Beside::of(&chart);
+    let step = options.step.unwrap_or_else(|| simulate::step(&chart));
+    let plan =
+        Search::new(&beside, options.pairs, step, options.effort).and_then(|search| Plan::of(&search, options.effort));
+    let mut plan = match plan {
+        Ok(plan) => plan,
+        Err(error) => {
+            complain(&format!("error: {} cannot be simulated: {error}", found.name));
+            return Ok(Outcome::Wrong);
+        }
+    };
+    explain(&mut plan.open, &chart, &found);
+    let scripts = write::scripts(&plan, &beside);
+    if let Some(folder) = &options.out {
+        fs::create_dir_all(folder).map_err(|error| Failure::file(folder, &error))?;
+        for (number, script) in scripts.iter().enumerate() {
+            let name = format!("{}-{}.script", chart.names().chart.to_lowercase(), number + 1);
+            write(&folder.join(name), script)?;
+        }
+    }
+    if let Some(file) = &options.protocol {
+        write(file, &write::protocol(&plan, &beside))?;
+    }
+    if let Some(file) = &options.rust {
+        match write::rust(&plan, &beside, &options.path) {
+            Ok(text) => write(file, &text)?,
+            Err(why) => return Err(Failure::Said(format!("there is no Rust test of {}: {why}", found.name))),
+        }
+    }
+    if options.json {
+        say(&format!("{}\n", object(&plan, &chart, &scripts)))?;
+    } else {
+        if options.out.is_none() && options.protocol.is_none() && options.rust.is_none() {
+            say(&scripts.iter().fold(String::new(), |all, script| all + script + "\n"))?;
+        }
+        say(&summary(&plan, &chart))?;
+    }
+    Ok(Outcome::wrong_if(!plan.open.is_empty()))
+}
+
+fn write(file: &Path, text: &str) -> Result<(), Failure> {
+    fs::write(file, text).map_err(|error| Failure::file(file, &error))
+}
+
+/// What the compiler knows better than the search.
+fn explain(open: &mut BTreeMap<Goal, String>, chart: &Chart, found: &Found) {
+    let model = chart.model();
+    let drawn: Vec<_> = model.drawn_transitions().map(|(_, one)| one).collect();
+    let is_proof = |rule: &str| ["unreachable_step", "dead_transition", "never_true"].contains(&rule);
+    let mut messages = check::messages_of(found, None);
+    messages.retain(|message| message.said.rule.is_some_and(|rule| is_proof(rule.name)));
+    for (goal, why) in open {
+        match goal {
+            Goal::Cleared(one) | Goal::Waited(one) => {
+                let bytes =
+                    |mark: grafcet_compiler::diagnostic::Mark| mark.start.byte_range().start..mark.end.byte_range().end;
+                let all = bytes(drawn[*one].mark);
+                let about = messages.iter().filter_map(|message| message.said.notes.first());
+                let about = about.filter(|(mark, _)| all.contains(&bytes(*mark).start));
+                if let Some((_, said)) = about.into_iter().next() {
+                    *why = format!("the compiler says: {}", said.lines().next().unwrap_or_default());
+                }
+            }
+            Goal::Pair(..) => {}
+        }
+    }
+}
+
+fn counts(plan: &Plan<'_>, of: fn(&Goal) -> bool) -> (usize, usize) {
+    let all = plan.goals.iter().filter(|goal| of(goal)).count();
+    (all - plan.open.keys().filter(|goal| of(goal)).count(), all)
+}
+
+fn summary(plan: &Plan<'_>, chart: &Chart) -> String {
+    let names = chart.names();
+    let plural = |count: usize, word: &str| if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") };
+    let (sequences, cycles) = (plural(plan.sequences.len(), "sequence"), plural(plan.cycles(), "cycle"));
+    let (cleared, all) = counts(plan, |goal| matches!(goal, Goal::Cleared(_)));
+    let (waited, others) = counts(plan, |goal| matches!(goal, Goal::Waited(_)));
+    let mut text = format!(
+        "{}: {sequences}, {cycles}: {cleared} of {all} transitions clear, {waited} of {others} do not although their steps are active",
+        names.chart
+    );
+    let (pairs, all) = counts(plan, |goal| matches!(goal, Goal::Pair(..)));
+    if all > 0 {
+        text = format!("{text}, {pairs} of {all} pairs");
+    }
+    text.push('\n');
+    plan.open.iter().fold(text, |all, (goal, why)| all + &format!("  not shown: {}: {why}\n", goal.text(names)))
+}
+
+fn object(plan: &Plan<'_>, chart: &Chart, scripts: &[String]) -> serde_json::Value {
+    let names = chart.names();
+    let count = |(shown, all): (usize, usize)| json!({ "shown": shown, "all": all });
+    let open = plan.open.iter().map(|(goal, why)| json!({ "goal": goal.text(names), "why": why }));
+    json!({
+        "chart": names.chart,
+        "cycles": plan.cycles(),
+        "scripts": scripts,
+        "cleared": count(counts(plan, |goal| matches!(goal, Goal::Cleared(_)))),
+        "waited": count(counts(plan, |goal| matches!(goal, Goal::Waited(_)))),
+        "pairs": count(counts(plan, |goal| matches!(goal, Goal::Pair(..)))),
+        "open": open.collect::<Vec<_>>(),
+    })
+}

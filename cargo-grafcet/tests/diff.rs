@@ -1,0 +1,218 @@
+//! `diff`: what has changed, in a person's words.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{Done, folder, tool};
+use serde_json::Value;
+
+/// The old version in all tests.
+const BASE: &str = "sfc Motor {
+    input on, off, hot: bool; input level: u8; output relay, lamp: bool;
+    initial step Off { N lamp if hot; } step On { N relay; } step Cool within 9s { N lamp; }
+    Off -[on]-> On -[off]-> Off;
+    On -[hot]-> Cool -[5s/Cool && level < 10]-> Off;
+    never relay && lamp;
+}";
+
+fn diff(old: &str, new: &str, more: &[&str]) -> Done {
+    let folder = folder(&[("old.rs", old), ("new.rs", new)]);
+    tool(folder.path(), &[&["diff", "old.rs", "new.rs"], more].concat())
+}
+
+/// What is said where some words of the chart are others.
+fn said(replaced: &[(&str, &str)]) -> Vec<String> {
+    let new = replaced.iter().fold(BASE.to_owned(), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    });
+    let done = diff(BASE, &new, &[]);
+    assert_eq!(done.code, Some(i32::from(!done.out.contains("nothing has changed"))), "{done:?}");
+    let mut lines = done.out.lines().map(str::to_owned);
+    let count = lines.next().expect("a line");
+    let lines: Vec<String> = lines.map(|line| line.trim_start().to_owned()).collect();
+    let counted = match lines.len() {
+        0 => "Motor: nothing has changed".to_owned(),
+        1 => "Motor: 1 change".to_owned(),
+        count => format!("Motor: {count} changes"),
+    };
+    assert_eq!(count, counted);
+    lines
+}
+
+#[test]
+fn blanks_and_comments_are_no_change() {
+    let nothing: [String; 0] = [];
+    assert_eq!(said(&[]), nothing);
+    let replaced =
+        [("5s/Cool && level < 10", "5s/Cool&&level<10"), ("N lamp if hot", "N lamp // soon\n /* ! */ if hot")];
+    assert_eq!(said(&replaced), nothing);
+    assert_eq!(said(&[("output relay, lamp: bool", "output relay: bool; output lamp: bool")]), nothing);
+}
+
+#[test]
+fn conditions_and_ends() {
+    assert_eq!(
+        said(&[("level < 10", "level < 9")]),
+        ["`Cool → Off` clears on `5s/Cool && level < 9` instead of `5s/Cool && level < 10`"]
+    );
+    assert_eq!(said(&[("-[off]-> Off", "-[off]-> Cool")]), ["the transition `On → Off` on `off` is now `On → Cool`"]);
+    assert_eq!(said(&[("-[on]->", "-[go: on]->")]), ["the transition `Off → On` on `on` is now `go: Off → On`"]);
+    assert_eq!(
+        said(&[("On -[hot]->", "On -[!on]-> Off; On -[hot]->")]),
+        ["there is a new transition `On → Off` on `!on`, with priority over `On → Cool`"]
+    );
+    assert_eq!(
+        said(&[("On -[off]-> Off", "On"), ("On -[hot]->", "On -[hot || off]->")]),
+        ["the transition `On → Off` on `off` is gone", "`On → Cool` clears on `hot || off` instead of `hot`",]
+    );
+}
+
+#[test]
+fn what_any_leaves() {
+    let chart = "sfc C { input a, stop: bool; initial step X; step Y; step Z; any -[stop]-> Z; X -[a]-> Y -[!a]-> X; Z -[!stop]-> X; }";
+    let done = diff(chart, &chart.replace("any -", "any except Y -"), &[]);
+    assert_eq!(done.out, "C: 1 change\n  the transition `any → Z` on `stop` is now `any except Y → Z`\n");
+}
+
+#[test]
+fn order_is_priority() {
+    let both = "Off -[on]-> On -[off]-> Off;\n    On -[hot]-> Cool";
+    let turned = "On -[hot]-> Cool;\n    Off -[on]-> On -[off]-> Off;\n    Cool";
+    assert_eq!(said(&[(both, turned)]), ["`On → Cool` on `hot` now has priority over `On → Off` on `off`"]);
+    // In a grafcet all of them clear.
+    let grafcet = |text: &str| text.replace("sfc", "grafcet").replace("N relay", "relay").replace("N lamp", "lamp");
+    let done = diff(&grafcet(BASE), &grafcet(&BASE.replace(both, turned)), &[]);
+    assert_eq!((done.code, done.out.as_str()), (Some(0), "Motor: nothing has changed\n"), "{done:?}");
+}
+
+#[test]
+fn steps_and_actions() {
+    assert_eq!(said(&[("N relay;", "N relay; N lamp;")]), ["the step `On` also does `N lamp`"]);
+    assert_eq!(said(&[(" { N relay; }", ";")]), ["the step `On` no longer does `N relay`"]);
+    assert_eq!(
+        said(&[("N relay;", "N relay if !off;")]),
+        ["the step `On` does `N relay if !off` instead of `N relay`"]
+    );
+    assert_eq!(said(&[("within 9s ", "")]), ["the step `Cool` is no longer within 9s"]);
+    assert_eq!(
+        said(&[("initial step Off", "step Off"), ("step On", "initial step On")]),
+        ["the step `Off` is no longer initial", "the step `On` is now initial",]
+    );
+    assert_eq!(
+        said(&[
+            ("step Cool", "step Rest { N lamp; } step Cool"),
+            ("-> Off;\n    never", "-> Rest -[on]-> Off;\n    never")
+        ]),
+        [
+            "there is a new step `Rest` with `N lamp`",
+            "the transition `Cool → Off` on `5s/Cool && level < 10` is now `Cool → Rest`",
+            "there is a new transition `Rest → Off` on `on`",
+        ]
+    );
+    assert_eq!(
+        said(&[(
+            "step On { N relay; } step Cool within 9s { N lamp; }",
+            "step Cool within 9s { N lamp; } step On { N relay; }"
+        )]),
+        ["the order of the steps is Off, Cool, On instead of Off, On, Cool"]
+    );
+}
+
+#[test]
+fn what_is_only_called_otherwise() {
+    assert_eq!(said(&[("Cool", "Rest")]), ["the step `Cool` is now called `Rest`"]);
+    assert_eq!(said(&[("hot", "warm")]), ["the input `hot` is now called `warm`"]);
+    // Two that are neighbours, and a condition that is another one besides.
+    assert_eq!(
+        said(&[("On ", "Running "), ("Cool", "Rest"), ("level < 10", "level < 9")]),
+        [
+            "the step `On` is now called `Running`",
+            "the step `Cool` is now called `Rest`",
+            "`Rest → Off` clears on `5s/Rest && level < 9` instead of `5s/Cool && level < 10`",
+        ]
+    );
+    // Neighbours of which nothing else tells.
+    let chain = "sfc C { input a, b, c: bool; initial step X; step Y; step Z; X -[a]-> Y -[b]-> Z -[c]-> X; }";
+    let done = diff(chain, &chain.replace('Y', "Two").replace('Z', "Three"), &[]);
+    assert_eq!(done.out, "C: 2 changes\n  the step `Y` is now called `Two`\n  the step `Z` is now called `Three`\n");
+    // Its transitions are the same, its action is not.
+    assert_eq!(
+        said(&[("On ", "Running "), ("N relay;", "N relay; N lamp;")]),
+        ["the step `On` is now called `Running`", "the step `Running` also does `N lamp`",]
+    );
+    // Nothing is the same: one step is gone, another is there.
+    let lines = said(&[
+        ("step On { N relay; }", "step Run { N lamp; }"),
+        ("On -[off]-> Off;\n    On -[hot]->", "Run -[!on]-> Off;\n    Run -[hot && on]->"),
+    ]);
+    assert!(lines.contains(&"the step `On` is gone".to_owned()), "{lines:?}");
+    assert!(lines.contains(&"there is a new step `Run` with `N lamp`".to_owned()), "{lines:?}");
+}
+
+#[test]
+fn what_is_declared_and_claimed() {
+    assert_eq!(said(&[("level: u8", "level: u16")]), ["the input `level` is `u16` instead of `u8`"]);
+    assert_eq!(
+        said(&[("input on, off", "input off, on")]),
+        ["the order of the inputs is off, on, hot, level instead of on, off, hot, level"]
+    );
+    assert_eq!(said(&[("hot: bool", "hot, spare: bool")]), ["there is a new input `spare`: `bool`"]);
+    assert_eq!(
+        said(&[("never relay && lamp;", "always !relay || !lamp;")]),
+        ["the property `never relay && lamp` is gone", "there is a new property `always !relay || !lamp`",]
+    );
+    assert_eq!(said(&[("sfc Motor {", "sfc Motor { forceable;")]), ["forceable: yes instead of no"]);
+}
+
+#[test]
+fn files_and_formats() {
+    let two = |first: &str, second: &str| format!("grafcet! {{ {first} }} grafcet! {{ {second} }}");
+    let other = "sfc Lamp { input on: bool; output lit: bool; initial step Dark; step Lit { lit; } Dark -[on]-> Lit -[!on]-> Dark; }";
+    let changed = BASE.replace("-[hot]->", "-[hot || off]->");
+    let done = diff(&two(BASE, other), &two(&other.replace("Lamp", "Light"), &changed), &[]);
+    assert_eq!(done.code, Some(1));
+    assert_eq!(
+        done.out,
+        "Lamp: 1 change\n  the chart is gone\nLight: 1 change\n  the chart is new\n\
+         Motor: 1 change\n  `On → Cool` clears on `hot || off` instead of `hot`\n"
+    );
+    // One in each file: they belong together, whatever they are called.
+    let done = diff(other, &other.replace("Lamp", "Light"), &[]);
+    assert_eq!(done.out, "Light: 1 change\n  the chart is called `Light` instead of `Lamp`\n");
+    let done = diff(BASE, &changed, &["--draw"]);
+    assert!(done.out.contains("│●On"), "{}", done.out);
+    assert_eq!(done.out.matches('●').count(), 1, "{}", done.out);
+    let done = diff(BASE, &changed, &["--json"]);
+    let line: Value = serde_json::from_str(done.out.trim_end()).expect("one object");
+    assert_eq!(
+        [&line["chart"], &line["kind"], &line["old"], &line["new"]],
+        ["Motor", "condition", "hot", "hot || off"]
+    );
+    assert_eq!(line["steps"], serde_json::json!(["On"]));
+    // What is no chart cannot be compared.
+    let done = diff(BASE, &BASE.replace("-[hot]-> Cool", "-[hot]-> Cold"), &[]);
+    assert_eq!((done.code, done.out.as_str()), (Some(2), ""));
+    assert!(done.err.ends_with("error: new.rs: the chart Motor has mistakes\n"), "{}", done.err);
+    let done = diff(BASE, BASE, &["--chart", "Pump"]);
+    assert_eq!((done.code, done.err.as_str()), (Some(2), "error: there is no chart `Pump` in either file\n"));
+}
+
+#[test]
+fn every_chart_is_the_same_as_itself() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for folder in ["tests/good", "examples/charts"] {
+        for entry in fs::read_dir(root.join(folder)).expect("a folder") {
+            let file = entry.expect("an entry").path();
+            if file.extension().is_none_or(|end| end != "rs") || file.ends_with("script.rs") {
+                continue;
+            }
+            let file = file.display().to_string();
+            let done = tool(&root, &["diff", &file, &file]);
+            assert_eq!((done.code, done.err.as_str()), (Some(0), ""), "{file}: {done:?}");
+            assert!(done.out.lines().all(|line| line.ends_with(": nothing has changed")), "{file}: {}", done.out);
+        }
+    }
+}
