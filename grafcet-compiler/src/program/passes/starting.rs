@@ -15,7 +15,7 @@
 
 use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
-use super::uses::{Effects, blocks, blocks_mut, each_read, mentions, replaced};
+use super::uses::{Effects, blocks, each_read, mentions, replaced, unset};
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let (Some(state), Some(first)) = (program.place(Role::State(0)), program.place(Role::First)) else { return };
@@ -115,7 +115,11 @@ fn each_set<'m>(statements: &[Statement<'m>], each: &mut dyn FnMut(PlaceId, &Exp
     for statement in statements {
         match statement {
             Statement::Set(place, value) => each(*place, value),
-            other => blocks(other).into_iter().for_each(|block| each_set(block, each)),
+            other => {
+                for block in blocks(other) {
+                    each_set(block, each);
+                }
+            }
         }
     }
 }
@@ -136,14 +140,7 @@ fn settle<'m>(program: &mut Program<'m>, is_start: &Expr<'m>) {
     for (condition, _) in &mut deadline.waits {
         *condition = replaced(condition, &leaf);
     }
-    without(&mut program.cycle, settled);
-}
-
-fn without(statements: &mut Vec<Statement<'_>>, settled: PlaceId) {
-    statements.retain(|one| !matches!(one, Statement::Set(place, _) if *place == settled));
-    for statement in statements {
-        blocks_mut(statement).into_iter().for_each(|block| without(block, settled));
-    }
+    unset(&mut program.cycle, settled);
 }
 
 /// That a time of the active step is over is stored where the deadline asks for it.

@@ -19,7 +19,7 @@ use super::engine::{End, Fact, Tree};
 use super::fold::initial;
 use super::sparse::States;
 use super::split::each_leaf;
-use super::uses::{Effects, blocks_mut, each_read, mentions};
+use super::uses::{Effects, each_read, mentions, unset};
 use crate::sorted::{Map, Set};
 
 /// The trees know at the end of each way what the fields hold.
@@ -167,7 +167,7 @@ impl<'m> Around<'_, 'm> {
                     body.push(Statement::Set(field, Expr::Value(Value::Bool(value))));
                 }
             }
-            without(self.before, field);
+            unset(self.before, field);
             for tree in self.trees.iter_mut().flatten() {
                 strip(tree, field);
             }
@@ -303,16 +303,9 @@ fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<bo
 }
 
 fn strip(tree: &mut Tree<'_>, field: PlaceId) {
-    without(&mut tree.body, field);
+    unset(&mut tree.body, field);
     match &mut tree.end {
-        End::Leaf(leaf) => without(&mut leaf.body, field),
+        End::Leaf(leaf) => unset(&mut leaf.body, field),
         End::Fork(_, ways) => ways.iter_mut().for_each(|way| strip(way, field)),
-    }
-}
-
-fn without(statements: &mut Vec<Statement<'_>>, field: PlaceId) {
-    statements.retain(|one| !matches!(one, Statement::Set(place, _) if *place == field));
-    for statement in statements {
-        blocks_mut(statement).into_iter().for_each(|block| without(block, field));
     }
 }

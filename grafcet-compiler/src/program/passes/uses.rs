@@ -315,6 +315,16 @@ pub(super) fn replaced<'m>(expr: &Expr<'m>, leaf: &dyn Fn(&Expr<'m>) -> Option<E
     }
 }
 
+/// Nothing sets a place any more.
+pub(super) fn unset(statements: &mut Vec<Statement<'_>>, place: PlaceId) {
+    statements.retain(|one| !matches!(one, Statement::Set(set, _) if *set == place));
+    for statement in statements {
+        for block in blocks_mut(statement) {
+            unset(block, place);
+        }
+    }
+}
+
 /// The blocks within a statement.
 pub(super) fn blocks<'s, 'm>(statement: &'s Statement<'m>) -> Vec<&'s Vec<Statement<'m>>> {
     match statement {
