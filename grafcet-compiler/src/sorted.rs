@@ -111,6 +111,11 @@ impl<T: Ord> Set<T> {
 
     /// Whether the value was not there yet.
     pub fn insert(&mut self, value: T) -> bool {
+        // What comes in order is not looked for.
+        if self.0.last().is_none_or(|last| *last < value) {
+            self.0.push(value);
+            return true;
+        }
         let place = self.place(&value);
         if let Err(place) = place {
             self.0.insert(place, value);

@@ -35,10 +35,8 @@ impl Chart {
         let model = self.model();
         let mut texts = Vec::new();
         for effect in model.effects() {
-            if let Effect::Block(code) = effect
-                && code.statements.is_none()
-                && !texts.contains(&code.text)
-            {
+            let Effect::Block(code) = effect else { continue };
+            if code.statements.is_none() && !texts.contains(&code.text) {
                 texts.push(code.text.clone());
             }
         }

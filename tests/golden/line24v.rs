@@ -229,7 +229,6 @@ The situation takes one byte: which of its 4 steps is active.*/
 )]
 pub struct Line24V {
     situation: __Line24VStateMark,
-    q2_: ::grafcet::__private::core::primitive::bool,
 }
 impl Line24V {
     ///A chart `Line24V` in its initial situation; its activation belongs to the first cycle.
@@ -237,7 +236,6 @@ impl Line24V {
     pub const fn new() -> Self {
         Self {
             situation: __Line24VStateMark::of(__Line24VState::S1),
-            q2_: false,
         }
     }
 }
@@ -267,7 +265,6 @@ impl Line24V {
                 __Line24VState::S1 => {
                     if inputs.b1 {
                         now_state = __Line24VState::S2;
-                        self.q2_ = true;
                     } else {
                         break;
                     }
@@ -282,7 +279,6 @@ impl Line24V {
                 __Line24VState::S3 => {
                     if inputs.b3 {
                         now_state = __Line24VState::S4;
-                        self.q2_ = false;
                     } else {
                         break;
                     }
@@ -308,14 +304,43 @@ impl Line24V {
         );
         match self.situation.state() {
             __Line24VState::S1 => {
-                outputs.q1 = true;
+                outputs = const {
+                    Line24VOutputs {
+                        q1: true,
+                        q2: false,
+                        q3: false,
+                    }
+                };
+            }
+            __Line24VState::S2 => {
+                outputs = const {
+                    Line24VOutputs {
+                        q1: false,
+                        q2: true,
+                        q3: false,
+                    }
+                };
             }
             __Line24VState::S3 => {
+                outputs = const {
+                    Line24VOutputs {
+                        q1: false,
+                        q2: true,
+                        q3: false,
+                    }
+                };
                 outputs.q3 = inputs.b5;
             }
-            _ => {}
+            _ => {
+                outputs = const {
+                    Line24VOutputs {
+                        q1: false,
+                        q2: false,
+                        q3: false,
+                    }
+                };
+            }
         }
-        outputs.q2 = self.q2_;
         outputs
     }
     /// Back to the initial situation (the classic *Init*), stored outputs and variables reset; the next cycle is a

@@ -16,7 +16,7 @@ use super::view::Situation;
 use super::{Interpreter, Machine, Memory};
 use grafcet_compiler::held::Held;
 use grafcet_compiler::model::{
-    AssociationId, EdgeId, Effect, Id, MacroId, Model, Name, Place, Qualifier, Read, StepId,
+    ActionId, Association, AssociationId, EdgeId, Effect, Id, MacroId, Model, Name, Place, Qualifier, Read, StepId,
 };
 
 /// What is known of a chart's memory.
@@ -200,20 +200,29 @@ impl Recall<'_> {
             }
             Machine::Grafcet(mut grafcet) => {
                 for action in self.model.actions.ids() {
-                    let Some(active) = self.truth(&Held::Called(action)) else { continue };
-                    let calls = |id: &AssociationId| {
-                        let association = &self.model.associations[*id];
-                        super::continuous::is_continuous(association)
-                            && matches!(association.effect, Effect::Call(other, _) if other == action)
-                    };
-                    let last = self.recalled.chosen.get(&Held::CalledBy(action, Vec::new())).copied();
-                    let last = last.or_else(|| self.model.associations.ids().rfind(calls));
-                    grafcet.calls.insert(action, Continuous { active, last });
+                    grafcet.calls.extend(self.called(action).map(|continuous| (action, continuous)));
                 }
                 Machine::Grafcet(grafcet)
             }
         };
         Ok(())
+    }
+
+    /// Whether a continuous call of a `grafcet` was active, and by which association. What no field tells, the active step does.
+    fn called(&self, action: ActionId) -> Option<Continuous> {
+        let calls = |(id, association): (AssociationId, &Association)| {
+            let is_call = matches!(association.effect, Effect::Call(other, _) if other == action);
+            (is_call && super::continuous::is_continuous(association)).then_some(id)
+        };
+        let callers: Vec<AssociationId> = self.model.associations.iter().filter_map(calls).collect();
+        let of_active = || callers.iter().copied().filter(|id| self.is_active(self.model.associations[*id].step));
+        let field = self.truth(&Held::Called(action));
+        let field = field.or_else(|| callers.iter().find_map(|id| self.truth(&Held::Active(*id))));
+        let active = field.unwrap_or_else(|| of_active().next().is_some());
+        let by = self.recalled.chosen.get(&Held::CalledBy(action, Vec::new()));
+        let by = by.or_else(|| callers.iter().find_map(|id| self.recalled.chosen.get(&Held::Acted(*id, Vec::new()))));
+        let last = by.copied().or_else(|| of_active().last()).or_else(|| callers.last().copied());
+        (!callers.is_empty()).then_some(Continuous { active, last })
     }
 
     /// The flip-flops and timers of a target of an `sfc`.
@@ -368,7 +377,7 @@ pub fn is_part(model: &Model, place: Place) -> bool {
 
 /// Whether an output keeps its value from one cycle to the next unless something writes it.
 fn is_kept(model: &Model, place: Place) -> bool {
-    let anew = |one: &grafcet_compiler::model::Association| match (&one.effect, model.is_grafcet()) {
+    let anew = |one: &Association| match (&one.effect, model.is_grafcet()) {
         (Effect::Control(_), false) => true,
         (Effect::Assign(..), false) => one.qualifier == Qualifier::N,
         (Effect::Control(_) | Effect::Assign(..), true) => super::continuous::is_continuous(one),

@@ -284,12 +284,18 @@ pub(super) fn without_followers(model: &Model, mut circle: Vec<TransitionId>) ->
     let is_loop = |id: &TransitionId| transition(id).sources == transition(id).targets;
     circle.retain(|id| !is_loop(id) || lasts(id));
     loop {
-        let leads = |steps: &[StepId], others: fn(&Transition) -> &Vec<StepId>| {
-            circle.iter().any(|other| others(transition(other)).iter().any(|step| steps.contains(step)))
-        };
+        let (mut left, mut entered) = (vec![false; model.steps.len()], vec![false; model.steps.len()]);
+        for id in &circle {
+            for step in &transition(id).sources {
+                left[step.index()] = true;
+            }
+            for step in &transition(id).targets {
+                entered[step.index()] = true;
+            }
+        }
         let turns = |id: &TransitionId| {
-            leads(&transition(id).targets, |other| &other.sources)
-                && leads(&transition(id).sources, |other| &other.targets)
+            transition(id).targets.iter().any(|step| left[step.index()])
+                && transition(id).sources.iter().any(|step| entered[step.index()])
         };
         let kept: Vec<TransitionId> = circle.iter().copied().filter(turns).list();
         if kept.len() == circle.len() {

@@ -196,7 +196,9 @@ impl Exploration {
     /// known.
     #[must_use]
     pub fn endless(&self, model: &Model) -> Option<Vec<Vec<TransitionId>>> {
-        if self.turns { search::endless::circles(model, &self.net, self.limit) } else { None }
+        // A chart whose situations take more than the budget is large, and each of its turns is long.
+        let limit = if self.whole.complete { self.limit } else { self.limit / 64 };
+        if self.turns { search::endless::circles(model, &self.net, limit) } else { None }
     }
 
     /// The units of work it took.

@@ -160,10 +160,13 @@ impl Live<'_> {
 
     /// Live on one of two ways.
     pub(super) fn or(&mut self, other: &Set<PlaceId>) {
-        let mut both = Set::new();
-        for place in self.flips.iter().chain(other.iter()) {
-            if !self.base[place.0] || self.flips.contains(place) && other.contains(place) {
-                both.insert(*place);
+        // Both are in order, and long where a search asks for a thousand transitions.
+        let (mut both, mut one, mut two) = (Set::new(), self.flips.iter().peekable(), other.iter().peekable());
+        while let Some(place) = one.peek().into_iter().chain(two.peek()).min().map(|place| **place) {
+            let in_one = one.next_if(|next| **next == place).is_some();
+            let in_two = two.next_if(|next| **next == place).is_some();
+            if !self.base[place.0] || in_one && in_two {
+                both.insert(place);
             }
         }
         self.flips = both;
