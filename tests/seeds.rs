@@ -59,5 +59,5 @@ fn line() {
     assert!(line.is_stable());
     line.cycle(&Line24VInputs { b1: true, b2: true, b3: true, b4: true, b5: true });
     assert!(!line.is_stable());
-    assert_eq!(size_of::<Line24V>(), 2, "one byte for the situation, one for q2");
+    assert_eq!(size_of::<Line24V>(), 1, "one byte for the situation, which tells q2");
 }

@@ -96,7 +96,7 @@ fn flags() {
 #[test]
 fn situation() {
     assert_eq!(size_of::<Motor>(), 1);
-    assert_eq!(size_of::<Line24V>(), 2, "one byte for the situation, one for q2");
+    assert_eq!(size_of::<Line24V>(), 1, "one byte for the situation, which tells q2");
     assert_eq!(size_of::<Parallel>(), 3, "one byte per branch");
     // Whether the first cycle has run and whether a search was stable need no bytes: nor do names and outputs.
     assert_eq!(size_of::<Option<Motor>>(), 1);
@@ -141,7 +141,7 @@ fn memory_follows_from_use() {
     assert_eq!(size_of::<Continuous>(), 1, "continuous outputs are not remembered");
     assert_eq!(size_of::<Stored>(), 1 + 1);
     assert_eq!(size_of::<StoredWord>(), 2 + 2, "the situation, aligned, and the output");
-    assert_eq!(size_of::<Read>(), 1 + 1, "an output that is read is the one of the cycle before");
+    assert_eq!(size_of::<Read>(), 1, "an output that is read is the one of the cycle before, which the step tells");
     assert_eq!(size_of::<Edge>(), 1 + 1);
     assert_eq!(size_of::<OneEdge>(), 1 + 1, "both edges of one signal compare with one value");
     assert_eq!(size_of::<TwoEdges>(), 1 + 2);

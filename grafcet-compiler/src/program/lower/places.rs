@@ -105,8 +105,13 @@ impl<'r, 'm> Lower<'r, 'm> {
 
     /// A local of the type of another place.
     pub(super) fn like(&mut self, name: String, other: PlaceId) -> PlaceId {
-        let ty = self.places[other.0].ty;
-        self.local(name, ty)
+        let PlaceInfo { ty, initial, .. } = self.places[other.0];
+        let like = self.local(name, ty);
+        // A type of the program need not have a default value.
+        if let (Type::User(_), Initial::Constant(_)) = (ty, initial) {
+            self.places[like.0].initial = initial;
+        }
+        like
     }
 
     pub(super) fn name(&self, place: PlaceId) -> &str {
