@@ -2,13 +2,11 @@
 
 pub struct Line24V {
     situation: __Line24VStateMark,
-    q2_: bool,
 }
 impl Line24V {
     pub const fn new() -> Self {
         Self {
             situation: __Line24VStateMark::of(__Line24VState::S1),
-            q2_: false,
         }
     }
 }
@@ -31,7 +29,6 @@ impl Line24V {
                 __Line24VState::S1 => {
                     if inputs.b1 {
                         now_state = __Line24VState::S2;
-                        self.q2_ = true;
                     } else {
                         break;
                     }
@@ -46,7 +43,6 @@ impl Line24V {
                 __Line24VState::S3 => {
                     if inputs.b3 {
                         now_state = __Line24VState::S4;
-                        self.q2_ = false;
                     } else {
                         break;
                     }
@@ -72,14 +68,43 @@ impl Line24V {
         );
         match self.situation.state() {
             __Line24VState::S1 => {
-                outputs.q1 = true;
+                outputs = const {
+                    Line24VOutputs {
+                        q1: true,
+                        q2: false,
+                        q3: false,
+                    }
+                };
+            }
+            __Line24VState::S2 => {
+                outputs = const {
+                    Line24VOutputs {
+                        q1: false,
+                        q2: true,
+                        q3: false,
+                    }
+                };
             }
             __Line24VState::S3 => {
+                outputs = const {
+                    Line24VOutputs {
+                        q1: false,
+                        q2: true,
+                        q3: false,
+                    }
+                };
                 outputs.q3 = inputs.b5;
             }
-            _ => {}
+            _ => {
+                outputs = const {
+                    Line24VOutputs {
+                        q1: false,
+                        q2: false,
+                        q3: false,
+                    }
+                };
+            }
         }
-        outputs.q2 = self.q2_;
         outputs
     }
 }
