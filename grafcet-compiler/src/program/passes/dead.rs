@@ -160,6 +160,9 @@ impl Live<'_> {
 
     /// Live on one of two ways.
     pub(super) fn or(&mut self, other: &Set<PlaceId>) {
+        if self.flips == *other {
+            return;
+        }
         // Both are in order, and long where a search asks for a thousand transitions.
         let (mut both, mut one, mut two) = (Set::new(), self.flips.iter().peekable(), other.iter().peekable());
         while let Some(place) = one.peek().into_iter().chain(two.peek()).min().map(|place| **place) {
