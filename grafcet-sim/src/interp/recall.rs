@@ -221,7 +221,7 @@ impl Recall<'_> {
         let active = field.unwrap_or_else(|| of_active().next().is_some());
         let by = self.recalled.chosen.get(&Held::CalledBy(action, Vec::new()));
         let by = by.or_else(|| callers.iter().find_map(|id| self.recalled.chosen.get(&Held::Acted(*id, Vec::new()))));
-        let last = by.copied().or_else(|| of_active().last()).or_else(|| callers.last().copied());
+        let last = by.copied().or_else(|| of_active().next_back()).or_else(|| callers.last().copied());
         (!callers.is_empty()).then_some(Continuous { active, last })
     }
 
