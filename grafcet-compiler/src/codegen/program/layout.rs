@@ -275,7 +275,7 @@ impl Used {
 }
 
 impl<'m> Printer<'_, 'm> {
-    fn info(&self, place: PlaceId) -> &PlaceInfo<'m> {
+    pub(super) fn info(&self, place: PlaceId) -> &PlaceInfo<'m> {
         &self.program.places[place.0]
     }
 

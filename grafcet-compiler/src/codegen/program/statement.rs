@@ -7,7 +7,7 @@ use super::Printer;
 use super::scope::Scope;
 use crate::list::List;
 use crate::place::{self, quote};
-use crate::program::{Arm, Expr, Fence, Phase, PlaceId, Role, Statement, Type, Value};
+use crate::program::{Arm, Expr, Fence, Initial, Phase, PlaceId, Role, Statement, Type, Value};
 
 /// The statements without what observers are told, and without what is there for them alone.
 pub(super) fn unwatched<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
@@ -87,7 +87,10 @@ impl<'m> Printer<'_, 'm> {
                     continue;
                 }
                 let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
-                tokens.extend(quote!(let #mutable #name: #ty = #value;));
+                // A constant of the user's has its place in the source, where a lint would stand.
+                let written = matches!(self.info(*place).initial, Initial::Constant(_));
+                let allowed = written.then(|| quote!(#[allow(unused_assignments)]));
+                tokens.extend(quote!(#allowed let #mutable #name: #ty = #value;));
             }
             if let (Statement::Set(place, value), Some(Statement::Set(next, _))) = (statement, behind.first()) {
                 if self.layout.is_mark(*next) {

@@ -108,7 +108,7 @@ impl<'r, 'm> Lower<'r, 'm> {
         let PlaceInfo { ty, initial, .. } = self.places[other.0];
         let like = self.local(name, ty);
         // A type of the program need not have a default value.
-        if let (Type::User(_), Initial::Constant(_)) = (ty, initial) {
+        if let (Type::User(Ty::Other(_)), Initial::Constant(_)) = (ty, initial) {
             self.places[like.0].initial = initial;
         }
         like
