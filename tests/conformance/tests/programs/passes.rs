@@ -142,8 +142,8 @@ fn searches_of_one_region_end_where_they_have_to() {
     let signal = "grafcet Signal { input a, b: bool; output p, q: bool; initial step A; step B { S p; } step C { q; R p; } step D; \
                   A -[a && 3ms/A]-> B -[5ms/B]-> C -[5ms/C]-> D -[5ms/D]-> A; }";
     // `p` is set on one way to C and not on the other, `q` wherever B has been.
-    let held = "grafcet Held { input a, b: bool; output p, q, r: bool; initial step A { S r; } step B { S q; R r; } step C; step D { R p; R q; } \
-                step E { S p; } A -[a]-> B; A -[!a && b]-> E; B -[!a]-> C; E -[a]-> B; C -[2ms/C || b]-> D; D -[!b]-> A; }";
+    let held = "grafcet Held { input a, b: bool; output p, q, r: bool; initial step A; step B { S q; R r; } step C; step D { R p; R q; } \
+                step E { S p; S r; } A -[a]-> B; A -[!a && b]-> E; B -[!a]-> C; E -[a]-> B; C -[2ms/C || b]-> D; D -[!b]-> A; }";
     let (circle, stays) = (circle(""), circle("on rising(d) n = (n + 1) % 50; on rising(p) n = 9; "));
     for (chart, has) in [
         (circle.as_str(), "now.state = table(now.state)"),
@@ -168,6 +168,15 @@ fn searches_of_one_region_end_where_they_have_to() {
         }
         each_left_out(&model, &text, 60);
     }
+    let stored = |chart: &str| {
+        let model = read(chart);
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let outputs =
+            program.places.into_iter().filter(|place| place.is_field && matches!(place.role, Role::Output(_)));
+        outputs.map(|place| place.name).collect::<Vec<_>>()
+    };
+    assert_eq!(stored(held), ["p"], "how B was entered tells what it holds, and so in C");
+    assert!(stored(signal).is_empty());
 }
 
 /// A stop that forces two modes, one of which encloses two branches; a part beside them that looks at the branches.
