@@ -9,20 +9,15 @@
 //! Seen from outside are the situation, outputs, variables, parameters, whether the search was stable, and what the deadline reads.
 //! An expression that may answer differently each time is asked all the same.
 
-use super::super::build::not;
-use super::super::{Deadline, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Write};
+use super::super::{Deadline, Expr, PlaceId, PlaceInfo, Program, Role, Statement};
+use super::live::{Live, Places};
 use super::uses::{Effects, each_read, is_pure, replaced, rewrite};
 use crate::model::Read;
-use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    let mut base = needed(program);
-    for (needed, place) in base.iter_mut().zip(&program.places) {
-        *needed &= place.is_field || is_seen(place);
-    }
-    let mut live = Live { base: &base, flips: Set::new(), left: Set::new() };
+    let base = read_after(program);
+    let mut live = Live::after(&base);
     live.sweep(&mut program.cycle);
-    let flips = live.flips;
     for (index, place) in program.places.iter_mut().enumerate() {
         // Each cycle writes it before something reads it.
         let is_state = matches!(
@@ -30,8 +25,8 @@ pub(super) fn pass(program: &mut Program<'_>) {
             Role::State(_) | Role::Bit(_) | Role::Var(_) | Role::Param(_) | Role::Stable | Role::Recorded
         );
         if !is_state
-            && base[index]
-            && flips.contains(&PlaceId(index))
+            && base.contains(PlaceId(index))
+            && !live.now.contains(PlaceId(index))
             && !waits_for(program.deadline.as_ref(), PlaceId(index))
         {
             place.is_field = false;
@@ -66,8 +61,17 @@ fn each_of_deadline(deadline: Option<&Deadline<'_>>, each: &mut dyn FnMut(PlaceI
     }
 }
 
+/// What is read after the end of the cycle: in the next one or from outside.
+pub(super) fn read_after(program: &Program<'_>) -> Places {
+    let mut after = needed(program);
+    for (needed, place) in after.iter_mut().zip(&program.places) {
+        *needed &= place.is_field || is_seen(place);
+    }
+    Places::of(&after)
+}
+
 /// By place: what is seen, or is needed to find out what is seen.
-pub(super) fn needed(program: &Program<'_>) -> Vec<bool> {
+fn needed(program: &Program<'_>) -> Vec<bool> {
     let mut uses = Uses { by_target: vec![Vec::new(); program.places.len()], open: Vec::new() };
     uses.block(&program.cycle, &mut Vec::new());
     each_of_deadline(program.deadline.as_ref(), &mut |place| uses.open.push(place));
@@ -128,156 +132,6 @@ impl Uses {
                 }
             }
             asked.truncate(before);
-        }
-    }
-}
-
-/// What is read later on: the places that differ from what is so at the end.
-pub(super) struct Live<'l> {
-    /// By place: whether it is read after the end, in the next cycle or from outside.
-    pub(super) base: &'l [bool],
-    pub(super) flips: Set<PlaceId>,
-    /// The same where a loop is left.
-    pub(super) left: Set<PlaceId>,
-}
-
-impl Live<'_> {
-    fn is_live(&self, place: PlaceId) -> bool {
-        self.base[place.0] != self.flips.contains(&place)
-    }
-
-    fn put(&mut self, place: PlaceId, live: bool) {
-        if self.base[place.0] == live {
-            self.flips.remove(&place);
-        } else {
-            self.flips.insert(place);
-        }
-    }
-
-    fn read(&mut self, expr: &Expr<'_>) {
-        each_read(expr, &mut |place| self.put(place, true));
-    }
-
-    /// Live on one of two ways.
-    pub(super) fn or(&mut self, other: &Set<PlaceId>) {
-        if self.flips == *other {
-            return;
-        }
-        // Both are in order, and long where a search asks for a thousand transitions.
-        let (mut both, mut one, mut two) = (Set::new(), self.flips.iter().peekable(), other.iter().peekable());
-        while let Some(place) = one.peek().into_iter().chain(two.peek()).min().map(|place| **place) {
-            let in_one = one.next_if(|next| **next == place).is_some();
-            let in_two = two.next_if(|next| **next == place).is_some();
-            if !self.base[place.0] || in_one && in_two {
-                both.insert(place);
-            }
-        }
-        self.flips = both;
-    }
-
-    /// From the end to the beginning.
-    pub(super) fn sweep(&mut self, statements: &mut Vec<Statement<'_>>) {
-        let mut kept = Vec::with_capacity(statements.len());
-        while let Some(mut statement) = statements.pop() {
-            if self.keep(&mut statement) {
-                kept.push(statement);
-            }
-        }
-        kept.reverse();
-        *statements = kept;
-    }
-
-    /// A round of a loop reads what the one before has written; after the loop is where it is left.
-    pub(super) fn rounds(&mut self, body: &mut Vec<Statement<'_>>) {
-        let behind = self.flips.clone();
-        let outside = std::mem::replace(&mut self.left, behind);
-        loop {
-            // Of fields it is enough that they may be live.
-            self.flips.retain(|place| !self.base[place.0]);
-            let at_end = self.flips.clone();
-            self.sweep(&mut body.clone());
-            self.flips.retain(|place| !self.base[place.0]);
-            self.flips.extend(at_end.iter().copied());
-            if self.flips == at_end {
-                break;
-            }
-        }
-        let at_end = self.flips.clone();
-        self.sweep(body);
-        self.flips = at_end;
-        self.left = outside;
-    }
-
-    fn keep(&mut self, statement: &mut Statement<'_>) -> bool {
-        match statement {
-            Statement::Part(_, body) => {
-                self.sweep(body);
-                !body.is_empty()
-            }
-            Statement::Set(place, value) => {
-                if matches!(value, Expr::Place(other) if other == place) || !self.is_live(*place) && is_pure(value) {
-                    return false;
-                }
-                self.put(*place, false);
-                self.read(value);
-                true
-            }
-            Statement::If(condition, then, otherwise) => {
-                let behind = self.flips.clone();
-                self.sweep(then);
-                let first = std::mem::replace(&mut self.flips, behind);
-                self.sweep(otherwise);
-                self.or(&first);
-                if then.is_empty() && otherwise.is_empty() && is_pure(condition) {
-                    return false;
-                }
-                if then.is_empty() {
-                    std::mem::swap(then, otherwise);
-                    *condition = not(condition.clone());
-                }
-                self.read(condition);
-                true
-            }
-            Statement::Match(place, arms, otherwise) => {
-                let behind = self.flips.clone();
-                self.sweep(otherwise);
-                for (_, body) in arms.iter_mut() {
-                    let so_far = std::mem::replace(&mut self.flips, behind.clone());
-                    self.sweep(body);
-                    self.or(&so_far);
-                }
-                if otherwise.is_empty() {
-                    arms.retain(|(_, body)| !body.is_empty());
-                }
-                self.put(*place, true);
-                !(arms.is_empty() && otherwise.is_empty())
-            }
-            Statement::Run(run) => {
-                let idle = run.code.statements.is_some() && run.binds.iter().all(|(_, value)| is_pure(value));
-                let wanted =
-                    |write: &Write| self.is_live(write.to) || write.noted.is_some_and(|noted| self.is_live(noted));
-                if idle && !run.writes.iter().any(wanted) {
-                    return false;
-                }
-                for place in &*Effects::of(statement).reads {
-                    self.put(*place, true);
-                }
-                true
-            }
-            Statement::Break => {
-                self.flips.clone_from(&self.left);
-                true
-            }
-            Statement::Loop { body, .. } => {
-                self.rounds(body);
-                true
-            }
-            other => {
-                for place in &*Effects::of(other).reads {
-                    self.put(*place, true);
-                }
-                true
-            }
         }
     }
 }

@@ -66,7 +66,7 @@ pub(super) struct Engine<'e, 'm> {
     /// What conditions on the way have told.
     pub(super) learned: Vec<PlaceId>,
     /// What has been a copy of what so far.
-    pub(super) copies: Vec<(PlaceId, PlaceId)>,
+    pub(super) copies: Copies,
     /// What [`Fact::Among`] stands for.
     pub(super) lists: Vec<Among>,
     /// The ends of ways know all places, and what is a copy of what, not the fields alone.
@@ -74,6 +74,38 @@ pub(super) struct Engine<'e, 'm> {
     /// Of the truths in one of these one at most becomes true.
     pub(super) excluding: &'e [Vec<PlaceId>],
     ways: usize,
+}
+
+/// What has been a copy of what so far, also if it is none any more.
+#[derive(Default)]
+pub(super) struct Copies {
+    /// The copy, and of what it is one, in the order in which they were made.
+    all: Vec<(PlaceId, PlaceId)>,
+    /// The copies of each place.
+    of: Vec<Vec<PlaceId>>,
+}
+
+impl Copies {
+    fn none(places: usize) -> Self {
+        Self { all: Vec::new(), of: vec![Vec::new(); places] }
+    }
+
+    pub(super) fn add(&mut self, copy: PlaceId, of: PlaceId) {
+        let known = &mut self.of[of.0];
+        if !known.contains(&copy) {
+            known.push(copy);
+            self.all.push((copy, of));
+        }
+    }
+
+    /// Only the first so many are left.
+    fn back(&mut self, to: usize) {
+        while self.all.len() > to {
+            if let Some((_, of)) = self.all.pop() {
+                self.of[of.0].pop();
+            }
+        }
+    }
 }
 
 /// How far the lists of the index are read.
@@ -122,7 +154,7 @@ impl<'e, 'm> Engine<'e, 'm> {
             env,
             trail: Vec::new(),
             learned: Vec::new(),
-            copies: Vec::new(),
+            copies: Copies::none(places.len()),
             lists: Vec::new(),
             tells_all: false,
             excluding: &[],
@@ -137,29 +169,26 @@ impl<'e, 'm> Engine<'e, 'm> {
         for (place, fact) in known {
             self.trail.push((*place, std::mem::replace(&mut self.env[place.0], *fact)));
         }
-        let given = self.copies.clone();
+        let given = self.copies.all.len();
         let tree = self.go(point, Cursor::default());
         self.back(0);
         self.learned.clear();
-        self.copies = given;
+        self.copies.back(given);
         tree
     }
 
     pub(super) fn note(&mut self, place: PlaceId, fact: Fact) {
-        for at in 0..self.copies.len() {
-            let (copy, of) = self.copies[at];
-            if of == place && self.env[copy.0] == Fact::Copy(of) {
-                self.trail.push((copy, Fact::Copy(of)));
-                self.env[copy.0] = match self.env[of.0] {
+        for copy in &self.copies.of[place.0] {
+            if self.env[copy.0] == Fact::Copy(place) {
+                self.trail.push((*copy, Fact::Copy(place)));
+                self.env[copy.0] = match self.env[place.0] {
                     known @ (Fact::Is(_) | Fact::Among(_)) => known,
                     _ => Fact::Nothing,
                 };
             }
         }
         if let Fact::Copy(of) = fact {
-            if !self.copies.contains(&(place, of)) {
-                self.copies.push((place, of));
-            }
+            self.copies.add(place, of);
         }
         let before = &mut self.env[place.0];
         if *before != fact {

@@ -40,6 +40,7 @@ mod flat;
 mod fold;
 mod forward;
 mod hoist;
+mod live;
 mod many;
 mod moved;
 mod next;

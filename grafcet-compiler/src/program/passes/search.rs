@@ -19,10 +19,11 @@
 //! known.
 
 use super::super::{Arm, Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::dead::{Live, is_seen, needed};
+use super::dead::{is_seen, read_after};
 use super::early::Early;
 use super::engine::{End, Engine, Fact, Lost, Tree};
 use super::flat::flat;
+use super::live::{Live, Places};
 use super::share;
 use super::sparse::{Index, States};
 use super::split::{each_leaf, meet, merged};
@@ -116,11 +117,11 @@ impl<'m> Search<'m> {
     fn cycle(&self, program: &Program<'m>) -> Result<(Vec<Statement<'m>>, Told), Lost> {
         let mut round = self.body.clone();
         round.extend(self.tail.iter().cloned());
-        let flips = live(program, &round, &self.behind);
+        let live = live(program, &round, &self.behind);
         let mut assumed = Vec::with_capacity(program.places.len());
         let mut carried = Vec::new();
         for (index, place) in program.places.iter().enumerate() {
-            let is_live = flips.contains(&PlaceId(index));
+            let is_live = live.contains(PlaceId(index));
             assumed.push(!place.is_field && !is_seen(place) && !is_live);
             if !assumed[index] && index != self.state.0 {
                 carried.push(PlaceId(index));
@@ -174,12 +175,10 @@ impl<'m> Search<'m> {
     fn sweep(&self, program: &Program<'m>, trees: &mut [Option<Tree<'m>>], acts: &[Arm<'m>]) {
         let mut round = vec![self.turn(trees.iter().map(|tree| tree.as_ref().map(Tree::copy)).collect())];
         round.extend(self.tail.iter().cloned());
-        let flips = live(program, &round, &[Statement::Match(self.state, acts.to_vec(), Vec::new())]);
-        let base = base(program);
+        let live = live(program, &round, &[Statement::Match(self.state, acts.to_vec(), Vec::new())]);
+        let after = read_after(program);
         for tree in trees.iter_mut().flatten() {
-            tree.each_leaf_mut(&mut |leaf| {
-                Live { base: &base, flips: flips.clone(), left: flips.clone() }.sweep(&mut leaf.body);
-            });
+            tree.each_leaf_mut(&mut |leaf| Live::with(&after, live.clone()).sweep(&mut leaf.body));
         }
     }
 
@@ -295,16 +294,16 @@ impl<'m> Search<'m> {
         let mut engine = Engine::new(places, (&self.behind, &index), self.state, &self.points, &[], &nothing, false);
         let mut touched = Effects::of_all(&self.before);
         touched.add_all(&self.body);
+        for (index, place) in places.iter().enumerate() {
+            let value = super::fold::initial(place).filter(|_| !matches!(place.ty, Type::User(_)));
+            if !place.is_field && !touched.writes.contains(&PlaceId(index)) {
+                engine.env[index] = value.map_or(Fact::Initial, Fact::Is);
+            }
+        }
         let mut acts = Vec::new();
         for (point, facts) in ends.iter().enumerate() {
             let Some(facts) = facts else { continue };
             let mut known = vec![(self.state, Fact::Is(self.points.all[point]))];
-            for (index, place) in places.iter().enumerate() {
-                let value = super::fold::initial(place).filter(|_| !matches!(place.ty, Type::User(_)));
-                if !place.is_field && !touched.writes.contains(&PlaceId(index)) {
-                    known.push((PlaceId(index), value.map_or(Fact::Initial, Fact::Is)));
-                }
-            }
             known.extend(carried.iter().copied().zip(facts.iter().copied()).filter(|(_, fact)| *fact != Fact::Nothing));
             let tree = engine.from(point, &known, WAYS)?;
             let End::Leaf(leaf) = tree.end else { return Err(Lost) };
@@ -343,22 +342,13 @@ pub(super) fn opened<'m>(statements: &[Statement<'m>]) -> Vec<Statement<'m>> {
     list
 }
 
-/// What is live where a round begins or the loop is left, as it differs from what is so at the end of the cycle.
-fn live<'m>(program: &Program<'m>, body: &[Statement<'m>], behind: &[Statement<'m>]) -> Set<PlaceId> {
-    let base = base(program);
-    let mut live = Live { base: &base, flips: Set::new(), left: Set::new() };
+/// What is live where a round begins or the loop is left.
+fn live<'m>(program: &Program<'m>, body: &[Statement<'m>], behind: &[Statement<'m>]) -> Places {
+    let after = read_after(program);
+    let mut live = Live::after(&after);
     live.sweep(&mut behind.to_vec());
     live.rounds(&mut body.to_vec());
-    live.flips
-}
-
-/// By place: whether it is read after the end of the cycle.
-fn base(program: &Program<'_>) -> Vec<bool> {
-    let mut base = needed(program);
-    for (needed, place) in base.iter_mut().zip(&program.places) {
-        *needed &= place.is_field || is_seen(place);
-    }
-    base
+    live.now
 }
 
 /// The state is written once on each way, at its end, and only where it changes: what stands in between knows it.

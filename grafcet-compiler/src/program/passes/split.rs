@@ -20,10 +20,11 @@
 use super::super::build::not;
 use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::alike;
-use super::dead::{Live, is_seen, needed};
+use super::dead::read_after;
 use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
 use super::flat::flat;
 use super::fold::initial;
+use super::live::Live;
 use super::many::{groups, sum_of_block};
 use super::moved;
 use super::share;
@@ -228,12 +229,9 @@ impl Split {
 
 /// What is of no use at the ends of the ways would keep them from being alike.
 fn sweep(program: &Program<'_>, trees: &mut [Option<Tree<'_>>]) {
-    let mut base = needed(program);
-    for (needed, place) in base.iter_mut().zip(&program.places) {
-        *needed &= place.is_field || is_seen(place);
-    }
+    let after = read_after(program);
     for tree in trees.iter_mut().flatten() {
-        tree.each_leaf_mut(&mut |leaf| Live { base: &base, flips: Set::new(), left: Set::new() }.sweep(&mut leaf.body));
+        tree.each_leaf_mut(&mut |leaf| Live::after(&after).sweep(&mut leaf.body));
     }
 }
 

@@ -147,6 +147,9 @@ impl Links {
 
     /// Whether there are numbers of which all this is true; `unclear` are the atoms of which that is not known.
     fn allow(&self, knowledge: &Knowledge, tries: &mut Tries, left: &mut u64, unclear: &mut Vec<AtomId>) -> bool {
+        if self.groups.is_empty() {
+            return true;
+        }
         let mut asked: Vec<usize> = knowledge.learnt().iter().filter_map(|atom| self.group_of[*atom]).list();
         sort_unstable(&mut asked);
         asked.dedup();

@@ -13,6 +13,7 @@ use super::leaf::Leaf;
 use super::settles::is_followed;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::semantics;
+use crate::analysis::explore::semantics::turn::Turn as Turning;
 use crate::analysis::{Union, circles};
 use crate::list::List;
 use crate::model::{Arena, Id, Model, StepId, TransitionId};
@@ -84,6 +85,8 @@ struct Found<'m> {
     model: &'m Model,
     net: &'m Net,
     rings: Vec<Ring>,
+    /// The circles of a turn.
+    known: Vec<(Rc<Turning>, Vec<usize>)>,
     turns: Vec<Turn>,
     /// By transition, whether it begins a search that comes to rest; the same of the first cycle.
     comes_to_rest: Arena<TransitionId, bool>,
@@ -103,6 +106,7 @@ impl<'m> Found<'m> {
             model,
             net,
             rings: Vec::new(),
+            known: Vec::new(),
             turns: Vec::new(),
             comes_to_rest: never.clone(),
             rests_at_first: never,
@@ -114,7 +118,7 @@ impl<'m> Found<'m> {
 
     fn rests(&mut self, from: Start, leaf: &Leaf) {
         self.first_rests |= from.first;
-        self.first_stays |= from.first && leaf.done.cleared.is_empty() && leaf.done.transient.is_empty();
+        self.first_stays |= from.first && leaf.done.cleared.is_empty() && !leaf.done.evolves;
         let known = if from.first { &mut self.rests_at_first } else { &mut self.comes_to_rest };
         for transition in &leaf.done.cleared[..leaf.done.at_first] {
             known[*transition] = true;
@@ -123,18 +127,27 @@ impl<'m> Found<'m> {
 
     /// `None` if it was not followed until it turned.
     fn turns(&mut self, from: Start, leaf: Leaf) -> Option<()> {
-        let rings = self.separate(leaf.done.turn?);
-        let rings = rings.into_iter().map(|ring| self.number(ring)).list();
+        let rings = self.rings_of(leaf.done.turn?);
         let entries = leaf.done.cleared[..leaf.done.at_first].to_vec();
         let granted = !leaf.cycle.granted.is_empty();
         self.turns.push(Turn { from, entries, rings, granted });
         Some(())
     }
 
+    fn rings_of(&mut self, turn: Rc<Turning>) -> Vec<usize> {
+        if let Some((_, rings)) = self.known.iter().rev().find(|(known, _)| Rc::ptr_eq(known, &turn)) {
+            return rings.clone();
+        }
+        let rings = self.separate(&turn.transitions);
+        let rings = rings.into_iter().map(|ring| self.number(ring)).list();
+        self.known.push((turn, rings.clone()));
+        rings
+    }
+
     /// The circles of one turn: those that have no step in common, and do not ask for each other's, are different ones.
-    fn separate(&self, turn: Vec<TransitionId>) -> Vec<Vec<TransitionId>> {
+    fn separate(&self, turn: &[TransitionId]) -> Vec<Vec<TransitionId>> {
         let mut known = Set::new();
-        let turn: Vec<TransitionId> = turn.into_iter().filter(|transition| known.insert(*transition)).list();
+        let turn: Vec<TransitionId> = turn.iter().copied().filter(|transition| known.insert(*transition)).list();
         let mut union = Union::new(self.net.leaving.len());
         for transition in &turn {
             let arc = &self.net.arcs[*transition];

@@ -2,11 +2,11 @@
 
 use super::hierarchy;
 use super::sfc::perform;
-use super::{Done, evolve, note_doubled};
+use super::{Done, evolve, note_doubled, turn};
 use crate::analysis::explore::net::actions::Action;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction;
-use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
+use crate::analysis::explore::valuation::{State, Valuation, When};
 use crate::analysis::explore::verdicts::rivals;
 use crate::list::{List, PushAll};
 use crate::model::{Dialect, StepId, TransitionId, Trigger};
@@ -24,28 +24,14 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
     if state.first {
         activate(valuation);
     }
-    let mut fireable: Vec<TransitionId> = Vec::new();
     let mut evolutions = 0;
-    let mut anchor: Option<Anchor> = None;
-    let bound = if valuation.to_the_turn { net.max_evolutions.saturating_mul(FAR) } else { net.max_evolutions };
+    let mut anchor = None;
+    let bound = if valuation.to_the_turn { net.max_evolutions.saturating_mul(turn::FAR) } else { net.max_evolutions };
     loop {
-        let tried = if evolutions == 0 {
-            super::tried(valuation, enabled)
-        } else {
-            let enabled = super::enabled(net, valuation.unit, &valuation.now.active);
-            done.enabled_later.extend(&enabled);
-            if valuation.lazy { reduction::later(valuation, &enabled) } else { enabled }
-        };
-        fireable.clear();
-        for transition in tried {
-            if valuation.decide(&net.arcs[transition].condition, When::Now) {
-                fireable.push(transition);
-            }
-        }
-        done.able.extend(&fireable);
+        let fireable = fireable(valuation, enabled, evolutions, done);
         // An order of the initial situation takes hold with the first evolution.
         let settled = !state.first || evolutions > 0;
-        let (after, cleared) = step(valuation, &fireable, settled, done);
+        let (after, cleared) = step(valuation, fireable, settled, done);
         if evolutions == 0 {
             done.at_first = cleared.len();
         }
@@ -63,6 +49,7 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
             return When::Before;
         }
         evolutions += 1;
+        done.evolves = true;
         if writes_more(valuation, &after, &cleared) {
             valuation.forget_volatile();
         } else if !net.calls.is_empty() {
@@ -70,15 +57,39 @@ pub(crate) fn cycle(valuation: &mut Valuation<'_>, state: &State, enabled: &[Tra
         }
         done.cleared.push_all(cleared);
         commit(valuation, after, outcome.writes);
-        done.transient.push(valuation.now.active.clone());
         if !valuation.to_the_turn {
-            evolutions = skip(valuation, evolutions, &mut anchor);
-        } else if let Some(known) = turned(valuation, evolutions, done.cleared.len(), &mut anchor) {
-            done.turn = Some(done.cleared.split_off(known.cleared));
+            done.transient.push(valuation.now.active.clone());
+            evolutions = turn::skip(valuation, evolutions, &mut anchor);
+        } else if let Some(turn) = turn::of(valuation, evolutions, &done.cleared, &mut anchor) {
+            done.turn = Some(turn);
             done.unstable = true;
             return When::Before;
         }
     }
+}
+
+/// The enabled transitions whose conditions hold, after so many evolutions.
+fn fireable(
+    valuation: &mut Valuation<'_>,
+    enabled: &[TransitionId],
+    evolutions: usize,
+    done: &mut Done,
+) -> Vec<TransitionId> {
+    let net = valuation.net;
+    let mut tried = if evolutions == 0 {
+        super::tried(valuation, enabled)
+    } else {
+        let enabled = super::enabled(net, valuation.unit, &valuation.now.active);
+        if !valuation.to_the_turn {
+            done.enabled_later.extend_from_slice(&enabled);
+        }
+        if valuation.lazy { reduction::later(valuation, &enabled) } else { enabled }
+    };
+    tried.retain(|transition| valuation.decide(&net.arcs[*transition].condition, When::Now));
+    if !valuation.to_the_turn {
+        done.able.extend_from_slice(&tried);
+    }
+    tried
 }
 
 /// A37: the activation of the initial situation is an evolution of its own, before which no step is active.
@@ -94,24 +105,30 @@ fn activate(valuation: &mut Valuation<'_>) {
 /// The situation after the evolution, and the transitions cleared in it.
 fn step(
     valuation: &Valuation<'_>,
-    fireable: &[TransitionId],
+    fireable: Vec<TransitionId>,
     settled: bool,
     done: &mut Done,
 ) -> (Vec<StepId>, Vec<TransitionId>) {
     let net = valuation.net;
     if settled && fireable.is_empty() {
-        return (valuation.now.active.clone(), Vec::new());
+        return (valuation.now.active.clone(), fireable);
     }
-    if valuation.unit.is_none() && !net.hierarchy.is_empty() && !(settled && hierarchy::is_free(net, fireable)) {
-        return hierarchy::evolve(net, &valuation.now.active, fireable, done);
+    if valuation.unit.is_none() && !net.hierarchy.is_empty() && !(settled && hierarchy::is_free(net, &fireable)) {
+        return hierarchy::evolve(net, &valuation.now.active, &fireable, done);
+    }
+    let active = &valuation.now.active;
+    if let [only] = fireable[..] {
+        let arc = &net.arcs[only];
+        note_doubled(net, active, &arc.sources, &fireable, done);
+        return (evolve(active, &arc.sources, &arc.targets), fireable);
     }
     let (mut left, mut targets) = (Vec::new(), Vec::new());
-    for transition in fireable {
-        left.extend(&net.arcs[*transition].sources);
-        targets.extend(&net.arcs[*transition].targets);
+    for transition in &fireable {
+        left.extend_from_slice(&net.arcs[*transition].sources);
+        targets.extend_from_slice(&net.arcs[*transition].targets);
     }
-    note_doubled(net, &valuation.now.active, &left, fireable, done);
-    (evolve(&valuation.now.active, &left, &targets), fireable.to_vec())
+    note_doubled(net, active, &left, &fireable, done);
+    (evolve(active, &left, &targets), fireable)
 }
 
 /// Whether the evolution may change values that are not followed.
@@ -121,71 +138,22 @@ fn writes_more(valuation: &Valuation<'_>, after: &[StepId], cleared: &[Transitio
 }
 
 fn commit(valuation: &mut Valuation<'_>, after: Vec<StepId>, writes: Vec<(usize, Bit)>) {
-    let before = valuation.now.clone();
+    // The memory of the snapshot before is used again: a search may make thousands of evolutions.
+    let mut before = valuation.previous.take().unwrap_or_default();
+    before.slots.clone_from(&valuation.now.slots);
+    before.active = std::mem::replace(&mut valuation.now.active, after);
+    let after = &valuation.now.active;
     valuation.just_entered.retain(|step| after.binary_search(step).is_ok());
-    let entered = after.iter().filter(|step| before.active.binary_search(step).is_err());
-    valuation.just_entered.extend(entered);
-    valuation.now.active = after;
+    for step in after {
+        if before.active.binary_search(step).is_err() {
+            valuation.just_entered.push(*step);
+        }
+    }
     for (slot, bit) in writes {
         valuation.now.slots[slot] = bit;
     }
     valuation.previous = Some(before);
     valuation.edgeless = false;
-}
-
-/// So many times the bound a search is followed that may turn for ever.
-const FAR: usize = 16;
-
-/// An evolution with which a later one is compared.
-struct Anchor {
-    evolution: usize,
-    /// How many transitions had cleared.
-    cleared: usize,
-    asked: usize,
-    now: Snapshot,
-    previous: Option<Snapshot>,
-    /// Ascending.
-    just_entered: Vec<StepId>,
-}
-
-/// Where the search turns in a circle without asking anything new, it turns until the bound: whole turns are left out.
-fn skip(valuation: &mut Valuation<'_>, evolution: usize, anchor: &mut Option<Anchor>) -> usize {
-    if evolution < 8 {
-        return evolution;
-    }
-    match turned(valuation, evolution, 0, anchor) {
-        Some(known) => {
-            let period = evolution - known.evolution;
-            let bound = valuation.net.max_evolutions.max(evolution);
-            bound - (bound - evolution) % period
-        }
-        None => evolution,
-    }
-}
-
-/// The evolution since which the search has turned once, without asking anything new.
-fn turned<'a>(
-    valuation: &Valuation<'_>,
-    evolution: usize,
-    cleared: usize,
-    anchor: &'a mut Option<Anchor>,
-) -> Option<&'a Anchor> {
-    let mut just_entered = valuation.just_entered.clone();
-    sort_unstable(&mut just_entered);
-    let same = anchor.as_ref().is_some_and(|known| {
-        known.now == valuation.now
-            && known.previous == valuation.previous
-            && known.just_entered == just_entered
-            && known.asked == valuation.tape.asked()
-    });
-    if same {
-        return anchor.as_ref();
-    }
-    if evolution.is_power_of_two() {
-        let (now, previous) = (valuation.now.clone(), valuation.previous.clone());
-        *anchor = Some(Anchor { evolution, cleared, asked: valuation.tape.asked(), now, previous, just_entered });
-    }
-    None
 }
 
 /// The stored actions of an evolution to `after`: all see the values from before it (A5).

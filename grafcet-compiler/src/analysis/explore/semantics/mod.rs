@@ -3,11 +3,14 @@
 pub(crate) mod grafcet;
 pub(crate) mod hierarchy;
 pub(crate) mod sfc;
+pub(crate) mod turn;
 
+use std::rc::Rc;
+
+use self::turn::Turn;
 use crate::analysis::explore::net::Net;
 use crate::analysis::explore::search::reduction::arbitrate;
 use crate::analysis::explore::valuation::{Snapshot, State, Valuation, When};
-use crate::list::List;
 use crate::model::{StepId, TransitionId};
 use crate::sorted::sort_unstable;
 
@@ -18,7 +21,9 @@ pub(crate) struct Done {
     pub(crate) cleared: Vec<TransitionId>,
     /// How many of them cleared in the first evolution.
     pub(crate) at_first: usize,
-    /// Transitions whose condition held while they were enabled.
+    /// `grafcet`: there was an evolution that changed something.
+    pub(crate) evolves: bool,
+    /// Transitions whose condition held while they were enabled. These and the next two are not noted where turns are looked for.
     pub(crate) able: Vec<TransitionId>,
     /// Transitions enabled in some evolution; in the first they can be seen from the situation.
     pub(crate) enabled_later: Vec<TransitionId>,
@@ -28,8 +33,8 @@ pub(crate) struct Done {
     pub(crate) doubled: Vec<(StepId, TransitionId)>,
     /// The search for stability was stopped by its bound.
     pub(crate) unstable: bool,
-    /// Where it was followed until it turns: the transitions of one turn, which are none of `cleared`.
-    pub(crate) turn: Option<Vec<TransitionId>>,
+    /// Where it was followed until it turns.
+    pub(crate) turn: Option<Rc<Turn>>,
     /// It came to rest where the bound would have stopped it before.
     pub(crate) too_long: bool,
 }
@@ -95,7 +100,13 @@ pub(crate) fn end(valuation: &Valuation<'_>, when: When) -> State {
 
 /// `(active − left) ∪ targets`, ascending.
 pub(crate) fn evolve(active: &[StepId], left: &[StepId], targets: &[StepId]) -> Vec<StepId> {
-    let mut after: Vec<StepId> = active.iter().filter(|step| !left.contains(step)).and(targets).copied().list();
+    let mut after = Vec::with_capacity(active.len() + targets.len());
+    for step in active {
+        if !left.contains(step) {
+            after.push(*step);
+        }
+    }
+    after.extend_from_slice(targets);
     sort_unstable(&mut after);
     after.dedup();
     after

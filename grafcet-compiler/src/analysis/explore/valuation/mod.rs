@@ -17,6 +17,7 @@ use crate::analysis::explore::net::formula::{AtomId, Kind};
 use crate::analysis::explore::net::links::Tries;
 use crate::analysis::explore::net::slots::Bit;
 use crate::analysis::explore::search::reduction::{Groups, Waits};
+use crate::analysis::explore::semantics::turn::Turn;
 use crate::sorted::sort_unstable;
 
 /// A situation at the end of a cycle, with what the next one remembers of it.
@@ -35,7 +36,7 @@ pub(crate) struct State {
 }
 
 /// Situation and followed values at one moment.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Default, Debug)]
 pub(crate) struct Snapshot {
     /// Ascending.
     pub(crate) active: Vec<StepId>,
@@ -76,6 +77,8 @@ pub(crate) struct Valuation<'n> {
     pub(crate) own: Vec<(usize, Bit)>,
     /// Searches for stability are not stopped by the bound, but where they are seen to turn for ever.
     pub(crate) to_the_turn: bool,
+    /// The last turns that were seen so.
+    pub(crate) turns: Vec<Rc<Turn>>,
     /// Transitions that need not be tried in all combinations are not.
     pub(crate) lazy: bool,
     /// How those that are enabled at the start are tried.
@@ -128,6 +131,7 @@ impl<'n> Valuation<'n> {
             just_entered: Vec::new(),
             own: Vec::new(),
             to_the_turn: false,
+            turns: Vec::new(),
             lazy: false,
             groups: None,
             still: Vec::new(),
@@ -292,6 +296,10 @@ impl<'n> Valuation<'n> {
     /// Actions that are not followed may have changed what is known of variables.
     pub(crate) fn forget_volatile(&mut self) {
         self.acted = true;
+        let net = self.net;
+        if !self.given.learnt().iter().any(|atom| net.atoms[*atom].volatile) {
+            return;
+        }
         self.impossible |= !self.goes_together();
         for atom in self.given.learnt().to_vec() {
             if self.net.atoms[atom].volatile {

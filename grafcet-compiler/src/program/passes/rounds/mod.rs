@@ -27,14 +27,14 @@ mod turn;
 
 use super::super::build::{differ, no, not};
 use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::dead::Live;
+use super::dead::read_after;
 use super::engine::Fact;
 use super::flat::flat;
 use super::fold::initial;
+use super::live::{Live, Places};
 use super::search::opened;
-use super::several::{Env, Several, read_behind};
+use super::several::{Env, Several};
 use super::uses::{Effects, same};
-use crate::sorted::Set;
 
 use turn::Turn;
 
@@ -126,7 +126,7 @@ impl<'m> Cycle<'m> {
     }
 
     fn cycle(&self, program: &Program<'m>) -> Option<Vec<Statement<'m>>> {
-        let last = Several::over(program, read_behind(program))?;
+        let last = Several::over(program, read_after(program))?;
         let mut env = Env::of(&program.places);
         let mut touched = Effects::of_all(&self.before);
         touched.add_all(&self.turn);
@@ -143,11 +143,11 @@ impl<'m> Cycle<'m> {
         let mut full: Vec<bool> = begin.iter().map(Option::is_some).collect();
         let (mut body, behind) = loop {
             let mut env = env.clone();
-            let mut last = Several::over(program, last.base.clone())?;
+            let mut last = Several::over(program, last.read_after.clone())?;
             last.full.clone_from(&full);
             last.any_situation(&mut env);
             let behind = last.spec(&self.behind, &env);
-            let mut several = Several::over(program, self.read_after_turn(&last.base, &behind))?;
+            let mut several = Several::over(program, self.read_after_turn(&last.read_after, &behind))?;
             several.full.clone_from(&full);
             let ties = Turn::of(&several, &self.turn, &self.goes).ties(&env, &begin);
             several.ties = ties;
@@ -170,20 +170,16 @@ impl<'m> Cycle<'m> {
         Some(cycle)
     }
 
-    /// By place: whether it is read after the turn.
-    fn read_after_turn(&self, base: &[bool], behind: &[Statement<'m>]) -> Vec<bool> {
-        let mut live = Live { base, flips: Set::new(), left: Set::new() };
+    /// What is read after the turn.
+    fn read_after_turn(&self, after: &Places, behind: &[Statement<'m>]) -> Places {
+        let mut live = Live::after(after);
         live.sweep(&mut behind.to_vec());
-        let left = live.flips.clone();
+        let left = live.now.clone();
         let mut body = [&self.turn[..], &self.end].concat();
         live.rounds(&mut body);
         live.left = left;
         live.sweep(&mut self.end.clone());
-        let mut read = base.to_vec();
-        for place in &*live.flips {
-            read[place.0] = !read[place.0];
-        }
-        read
+        live.now
     }
 }
 

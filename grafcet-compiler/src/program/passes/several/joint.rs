@@ -119,7 +119,7 @@ impl<'m> Several<'_, 'm> {
             engine.note(place, Fact::Is(Value::Bool(holds)));
             let env = Env { facts: engine.env.clone(), lists: engine.lists.clone(), later: env.later.clone() };
             let mut way = self.spec(&rest, &env);
-            if env.later.contains(&place) || self.base[place.0] {
+            if env.later.contains(&place) || self.read_after.contains(place) {
                 way.insert(0, Statement::Set(place, Expr::Value(Value::Bool(holds))));
             }
             ways.push(way);

@@ -27,11 +27,12 @@ pub(super) use single::weight;
 use std::cell::Cell;
 
 use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::dead::{Live, is_seen, needed};
+use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
 use super::flat::flat;
 use super::fold::initial;
 use super::hoist;
+use super::live::{Live, Places};
 use super::parts::{Part, parts, spread};
 use super::share;
 use super::sparse::{Index, States};
@@ -82,7 +83,7 @@ pub(super) struct Several<'p, 'm> {
     points: Vec<States>,
     first: PlaceId,
     /// By place: whether it is read after the statements that are looked at.
-    pub(super) base: Vec<bool>,
+    pub(super) read_after: Places,
     /// By region: it is never without a step.
     pub(super) full: Vec<bool>,
     /// What a state tells of another region.
@@ -107,13 +108,13 @@ impl<'p, 'm> Several<'p, 'm> {
             }
             found
         });
-        let mut base = read_behind(program);
-        base[first.0] = false;
-        (!asked).then(|| Self::over(program, base)).flatten()
+        let mut after = read_after(program);
+        after.put(first, false);
+        (!asked).then(|| Self::over(program, after)).flatten()
     }
 
     /// For statements behind which these places are read.
-    pub(super) fn over(program: &'p Program<'m>, base: Vec<bool>) -> Option<Self> {
+    pub(super) fn over(program: &'p Program<'m>, read_after: Places) -> Option<Self> {
         let (mut states, mut points) = (Vec::new(), Vec::new());
         if program.regions.len() < 2 || program.beside.is_empty() {
             return None;
@@ -132,7 +133,7 @@ impl<'p, 'm> Several<'p, 'm> {
             states,
             points,
             first,
-            base,
+            read_after,
             full,
             ties: Vec::new(),
             conditions: Cell::new(CONDITIONS),
@@ -249,19 +250,21 @@ impl<'p, 'm> Several<'p, 'm> {
         let mut engine = Engine::new(self.places, (list, index), state, points, &[], &assumed, false);
         engine.env.clone_from(&env.facts);
         engine.lists.clone_from(&env.lists);
-        engine.copies = copies(&env.facts);
+        for (place, fact) in env.facts.iter().enumerate() {
+            if let Fact::Copy(of) = fact {
+                engine.copies.add(PlaceId(place), *of);
+            }
+        }
         engine
     }
 
     /// What nobody looks at is left away.
     pub(super) fn swept(&self, mut body: Vec<Statement<'m>>, env: &Env) -> Vec<Statement<'m>> {
-        let mut flips = Set::new();
+        let mut later = self.read_after.clone();
         for place in &*env.later {
-            if !self.base[place.0] {
-                flips.insert(*place);
-            }
+            later.put(*place, true);
         }
-        Live { base: &self.base, flips, left: Set::new() }.sweep(&mut body);
+        Live::with(&self.read_after, later).sweep(&mut body);
         body
     }
 
@@ -343,26 +346,6 @@ fn join_wide(parts: &mut Vec<Part<'_>>, places: &[PlaceInfo<'_>]) {
         }
         at += 1;
     }
-}
-
-/// By place: whether it is read after the end of the cycle.
-pub(super) fn read_behind(program: &Program<'_>) -> Vec<bool> {
-    let mut base = needed(program);
-    for (needed, place) in base.iter_mut().zip(&program.places) {
-        *needed &= place.is_field || is_seen(place);
-    }
-    base
-}
-
-/// What is a copy of what.
-fn copies(facts: &[Fact]) -> Vec<(PlaceId, PlaceId)> {
-    let mut copies = Vec::new();
-    for (place, fact) in facts.iter().enumerate() {
-        if let Fact::Copy(of) = fact {
-            copies.push((PlaceId(place), *of));
-        }
-    }
-    copies
 }
 
 fn asks_first(program: &Program<'_>, cycle: &[Statement<'_>]) -> bool {
