@@ -19,7 +19,7 @@ use super::engine::{End, Fact, Tree};
 use super::fold::initial;
 use super::sparse::States;
 use super::split::each_leaf;
-use super::uses::{Effects, each_read, mentions, unset};
+use super::uses::{Effects, blocks, each_read, mentions, unset};
 use crate::sorted::{Map, Set};
 
 /// The trees know at the end of each way what the fields hold.
@@ -154,7 +154,7 @@ impl<'m> Around<'_, 'm> {
         for (index, info) in program.places.iter().enumerate() {
             let field = PlaceId(index);
             if let (true, Some(Value::Bool(begins))) = (is_candidate(program, field), initial(info)) {
-                let begins = (!other.0.contains(&field)).then(|| self.begins(program, field, begins)).flatten();
+                let begins = (!other.0.contains(&field)).then(|| self.begins(program, field, begins, &other)).flatten();
                 candidates.extend(begins.map(|begins| (field, begins)));
             }
         }
@@ -177,14 +177,23 @@ impl<'m> Around<'_, 'm> {
     }
 
     /// What the output holds when the first search begins.
-    fn begins(&self, program: &Program<'m>, field: PlaceId, mut value: bool) -> Option<bool> {
+    fn begins(&self, program: &Program<'m>, field: PlaceId, mut value: bool, other: &Other) -> Option<bool> {
         let first = program.place(Role::First);
         for statement in &*self.before {
             match statement {
                 Statement::If(Expr::Place(place), then, otherwise) if Some(*place) == first && otherwise.is_empty() => {
-                    value = entered(then, field, value)?;
+                    let (after, copies) = entered(then, field, value)?;
+                    value = after;
+                    let is_free = |copy: &PlaceId| {
+                        let info = &program.places[copy.0];
+                        let is_local = !info.is_field && info.role == Role::Local;
+                        is_local && !other.0.contains(copy) && !is_read(self.before, *copy, field)
+                    };
+                    if !copies.iter().all(is_free) {
+                        return None;
+                    }
                 }
-                other if touches(other, field) => return None,
+                one if touches(one, field) => return None,
                 _ => {}
             }
         }
@@ -283,8 +292,8 @@ fn touches(statement: &Statement<'_>, field: PlaceId) -> bool {
     effects.reads.contains(&field) || effects.writes.contains(&field)
 }
 
-/// What it holds after the activation of the initial situation, which works on copies.
-fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<bool> {
+/// What it holds after the activation of the initial situation, which works on copies; and the copies that are of no use without it.
+fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<(bool, Vec<PlaceId>)> {
     // What each copy holds; none where that is still the output's value.
     let mut copies: Map<PlaceId, Option<bool>> = Map::new();
     for statement in body {
@@ -299,7 +308,25 @@ fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<bo
             _ => {}
         }
     }
-    copies.values().all(Option::is_some).then_some(value)
+    let mut left_alone = Vec::new();
+    for (copy, value) in copies.iter() {
+        if value.is_none() {
+            left_alone.push(*copy);
+        }
+    }
+    Some((value, left_alone))
+}
+
+/// Whether a place is read but to give it back to the output.
+fn is_read(body: &[Statement<'_>], place: PlaceId, field: PlaceId) -> bool {
+    body.iter().any(|statement| match statement {
+        Statement::Set(to, Expr::Place(_)) if *to == field => false,
+        Statement::If(condition, ..) if mentions(condition, place) => true,
+        Statement::If(..) | Statement::Part(..) => {
+            blocks(statement).into_iter().any(|body| is_read(body, place, field))
+        }
+        other => Effects::of(other).reads.contains(&place),
+    })
 }
 
 fn strip(tree: &mut Tree<'_>, field: PlaceId) {

@@ -144,6 +144,12 @@ fn searches_of_one_region_end_where_they_have_to() {
     // `p` is set on one way to C and not on the other, `q` wherever B has been.
     let held = "grafcet Held { input a, b: bool; output p, q, r: bool; initial step A; step B { S q; R r; } step C; step D { R p; R q; } \
                 step E { S p; S r; } A -[a]-> B; A -[!a && b]-> E; B -[!a]-> C; E -[a]-> B; C -[2ms/C || b]-> D; D -[!b]-> A; }";
+    // The activation stores `ready` on copies of all outputs.
+    let entered = "grafcet Entered { input a, b: bool; output p, q, ready: bool; initial step A { S ready; } step B { S p; R ready; } \
+                   step C { R p; S q; } step D { R q; } A -[a]-> B -[b]-> C -[!a]-> D -[!b]-> A; }";
+    // It asks for `p` there, which is as it begins.
+    let asks = "grafcet Asks { input a, b: bool; output p, ready: bool; initial step A { S ready if !p; } step B { S p; R ready; } step C { R p; } \
+                A -[a]-> B -[b]-> C -[!a]-> A; }";
     let (circle, stays) = (circle(""), circle("on rising(d) n = (n + 1) % 50; on rising(p) n = 9; "));
     for (chart, has) in [
         (circle.as_str(), "now.state = table(now.state)"),
@@ -156,6 +162,8 @@ fn searches_of_one_region_end_where_they_have_to() {
         (ways, "loop"),
         (signal, "if goes:"),
         (held, "since"),
+        (entered, "loop"),
+        (asks, "loop"),
     ] {
         let model = read(chart);
         let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
@@ -176,7 +184,8 @@ fn searches_of_one_region_end_where_they_have_to() {
         outputs.map(|place| place.name).collect::<Vec<_>>()
     };
     assert_eq!(stored(held), ["p"], "how B was entered tells what it holds, and so in C");
-    assert!(stored(signal).is_empty());
+    assert!(stored(signal).is_empty() && stored(entered).is_empty());
+    assert_eq!(stored(asks), ["p", "ready"]);
 }
 
 /// A stop that forces two modes, one of which encloses two branches; a part beside them that looks at the branches.
