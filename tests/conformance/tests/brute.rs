@@ -82,6 +82,16 @@ fn a_circle_in_a_chart_that_is_not_explored_to_its_end() {
     agree_on("grafcet C", chart);
 }
 
+/// While `a` is held all three of `S8 -> S9 -> S10` turn, and what encloses them is left and entered again in each evolution: many
+/// different turns, more than the budget for situations is enough for.
+#[test]
+fn circles_in_an_enclosure_that_turns_itself() {
+    let chart = "input a, b, c, d, e: bool; initial step S1; initial step S7; step S4; final step S5; step S6; \
+                 enclosing step S2 { partial G1 { linked step S8; step S9; step S10; S8 -[a]-> S9 -[a]-> S10 -[a]-> S8; } } \
+                 S6 -[d]-> S2; S2 -[a]-> S7; S1 -[c]-> (S4, S6); S7 -[a]-> (S7, S2); S7 -[b]-> S6; S6 -[rising(e)]-> S5;";
+    agree_on("grafcet C", chart);
+}
+
 /// The verdicts of brute force on charts that were thought through by hand.
 mod by_hand {
     use std::collections::BTreeSet;

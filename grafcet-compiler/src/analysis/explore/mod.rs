@@ -197,7 +197,7 @@ impl Exploration {
     #[must_use]
     pub fn endless(&self, model: &Model) -> Option<Vec<Vec<TransitionId>>> {
         // A chart whose situations take more than the budget is large, and each of its turns is long.
-        let limit = if self.whole.complete { self.limit } else { self.limit / 64 };
+        let limit = if self.whole.complete { self.limit } else { self.limit / 8 };
         if self.turns { search::endless::circles(model, &self.net, limit) } else { None }
     }
 

@@ -147,6 +147,9 @@ fn searches_of_one_region_end_where_they_have_to() {
     // The activation stores `ready` on copies of all outputs.
     let entered = "grafcet Entered { input a, b: bool; output p, q, ready: bool; initial step A { S ready; } step B { S p; R ready; } \
                    step C { R p; S q; } step D { R q; } A -[a]-> B -[b]-> C -[!a]-> D -[!b]-> A; }";
+    // `p` is on in most steps: so the cycle begins, and A takes it away.
+    let mostly = "grafcet Mostly { input a, b: bool; output p: bool; initial step A { R p; } step B { S p; } step C; step D; \
+                  A -[a]-> B -[b]-> C -[!a]-> D -[!b]-> A; }";
     // It asks for `p` there, which is as it begins.
     let asks = "grafcet Asks { input a, b: bool; output p, ready: bool; initial step A { S ready if !p; } step B { S p; R ready; } step C { R p; } \
                 A -[a]-> B -[b]-> C -[!a]-> A; }";
@@ -164,6 +167,7 @@ fn searches_of_one_region_end_where_they_have_to() {
         (held, "since"),
         (entered, "loop"),
         (asks, "loop"),
+        (mostly, "A: p = false"),
     ] {
         let model = read(chart);
         let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
@@ -184,7 +188,7 @@ fn searches_of_one_region_end_where_they_have_to() {
         outputs.map(|place| place.name).collect::<Vec<_>>()
     };
     assert_eq!(stored(held), ["p"], "how B was entered tells what it holds, and so in C");
-    assert!(stored(signal).is_empty() && stored(entered).is_empty());
+    assert!(stored(signal).is_empty() && stored(entered).is_empty() && stored(mostly).is_empty());
     assert_eq!(stored(asks), ["p", "ready"]);
 }
 
@@ -315,26 +319,38 @@ fn what_cannot_be_left_stays() {
     each_left_out(&model, &text, 6);
 }
 
-/// A chart of a thousand steps: each state is looked at with what concerns it, and not with all fourteen thousand statements, which
-/// takes more than ten times as long.
+/// Each state is looked at with what concerns it, and not with all statements: four times the steps take about four times as long,
+/// and not sixteen times.
 #[test]
-fn a_long_chart_takes_no_time() {
-    let mut text = "sfc Long { input a: bool; output p, q, r: bool; ".to_owned();
-    for step in 0..1000 {
-        let initial = if step == 0 { "initial " } else { "" };
-        let action = ["N p", "S q", "R q", "L 5ms r"][step % 4];
-        let condition = if step % 2 == 0 { "a".to_owned() } else { format!("5ms/S{step}") };
-        _ = write!(text, "{initial}step S{step} {{ {action}; }} S{step} -[{condition}]-> S{}; ", (step + 1) % 1000);
-    }
-    let model = read(&format!("{text}}}"));
-    let mut program = naive(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
-    let start = Instant::now();
-    optimise(&mut program, &Pass::ALL);
-    let seconds = start.elapsed().as_secs_f64();
-    let is_match = |statement: &&Statement<'_>| matches!(statement, Statement::Match(..));
-    assert_eq!(program.cycle.iter().filter(is_match).count(), 2, "it is no match");
-    println!("1,000 steps: {seconds:.3} s");
-    assert!(seconds < 3.0, "1,000 steps take {seconds:.3} s");
+fn a_long_chart_takes_time_by_its_length() {
+    let seconds = |steps: usize| {
+        let mut text = "sfc Long { input a: bool; output p, q, r: bool; ".to_owned();
+        for step in 0..steps {
+            let initial = if step == 0 { "initial " } else { "" };
+            let action = ["N p", "S q", "R q", "L 5ms r"][step % 4];
+            let condition = if step % 2 == 0 { "a".to_owned() } else { format!("5ms/S{step}") };
+            _ = write!(
+                text,
+                "{initial}step S{step} {{ {action}; }} S{step} -[{condition}]-> S{}; ",
+                (step + 1) % steps
+            );
+        }
+        let model = read(&format!("{text}}}"));
+        let facts = Facts::of(&model);
+        let mut best = f64::INFINITY;
+        for _ in 0..5 {
+            let mut program = naive(&model, &facts, Encoding::Regions).expect("a program");
+            let start = Instant::now();
+            optimise(&mut program, &Pass::ALL);
+            best = best.min(start.elapsed().as_secs_f64());
+            let is_match = |statement: &&Statement<'_>| matches!(statement, Statement::Match(..));
+            assert_eq!(program.cycle.iter().filter(is_match).count(), 2, "it is no match");
+        }
+        best
+    };
+    let (quarter, whole) = (seconds(250), seconds(1000));
+    println!("250 steps: {quarter:.3} s, 1,000 steps: {whole:.3} s");
+    assert!(whole < 12.0 * quarter, "250 steps take {quarter:.3} s, 1,000 steps {whole:.3} s");
 }
 
 /// All passes, and all but one, do at a timeline what the interpreter does; asleep at its first lines.
