@@ -156,6 +156,7 @@ pub(crate) struct Diff {
 #[derive(Subcommand, Debug)]
 pub(crate) enum Export {
     St(StructuredText),
+    Sfc(Sfc),
     Pnml(Pnml),
 }
 
@@ -169,6 +170,25 @@ Examples:
 
 Exit code 1 says that a chart has errors or is no net.")]
 pub(crate) struct Pnml {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) target: Target,
+}
+
+/// SFC of IEC 61131-3 in its textual form: a program with steps, transitions and actions
+///
+/// For `sfc` charts, whose meaning is that of the standard: one evolution a scan, then the actions. What has no translation is an error at its place, and nothing is written.
+/// Rust functions and code actions become declared functions and function blocks that you have to write; they are listed.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export sfc --chart Motor
+  cargo grafcet export sfc --chart Motor -o motor.st
+  cargo grafcet export sfc --out sfc            all charts of the crate as sfc/NAME.st
+
+Exit code 1 says that a chart has errors or no translation.")]
+pub(crate) struct Sfc {
     #[command(flatten)]
     pub(crate) charts: Charts,
     #[command(flatten)]

@@ -1,9 +1,11 @@
 //! `cargo grafcet export`
 
+use grafcet_compiler::model::Model;
+use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Form, Options, structured_text};
 use grafcet_exchange::{Refused, pnml};
 
-use crate::args::{Export, Pnml, StForm, StructuredText};
+use crate::args::{Charts, Export, Pnml, StForm, StructuredText, Target};
 use crate::find::{self, Found};
 use crate::model::accepted;
 use crate::report::human;
@@ -12,6 +14,7 @@ use crate::{Failure, Outcome, complain, output};
 pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
     match options {
         Export::St(options) => st(options),
+        Export::Sfc(options) => sfc(&options.charts, &options.target, "st", textual),
         Export::Pnml(options) => pnml(options),
     }
 }
@@ -32,13 +35,37 @@ fn st(options: &StructuredText) -> Result<Outcome, Failure> {
         match structured_text(&model, &wanted) {
             Err(refused) => Ok(no(chart, &refused)),
             Ok(done) => {
-                for (name, rust) in &done.to_write {
-                    complain(&format!("note: to be written by you: {name}, in Rust `{rust}`"));
-                }
+                to_write(&done.to_write);
                 Ok(Some(done.text))
             }
         }
     })
+}
+
+fn sfc(
+    charts: &Charts,
+    target: &Target,
+    ending: &str,
+    export: fn(&Model) -> Result<Exported, Vec<Refused>>,
+) -> Result<Outcome, Failure> {
+    let charts = find::charts(charts)?;
+    output::each(&charts, target, ending, |chart| {
+        let Some(model) = accepted(chart) else { return Ok(None) };
+        let done = export(&model);
+        Ok(done.map_or_else(
+            |refused| no(chart, &refused),
+            |done| {
+                to_write(&done.to_write);
+                Some(done.text)
+            },
+        ))
+    })
+}
+
+fn to_write(stubs: &[(String, String)]) {
+    for (name, rust) in stubs {
+        complain(&format!("note: to be written by you: {name}, in Rust `{rust}`"));
+    }
 }
 
 fn pnml(options: &Pnml) -> Result<Outcome, Failure> {

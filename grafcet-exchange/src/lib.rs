@@ -2,6 +2,7 @@
 
 pub mod pnml;
 mod refused;
+pub mod sfc;
 pub mod st;
 
 pub use refused::Refused;

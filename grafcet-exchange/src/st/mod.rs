@@ -7,17 +7,17 @@
 //! - `case`, `flags`: the two forms
 //! - `header`: what the program says of itself
 
-mod action;
+pub(crate) mod action;
 mod case;
-mod expr;
-mod fits;
+pub(crate) mod expr;
+pub(crate) mod fits;
 mod flags;
-mod frame;
+pub(crate) mod frame;
 mod header;
-mod names;
-mod syntax;
-mod text;
-mod time;
+pub(crate) mod names;
+pub(crate) mod syntax;
+pub(crate) mod text;
+pub(crate) mod time;
 
 use grafcet_compiler::model::Model;
 

@@ -17,20 +17,20 @@ const TAKEN: &str = "
 
 /// Gives names, each once.
 #[derive(Default)]
-pub(super) struct Names {
+pub(crate) struct Names {
     /// In small letters.
     given: BTreeSet<String>,
     /// What has another name than in the chart.
-    pub(super) renamed: BTreeMap<String, String>,
+    pub(crate) renamed: BTreeMap<String, String>,
 }
 
 impl Names {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { given: TAKEN.split_whitespace().map(str::to_owned).collect(), renamed: BTreeMap::new() }
     }
 
     /// A name of the chart, as it is if it can be.
-    pub(super) fn of_chart(&mut self, wanted: &str) -> String {
+    pub(crate) fn of_chart(&mut self, wanted: &str) -> String {
         let name = self.own(wanted);
         if name != wanted {
             self.renamed.insert(wanted.to_owned(), name.clone());
@@ -38,8 +38,18 @@ impl Names {
         name
     }
 
+    /// A step of the chart, which stands in the name space of variables: where one of these has its name, it gets `Step` behind it.
+    pub(crate) fn of_step(&mut self, wanted: &str) -> String {
+        if !self.given.contains(&plain(wanted).to_lowercase()) {
+            return self.of_chart(wanted);
+        }
+        let name = self.own(&format!("{wanted}Step"));
+        self.renamed.insert(wanted.to_owned(), name.clone());
+        name
+    }
+
     /// A name that the translation needs.
-    pub(super) fn own(&mut self, wanted: &str) -> String {
+    pub(crate) fn own(&mut self, wanted: &str) -> String {
         let plain = plain(wanted);
         let mut name = plain.clone();
         let mut number = 2;
