@@ -157,6 +157,7 @@ pub(crate) struct Diff {
 pub(crate) enum Export {
     St(StructuredText),
     Sfc(Sfc),
+    Plcopen(Plcopen),
     Pnml(Pnml),
 }
 
@@ -189,6 +190,23 @@ Examples:
 
 Exit code 1 says that a chart has errors or no translation.")]
 pub(crate) struct Sfc {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) target: Target,
+}
+
+/// PLCopen XML (TC6 2.01): the chart as a drawing of SFC, for CODESYS, Beremiz and others
+///
+/// For `sfc` charts, as `export sfc`. Steps and transitions stand where `draw` puts them; what leads back is a jump.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export plcopen --chart Motor -o motor.xml
+  cargo grafcet export plcopen --out plcopen    all charts of the crate as plcopen/NAME.xml
+
+Exit code 1 says that a chart has errors or no translation.")]
+pub(crate) struct Plcopen {
     #[command(flatten)]
     pub(crate) charts: Charts,
     #[command(flatten)]

@@ -1,6 +1,7 @@
 //! `cargo grafcet export`
 
 use grafcet_compiler::model::Model;
+use grafcet_exchange::plcopen::plcopen;
 use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Form, Options, structured_text};
 use grafcet_exchange::{Refused, pnml};
@@ -15,6 +16,7 @@ pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
     match options {
         Export::St(options) => st(options),
         Export::Sfc(options) => sfc(&options.charts, &options.target, "st", textual),
+        Export::Plcopen(options) => sfc(&options.charts, &options.target, "xml", plcopen),
         Export::Pnml(options) => pnml(options),
     }
 }

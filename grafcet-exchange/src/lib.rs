@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod plcopen;
 pub mod pnml;
 mod refused;
 pub mod sfc;
