@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod import;
 pub mod plcopen;
 pub mod pnml;
 mod refused;

@@ -203,7 +203,7 @@ fn nothing_stands_upon_another() {
 fn a_large_chart() {
     let mut chart = String::from("sfc Large { input a: bool; initial step S0;");
     for number in 1..200 {
-        chart.push_str(&format!("step S{number}; S{} -[a]-> S{number};", number - 1));
+        chart.extend([format!("step S{number}; S{} -[a]-> S{number};", number - 1)]);
     }
     chart.push_str("S199 -[!a]-> S0; }");
     let done = plcopen(&model(&chart)).expect("a translation");

@@ -208,7 +208,7 @@ fn calls() {
 }
 
 /// What the language cannot say.
-const REFUSED: [(&str, &str); 11] = [
+const REFUSED: [(&str, &str); 12] = [
     ("grafcet C { input a: bool; initial step S1; step S2; S1 -[a]-> S2 -[!a]-> S1; }", "makes one evolution a scan"),
     (
         "sfc C { input a: bool; initial step S1; step S2; step S3; S1 -[a]-> (S2, S3); (S2, S3) -[!a]-> S1; S2 -[a && S3.X]-> S2; }",
@@ -238,6 +238,7 @@ const REFUSED: [(&str, &str); 11] = [
         "sfc C { input a: bool; output q: bool; initial step S1 { L 2s q; } step S2; step S3 { L 3s q; } S1 -[a]-> S2 -[!a]-> S3 -[a]-> S1; }",
         "`L` of `q` has two times",
     ),
+    ("sfc C { input a: bool; initial step S1; step S2; S1 -[2s/a/1s]-> S2 -[!a]-> S1; }", "a delay has no translation"),
     (
         "sfc C { input a: bool; output q: bool; initial step S1; step S2 { q if rising(a); } S1 -[a]-> S2 -[!a]-> S1; }",
         "an edge in an action",

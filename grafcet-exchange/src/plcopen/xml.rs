@@ -15,8 +15,8 @@ impl Element {
     }
 
     /// One attribute more.
-    pub(super) fn with(mut self, name: &str, value: impl ToString) -> Self {
-        self.attributes.push((name.to_owned(), value.to_string()));
+    pub(super) fn with(mut self, name: &str, value: impl std::fmt::Display) -> Self {
+        self.attributes.push((name.to_owned(), format!("{value}")));
         self
     }
 
@@ -47,17 +47,17 @@ impl Element {
         text.push('<');
         text.push_str(&self.name);
         for (name, value) in &self.attributes {
-            text.push_str(&format!(" {name}=\"{}\"", escaped(value)));
+            text.extend([" ", name, "=\"", &escaped(value), "\""]);
         }
         match &self.words {
-            Some(words) => text.push_str(&format!(">{}</{}>\n", escaped(words), self.name)),
+            Some(words) => text.extend([">", &escaped(words), "</", &self.name, ">\n"]),
             None if self.children.is_empty() => text.push_str("/>\n"),
             None => {
                 text.push_str(">\n");
                 for child in &self.children {
                     child.write(text, depth + 1);
                 }
-                text.push_str(&format!("{indent}</{}>\n", self.name));
+                text.extend([&*indent, "</", &self.name, ">\n"]);
             }
         }
     }

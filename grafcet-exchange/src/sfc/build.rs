@@ -26,7 +26,10 @@ pub(crate) fn build(model: &Model) -> Result<Chart, Vec<Refused>> {
     let mut scope = Scope::new(model, Names::new());
     let names = model.steps.values().map(|step| scope.names.of_step(&plain(&step.name))).collect();
     scope.steps = Some(Steps { names, active: Vec::new() });
-    let name = scope.names.of_chart(&plain(&model.name));
+    let chart = plain(&model.name);
+    // A step may have the chart's name.
+    let name = scope.names.own(&chart);
+    let renamed = (name != chart).then(|| (chart, name.clone()));
     let transitions = transitions(model, &mut scope)?;
     let mut actions = Actions::new(model, &mut scope);
     actions.make()?;
@@ -40,7 +43,7 @@ pub(crate) fn build(model: &Model) -> Result<Chart, Vec<Refused>> {
     all.extend(remembered(&mut scope, &mut program.variables, &mut blocks).map_err(|error| vec![error])?);
     describe(model, &mut program);
     Ok(Chart {
-        header: header(model, &scope),
+        header: header(model, &scope, renamed.as_ref()),
         name: program.name,
         steps: steps(model, &scope, blocks),
         transitions,
@@ -49,7 +52,7 @@ pub(crate) fn build(model: &Model) -> Result<Chart, Vec<Refused>> {
         outputs: program.outputs,
         variables: program.variables,
         functions: scope.stubs,
-        renamed: scope.names.renamed.into_iter().collect(),
+        renamed: renamed.into_iter().chain(scope.names.renamed).collect(),
     })
 }
 
@@ -150,7 +153,7 @@ fn doc(attrs: &[Attribute]) -> String {
     lines.collect::<Vec<_>>().join(" ").split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-fn header(model: &Model, scope: &Scope<'_>) -> Vec<String> {
+fn header(model: &Model, scope: &Scope<'_>, chart: Option<&(String, String)>) -> Vec<String> {
     let mut lines = vec![
         format!("The chart `{}` (sfc) as SFC of IEC 61131-3. Written by cargo grafcet.", plain(&model.name)),
         "One scan is one cycle of the chart: the transitions are evaluated on the situation of the scan before, in the order of their priorities, then the actions run.".to_owned(),
@@ -161,6 +164,7 @@ fn header(model: &Model, scope: &Scope<'_>) -> Vec<String> {
     if !about.is_empty() {
         lines.insert(0, about);
     }
+    lines.extend(chart.map(|(chart, name)| format!("Renamed: the chart `{chart}` is {name}.")));
     for (chart, name) in &scope.names.renamed {
         lines.push(format!("Renamed: `{chart}` of the chart is {name}."));
     }

@@ -271,6 +271,9 @@ impl<'m> Scope<'m> {
         if !reads_inputs_alone(&self.model.delays[id].of.tree) {
             return Err(refuse(at, "the delay of what the chart itself changes", "only delays of inputs are"));
         }
+        if self.steps.is_some() {
+            return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
+        }
         if !self.delays.contains_key(&id) {
             let name = self.names.own(&format!("delay_{}", id.index() + 1));
             self.delays.insert(id, name);

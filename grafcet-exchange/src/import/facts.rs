@@ -1,0 +1,176 @@
+//! What the actions and variables of a program are: who writes what, and what only remembers how something was in the scan before.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::expr::{Instance, Kind};
+use super::lexer::{Token, lex};
+use super::parser::{Expr, Statement, statements};
+use super::source::{Piece, Pou, Section, Variable, What, same};
+
+/// The bodies of a program, read.
+pub(super) struct Facts {
+    /// By action; none where it is no structured text that is translated, with the reason.
+    pub(super) bodies: BTreeMap<String, Result<Vec<Statement>, String>>,
+    /// Variables that hold what an expression was in the scan before.
+    pub(super) memory: BTreeMap<String, Expr>,
+    pub(super) instances: BTreeMap<String, Instance>,
+    /// In small letters.
+    pub(super) written: BTreeSet<String>,
+}
+
+/// The key of a body that stands at the step itself.
+pub(super) fn inline(step: usize, block: usize) -> String {
+    format!("{step} {block}")
+}
+
+impl Facts {
+    pub(super) fn of(pou: &Pou) -> Self {
+        let mut facts = Self {
+            bodies: BTreeMap::new(),
+            memory: BTreeMap::new(),
+            instances: BTreeMap::new(),
+            written: BTreeSet::new(),
+        };
+        for action in &pou.actions {
+            facts.body(action.name.to_lowercase(), &action.body);
+        }
+        for (number, step) in pou.steps.iter().enumerate() {
+            for (index, block) in step.blocks.iter().enumerate() {
+                match &block.what {
+                    What::Inline(text) => facts.body(inline(number, index), text),
+                    What::Named(name) if action(pou, name).is_none() => {
+                        facts.written.insert(name.to_lowercase());
+                    }
+                    What::Named(_) => {}
+                }
+            }
+        }
+        facts.instances(pou);
+        facts.memory(pou);
+        facts
+    }
+
+    fn body(&mut self, key: String, text: &Piece) {
+        let read = match &text.language {
+            Some(language) => Err(format!("it is written in {language}")),
+            None => statements(text).map_err(|wrong| wrong.message),
+        };
+        match &read {
+            Ok(statements) => assigned(statements, &mut self.written),
+            // What stands in front of `:=` is written, or is an argument of that name.
+            Err(_) => {
+                let tokens = lex(&text.text, 0).map(|lexed| lexed.tokens).unwrap_or_default();
+                for pair in tokens.windows(2) {
+                    if let [(Token::Word(name), _), (Token::Sign(":="), _)] = pair {
+                        self.written.insert(name.to_lowercase());
+                    }
+                }
+            }
+        }
+        self.bodies.insert(key, read);
+    }
+
+    /// `R_TRIG`, `F_TRIG` and `TON` that are called once, by themselves, are edges and delays.
+    fn instances(&mut self, pou: &Pou) {
+        for variable in &pou.variables {
+            let kind = variable.ty.to_uppercase();
+            if !["R_TRIG", "F_TRIG", "TON"].contains(&&*kind) {
+                continue;
+            }
+            let is_call = |one: &Statement| matches!(one, Statement::Call(name, _) if same(name, &variable.name));
+            let all: Vec<&Statement> = self.bodies.values().flatten().flatten().filter(|one| is_call(one)).collect();
+            let [Statement::Call(_, arguments)] = all[..] else { continue };
+            let argument = |wanted: &str| {
+                let found = arguments.iter().find(|(name, _)| name.as_deref().is_some_and(|name| same(name, wanted)));
+                found.map(|(_, value)| value.clone())
+            };
+            let instance = match &*kind {
+                "R_TRIG" => argument("clk").map(Instance::Rising),
+                "F_TRIG" => argument("clk").map(Instance::Falling),
+                _ => argument("in").zip(argument("pt")).map(|(of, limit)| Instance::Delayed(of, limit)),
+            };
+            let Some(instance) = instance else { continue };
+            self.instances.insert(variable.name.to_lowercase(), instance);
+            for body in self.bodies.values_mut().flatten() {
+                body.retain(|one| !is_call(one));
+            }
+        }
+    }
+
+    /// An action of every step that copies expressions into variables of its own.
+    fn memory(&mut self, pou: &Pou) {
+        let everywhere = |name: &str| {
+            pou.steps.iter().all(|step| {
+                step.blocks.iter().any(|block| {
+                    matches!(&block.what, What::Named(other) if same(other, name)) && same(&block.qualifier, "N")
+                })
+            })
+        };
+        for action in pou.actions.iter().filter(|action| everywhere(&action.name)) {
+            let Some(Ok(body)) = self.bodies.get(&action.name.to_lowercase()) else { continue };
+            let mut copies = BTreeMap::new();
+            for statement in body {
+                let Statement::Assign(target, value) = statement else { break };
+                if is_local(pou, target) && self.assignments(target) == 1 {
+                    copies.insert(target.to_lowercase(), value.clone());
+                }
+            }
+            if copies.len() == body.len() {
+                self.memory.extend(copies);
+            }
+        }
+    }
+
+    /// How often something is assigned.
+    fn assignments(&self, name: &str) -> usize {
+        let all = self.bodies.values().flatten();
+        all.map(|body| count(body, name)).sum()
+    }
+
+    /// The action does nothing but remember.
+    pub(super) fn only_remembers(&self, body: &[Statement]) -> bool {
+        let remembers = |one: &Statement| matches!(one, Statement::Assign(target, _) if self.memory.contains_key(&target.to_lowercase()));
+        body.iter().all(remembers)
+    }
+}
+
+pub(super) fn action<'p>(pou: &'p Pou, name: &str) -> Option<&'p super::source::Action> {
+    pou.actions.iter().find(|action| same(&action.name, name))
+}
+
+pub(super) fn variable<'p>(pou: &'p Pou, name: &str) -> Option<&'p Variable> {
+    pou.variables.iter().find(|variable| same(&variable.name, name))
+}
+
+fn is_local(pou: &Pou, name: &str) -> bool {
+    variable(pou, name)
+        .is_some_and(|variable| variable.section == Section::Local && Kind::of(&variable.ty) == Some(Kind::Bool))
+}
+
+fn count(body: &[Statement], name: &str) -> usize {
+    let of = |statement: &Statement| match statement {
+        Statement::Assign(target, _) => usize::from(same(target, name)),
+        Statement::Call(..) => 0,
+        Statement::If(branches, otherwise) => {
+            branches.iter().map(|(_, then)| count(then, name)).sum::<usize>() + count(otherwise, name)
+        }
+    };
+    body.iter().map(of).sum()
+}
+
+fn assigned(body: &[Statement], written: &mut BTreeSet<String>) {
+    for statement in body {
+        match statement {
+            Statement::Assign(target, _) => {
+                written.insert(target.to_lowercase());
+            }
+            Statement::Call(..) => {}
+            Statement::If(branches, otherwise) => {
+                for (_, then) in branches {
+                    assigned(then, written);
+                }
+                assigned(otherwise, written);
+            }
+        }
+    }
+}
