@@ -131,7 +131,7 @@ impl<'p, 's> Actions<'p, 's> {
                     value.map(|value| vec![format!("{qualifier} {target} = {value};")])
                 }
                 _ if ["S", "R", "SD", "DS", "SL"].contains(&word) => {
-                    Err(format!("`{word}` of what runs is told by its name"))
+                    Err(format!("what `{word}` stores or ends it is told by name"))
                 }
                 body => self.scope.block(body, 1).map(|lines| {
                     if let [one] = &lines[..] {
@@ -184,7 +184,9 @@ impl<'p, 's> Actions<'p, 's> {
             })
         };
         let follows = self.pou.transitions.iter().find(|transition| {
-            transition.from.iter().any(|step| has(step)) && transition.to.iter().any(|step| has(step))
+            let pairs = transition.from.iter().flat_map(|from| transition.to.iter().map(move |to| (from, to)));
+            // One step that follows itself has one action.
+            pairs.into_iter().any(|(from, to)| !same(from, to) && has(from) && has(to))
         });
         if let Some(transition) = follows {
             let message = format!(

@@ -68,7 +68,16 @@ impl<'d> Chart<'d> {
             match element.tag_name().name() {
                 "transition" => {
                     let transition = self.transition(element)?;
-                    pou.transitions.push(transition);
+                    let loose = match (transition.from.is_empty(), transition.to.is_empty()) {
+                        (true, _) => "no step leads to it",
+                        (_, true) => "it leads to no step",
+                        _ => "",
+                    };
+                    if loose.is_empty() {
+                        pou.transitions.push(transition);
+                    } else {
+                        pou.lost.push((head(element), format!("a transition, as {loose}")));
+                    }
                 }
                 "actionBlock" => self.blocks(element, pou)?,
                 _ => {}
@@ -81,11 +90,6 @@ impl<'d> Chart<'d> {
         let (mut from, mut to) = (Vec::new(), Vec::new());
         self.above(element, &mut BTreeSet::new(), &mut from)?;
         self.below(element, &mut BTreeSet::new(), &mut to)?;
-        if from.is_empty() || to.is_empty() {
-            let end =
-                if from.is_empty() { "no step leads to this transition" } else { "this transition leads to no step" };
-            return Err(Wrong { at: head(element), message: end.to_owned() });
-        }
         Ok(Transition {
             name: None,
             at: head(element),

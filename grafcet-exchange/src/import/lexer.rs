@@ -71,12 +71,13 @@ impl<'t> Lexer<'t> {
                     return Err(self.wrong(start, "this comment has no end `*)`"));
                 };
                 (&inside[..length], start + 2 + length + 2)
-            } else if let Some(inside) = rest.strip_prefix('{') {
-                // A pragma says nothing to people.
-                let Some(length) = inside.find('}') else {
-                    return Err(self.wrong(start, "this pragma has no end `}`"));
+            } else if rest.starts_with('{') {
+                // A pragma says nothing to people; Beremiz has code of C between two braces.
+                let end = if rest.starts_with("{{") { "}}" } else { "}" };
+                let Some(length) = rest.find(end) else {
+                    return Err(self.wrong(start, format!("this pragma has no end `{end}`")));
                 };
-                self.at = start + 1 + length + 1;
+                self.at = start + length + end.len();
                 continue;
             } else {
                 return Ok(!rest.is_empty());

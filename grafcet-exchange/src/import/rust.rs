@@ -51,6 +51,7 @@ pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
     let bodies: Vec<Vec<String>> = (0..pou.steps.len()).map(|number| actions.of_step(number)).collect();
     let (code, more) = (actions.code, actions.notes);
     notes.extend(more);
+    notes.extend(left_out(pou, &facts, &scope, &code));
     let mut functions = Vec::new();
     let conditions = conditions(pou, &mut scope, &mut notes, &mut functions);
     functions.extend(called(&scope));
@@ -58,6 +59,10 @@ pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
     let mut lines = Vec::new();
     docs(&mut lines, &about(pou), "    ///");
     lines.push(format!("    pub sfc {name} {{"));
+    // Each network of a program has an initial step of its own.
+    if pou.steps.iter().filter(|step| step.initial).count() > 1 {
+        lines.push("        #![allow(grafcet::several_initial_steps)]".to_owned());
+    }
     lines.extend(declared);
     for (name, (said, parameters)) in &code {
         docs(&mut lines, said, "        ///");
@@ -162,16 +167,9 @@ fn declared(pou: &Pou, facts: &Facts, scope: &mut Scope<'_>, notes: &mut Vec<Wro
         if facts.memory.contains_key(&key) || facts.instances.contains_key(&key) || !seen.insert(key) {
             continue;
         }
-        let Some(kind) = Kind::of(&variable.ty) else {
-            let message = format!(
-                "`{}` of type {} is left out: a chart has `bool`, `time` and numbers",
-                variable.name, variable.ty
-            );
-            notes.push(Wrong { at: variable.at.clone(), message });
-            continue;
-        };
+        let Some(kind) = Kind::of(&variable.ty) else { continue };
         let role = role(variable, facts);
-        let outside = !variable.constant && variable.section != Section::Input && variable.address.is_none();
+        let outside = !variable.constant && variable.section == Section::Local && variable.address.is_none();
         if outside && matches!(role, Role::Input | Role::Param) {
             let what = if role == Role::Input { "an input" } else { "a param" };
             let message = format!("nothing here writes `{}`: it is {what}", variable.name);
@@ -203,6 +201,21 @@ fn declared(pou: &Pou, facts: &Facts, scope: &mut Scope<'_>, notes: &mut Vec<Wro
         open = (value.is_none() && note.is_empty()).then_some((role, kind));
     }
     lines
+}
+
+/// Variables whose type a chart does not have: instances of function blocks that are no code actions.
+fn left_out(pou: &Pou, facts: &Facts, scope: &Scope<'_>, code: &BTreeMap<String, (Vec<String>, String)>) -> Vec<Wrong> {
+    let known = |variable: &&Variable| {
+        let is_code = scope.names.get(&variable.name).is_some_and(|name| code.contains_key(name));
+        Kind::of(&variable.ty).is_some() || is_code || facts.instances.contains_key(&variable.name.to_lowercase())
+    };
+    let others = pou.variables.iter().filter(|variable| !known(variable));
+    let one = |variable: &Variable| {
+        let message =
+            format!("`{}` of type {} is left out: a chart has `bool`, `time` and numbers", variable.name, variable.ty);
+        Wrong { at: variable.at.clone(), message }
+    };
+    others.map(one).collect()
 }
 
 /// What is said of a variable, and where it is wired.

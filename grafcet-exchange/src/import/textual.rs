@@ -11,6 +11,9 @@ pub(super) fn pous(text: &str) -> Result<Vec<Pou>, Wrong> {
     let mut reader = Reader { text, cursor: Cursor::new(&lexed, 0..text.len()), heads: Vec::new(), ends: Vec::new() };
     let mut pous = Vec::new();
     while reader.cursor.peek().is_some() {
+        if reader.others() {
+            continue;
+        }
         let pou = reader.pou()?;
         reader.ends.push(reader.cursor.before().end);
         pous.push(pou);
@@ -43,6 +46,16 @@ const KINDS: [(&str, &str); 3] =
     [("program", "end_program"), ("function_block", "end_function_block"), ("function", "end_function")];
 
 impl Reader<'_> {
+    /// What stands beside programs: types, configurations, global variables.
+    fn others(&mut self) -> bool {
+        let all = [("type", "end_type"), ("configuration", "end_configuration"), ("var_global", "end_var")];
+        let Some((_, end)) = all.into_iter().find(|(word, _)| self.cursor.word(word)) else { return false };
+        while self.cursor.peek().is_some() && !self.cursor.word(end) {
+            self.cursor.at += 1;
+        }
+        true
+    }
+
     fn pou(&mut self) -> Result<Pou, Wrong> {
         let start = self.cursor.here();
         let Some((_, end)) = KINDS.into_iter().find(|(word, _)| self.cursor.word(word)) else {
@@ -232,6 +245,7 @@ impl Reader<'_> {
         let head = self.cursor.before().end;
         // Behind `:` stands another language.
         let language = if self.cursor.sign(":") { Some("IL, FBD or LD".to_owned()) } else { None };
+        self.cursor.sign(":=");
         let mut condition = self.until("end_transition")?;
         condition.language = language;
         Ok(Transition { name, at: from_here..head, note: String::new(), priority, from, to, condition })
