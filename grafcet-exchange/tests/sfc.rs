@@ -195,6 +195,17 @@ fn branches_times_and_edges() {
     );
 }
 
+/// Set and reset under conditions are one action, in which reset is the last to be asked.
+#[test]
+fn reset_dominates() {
+    let chart = "sfc C { input a, b: bool; output q: bool; initial step S1; step S2 { R q; } step S3 { S q if b; } S1 -[a]-> (S2, S3); (S2, S3) -[!a]-> S1; }";
+    let lines = program(chart);
+    let begin = lines.iter().position(|line| line == "ACTION Drive_q:").expect("an action");
+    let expected =
+        ["IF S3.X AND b THEN", "q := TRUE;", "END_IF;", "IF S2.X THEN", "q := FALSE;", "END_IF;", "END_ACTION"];
+    assert_eq!(lines[begin + 1..begin + 8], expected);
+}
+
 /// A code action is a function block that is told whether it still runs.
 #[test]
 fn calls() {

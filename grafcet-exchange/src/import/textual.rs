@@ -245,7 +245,9 @@ impl Reader<'_> {
         let head = self.cursor.before().end;
         // Behind `:` stands another language.
         let language = if self.cursor.sign(":") { Some("IL, FBD or LD".to_owned()) } else { None };
-        self.cursor.sign(":=");
+        if language.is_none() {
+            self.cursor.need(":=")?;
+        }
         let mut condition = self.until("end_transition")?;
         condition.language = language;
         Ok(Transition { name, at: from_here..head, note: String::new(), priority, from, to, condition })
