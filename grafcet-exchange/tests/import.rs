@@ -169,6 +169,27 @@ fn what_differs_is_said() {
     assert!(all.contains(&"`S1.T` is zero here while the step is not active"), "{all:?}");
 }
 
+/// What is assigned in one step and switched by its qualifier in another is assigned in both.
+#[test]
+fn switched_and_assigned() {
+    let done = imported(
+        "PROGRAM P VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q, p : BOOL; END_VAR
+        INITIAL_STEP S1: Off(P1); p(N); END_STEP STEP S2: q(N); END_STEP STEP S3: q(R); q(S); END_STEP
+        TRANSITION FROM S1 TO S2 := a; END_TRANSITION
+        TRANSITION FROM S2 TO S3 := NOT a; END_TRANSITION
+        TRANSITION FROM S3 TO S1 := a; END_TRANSITION
+        ACTION Off: q := 0; END_ACTION END_PROGRAM",
+    );
+    for wanted in [
+        "initial step S1 { P1 q = false; p; }",
+        "step S2 { P1 q = true; P0 q = false; }",
+        "step S3 { P1 q = false; P1 q = true; }",
+    ] {
+        assert!(done.rust.contains(wanted), "{wanted}\n{}", done.rust);
+    }
+    assert_eq!(notes(&done).len(), 3, "{:?}", notes(&done));
+}
+
 /// The place of what is wrong: the text under the mark.
 fn wrong(text: &str) -> (String, String) {
     let Wrong { at, message } = import(text, "there").expect_err(text);

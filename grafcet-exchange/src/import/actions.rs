@@ -94,7 +94,17 @@ impl<'p, 's> Actions<'p, 's> {
             self.note(&block.at, format!("`{name}` is neither an action nor a boolean of this program: left out"));
             return Vec::new();
         }
+        let there = name;
         let name = self.scope.names.get(name).unwrap_or_default().to_owned();
+        if self.facts.assigned.contains(&there.to_lowercase()) && ["N", "S", "R"].contains(&qualifier) {
+            let message = format!(
+                "`{there}` is assigned by an action, too: here this step assigns it when it begins and, for `N`, when it ends"
+            );
+            self.note(&block.at, message);
+            let mut lines = vec![format!("P1 {name} = {};", qualifier != "R")];
+            lines.extend((qualifier == "N").then(|| format!("P0 {name} = false;")));
+            return lines;
+        }
         match qualifier {
             "N" => vec![format!("{name};")],
             "P1" | "P0" => {
@@ -117,13 +127,6 @@ impl<'p, 's> Actions<'p, 's> {
             Ok(body) if body.is_empty() || facts.only_remembers(body) => return Vec::new(),
             Ok(body) => match &body[..] {
                 [Statement::Call(instance, arguments)] => self.call(qualifier, instance, arguments),
-                [Statement::Assign(target, value)] if self.is_switched(word, target) && truth(value).is_some() => {
-                    let stored = if truth(value) == Some(true) { "S" } else { "R" };
-                    let message =
-                        format!("`{target}` is also set and reset by qualifiers: here it is `{stored} {target}`");
-                    self.note(&block.at, message);
-                    Ok(vec![format!("{stored} {};", self.scope.names.get(target).unwrap_or_default())])
-                }
                 [Statement::Assign(target, value)] if self.is_assigned(word, target) => {
                     let kind = self.scope.kinds.get(&target.to_lowercase()).copied();
                     let value = self.scope.rust(value, kind);
@@ -152,14 +155,6 @@ impl<'p, 's> Actions<'p, 's> {
                 vec![format!("{qualifier} {}();", self.stub(name, text, said))]
             }
         }
-    }
-
-    /// A boolean that an action sets once, and that steps switch by their qualifiers, too.
-    fn is_switched(&self, word: &str, target: &str) -> bool {
-        let is = |block: &Block| {
-            matches!(&block.what, What::Named(name) if same(name, target)) && action(self.pou, target).is_none()
-        };
-        ["P", "P1"].contains(&word) && self.pou.steps.iter().flat_map(|step| &step.blocks).any(is)
     }
 
     /// A stored value, which is assigned, or a variable that is assigned in each cycle.
@@ -254,14 +249,5 @@ impl<'p, 's> Actions<'p, 's> {
             return Err(format!("`{instance}` is called with other arguments elsewhere"));
         }
         Ok(vec![format!("{qualifier} {rust}({});", given.join(", "))])
-    }
-}
-
-/// Of a boolean literal, which may be written as a number.
-fn truth(value: &Expr) -> Option<bool> {
-    match value {
-        Expr::Bool(value) => Some(*value),
-        Expr::Int(value @ (0 | 1)) => Some(*value == 1),
-        _ => None,
     }
 }

@@ -14,7 +14,9 @@ pub(super) struct Facts {
     /// Variables that hold what an expression was in the scan before.
     pub(super) memory: BTreeMap<String, Expr>,
     pub(super) instances: BTreeMap<String, Instance>,
-    /// In small letters.
+    /// By an action that is structured text; all names in small letters.
+    pub(super) assigned: BTreeSet<String>,
+    /// In whatever way.
     pub(super) written: BTreeSet<String>,
 }
 
@@ -29,6 +31,7 @@ impl Facts {
             bodies: BTreeMap::new(),
             memory: BTreeMap::new(),
             instances: BTreeMap::new(),
+            assigned: BTreeSet::new(),
             written: BTreeSet::new(),
         };
         for action in &pou.actions {
@@ -45,6 +48,7 @@ impl Facts {
                 }
             }
         }
+        facts.written.extend(facts.assigned.iter().cloned());
         facts.instances(pou);
         facts.memory(pou);
         facts
@@ -56,7 +60,7 @@ impl Facts {
             None => statements(text).map_err(|wrong| wrong.message),
         };
         match &read {
-            Ok(statements) => assigned(statements, &mut self.written),
+            Ok(statements) => assigned(statements, &mut self.assigned),
             // What stands in front of `:=` is written, or is an argument of that name.
             Err(_) => {
                 let tokens = lex(&text.text, 0).map(|lexed| lexed.tokens).unwrap_or_default();
