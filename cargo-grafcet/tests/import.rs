@@ -7,12 +7,12 @@ use std::fs;
 use common::{folder, tool};
 
 const LAMP: &str = "PROGRAM LAMP
-VAR_INPUT on : BOOL; END_VAR
+VAR_INPUT go : BOOL; END_VAR
 VAR_OUTPUT lit : BOOL; END_VAR
 INITIAL_STEP Dark: END_STEP
-TRANSITION FROM Dark TO Bright := on; END_TRANSITION
+TRANSITION FROM Dark TO Bright := go; END_TRANSITION
 STEP Bright: lit(N); END_STEP
-TRANSITION FROM Bright TO Dark := NOT on; END_TRANSITION
+TRANSITION FROM Bright TO Dark := NOT go; END_TRANSITION
 END_PROGRAM
 ";
 
@@ -24,16 +24,16 @@ fn a_chart_that_the_tool_takes() {
     let checked = tool(folder.path(), &["check", "lamp.rs"]);
     assert_eq!((checked.code, &*checked.out), (Some(0), "1 chart: nothing to say\n"), "{checked:?}");
     let back = tool(folder.path(), &["export", "sfc", "lamp.rs"]);
-    assert!(back.out.contains("TRANSITION FROM Bright TO Dark\n  := NOT on;\nEND_TRANSITION"), "{back:?}");
+    assert!(back.out.contains("TRANSITION FROM Bright TO Dark\n  := NOT go;\nEND_TRANSITION"), "{back:?}");
 }
 
 #[test]
 fn what_is_no_chart_is_shown_at_its_place() {
-    let broken = LAMP.replace("TO Bright := on;", "TO Bright on;");
+    let broken = LAMP.replace("TO Bright := go;", "TO Bright go;");
     let folder =
         folder(&[("broken.st", &broken), ("deep/broken.xml", "<project>\n  <pou>\n</project>"), ("plain.st", "")]);
     let done = tool(folder.path(), &["import", "broken.st"]);
-    let expected = "error: expected `:=`, found `on`\n --> broken.st:5:32\n  |\n5 | TRANSITION FROM Dark TO Bright on; END_TRANSITION\n  |                                ^^\n";
+    let expected = "error: expected `:=`, found `go`\n --> broken.st:5:32\n  |\n5 | TRANSITION FROM Dark TO Bright go; END_TRANSITION\n  |                                ^^\n";
     assert_eq!((done.code, &*done.out, &*done.err), (Some(2), "", expected));
     let done = tool(folder.path(), &["import", "deep/broken.xml"]);
     let lines: Vec<&str> = done.err.lines().collect();

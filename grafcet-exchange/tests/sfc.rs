@@ -18,7 +18,7 @@ fn model(chart: &str) -> Model {
 /// The program without its header, its lines without what is said behind them.
 fn program(chart: &str) -> Vec<String> {
     let done = textual(&model(chart)).expect("a translation");
-    let lines = done.text.lines().map(|line| line.split("//").next().unwrap_or_default().trim());
+    let lines = done.text.lines().map(|line| line.split("(*").next().unwrap_or_default().trim());
     lines.filter(|line| !line.is_empty()).map(str::to_owned).collect()
 }
 
@@ -27,14 +27,15 @@ fn expect(chart: &str, expected: &str) {
     assert_eq!(program(chart), expected);
 }
 
+/// `On` is a keyword of the standard (`RESOURCE … ON …`).
 #[test]
 fn a_step_that_has_the_name_of_an_input_gets_another() {
-    let chart = "sfc Motor { input on, off: bool; output relay: bool; initial step Off; step On { relay; } Off -[on && !off]-> On -[off]-> Off; }";
+    let chart = "sfc Motor { input go, off: bool; output relay: bool; initial step Off; step On { relay; } Off -[go && !off]-> On -[off]-> Off; }";
     expect(
         chart,
         "PROGRAM Motor
         VAR_INPUT
-        on : BOOL;
+        go : BOOL;
         off : BOOL;
         END_VAR
         VAR_OUTPUT
@@ -43,7 +44,7 @@ fn a_step_that_has_the_name_of_an_input_gets_another() {
         INITIAL_STEP OffStep:
         END_STEP
         TRANSITION FROM OffStep TO OnStep
-        := on AND NOT off;
+        := go AND NOT off;
         END_TRANSITION
         STEP OnStep:
         relay(N);

@@ -1,6 +1,6 @@
 //! What steps do, as a person would have written it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Wrong;
 use super::expr::{Kind, Scope};
@@ -14,6 +14,8 @@ pub(super) struct Actions<'p, 's> {
     pub(super) facts: &'s Facts,
     pub(super) scope: &'s mut Scope<'p>,
     pub(super) notes: Vec<Wrong>,
+    /// The keys of bodies that are stubs.
+    pub(super) stubs: BTreeSet<String>,
     /// Code actions: what is said of them, and their parameters.
     pub(super) code: BTreeMap<String, (Vec<String>, String)>,
     /// Of actions that drive a place, by name in small letters: lines by step.
@@ -22,7 +24,15 @@ pub(super) struct Actions<'p, 's> {
 
 impl<'p, 's> Actions<'p, 's> {
     pub(super) fn new(pou: &'p Pou, facts: &'s Facts, scope: &'s mut Scope<'p>) -> Self {
-        Self { pou, facts, scope, notes: Vec::new(), code: BTreeMap::new(), drives: BTreeMap::new() }
+        Self {
+            pou,
+            facts,
+            scope,
+            notes: Vec::new(),
+            stubs: BTreeSet::new(),
+            code: BTreeMap::new(),
+            drives: BTreeMap::new(),
+        }
     }
 
     fn note(&mut self, at: &Span, message: impl Into<String>) {
@@ -151,6 +161,7 @@ impl<'p, 's> Actions<'p, 's> {
                 lines
             }
             Err(why) => {
+                self.stubs.insert(key.to_owned());
                 self.note(&text.at, format!("`{name}` is a code action to be written in Rust: {why}"));
                 vec![format!("{qualifier} {}();", self.stub(name, text, said))]
             }

@@ -342,8 +342,9 @@ impl Scope<'_> {
 
 /// What `cargo grafcet export` has written into a function that stands for Rust.
 fn written_in_rust(body: &str) -> Option<&str> {
-    let line = body.lines().find_map(|line| line.trim().strip_prefix("// TO BE WRITTEN, in Rust: "))?;
-    Some(line.trim())
+    let (_, rest) = body.split_once("TO BE WRITTEN, in Rust: ")?;
+    let line = rest.lines().next()?.trim();
+    Some(line.strip_suffix("*)").unwrap_or(line).trim())
 }
 
 /// As a word.

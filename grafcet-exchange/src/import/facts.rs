@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::expr::{Instance, Kind};
-use super::lexer::{Token, lex};
 use super::parser::{Expr, Statement, statements};
 use super::source::{Piece, Pou, Section, Variable, What, same};
 
@@ -16,8 +15,8 @@ pub(super) struct Facts {
     pub(super) instances: BTreeMap<String, Instance>,
     /// By an action that is structured text; all names in small letters.
     pub(super) assigned: BTreeSet<String>,
-    /// In whatever way.
-    pub(super) written: BTreeSet<String>,
+    /// Switched by steps themselves.
+    switched: BTreeSet<String>,
 }
 
 /// The key of a body that stands at the step itself.
@@ -32,7 +31,7 @@ impl Facts {
             memory: BTreeMap::new(),
             instances: BTreeMap::new(),
             assigned: BTreeSet::new(),
-            written: BTreeSet::new(),
+            switched: BTreeSet::new(),
         };
         for action in &pou.actions {
             facts.body(action.name.to_lowercase(), &action.body);
@@ -42,13 +41,12 @@ impl Facts {
                 match &block.what {
                     What::Inline(text) => facts.body(inline(number, index), text),
                     What::Named(name) if action(pou, name).is_none() => {
-                        facts.written.insert(name.to_lowercase());
+                        facts.switched.insert(name.to_lowercase());
                     }
                     What::Named(_) => {}
                 }
             }
         }
-        facts.written.extend(facts.assigned.iter().cloned());
         facts.instances(pou);
         facts.memory(pou);
         facts
@@ -59,19 +57,18 @@ impl Facts {
             Some(language) => Err(format!("it is written in {language}")),
             None => statements(text).map_err(|wrong| wrong.message),
         };
-        match &read {
-            Ok(statements) => assigned(statements, &mut self.assigned),
-            // What stands in front of `:=` is written, or is an argument of that name.
-            Err(_) => {
-                let tokens = lex(&text.text, 0).map(|lexed| lexed.tokens).unwrap_or_default();
-                for pair in tokens.windows(2) {
-                    if let [(Token::Word(name), _), (Token::Sign(":="), _)] = pair {
-                        self.written.insert(name.to_lowercase());
-                    }
-                }
-            }
+        if let Ok(statements) = &read {
+            assigned(statements, &mut self.assigned);
         }
         self.bodies.insert(key, read);
+    }
+
+    /// What is written, if the bodies of these actions are left out.
+    pub(super) fn written(&self, left_out: &BTreeSet<String>) -> BTreeSet<String> {
+        let mut written = self.switched.clone();
+        let bodies = self.bodies.iter().filter(|(key, _)| !left_out.contains(*key));
+        bodies.filter_map(|(_, body)| body.as_ref().ok()).for_each(|body| assigned(body, &mut written));
+        written
     }
 
     /// `R_TRIG`, `F_TRIG` and `TON` that are called once, by themselves, are edges and delays.

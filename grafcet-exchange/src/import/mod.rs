@@ -76,7 +76,9 @@ pub fn import(text: &str, file: &str) -> Result<Imported, Wrong> {
     let begin = text.trim_start_matches('\u{feff}').trim_start();
     let mut pous = if begin.starts_with('<') { xml::pous(text)? } else { textual::pous(text)? };
     // That a file says how it is called is no news in another one.
-    pous.iter_mut().for_each(|pou| pou.notes.retain(|line| line != file));
+    for pou in &mut pous {
+        pou.notes.retain(|line| line != file);
+    }
     let mut charts = Vec::new();
     let mut sources = Vec::new();
     for pou in pous.iter().filter(|pou| !pou.steps.is_empty()) {

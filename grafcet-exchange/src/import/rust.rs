@@ -46,11 +46,13 @@ pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
     let mut notes: Vec<Wrong> =
         pou.lost.iter().map(|(at, what)| Wrong { at: at.clone(), message: format!("left out: {what}") }).collect();
     let mut scope = scope(pou, pous, &facts);
-    let declared = declared(pou, &facts, &mut scope, &mut notes);
     let mut actions = Actions::new(pou, &facts, &mut scope);
     let bodies: Vec<Vec<String>> = (0..pou.steps.len()).map(|number| actions.of_step(number)).collect();
-    let (code, more) = (actions.code, actions.notes);
+    let (code, more, stubs) = (actions.code, actions.notes, actions.stubs);
     notes.extend(more);
+    // What only a stub would write comes from outside.
+    let written = facts.written(&stubs);
+    let declared = declared(pou, &facts, (&written, &mut scope), &mut notes);
     notes.extend(left_out(pou, &facts, &scope, &code));
     let mut functions = Vec::new();
     let conditions = conditions(pou, &mut scope, &mut notes, &mut functions);
@@ -142,8 +144,8 @@ fn docs(lines: &mut Vec<String>, said: &[String], mark: &str) {
 }
 
 /// What it is, by where it stands and who writes it.
-fn role(variable: &Variable, facts: &Facts) -> Role {
-    let written = facts.written.contains(&variable.name.to_lowercase());
+fn role(variable: &Variable, written: &BTreeSet<String>) -> Role {
+    let written = written.contains(&variable.name.to_lowercase());
     let address = variable.address.as_deref().unwrap_or_default().to_uppercase();
     match variable.section {
         _ if variable.constant => Role::Param,
@@ -159,7 +161,12 @@ fn role(variable: &Variable, facts: &Facts) -> Role {
 }
 
 /// The declarations, by what they are; neighbours of one type on one line.
-fn declared(pou: &Pou, facts: &Facts, scope: &mut Scope<'_>, notes: &mut Vec<Wrong>) -> Vec<String> {
+fn declared(
+    pou: &Pou,
+    facts: &Facts,
+    (written, scope): (&BTreeSet<String>, &mut Scope<'_>),
+    notes: &mut Vec<Wrong>,
+) -> Vec<String> {
     let mut all = Vec::new();
     let mut seen = BTreeSet::new();
     for variable in &pou.variables {
@@ -168,11 +175,11 @@ fn declared(pou: &Pou, facts: &Facts, scope: &mut Scope<'_>, notes: &mut Vec<Wro
             continue;
         }
         let Some(kind) = Kind::of(&variable.ty) else { continue };
-        let role = role(variable, facts);
+        let role = role(variable, written);
         let outside = !variable.constant && variable.section == Section::Local && variable.address.is_none();
         if outside && matches!(role, Role::Input | Role::Param) {
             let what = if role == Role::Input { "an input" } else { "a param" };
-            let message = format!("nothing here writes `{}`: it is {what}", variable.name);
+            let message = format!("nothing that is translated writes `{}`: it is {what}", variable.name);
             notes.push(Wrong { at: variable.at.clone(), message });
         }
         let value = initial(variable, kind, scope, notes).filter(|value| {

@@ -12,7 +12,7 @@ mod xml;
 use grafcet_compiler::model::Model;
 
 use crate::Refused;
-use crate::sfc::{Chart, Exported, build};
+use crate::sfc::{Chart, Exported, build, classic};
 use crate::st::syntax::{Stub, Variable, statements};
 use xml::Element;
 
@@ -86,7 +86,7 @@ fn stub(stub: &Stub) -> Element {
         .with("name", &stub.name)
         .with("pouType", kind)
         .child(interface(stub.ty.as_deref(), &[("inputVars", &stub.inputs)]))
-        .child(Element::new("body").child(st(&body)))
+        .child(Element::new("body").child(st(classic(&body).trim_end())))
 }
 
 fn interface(returns: Option<&str>, lists: &[(&str, &Vec<Variable>)]) -> Element {

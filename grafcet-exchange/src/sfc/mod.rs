@@ -17,6 +17,7 @@ use crate::Refused;
 use crate::st::syntax::{Statement, Stub, Variable};
 
 pub(crate) use build::build;
+pub(crate) use text::classic;
 
 /// A chart in another notation.
 #[derive(Clone, PartialEq, Eq, Debug)]

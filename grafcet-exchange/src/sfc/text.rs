@@ -17,7 +17,16 @@ pub(super) fn write(chart: &Chart) -> String {
     }
     // Writing into a text cannot fail.
     _ = program(&mut text, chart);
-    text
+    classic(&text)
+}
+
+/// With comments as they were before the third edition of the standard: compilers of the second one know no others.
+pub(crate) fn classic(text: &str) -> String {
+    let one = |line: &str| match line.split_once("//") {
+        Some((before, said)) => format!("{before}(* {} *)\n", said.trim().replace("*)", "* )")),
+        None => format!("{line}\n"),
+    };
+    text.lines().map(one).collect::<Vec<_>>().concat()
 }
 
 fn program(text: &mut String, chart: &Chart) -> std::fmt::Result {
