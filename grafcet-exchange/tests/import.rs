@@ -190,6 +190,25 @@ fn switched_and_assigned() {
     assert_eq!(notes(&done).len(), 3, "{:?}", notes(&done));
 }
 
+/// A copy is the memory of an edge only where nobody reads it otherwise.
+#[test]
+fn a_copy_that_is_read_as_it_is() {
+    let text = |condition: &str| {
+        format!(
+            "PROGRAM P VAR_INPUT a : BOOL; END_VAR VAR old : BOOL; END_VAR
+            INITIAL_STEP S1: Keep(N); END_STEP STEP S2: Keep(N); END_STEP
+            TRANSITION FROM S1 TO S2 := a AND NOT old; END_TRANSITION
+            TRANSITION FROM S2 TO S1 := {condition}; END_TRANSITION
+            ACTION Keep: old := a; END_ACTION END_PROGRAM"
+        )
+    };
+    let edge = imported(&text("NOT a AND old"));
+    assert!(edge.rust.contains("S1 -[rising(a)]-> S2 -[falling(a)]-> S1;"), "{}", edge.rust);
+    let copy = imported(&text("old"));
+    assert!(copy.rust.contains("step S2 { N old = a; }"), "{}", copy.rust);
+    assert!(copy.rust.contains("S1 -[a && !old]-> S2 -[old]-> S1;"), "{}", copy.rust);
+}
+
 /// The place of what is wrong: the text under the mark.
 fn wrong(text: &str) -> (String, String) {
     let Wrong { at, message } = import(text, "there").expect_err(text);

@@ -58,7 +58,7 @@ fn a_step_that_has_the_name_of_an_input_gets_another() {
     assert_eq!(renamed, [("Off".to_owned(), "OffStep".to_owned()), ("On".to_owned(), "OnStep".to_owned())]);
 }
 
-/// Qualifiers with times as they stand; what has a condition or a value is one action of all its steps, which asks which of them is active.
+/// Qualifiers with times as they stand; what has a condition or a value is done in each scan, by an action of every step, which asks which of them is active.
 #[test]
 fn actions_of_all_kinds() {
     let chart = "sfc C {
@@ -90,19 +90,18 @@ fn actions_of_all_kinds() {
         n : UINT := 0;
         END_VAR
         INITIAL_STEP AStep:
-        Drive_q(N);
         w(R);
         l(L, T#5s);
-        Drive_speed(N);
         AStep_P0(P0);
+        Always(N);
         END_STEP
         TRANSITION FROM AStep TO BStep
         := a;
         END_TRANSITION
         STEP BStep:
-        Drive_q(N);
         w(S);
         l(D, t);
+        Always(N);
         END_STEP
         TRANSITION FROM BStep TO E
         := NOT a;
@@ -111,29 +110,27 @@ fn actions_of_all_kinds() {
         E_P1(P1);
         p(P);
         v(N);
-        Drive_speed(N);
+        Always(N);
         END_STEP
         TRANSITION FROM E TO AStep
         := a;
         END_TRANSITION
-        ACTION Drive_q:
-        q := AStep.X AND b OR BStep.X;
-        END_ACTION
-        ACTION Drive_speed:
-        IF E.X AND b THEN
-        speed := 4;
-        ELSIF AStep.X THEN
-        speed := 3;
-        ELSE
-        speed := 7;
-        END_IF;
-        END_ACTION
         ACTION AStep_P0:
         n := n + 1;
         END_ACTION
         ACTION E_P1:
         IF b THEN
         n := 0;
+        END_IF;
+        END_ACTION
+        ACTION Always:
+        q := AStep.X AND b OR BStep.X;
+        IF E.X AND b THEN
+        speed := 4;
+        ELSIF AStep.X THEN
+        speed := 3;
+        ELSE
+        speed := 7;
         END_IF;
         END_ACTION
         END_PROGRAM",
@@ -163,7 +160,7 @@ fn branches_times_and_edges() {
         a_was : BOOL := FALSE;
         END_VAR
         INITIAL_STEP S1:
-        Remember(N);
+        Always(N);
         END_STEP
         TRANSITION (PRIORITY := 1) FROM S1 TO (S2, S3)
         := a AND NOT a_was;
@@ -172,16 +169,16 @@ fn branches_times_and_edges() {
         := NOT a AND a_was OR b;
         END_TRANSITION
         STEP S2:
-        Remember(N);
+        Always(N);
         END_STEP
         TRANSITION FROM (S2, S3) TO S1
         := S2.T >= T#5s AND S4.X AND S4.T >= T#1s;
         END_TRANSITION
         STEP S3:
-        Remember(N);
+        Always(N);
         END_STEP
         STEP S4:
-        Remember(N);
+        Always(N);
         END_STEP
         TRANSITION (PRIORITY := 1) FROM S4 TO S1
         := S4.T > T#3s AND S1.X;
@@ -189,7 +186,7 @@ fn branches_times_and_edges() {
         TRANSITION (PRIORITY := 2) FROM S4 TO S1
         := NOT (S4.T > T#3s AND S1.X);
         END_TRANSITION
-        ACTION Remember:
+        ACTION Always:
         a_was := a;
         END_ACTION
         END_PROGRAM",
@@ -201,7 +198,7 @@ fn branches_times_and_edges() {
 fn reset_dominates() {
     let chart = "sfc C { input a, b: bool; output q: bool; initial step S1; step S2 { R q; } step S3 { S q if b; } S1 -[a]-> (S2, S3); (S2, S3) -[!a]-> S1; }";
     let lines = program(chart);
-    let begin = lines.iter().position(|line| line == "ACTION Drive_q:").expect("an action");
+    let begin = lines.iter().position(|line| line == "ACTION Always:").expect("an action");
     let expected =
         ["IF S3.X AND b THEN", "q := TRUE;", "END_IF;", "IF S2.X THEN", "q := FALSE;", "END_IF;", "END_ACTION"];
     assert_eq!(lines[begin + 1..begin + 8], expected);

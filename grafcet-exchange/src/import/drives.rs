@@ -3,7 +3,7 @@
 
 use super::actions::Actions;
 use super::expr::Kind;
-use super::facts::variable;
+use super::facts::{everywhere, variable};
 use super::parser::{Expr, Op, Statement, expression};
 use super::parts::conjunction;
 use super::source::{Block, Section, What, same};
@@ -25,8 +25,25 @@ impl Actions<'_, '_> {
     }
 
     fn drive(&mut self, name: &str) -> Option<Vec<(String, String)>> {
-        let Some(Ok(body)) = self.facts.bodies.get(&name.to_lowercase()) else { return None };
-        let (target, driven) = match &body[..] {
+        let facts = self.facts;
+        let Some(Ok(body)) = facts.bodies.get(&name.to_lowercase()) else { return None };
+        let mut lines = Vec::new();
+        let mut rest = &body[..];
+        while let Some(first) = rest.first() {
+            let length =
+                rest.iter().take_while(|next| switches(next).is_some() && switches(next) == switches(first)).count();
+            let (group, more) = rest.split_at(length.max(1));
+            if !facts.only_remembers(group) {
+                lines.extend(self.group(group, name)?);
+            }
+            rest = more;
+        }
+        (!lines.is_empty()).then_some(lines)
+    }
+
+    /// Statements about one place.
+    fn group(&mut self, body: &[Statement], name: &str) -> Option<Vec<(String, String)>> {
+        let (target, driven) = match body {
             [Statement::Assign(target, value)] => (target, terms(value, &body[0])?),
             [Statement::If(branches, otherwise)] if !otherwise.is_empty() => self.values(branches, otherwise)?,
             all => stored(all)?,
@@ -34,15 +51,18 @@ impl Actions<'_, '_> {
         let mut steps: Vec<&str> = driven.iter().map(|(step, ..)| *step).collect();
         steps.sort_unstable();
         steps.dedup();
-        let only = self.pou.steps.iter().all(|step| {
-            let here: Vec<&Block> = step
-                .blocks
-                .iter()
-                .filter(|block| matches!(&block.what, What::Named(other) if same(other, name)))
-                .collect();
-            here.iter().all(|block| same(&block.qualifier, "N"))
-                && here.is_empty() != steps.iter().any(|other| same(other, &step.name))
-        });
+        // It belongs to every step, or to those that it asks for.
+        let everywhere = everywhere(self.pou, name);
+        let only = everywhere
+            || self.pou.steps.iter().all(|step| {
+                let here: Vec<&Block> = step
+                    .blocks
+                    .iter()
+                    .filter(|block| matches!(&block.what, What::Named(other) if same(other, name)))
+                    .collect();
+                here.iter().all(|block| same(&block.qualifier, "N"))
+                    && here.is_empty() != steps.iter().any(|other| same(other, &step.name))
+            });
         let alone =
             self.facts.bodies.iter().filter(|(_, body)| body.iter().any(|body| writes(body, target))).count() == 1;
         let controlled = self
@@ -110,6 +130,14 @@ impl Actions<'_, '_> {
         }
         Some((target, driven))
     }
+}
+
+/// The boolean that `IF … THEN q := TRUE; END_IF` switches.
+fn switches(statement: &Statement) -> Option<&str> {
+    let Statement::If(branches, otherwise) = statement else { return None };
+    let ([(_, then)], []) = (&branches[..], &otherwise[..]) else { return None };
+    let [Statement::Assign(target, Expr::Bool(_))] = &then[..] else { return None };
+    Some(target)
 }
 
 /// `S.X AND c`

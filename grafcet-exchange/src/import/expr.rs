@@ -69,6 +69,8 @@ pub(super) struct Scope<'p> {
     pub(super) called: BTreeSet<String>,
     /// Active where the condition is asked.
     pub(super) active: Vec<String>,
+    /// What was taken for the memory of an edge, and is read as it is.
+    pub(super) plain: BTreeSet<String>,
     /// What is a little different here.
     pub(super) differs: Vec<String>,
 }
@@ -120,7 +122,10 @@ impl Scope<'_> {
             Expr::Name(name) if self.kinds.contains_key(&name.to_lowercase()) => {
                 Ok(Rust::word(self.names.get(name).unwrap_or_default()))
             }
-            Expr::Name(name) => Err(format!("`{name}` is not declared as a value that Rust has")),
+            Expr::Name(name) => {
+                self.plain.extend(Some(name.to_lowercase()).filter(|name| self.memory.contains_key(name)));
+                Err(format!("`{name}` is not declared as a value that Rust has"))
+            }
             Expr::Member(..) | Expr::Binary(Op::And, ..) => self.all(expr, wanted),
             Expr::Call(name, arguments) => self.call(name, arguments, wanted),
             Expr::Not(inner) => {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::expr::{Instance, Kind};
 use super::parser::{Expr, Statement, statements};
-use super::source::{Piece, Pou, Section, Variable, What, same};
+use super::source::{Block, Piece, Pou, Section, Variable, What, same};
 
 /// The bodies of a program, read.
 pub(super) struct Facts {
@@ -25,7 +25,8 @@ pub(super) fn inline(step: usize, block: usize) -> String {
 }
 
 impl Facts {
-    pub(super) fn of(pou: &Pou) -> Self {
+    /// `plain` are variables that are read as they are, so that they are no memory of edges.
+    pub(super) fn of(pou: &Pou, plain: &BTreeSet<String>) -> Self {
         let mut facts = Self {
             bodies: BTreeMap::new(),
             memory: BTreeMap::new(),
@@ -48,7 +49,7 @@ impl Facts {
             }
         }
         facts.instances(pou);
-        facts.memory(pou);
+        facts.memory(pou, plain);
         facts
     }
 
@@ -98,26 +99,16 @@ impl Facts {
         }
     }
 
-    /// An action of every step that copies expressions into variables of its own.
-    fn memory(&mut self, pou: &Pou) {
-        let everywhere = |name: &str| {
-            pou.steps.iter().all(|step| {
-                step.blocks.iter().any(|block| {
-                    matches!(&block.what, What::Named(other) if same(other, name)) && same(&block.qualifier, "N")
-                })
-            })
-        };
-        for action in pou.actions.iter().filter(|action| everywhere(&action.name)) {
+    /// What an action of every step copies into variables of its own, without asking for steps.
+    fn memory(&mut self, pou: &Pou, plain: &BTreeSet<String>) {
+        for action in pou.actions.iter().filter(|action| everywhere(pou, &action.name)) {
             let Some(Ok(body)) = self.bodies.get(&action.name.to_lowercase()) else { continue };
-            let mut copies = BTreeMap::new();
             for statement in body {
-                let Statement::Assign(target, value) = statement else { break };
-                if is_local(pou, target) && self.assignments(target) == 1 {
-                    copies.insert(target.to_lowercase(), value.clone());
+                let Statement::Assign(target, value) = statement else { continue };
+                let copies = is_local(pou, target) && self.assignments(target) == 1 && !asks(value);
+                if copies && !plain.contains(&target.to_lowercase()) {
+                    self.memory.insert(target.to_lowercase(), value.clone());
                 }
-            }
-            if copies.len() == body.len() {
-                self.memory.extend(copies);
             }
         }
     }
@@ -132,6 +123,23 @@ impl Facts {
     pub(super) fn only_remembers(&self, body: &[Statement]) -> bool {
         let remembers = |one: &Statement| matches!(one, Statement::Assign(target, _) if self.memory.contains_key(&target.to_lowercase()));
         body.iter().all(remembers)
+    }
+}
+
+/// Whether an action belongs to every step, as long as that is active.
+pub(super) fn everywhere(pou: &Pou, name: &str) -> bool {
+    let has =
+        |block: &Block| matches!(&block.what, What::Named(other) if same(other, name)) && same(&block.qualifier, "N");
+    pou.steps.iter().all(|step| step.blocks.iter().any(has))
+}
+
+/// For a step, or for a part of an instance.
+fn asks(expr: &Expr) -> bool {
+    match expr {
+        Expr::Member(..) | Expr::Call(..) => true,
+        Expr::Not(inner) | Expr::Minus(inner) => asks(inner),
+        Expr::Binary(_, a, b) => asks(a) || asks(b),
+        _ => false,
     }
 }
 

@@ -42,7 +42,19 @@ impl Role {
 /// A program as a chart. `pous` are all of its file.
 pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
     checked(pou)?;
-    let facts = Facts::of(pou);
+    let mut plain = BTreeSet::new();
+    loop {
+        let (chart, source, read) = attempt(pou, pous, &plain);
+        if read.is_empty() {
+            return Ok((chart, source));
+        }
+        plain.extend(read);
+    }
+}
+
+/// The same, and what was taken for the memory of an edge, and is none.
+fn attempt(pou: &Pou, pous: &[Pou], plain: &BTreeSet<String>) -> (Chart, Source, BTreeSet<String>) {
+    let facts = Facts::of(pou, plain);
     let mut notes: Vec<Wrong> =
         pou.lost.iter().map(|(at, what)| Wrong { at: at.clone(), message: format!("left out: {what}") }).collect();
     let mut scope = scope(pou, pous, &facts);
@@ -81,7 +93,7 @@ pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
     }
     notes.sort_by_key(|note| note.at.start);
     notes.dedup();
-    Ok((Chart { name, renamed, notes }, Source { chart: lines, functions }))
+    (Chart { name, renamed, notes }, Source { chart: lines, functions }, scope.plain)
 }
 
 /// Transitions lead from steps to steps, and each step is there once.
@@ -122,6 +134,7 @@ fn scope<'p>(pou: &Pou, pous: &'p [Pou], facts: &Facts) -> Scope<'p> {
         pous,
         called: BTreeSet::new(),
         active: Vec::new(),
+        plain: BTreeSet::new(),
         differs: Vec::new(),
     }
 }

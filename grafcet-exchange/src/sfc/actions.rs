@@ -1,9 +1,9 @@
 //! What steps do, as actions and boolean variables with qualifiers.
 //!
-//! A boolean that steps drive without conditions is named by itself. Under a condition, and for values, one action stands for all steps that drive the place: it
-//! asks which of them is active, so that it switches off in its final call.
+//! A boolean that steps drive without conditions is named by itself. What depends on conditions and values is done by one action that belongs to every step, and so
+//! runs in each scan: it asks which step is active. The standard lets a PLC do without the final call of an action, which would have to switch off.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{Association, Effect, Expr, Id, Model, Place, Qualifier, Read, StepId, Tree};
@@ -35,14 +35,16 @@ pub(super) struct Actions<'m, 's> {
     pub(super) all: Vec<Action>,
     /// By step.
     pub(super) blocks: Vec<Vec<Block>>,
-    /// The action that stands for a place.
-    of_places: BTreeMap<Place, String>,
+    /// What is done in each scan.
+    pub(super) always: Vec<Statement>,
+    /// The places that it drives.
+    driven: BTreeSet<Place>,
 }
 
 impl<'m, 's> Actions<'m, 's> {
     pub(super) fn new(model: &'m Model, scope: &'s mut Scope<'m>) -> Self {
         let blocks = vec![Vec::new(); model.steps.len()];
-        Self { model, scope, all: Vec::new(), blocks, of_places: BTreeMap::new() }
+        Self { model, scope, all: Vec::new(), blocks, always: Vec::new(), driven: BTreeSet::new() }
     }
 
     /// All associations, in the order of the chart.
@@ -157,21 +159,15 @@ impl<'m, 's> Actions<'m, 's> {
             let name = self.scope.place(place).to_owned();
             return self.block(association, name);
         }
-        let name = match self.of_places.get(&place) {
-            Some(name) => name.clone(),
-            None => self.shared(place, style)?,
-        };
-        let block = Block { qualifier: Qualifier::N.word(), time: None, action: name };
-        let blocks = &mut self.blocks[association.step.index()];
-        if !blocks.contains(&block) {
-            blocks.push(block);
+        if self.driven.insert(place) {
+            let body = self.shared(place, style)?;
+            self.always.extend(body);
         }
         Ok(())
     }
 
-    /// One action for all steps that drive a place.
-    fn shared(&mut self, place: Place, style: Style) -> Result<String, Refused> {
-        let name = self.scope.names.own(&format!("Drive_{}", self.scope.place(place)));
+    /// What gives a place its value, whichever of its steps is active.
+    fn shared(&mut self, place: Place, style: Style) -> Result<Vec<Statement>, Refused> {
         let target = self.scope.place(place).to_owned();
         let (mut terms, mut stored, mut reset, mut values) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for association in drivers(self.model, place) {
@@ -202,9 +198,7 @@ impl<'m, 's> Actions<'m, 's> {
             }
             Style::Conditions | Style::Boolean => vec![Statement::assign(target, any(terms).text)],
         };
-        self.all.push(Action { name: name.clone(), body });
-        self.of_places.insert(place, name.clone());
-        Ok(name)
+        Ok(body)
     }
 }
 

@@ -33,14 +33,14 @@ pub(crate) fn build(model: &Model) -> Result<Chart, Vec<Refused>> {
     let transitions = transitions(model, &mut scope)?;
     let mut actions = Actions::new(model, &mut scope);
     actions.make()?;
-    let (mut all, mut blocks) = (actions.all, actions.blocks);
+    let (mut all, mut blocks, always) = (actions.all, actions.blocks, actions.always);
     let mut program = Program { name, ..Program::default() };
     let mut frame = Frame::default();
     frame::declare(&mut scope, &mut program, &mut frame, |_| false).map_err(|error| vec![error])?;
     for (instance, block) in scope.instances.values() {
         program.variables.push(Variable::new(instance, block));
     }
-    all.extend(remembered(&mut scope, &mut program.variables, &mut blocks).map_err(|error| vec![error])?);
+    all.extend(each_scan(&mut scope, always, &mut program.variables, &mut blocks).map_err(|error| vec![error])?);
     describe(model, &mut program);
     Ok(Chart {
         header: header(model, &scope, renamed.as_ref()),
@@ -99,13 +99,14 @@ fn priority(model: &Model, id: TransitionId) -> Option<usize> {
     (all.len() > 1).then_some(place + 1)
 }
 
-/// What edges compare with: an action that belongs to every step, so that it runs in each scan, behind the transitions.
-fn remembered(
+/// What is done in each scan, by an action that belongs to every step: what depends on conditions and values, and behind it what edges compare with in the next
+/// one, whose transitions come first.
+fn each_scan(
     scope: &mut Scope<'_>,
+    mut body: Vec<Statement>,
     variables: &mut Vec<Variable>,
     blocks: &mut [Vec<Block>],
 ) -> Result<Option<Action>, Refused> {
-    let mut body = Vec::new();
     for (id, [_, _, was]) in scope.edges.clone() {
         let of = &scope.model.edges[id].of;
         let at = At { active: &|_| None, before: &BTreeMap::new(), times: false, mark: of.mark };
@@ -116,7 +117,7 @@ fn remembered(
     if body.is_empty() {
         return Ok(None);
     }
-    let name = scope.names.own("Remember");
+    let name = scope.names.own("Always");
     for blocks in blocks {
         blocks.push(Block { qualifier: "N", time: None, action: name.clone() });
     }
@@ -157,7 +158,7 @@ fn header(model: &Model, scope: &Scope<'_>, chart: Option<&(String, String)>) ->
     let mut lines = vec![
         format!("The chart `{}` (sfc) as SFC of IEC 61131-3. Written by cargo grafcet.", plain(&model.name)),
         "One scan is one cycle of the chart: the transitions are evaluated on the situation of the scan before, in the order of their priorities, then the actions run.".to_owned(),
-        "What runs under N, P, L or D runs once more when it ends (final call), as the standard has it; P1 and P0 run once.".to_owned(),
+        "What runs under N, P, L or D runs once more when it ends (final call); the standard lets a PLC leave that out, as Beremiz does. P1 and P0 run once.".to_owned(),
         "What is left to the PLC: in its first scan the chart evaluates no transition, and a step that is left and entered in one scan begins anew.".to_owned(),
     ];
     let about = doc(&model.attrs);
