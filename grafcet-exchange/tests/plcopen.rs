@@ -142,8 +142,8 @@ fn lines_lead_from_pin_to_pin() {
             lines += 1;
         }
     }
-    // Ten into transitions and what stands above them, nine into steps and what stands above these, a jump, seven action blocks.
-    assert_eq!(lines, 27);
+    // Ten into transitions and what stands above them, nine into steps and what stands above these, a jump, four action blocks.
+    assert_eq!(lines, 24);
 }
 
 /// Who is connected with whom, without what lies between.

@@ -58,7 +58,7 @@ fn a_step_that_has_the_name_of_an_input_gets_another() {
     assert_eq!(renamed, [("Off".to_owned(), "OffStep".to_owned()), ("On".to_owned(), "OnStep".to_owned())]);
 }
 
-/// Qualifiers with times as they stand; what has a condition or a value is done in each scan, by an action of every step, which asks which of them is active.
+/// Qualifiers with times as they stand; what has a condition or a value is done in each scan, by an action that asks which step is active.
 #[test]
 fn actions_of_all_kinds() {
     let chart = "sfc C {
@@ -93,7 +93,7 @@ fn actions_of_all_kinds() {
         w(R);
         l(L, T#5s);
         AStep_P0(P0);
-        Always(N);
+        Always(S);
         END_STEP
         TRANSITION FROM AStep TO BStep
         := a;
@@ -101,7 +101,6 @@ fn actions_of_all_kinds() {
         STEP BStep:
         w(S);
         l(D, t);
-        Always(N);
         END_STEP
         TRANSITION FROM BStep TO E
         := NOT a;
@@ -110,7 +109,6 @@ fn actions_of_all_kinds() {
         E_P1(P1);
         p(P);
         v(N);
-        Always(N);
         END_STEP
         TRANSITION FROM E TO AStep
         := a;
@@ -137,7 +135,7 @@ fn actions_of_all_kinds() {
     );
 }
 
-/// Branches have priorities in their order; edges compare with what an action of every step remembers, behind the transitions.
+/// Branches have priorities in their order; edges compare with what that action remembers, behind the transitions.
 #[test]
 fn branches_times_and_edges() {
     let chart = "sfc C {
@@ -160,7 +158,7 @@ fn branches_times_and_edges() {
         a_was : BOOL := FALSE;
         END_VAR
         INITIAL_STEP S1:
-        Always(N);
+        Always(S);
         END_STEP
         TRANSITION (PRIORITY := 1) FROM S1 TO (S2, S3)
         := a AND NOT a_was;
@@ -169,16 +167,13 @@ fn branches_times_and_edges() {
         := NOT a AND a_was OR b;
         END_TRANSITION
         STEP S2:
-        Always(N);
         END_STEP
         TRANSITION FROM (S2, S3) TO S1
         := S2.T >= T#5s AND S4.X AND S4.T >= T#1s;
         END_TRANSITION
         STEP S3:
-        Always(N);
         END_STEP
         STEP S4:
-        Always(N);
         END_STEP
         TRANSITION (PRIORITY := 1) FROM S4 TO S1
         := S4.T > T#3s AND S1.X;
@@ -191,6 +186,15 @@ fn branches_times_and_edges() {
         END_ACTION
         END_PROGRAM",
     );
+}
+
+/// Where a step follows another that drives the same boolean, both do it by the action that runs in each scan: of two steps with a boolean of one name Beremiz
+/// lets the one decide that ends, if it stands behind.
+#[test]
+fn what_goes_on_from_step_to_step() {
+    let chart = "sfc C { input a: bool; output q, p: bool; initial step S1; step S2 { q; p; } step S3 { q; } S1 -[a]-> S2 -[!a]-> S3 -[a]-> S1; }";
+    let lines = program(chart);
+    assert!(lines.contains(&"q := S2.X OR S3.X;".to_owned()) && lines.contains(&"p(N);".to_owned()), "{lines:#?}");
 }
 
 /// Set and reset under conditions are one action, in which reset is the last to be asked.

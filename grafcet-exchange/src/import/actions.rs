@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Wrong;
 use super::expr::{Kind, Scope};
-use super::facts::{Facts, action, inline, variable};
+use super::facts::{Facts, action, inline, is_set, variable};
 use super::parser::{Expr, Statement, expression};
 use super::source::{Block, Piece, Pou, Section, Span, What, same};
 
@@ -48,6 +48,14 @@ impl<'p, 's> Actions<'p, 's> {
             lines.extend(self.block(block, number, index));
             for differs in std::mem::take(&mut self.scope.differs) {
                 self.note(&block.at, differs);
+            }
+        }
+        // What an action does for this step that runs in each scan and stands at another one.
+        let here =
+            |name: &str| step.blocks.iter().any(|block| matches!(&block.what, What::Named(other) if same(other, name)));
+        for action in &self.pou.actions {
+            if is_set(self.pou, &action.name) && !here(&action.name) {
+                lines.extend(self.driven(&action.name, number).unwrap_or_default());
             }
         }
         lines

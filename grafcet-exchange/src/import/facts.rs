@@ -126,11 +126,22 @@ impl Facts {
     }
 }
 
-/// Whether an action belongs to every step, as long as that is active.
+/// Whether an action runs in each scan: it belongs to every step, or an initial one sets it and nothing resets it.
 pub(super) fn everywhere(pou: &Pou, name: &str) -> bool {
-    let has =
-        |block: &Block| matches!(&block.what, What::Named(other) if same(other, name)) && same(&block.qualifier, "N");
-    pou.steps.iter().all(|step| step.blocks.iter().any(has))
+    let by = |block: &Block, qualifier: &str| is_named(block, name) && same(&block.qualifier, qualifier);
+    pou.steps.iter().all(|step| step.blocks.iter().any(|block| by(block, "N"))) || is_set(pou, name)
+}
+
+/// Whether an initial step sets an action and nothing resets it.
+pub(super) fn is_set(pou: &Pou, name: &str) -> bool {
+    let mut all = pou.steps.iter().flat_map(|step| &step.blocks).filter(|block| is_named(block, name));
+    let is_s = |block: &Block| same(&block.qualifier, "S");
+    let begins = |block: &Block| is_named(block, name) && is_s(block);
+    all.all(is_s) && pou.steps.iter().any(|step| step.initial && step.blocks.iter().any(begins))
+}
+
+fn is_named(block: &Block, name: &str) -> bool {
+    matches!(&block.what, What::Named(other) if same(other, name))
 }
 
 /// For a step, or for a part of an instance.

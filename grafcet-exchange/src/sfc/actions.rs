@@ -1,12 +1,13 @@
 //! What steps do, as actions and boolean variables with qualifiers.
 //!
-//! A boolean that steps drive without conditions is named by itself. What depends on conditions and values is done by one action that belongs to every step, and so
-//! runs in each scan: it asks which step is active. The standard lets a PLC do without the final call of an action, which would have to switch off.
+//! A boolean that steps drive without conditions is named by itself. What depends on conditions and values is done by one action that the initial step
+//! sets (S) and nothing resets, so that it runs in each scan: it asks which step is active. The standard lets a PLC do without the final call of an action,
+//! which would have to switch off; and where a step follows another with the same action, Beremiz lets the one that ends decide.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Effect, Expr, Id, Model, Place, Qualifier, Read, StepId, Tree};
+use grafcet_compiler::model::{Association, Effect, Expr, Id, Model, Place, Qualifier, Read, StepId, Transition, Tree};
 
 use super::{Action, Block};
 use crate::Refused;
@@ -251,6 +252,7 @@ fn style(model: &Model, place: Place) -> Result<Style, Refused> {
     let begins = begins.is_some_and(|init| init.tree != Tree::Bool(false));
     let conditional = all.iter().find(|association| association.condition.is_some());
     match conditional {
+        None if !begins && is_of(&[Qualifier::N]) && follows(model, &all) => Ok(Style::Conditions),
         None if !begins => Ok(Style::Boolean),
         _ if stored => {
             let own = |condition: &Expr| places(&condition.tree).contains(&place);
@@ -275,6 +277,16 @@ fn style(model: &Model, place: Place) -> Result<Style, Refused> {
             "`{name}` begins as true, and an action of IEC 61131-3 begins as false: set it in the initial step"
         )),
     }
+}
+
+/// Whether one of these steps leads to another one.
+fn follows(model: &Model, all: &[&Association]) -> bool {
+    let has = |step: &StepId| all.iter().any(|association| association.step == *step);
+    let pairs = |transition: &Transition| {
+        let (from, to) = (&transition.sources, &transition.targets);
+        from.iter().any(|one| has(one) && to.iter().any(|other| other != one && has(other)))
+    };
+    model.transitions.values().any(pairs)
 }
 
 /// What was before is remembered by an action of its own, and which of two comes first nobody says.

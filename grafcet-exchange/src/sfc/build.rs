@@ -99,7 +99,7 @@ fn priority(model: &Model, id: TransitionId) -> Option<usize> {
     (all.len() > 1).then_some(place + 1)
 }
 
-/// What is done in each scan, by an action that belongs to every step: what depends on conditions and values, and behind it what edges compare with in the next
+/// What is done in each scan, by an action that the initial step sets and nothing resets: what depends on conditions and values, and behind it what edges compare with in the next
 /// one, whose transitions come first.
 fn each_scan(
     scope: &mut Scope<'_>,
@@ -118,8 +118,9 @@ fn each_scan(
         return Ok(None);
     }
     let name = scope.names.own("Always");
-    for blocks in blocks {
-        blocks.push(Block { qualifier: "N", time: None, action: name.clone() });
+    let initial = scope.model.steps.values().zip(blocks).find(|(step, _)| step.initial);
+    if let Some((_, blocks)) = initial {
+        blocks.push(Block { qualifier: "S", time: None, action: name.clone() });
     }
     Ok(Some(Action { name, body }))
 }
