@@ -204,6 +204,7 @@ pub(crate) struct Sfc {
 #[command(after_help = "\
 Examples:
   cargo grafcet export plcopen --chart Motor -o motor.xml
+  cargo grafcet export plcopen --chart Motor -o motor.xml --scan-step       for Beremiz
   cargo grafcet export plcopen --out plcopen    all charts of the crate as plcopen/NAME.xml
 
 Exit code 1 says that a chart has errors or no translation.")]
@@ -212,6 +213,9 @@ pub(crate) struct Plcopen {
     pub(crate) charts: Charts,
     #[command(flatten)]
     pub(crate) target: Target,
+    /// Let a step of its own, beside the chart, do what is done in each scan: Beremiz needs that, CODESYS has one initial step
+    #[arg(long)]
+    pub(crate) scan_step: bool,
 }
 
 /// Structured text (IEC 61131-3): a function block

@@ -1,7 +1,7 @@
 //! `cargo grafcet export`
 
 use grafcet_compiler::model::Model;
-use grafcet_exchange::plcopen::plcopen;
+use grafcet_exchange::plcopen::{self, plcopen};
 use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Form, Options, structured_text};
 use grafcet_exchange::{Refused, pnml};
@@ -16,7 +16,10 @@ pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
     match options {
         Export::St(options) => st(options),
         Export::Sfc(options) => sfc(&options.charts, &options.target, "st", textual),
-        Export::Plcopen(options) => sfc(&options.charts, &options.target, "xml", plcopen),
+        Export::Plcopen(options) => {
+            let wanted = plcopen::Options { scan_step: options.scan_step };
+            sfc(&options.charts, &options.target, "xml", |model| plcopen(model, wanted))
+        }
         Export::Pnml(options) => pnml(options),
     }
 }
@@ -48,7 +51,7 @@ fn sfc(
     charts: &Charts,
     target: &Target,
     ending: &str,
-    export: fn(&Model) -> Result<Exported, Vec<Refused>>,
+    export: impl Fn(&Model) -> Result<Exported, Vec<Refused>>,
 ) -> Result<Outcome, Failure> {
     let charts = find::charts(charts)?;
     output::each(&charts, target, ending, |chart| {

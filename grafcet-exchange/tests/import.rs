@@ -3,7 +3,7 @@
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::plant;
 use grafcet_exchange::import::{Imported, Wrong, import};
-use grafcet_exchange::plcopen::plcopen;
+use grafcet_exchange::plcopen::{Options, plcopen};
 
 fn imported(text: &str) -> Imported {
     import(text, "there.st").unwrap_or_else(|wrong| panic!("{wrong:?}"))
@@ -244,7 +244,7 @@ fn garbage() {
     let mut sink = Sink::new();
     let model = plant::model(chart.parse().expect("tokens"), &mut sink).expect("a chart");
     _ = sink.finish();
-    let xml = plcopen(&model).expect("a translation").text;
+    let xml = plcopen(&model, Options::default()).expect("a translation").text;
     for text in [xml.as_str(), STATION] {
         for end in (0..text.len()).step_by(3) {
             if text.is_char_boundary(end) {

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
-use grafcet_exchange::plcopen::plcopen;
+use grafcet_exchange::plcopen::{Options, plcopen};
 use roxmltree::{Document, Node};
 
 fn model(chart: &str) -> Model {
@@ -47,7 +47,7 @@ fn kinds<'d>(node: Node<'d, '_>) -> Vec<&'d str> {
 
 #[test]
 fn the_file_is_one_of_the_schema() {
-    let done = plcopen(&model(CHART)).expect("a translation");
+    let done = plcopen(&model(CHART), Options::default()).expect("a translation");
     let document = Document::parse(&done.text).expect("XML");
     let root = document.root_element();
     assert_eq!(root.tag_name().namespace(), Some("http://www.plcopen.org/xml/tc6_0201"));
@@ -116,7 +116,7 @@ fn at(node: Node<'_, '_>) -> (i64, i64) {
 /// Each line begins at a pin of what it belongs to, ends at one of what it is connected with, and is made of horizontal and vertical pieces.
 #[test]
 fn lines_lead_from_pin_to_pin() {
-    let done = plcopen(&model(CHART)).expect("a translation");
+    let done = plcopen(&model(CHART), Options::default()).expect("a translation");
     let document = Document::parse(&done.text).expect("XML");
     let sfc = elements(&document, "SFC")[0];
     let mut pins = BTreeMap::<i64, BTreeSet<(i64, i64)>>::new();
@@ -149,7 +149,7 @@ fn lines_lead_from_pin_to_pin() {
 /// Who is connected with whom, without what lies between.
 #[test]
 fn the_network_is_that_of_the_chart() {
-    let done = plcopen(&model(CHART)).expect("a translation");
+    let done = plcopen(&model(CHART), Options::default()).expect("a translation");
     let document = Document::parse(&done.text).expect("XML");
     let count = |name: &str| elements(&document, name).len();
     assert_eq!(
@@ -181,7 +181,7 @@ fn the_network_is_that_of_the_chart() {
 /// Two steps, and all steps and transitions, stand apart from each other; a step stands above those it leads to, unless it jumps.
 #[test]
 fn nothing_stands_upon_another() {
-    let done = plcopen(&model(CHART)).expect("a translation");
+    let done = plcopen(&model(CHART), Options::default()).expect("a translation");
     let document = Document::parse(&done.text).expect("XML");
     let place = |node: &Node<'_, '_>| {
         let (x, y) = at(node.children().find(|child| child.has_tag_name("position")).expect("a position"));
@@ -198,6 +198,29 @@ fn nothing_stands_upon_another() {
     }
 }
 
+/// What is done in each scan stands at a step beside the chart, which leads nowhere.
+#[test]
+fn a_step_for_each_scan() {
+    let done = plcopen(&model(CHART), Options { scan_step: true }).expect("a translation");
+    let document = Document::parse(&done.text).expect("XML");
+    let initial = elements(&document, "step").into_iter().filter(|step| step.attribute("initialStep") == Some("true"));
+    let names: Vec<_> = initial.filter_map(|step| step.attribute("name")).collect();
+    assert_eq!(names, ["Wait", "Scan"]);
+    let actions: Vec<_> = elements(&document, "action")
+        .into_iter()
+        .filter(|action| {
+            action.children().any(|child| child.has_tag_name("reference") && child.attribute("name") == Some("Always"))
+        })
+        .collect();
+    assert_eq!((actions.len(), actions[0].attribute("qualifier")), (1, Some("N")));
+    let imported = grafcet_exchange::import::import(&done.text, "there").expect("a chart").rust;
+    let plain = grafcet_exchange::import::import(
+        &plcopen(&model(CHART), Options::default()).expect("a translation").text,
+        "there",
+    );
+    assert_eq!(imported, plain.expect("a chart").rust);
+}
+
 /// A chart that is not drawn step by step has places all the same.
 #[test]
 fn a_large_chart() {
@@ -206,7 +229,7 @@ fn a_large_chart() {
         chart.extend([format!("step S{number}; S{} -[a]-> S{number};", number - 1)]);
     }
     chart.push_str("S199 -[!a]-> S0; }");
-    let done = plcopen(&model(&chart)).expect("a translation");
+    let done = plcopen(&model(&chart), Options::default()).expect("a translation");
     let document = Document::parse(&done.text).expect("XML");
     assert_eq!((elements(&document, "step").len(), elements(&document, "jumpStep").len()), (200, 1));
 }

@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::actions::Actions;
 use super::expr::{Kind, Scope};
-use super::facts::Facts;
+use super::facts::{Facts, action};
 use super::names::{Names, camel};
 use super::parser::{Expr, expression};
-use super::source::{Pou, Section, Transition, Variable, same};
+use super::source::{Block, Pou, Section, Step, Transition, Variable, What, same};
 use super::{Chart, Wrong};
 
 /// No line of a chain is longer, if it can be.
@@ -42,6 +42,7 @@ impl Role {
 /// A program as a chart. `pous` are all of its file.
 pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
     checked(pou)?;
+    let pou = &without_scan_step(pou);
     let mut plain = BTreeSet::new();
     loop {
         let (chart, source, read) = attempt(pou, pous, &plain);
@@ -50,6 +51,27 @@ pub(super) fn chart(pou: &Pou, pous: &[Pou]) -> Result<(Chart, Source), Wrong> {
         }
         plain.extend(read);
     }
+}
+
+/// Without a step that is always active and stands alone: what it does the first step of the chart sets.
+fn without_scan_step(pou: &Pou) -> Pou {
+    let mut pou = pou.clone();
+    let touched = |step: &Step| {
+        let mut all = pou.transitions.iter().flat_map(|transition| transition.from.iter().chain(&transition.to));
+        all.any(|name| same(name, &step.name))
+    };
+    let is_action = |block: &Block| {
+        matches!(&block.what, What::Named(name) if action(&pou, name).is_some()) && same(&block.qualifier, "N")
+    };
+    let alone =
+        |step: &Step| step.initial && !touched(step) && !step.blocks.is_empty() && step.blocks.iter().all(is_action);
+    let (alone, mut others): (Vec<Step>, Vec<Step>) = pou.steps.clone().into_iter().partition(alone);
+    if let Some(first) = others.iter_mut().find(|step| step.initial) {
+        let blocks = alone.into_iter().flat_map(|step| step.blocks);
+        first.blocks.extend(blocks.map(|block| Block { qualifier: "S".to_owned(), ..block }));
+        pou.steps = others;
+    }
+    pou
 }
 
 /// The same, and what was taken for the memory of an edge, and is none.

@@ -21,12 +21,23 @@ const XHTML: &str = "http://www.w3.org/1999/xhtml";
 /// The same chart gives the same file, so it says no time of its own.
 const DATE: &str = "2000-01-01T00:00:00";
 
+/// What kind of drawing is wanted.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub struct Options {
+    /// What is done in each scan stands at a step of its own that is always active, in a network beside the chart; else the initial step sets it. Beremiz
+    /// declares an action behind the first step that has it, and there the other steps that it asks for are not known yet. CODESYS has one initial step.
+    pub scan_step: bool,
+}
+
 /// A chart as a project of PLCopen XML with one program.
 ///
 /// # Errors
 /// What [`crate::sfc::textual`] refuses.
-pub fn plcopen(model: &Model) -> Result<Exported, Vec<Refused>> {
-    let chart = build(model)?;
+pub fn plcopen(model: &Model, options: Options) -> Result<Exported, Vec<Refused>> {
+    let mut chart = build(model)?;
+    if options.scan_step {
+        chart.with_scan_step();
+    }
     let places = place::places(model, &chart);
     let network = network::network(&chart, &places);
     let text = format!("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n{}", project(&chart, network).text());

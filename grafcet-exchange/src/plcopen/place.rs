@@ -40,7 +40,7 @@ pub(super) struct Places {
 }
 
 pub(super) fn places(model: &Model, chart: &Chart) -> Places {
-    let (mut steps, mut transitions) = (vec![None; chart.steps.len()], vec![None; chart.transitions.len()]);
+    let (mut steps, mut transitions) = (vec![None; model.steps.len()], vec![None; chart.transitions.len()]);
     // The drawing shows an `any` once, and numbers what it shows.
     let drawn: Vec<usize> = model.drawn_transitions().map(|(id, _)| grafcet_compiler::model::Id::index(id)).collect();
     let layout = with_description(model, |description| grafcet_draw::layout(description, &()));
@@ -57,7 +57,12 @@ pub(super) fn places(model: &Model, chart: &Chart) -> Places {
             Thing::Macro(_) => {}
         }
     }
-    let steps = steps.iter().copied().collect::<Option<Vec<Rect>>>().unwrap_or_else(|| column(chart));
+    let mut steps = steps.iter().copied().collect::<Option<Vec<Rect>>>().unwrap_or_else(|| column(chart));
+    // What is beside the chart stands at its right.
+    for step in &chart.steps[steps.len().min(chart.steps.len())..] {
+        let right = steps.iter().map(|place| place.x + place.width).max().unwrap_or_default();
+        steps.push(Rect { x: right + 10 * MARGIN, y: MARGIN, width: width(&step.name), height: MARGIN });
+    }
     let missing = |(number, place): (usize, &Option<Rect>)| place.unwrap_or_else(|| below(chart, &steps, number));
     let transitions = transitions.iter().enumerate().map(missing).collect();
     Places { steps, transitions }

@@ -40,7 +40,10 @@ pub(crate) fn build(model: &Model) -> Result<Chart, Vec<Refused>> {
     for (instance, block) in scope.instances.values() {
         program.variables.push(Variable::new(instance, block));
     }
-    all.extend(each_scan(&mut scope, always, &mut program.variables, &mut blocks).map_err(|error| vec![error])?);
+    let scan = each_scan(&mut scope, always, &mut program.variables, &mut blocks).map_err(|error| vec![error])?;
+    let scans = scan.is_some();
+    all.extend(scan);
+    let each_scan = all.last().filter(|_| scans).map(|action| (action.name.clone(), scope.names.own("Scan")));
     describe(model, &mut program);
     Ok(Chart {
         header: header(model, &scope, renamed.as_ref()),
@@ -51,6 +54,7 @@ pub(crate) fn build(model: &Model) -> Result<Chart, Vec<Refused>> {
         inputs: program.inputs,
         outputs: program.outputs,
         variables: program.variables,
+        each_scan,
         functions: scope.stubs,
         renamed: renamed.into_iter().chain(scope.names.renamed).collect(),
     })

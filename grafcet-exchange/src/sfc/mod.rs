@@ -57,6 +57,8 @@ pub(crate) struct Chart {
     pub(crate) transitions: Vec<Transition>,
     pub(crate) actions: Vec<Action>,
     renamed: Vec<(String, String)>,
+    /// The action that runs in each scan, and a name for a step that could have it.
+    each_scan: Option<(String, String)>,
 }
 
 #[derive(Clone, Debug)]
@@ -94,6 +96,16 @@ pub(crate) struct Action {
 }
 
 impl Chart {
+    /// Gives what is done in each scan to a step of its own, which is always active, instead of the initial one.
+    pub(crate) fn with_scan_step(&mut self) {
+        let Some((action, name)) = self.each_scan.take() else { return };
+        for step in &mut self.steps {
+            step.blocks.retain(|block| block.action != action);
+        }
+        let blocks = vec![Block { qualifier: "N", time: None, action }];
+        self.steps.push(Step { name, initial: true, note: String::new(), blocks });
+    }
+
     pub(crate) fn exported(&self, text: String) -> Exported {
         let to_write = self.functions.iter().map(|stub| (stub.name.clone(), stub.rust.clone())).collect();
         Exported { text, to_write, renamed: self.renamed.clone() }
