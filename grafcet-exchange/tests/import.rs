@@ -306,6 +306,68 @@ fn garbage() {
     _ = import(&"<a>".repeat(100_000), "there");
 }
 
+/// Conditions drawn as contacts and blocks, by name and beside the chart; negated wherever that can stand. What holds more than a condition is a stub.
+#[test]
+fn conditions_of_networks() {
+    let line = |from: usize| format!("<connectionPointIn><connection refLocalId='{from}'/></connectionPointIn>");
+    let transition = |id: usize, from: usize, condition: &str| {
+        format!("<transition localId='{id}'>{}<condition{condition}</condition></transition>", line(from))
+    };
+    let jump = |id: usize, from: usize, to: &str| {
+        format!("<jumpStep localId='{id}' targetName='{to}'>{}</jumpStep>", line(from))
+    };
+    let contact = |id: usize, name: &str, negated: bool, from: usize| {
+        format!("<contact localId='{id}' negated='{negated}'>{}<variable>{name}</variable></contact>", line(from))
+    };
+    let pin = |from: usize| format!("<variable formalParameter='IN{from}'>{}</variable>", line(from));
+    let block = |id: usize, kind: &str, more: &str, from: [usize; 2]| {
+        let pins = from.map(pin).concat();
+        format!("<block localId='{id}' typeName='{kind}'{more}><inputVariables>{pins}</inputVariables></block>")
+    };
+    let value = |id: usize, name: &str| {
+        format!("<inVariable localId='{id}' negated='false'><expression>{name}</expression></inVariable>")
+    };
+    let steps = ["S1", "S2", "S3", "S4"]
+        .iter()
+        .zip(1..)
+        .map(|(name, id)| format!("<step localId='{id}' name='{name}' initialStep='{}'/>", id == 1));
+    let sfc = [
+        steps.collect::<Vec<_>>().concat(),
+        // a and not b in a row of contacts
+        "<leftPowerRail localId='20'/>".to_owned() + &contact(21, "a", false, 20) + &contact(22, "b", true, 21),
+        transition(11, 1, &format!(">{}", line(22))) + &jump(31, 11, "S2"),
+        // not (a xor b) by name
+        transition(12, 2, " negated='true'><reference name='Differ'/>") + &jump(32, 12, "S3"),
+        // a or b
+        value(23, "a") + &value(24, "b") + &block(25, "OR", "", [23, 24]),
+        transition(13, 3, &format!(">{}", line(25))) + &jump(33, 13, "S4"),
+        // a flip-flop is more than a condition
+        block(26, "SR", " instanceName='SR0'", [23, 24]),
+        transition(14, 4, &format!(">{}", line(26))) + &jump(34, 14, "S1"),
+        transition(15, 4, " negated='true'><inline name=''><ST><p>a OR b;</p></ST></inline>") + &jump(35, 15, "S2"),
+    ];
+    let named = value(1, "a")
+        + &value(2, "b")
+        + &block(3, "XOR", "", [1, 2])
+        + &format!("<outVariable localId='4' negated='false'>{}<expression>differ</expression></outVariable>", line(3));
+    let text = format!(
+        "<project><types><pous><pou name='P' pouType='program'><interface><inputVars><variable name='a'><type><BOOL/></type></variable><variable name='b'><type><BOOL/></type></variable></inputVars></interface><transitions><transition name='Differ'><body><FBD>{named}</FBD></body></transition></transitions><body><SFC>{}</SFC></body></pou></pous></types></project>",
+        sfc.concat()
+    );
+    let done = imported(&text);
+    let lines = source(&done);
+    let expected = ["S1 -[a && !b]-> S2 -[!(a ^ b)]-> S3 -[a || b]-> S4 -[s4_to_s1()]-> S1;", "S4 -[!(a || b)]-> S2;"];
+    for line in expected {
+        assert!(lines.contains(&line), "{line}\n{}", done.rust);
+    }
+    assert!(
+        done.rust
+            .contains("///     block 26 SR SR0, from 23 and 24\n///     inVariable 23: a\n///     inVariable 24: b"),
+        "{}",
+        done.rust
+    );
+}
+
 /// Divergences that lead to each other, where nobody comes to an end.
 #[test]
 fn a_drawing_in_circles() {
