@@ -6,9 +6,10 @@
 //! - `expr`, `parts`: conditions, values and statements in Rust
 //! - `facts`: what the variables of a program are: who writes them, which of them only remember what was before
 //! - `actions`, `drives`: what steps do, as a person would have written it
-//! - `rust`: a chart as source
+//! - `rust`, `declare`: a chart as source
 
 mod actions;
+mod declare;
 mod drawing;
 mod drawn;
 mod drives;

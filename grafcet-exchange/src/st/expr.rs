@@ -1,6 +1,6 @@
 //! Expressions, in the words of structured text.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
@@ -8,7 +8,7 @@ use grafcet_compiler::model::{
 };
 
 use super::names::Names;
-use super::syntax::{Stub, Variable};
+use super::syntax::Stub;
 use super::text::{Text, all, any, not, strength};
 use super::time;
 use crate::Refused;
@@ -82,7 +82,7 @@ pub(crate) struct Scope<'m> {
     pub(crate) delays: BTreeMap<DelayId, String>,
     pub(crate) stubs: Vec<Stub>,
     /// The names of stubs, by what they stand for.
-    called: BTreeMap<String, String>,
+    pub(super) called: BTreeMap<String, String>,
     /// Of code actions the instance and its function block.
     pub(crate) instances: BTreeMap<ActionId, (String, String)>,
     /// In a chart of the language itself, which has steps.
@@ -169,7 +169,7 @@ impl<'m> Scope<'m> {
         }
     }
 
-    fn read(&mut self, read: Read, at: &At<'_>) -> Result<Text, Refused> {
+    pub(super) fn read(&mut self, read: Read, at: &At<'_>) -> Result<Text, Refused> {
         let place = |place: Place, name: &str| at.before.get(&place).map_or(name, String::as_str).to_owned();
         let active = |step| {
             (at.active)(step).ok_or_else(|| {
@@ -357,53 +357,6 @@ impl<'m> Scope<'m> {
         let right = self.tree(b, &kind, at)?.within(if of_bool { strength } else { tight });
         Ok(Text { text: format!("{left} {word} {right}"), strength })
     }
-
-    /// A function that a person has to write.
-    fn opaque(&mut self, text: &str, reads: &[Read], wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
-        let mut inputs = Vec::new();
-        let mut given = BTreeSet::new();
-        for read in reads {
-            let Read::Name(name) = read else {
-                let what = format!("`{text}`, which reads more than declared values,");
-                return Err(refuse(at, &what, "move the rest out of it"));
-            };
-            let Some(kind) = kind(self.model.ty(*name)) else {
-                return Err(refuse(at, &format!("`{text}`"), "the type of what it reads is one of the program"));
-            };
-            let value = self.read(*read, at)?.text;
-            if given.insert(*name) {
-                inputs.push((Variable::new(self.name(*name), kind.name()), value));
-            }
-        }
-        if *wanted == Kind::Number {
-            return Err(refuse(
-                at,
-                &format!("`{text}`, whose type the chart does not tell,"),
-                "compare it with a declared value",
-            ));
-        }
-        let name = match self.called.get(text) {
-            Some(name) => name.clone(),
-            None => {
-                let name = self.names.own(&function(text));
-                self.called.insert(text.to_owned(), name.clone());
-                let inputs = inputs.iter().map(|(variable, _)| variable.clone()).collect();
-                let ty = Some(wanted.name().to_owned());
-                self.stubs.push(Stub { name: name.clone(), ty, inputs, rust: text.to_owned() });
-                name
-            }
-        };
-        let given: Vec<String> =
-            inputs.iter().map(|(variable, value)| format!("{} := {value}", variable.name)).collect();
-        Ok(Text::word(format!("{name}({})", given.join(", "))))
-    }
-}
-
-/// `valid` of `sensors::valid(level)`.
-fn function(text: &str) -> String {
-    let before = text.split(['(', '{', '[', ' ']).next().unwrap_or_default();
-    let name = before.rsplit([':', '.']).next().unwrap_or_default().trim_end_matches('!');
-    if name.is_empty() { "rust".to_owned() } else { name.to_owned() }
 }
 
 /// Inputs and parameters, which no action writes.
@@ -418,7 +371,7 @@ pub(crate) fn plain(name: &proc_macro2::Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 
-fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
+pub(super) fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
     Refused::at(at.mark, format!("{what} has no translation into structured text; {mend}"))
 }
 

@@ -1,6 +1,6 @@
 //! IEC 61131-3 structured text.
 //!
-//! - `syntax`, `names`, `time`, `text`, `expr`: programs, names, times and expressions of structured text
+//! - `syntax`, `names`, `time`, `text`, `expr`, `stubs`: programs, names, times and expressions of structured text, and functions to be written
 //! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
 //! - `fits`: what neither form can say
 //! - `action`: what an association is, and what an effect does
@@ -15,6 +15,7 @@ mod flags;
 pub(crate) mod frame;
 mod header;
 pub(crate) mod names;
+mod stubs;
 pub(crate) mod syntax;
 pub(crate) mod text;
 pub(crate) mod time;
