@@ -195,6 +195,8 @@ fn what_goes_on_from_step_to_step() {
     let chart = "sfc C { input a: bool; output q, p: bool; initial step S1; step S2 { q; p; } step S3 { q; } S1 -[a]-> S2 -[!a]-> S3 -[a]-> S1; }";
     let lines = program(chart);
     assert!(lines.contains(&"q := S2.X OR S3.X;".to_owned()) && lines.contains(&"p(N);".to_owned()), "{lines:#?}");
+    let beside = "sfc C { input a, b: bool; output q: bool; initial step S1; step S2 { q; } step S3; step S4 { q; } step S5; S1 -[a]-> (S2, S4); S2 -[b]-> S3; S4 -[!b]-> S5; (S3, S5) -[!a]-> S1; }";
+    assert!(program(beside).contains(&"q := S2.X OR S4.X;".to_owned()));
 }
 
 /// Set and reset under conditions are one action, in which reset is the last to be asked.

@@ -2,10 +2,12 @@
 //!
 //! A boolean that steps drive without conditions is named by itself. What depends on conditions and values is done by one action that the initial step
 //! sets (S) and nothing resets, so that it runs in each scan: it asks which step is active. The standard lets a PLC do without the final call of an action,
-//! which would have to switch off; and where a step follows another with the same action, Beremiz lets the one that ends decide.
+//! which would have to switch off; and where a step ends while another with the same boolean is active, Beremiz lets the one
+//! decide that stands behind.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{Association, Effect, Expr, Id, Model, Place, Qualifier, Read, StepId, Transition, Tree};
 
@@ -252,7 +254,7 @@ fn style(model: &Model, place: Place) -> Result<Style, Refused> {
     let begins = begins.is_some_and(|init| init.tree != Tree::Bool(false));
     let conditional = all.iter().find(|association| association.condition.is_some());
     match conditional {
-        None if !begins && is_of(&[Qualifier::N]) && follows(model, &all) => Ok(Style::Conditions),
+        None if !begins && is_of(&[Qualifier::N]) && overlap(model, &all) => Ok(Style::Conditions),
         None if !begins => Ok(Style::Boolean),
         _ if stored => {
             let own = |condition: &Expr| places(&condition.tree).contains(&place);
@@ -279,14 +281,18 @@ fn style(model: &Model, place: Place) -> Result<Style, Refused> {
     }
 }
 
-/// Whether one of these steps leads to another one.
-fn follows(model: &Model, all: &[&Association]) -> bool {
-    let has = |step: &StepId| all.iter().any(|association| association.step == *step);
-    let pairs = |transition: &Transition| {
+/// Whether one of these steps can end in a scan in which another one is active.
+fn overlap(model: &Model, all: &[&Association]) -> bool {
+    let steps: Vec<StepId> = all.iter().map(|association| association.step).collect();
+    let leads = |transition: &Transition| {
         let (from, to) = (&transition.sources, &transition.targets);
-        from.iter().any(|one| has(one) && to.iter().any(|other| other != one && has(other)))
+        from.iter().any(|one| steps.contains(one) && to.iter().any(|other| other != one && steps.contains(other)))
     };
-    model.transitions.values().any(pairs)
+    let facts = Facts::of(model);
+    let beside = |(index, one): (usize, &StepId)| {
+        steps[index + 1..].iter().any(|other| other != one && facts.concurrency.together(*one, *other))
+    };
+    model.transitions.values().any(leads) || steps.iter().enumerate().any(beside)
 }
 
 /// What was before is remembered by an action of its own, and which of two comes first nobody says.
