@@ -30,6 +30,7 @@ pub(crate) enum Command {
     Diff(Diff),
     #[command(subcommand)]
     Export(Export),
+    Import(Import),
     Simulate(Simulate),
     Replay(Replay),
     Coverage(Coverage),
@@ -156,6 +157,8 @@ pub(crate) struct Diff {
 #[derive(Subcommand, Debug)]
 pub(crate) enum Export {
     St(StructuredText),
+    Sfc(Sfc),
+    Plcopen(Plcopen),
     Pnml(Pnml),
 }
 
@@ -173,6 +176,46 @@ pub(crate) struct Pnml {
     pub(crate) charts: Charts,
     #[command(flatten)]
     pub(crate) target: Target,
+}
+
+/// SFC of IEC 61131-3 in its textual form: a program with steps, transitions and actions
+///
+/// For `sfc` charts, whose meaning is that of the standard: one evolution a scan, then the actions. What has no translation is an error at its place, and nothing is written.
+/// Rust functions and code actions become declared functions and function blocks that you have to write; they are listed.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export sfc --chart Motor
+  cargo grafcet export sfc --chart Motor -o motor.st
+  cargo grafcet export sfc --out sfc            all charts of the crate as sfc/NAME.st
+
+Exit code 1 says that a chart has errors or no translation.")]
+pub(crate) struct Sfc {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) target: Target,
+}
+
+/// PLCopen XML (TC6 2.01): the chart as a drawing of SFC, for CODESYS, Beremiz and others
+///
+/// For `sfc` charts, as `export sfc`. Steps and transitions stand where `draw` puts them; what leads back is a jump.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export plcopen --chart Motor -o motor.xml
+  cargo grafcet export plcopen --chart Motor -o motor.xml --scan-step       for Beremiz
+  cargo grafcet export plcopen --out plcopen    all charts of the crate as plcopen/NAME.xml
+
+Exit code 1 says that a chart has errors or no translation.")]
+pub(crate) struct Plcopen {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) target: Target,
+    /// Let a step of its own, beside the chart, do what is done in each scan: Beremiz needs that, CODESYS has one initial step
+    #[arg(long)]
+    pub(crate) scan_step: bool,
 }
 
 /// Structured text (IEC 61131-3): a function block
@@ -214,6 +257,29 @@ pub(crate) enum StForm {
     #[default]
     Case,
     FlipFlops,
+}
+
+/// Make Rust of charts of PLC tools: PLCopen XML and the textual form of SFC
+///
+/// Each SFC of the file becomes a chart, as a person would have written it: chains of transitions, names as Rust has them, comments kept. Conditions and actions in structured text
+/// are translated; what is not is a stub with its text, and said at its place. What was renamed stands at the top of the file.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet import plc.xml
+  cargo grafcet import motor.st -o src/motor.rs
+
+Exit code 1 says that something is to be looked at or to be written, or that the compiler refuses a chart.")]
+pub(crate) struct Import {
+    /// PLCopen XML (TC6), or `PROGRAM … END_PROGRAM` with steps and transitions
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Write to this file
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// One JSON object: the source, and of each chart what was renamed and what is to be looked at
+    #[arg(long, conflicts_with = "output")]
+    pub(crate) json: bool,
 }
 
 /// Play with a chart in the terminal

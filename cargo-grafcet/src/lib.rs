@@ -8,6 +8,7 @@ mod diff;
 mod draw;
 mod export;
 mod find;
+mod import;
 mod model;
 mod output;
 mod prove;
@@ -52,6 +53,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Draw(options) => draw::run(options),
         Command::Diff(options) => diff::run(options),
         Command::Export(options) => export::run(options),
+        Command::Import(options) => import::run(options),
         Command::Simulate(options) => simulate::run(options),
         Command::Replay(options) => replay::run(options),
         Command::Coverage(options) => coverage::run(options),

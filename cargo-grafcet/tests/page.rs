@@ -32,9 +32,21 @@ fn commands_of_the_page_show_what_stands_there() {
         }
         shown += "```";
     }
-    for command in
-        ["check", "draw", "diff", "export st", "export pnml", "simulate", "replay", "coverage", "tests", "prove"]
-    {
+    for command in [
+        "check",
+        "draw",
+        "diff",
+        "export st",
+        "export sfc",
+        "export plcopen",
+        "export pnml",
+        "import",
+        "simulate",
+        "replay",
+        "coverage",
+        "tests",
+        "prove",
+    ] {
         assert!(commands.iter().any(|one| one.starts_with(command)), "no example of {command}");
     }
     // `cargo xtask bless` records it anew.

@@ -134,6 +134,14 @@ pub(crate) fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
     Ok(charts)
 }
 
+/// The charts of a text that is to be the file of this name.
+///
+/// # Errors
+/// It is no Rust.
+pub(crate) fn of_text(path: &Path, text: &str) -> Result<Vec<Found>, Failure> {
+    Ok(File::of(path, text.to_owned())?.charts())
+}
+
 /// A file as tokens.
 struct File {
     source: Rc<Source>,
@@ -142,7 +150,10 @@ struct File {
 
 impl File {
     fn read(path: &Path) -> Result<Self, Failure> {
-        let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
+        Self::of(path, fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?)
+    }
+
+    fn of(path: &Path, text: String) -> Result<Self, Failure> {
         let source = Rc::new(Source { path: shown(path), text: plain(text) });
         let tokens = source.text.parse().map_err(|error: proc_macro2::LexError| {
             let what = "this is not Rust: it cannot be read beyond this point";
@@ -177,7 +188,7 @@ fn plain(text: String) -> String {
 }
 
 /// From the present folder on, where it lies below.
-fn shown(path: &Path) -> PathBuf {
+pub(crate) fn shown(path: &Path) -> PathBuf {
     let here = std::env::current_dir().unwrap_or_default();
     path.strip_prefix(&here).unwrap_or(path).to_path_buf()
 }

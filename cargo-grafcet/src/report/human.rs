@@ -51,13 +51,18 @@ pub(crate) fn refused(chart: &Found, refused: &Refused) -> String {
 /// An error at a place, for what is no chart.
 pub(crate) fn at(source: &Source, span: Span, what: &str) -> String {
     let place = Place::or_begin(span, source);
+    in_file(source, place.start..place.end, &Level::ERROR, what)
+}
+
+/// What is said of a place in a file of any kind.
+pub(crate) fn in_file(source: &Source, at: std::ops::Range<usize>, level: &Level<'_>, what: &str) -> String {
     let path = source.path.display().to_string();
-    let title = Level::ERROR.primary_title(what);
+    let title = level.clone().primary_title(what);
     // Behind the last character there is nothing to mark.
-    let group = if place.start == source.text.len() || source.text.is_empty() {
+    let group = if at.start >= source.text.len() || source.text.get(at.clone()).is_none() {
         Group::with_title(title).element(Origin::path(&path))
     } else {
-        let mark = AnnotationKind::Primary.span(place.start..place.end);
+        let mark = AnnotationKind::Primary.span(at);
         Group::with_title(title).element(Snippet::source(&source.text).path(&path).annotation(mark))
     };
     Renderer::styled().render(&[group])

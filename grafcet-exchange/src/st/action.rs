@@ -13,7 +13,7 @@ use crate::Refused;
 
 /// What an association is for a program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Role {
+pub(crate) enum Role {
     /// As long as something holds the place is true, or has a value: N, L, D, P of a place; in an `sfc` SD, DS and SL, too.
     Continuous(Place),
     /// S
@@ -31,7 +31,7 @@ pub(super) enum Role {
 }
 
 /// What it is; refused where neither form knows it.
-pub(super) fn role(model: &Model, association: &Association) -> Result<Role, Refused> {
+pub(crate) fn role(model: &Model, association: &Association) -> Result<Role, Refused> {
     use Qualifier::{N, On, P0, P1, R, S};
     let qualifier = association.qualifier;
     let role = match (&association.effect, qualifier) {
@@ -62,15 +62,15 @@ fn runs(association: &Association) -> Refused {
 
 /// How a place is written.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub(super) struct Written {
-    pub(super) continuous: bool,
-    pub(super) set_or_reset: bool,
+pub(crate) struct Written {
+    pub(crate) continuous: bool,
+    pub(crate) set_or_reset: bool,
     /// By assignments and blocks.
-    pub(super) otherwise: bool,
+    pub(crate) otherwise: bool,
 }
 
 /// Of each place that is written.
-pub(super) fn written(model: &Model) -> Result<BTreeMap<Place, Written>, Vec<Refused>> {
+pub(crate) fn written(model: &Model) -> Result<BTreeMap<Place, Written>, Vec<Refused>> {
     let mut all = BTreeMap::<Place, Written>::new();
     let mut refused = Vec::new();
     for association in model.associations.values() {
@@ -94,7 +94,7 @@ pub(super) fn written(model: &Model) -> Result<BTreeMap<Place, Written>, Vec<Ref
 }
 
 /// What an effect does once.
-pub(super) fn run(
+pub(crate) fn run(
     scope: &mut Scope<'_>,
     effect: &Effect,
     phase: Phase,
@@ -142,7 +142,7 @@ fn block(scope: &mut Scope<'_>, statements: &[Rust], at: &At<'_>) -> Result<Vec<
 }
 
 /// The value that is assigned to a place.
-pub(super) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &At<'_>) -> Result<String, Refused> {
+pub(crate) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &At<'_>) -> Result<String, Refused> {
     let wanted = kind_of(scope.model, place, at)?;
     Ok(scope.expr(value, &wanted, at)?.text)
 }
@@ -155,7 +155,7 @@ fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<super::expr::Kind
 
 /// Which call of a code action it is; the number is what the function block is told.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Phase {
+pub(crate) enum Phase {
     First = 0,
     Repeated = 1,
     Final = 2,
@@ -168,29 +168,44 @@ fn call(
     phase: Phase,
     at: &At<'_>,
 ) -> Result<Statement, Refused> {
-    let action = &scope.model.actions[id];
-    let mut given = vec![format!("phase := {}", phase as u8)];
-    let mut inputs = vec![Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final")];
-    let params = action.params.clone();
-    // Each block has names of its own.
-    let mut names = Names::new();
-    names.own("phase");
-    for ((name, ty), argument) in params.iter().zip(arguments) {
-        let name = names.own(&plain(name));
-        let Some(kind) = kind(ty) else {
-            let message = format!("the parameter `{name}` of `{}` is of no type of structured text", action.name);
-            return Err(Refused::at(at.mark, message));
-        };
-        given.push(format!("{name} := {}", scope.expr(argument, &kind, at)?.text));
-        inputs.push(Variable::new(name, kind.name()));
-    }
-    let name = scope.action(id, inputs);
-    Ok(Statement::Call(format!("{name}({})", given.join(", "))))
+    let phase =
+        (format!("phase := {}", phase as u8), Variable::new("phase", "INT").note("0 first, 1 repeated, 2 final"));
+    scope.call(id, arguments, phase, at)
 }
 
 impl Scope<'_> {
+    /// A call of the function block that stands for an action, told which call it is.
+    pub(crate) fn call(
+        &mut self,
+        id: ActionId,
+        arguments: &[Expr],
+        (told, which): (String, Variable),
+        at: &At<'_>,
+    ) -> Result<Statement, Refused> {
+        let scope = self;
+        let action = &scope.model.actions[id];
+        // Each block has names of its own.
+        let mut names = Names::new();
+        names.own(&which.name);
+        let mut given = vec![told];
+        let rust = which.name.clone();
+        let mut inputs = vec![which];
+        let params = action.params.clone();
+        for ((name, ty), argument) in params.iter().zip(arguments) {
+            let name = names.own(&plain(name));
+            let Some(kind) = kind(ty) else {
+                let message = format!("the parameter `{name}` of `{}` is of no type of structured text", action.name);
+                return Err(Refused::at(at.mark, message));
+            };
+            given.push(format!("{name} := {}", scope.expr(argument, &kind, at)?.text));
+            inputs.push(Variable::new(name, kind.name()));
+        }
+        let name = scope.action(id, inputs, rust);
+        Ok(Statement::Call(format!("{name}({})", given.join(", "))))
+    }
+
     /// The instance of the function block that stands for an action.
-    fn action(&mut self, id: ActionId, inputs: Vec<Variable>) -> String {
+    fn action(&mut self, id: ActionId, inputs: Vec<Variable>, told: String) -> String {
         if let Some((instance, _)) = self.instances.get(&id) {
             return instance.clone();
         }
@@ -203,10 +218,7 @@ impl Scope<'_> {
             name: block.clone(),
             ty: None,
             inputs,
-            rust: format!(
-                "fn {written}({})",
-                ["phase".to_owned()].into_iter().chain(parameters).collect::<Vec<_>>().join(", ")
-            ),
+            rust: format!("fn {written}({})", [told].into_iter().chain(parameters).collect::<Vec<_>>().join(", ")),
         });
         self.instances.insert(id, (instance.clone(), block));
         instance
@@ -214,12 +226,12 @@ impl Scope<'_> {
 }
 
 /// What an effect reads of places.
-pub(super) fn reads(effect: &Effect) -> Vec<Place> {
+pub(crate) fn reads(effect: &Effect) -> Vec<Place> {
     let all = effect.reads().into_iter().flatten().copied();
     all.filter_map(read_place).collect()
 }
 
-pub(super) fn read_place(read: Read) -> Option<Place> {
+pub(crate) fn read_place(read: Read) -> Option<Place> {
     match read {
         Read::Name(Name::Output(id)) => Some(Place::Output(id)),
         Read::Name(Name::Var(id)) => Some(Place::Var(id)),
@@ -228,14 +240,14 @@ pub(super) fn read_place(read: Read) -> Option<Place> {
 }
 
 /// The places that a condition reads.
-pub(super) fn places(tree: &Tree) -> Vec<Place> {
+pub(crate) fn places(tree: &Tree) -> Vec<Place> {
     let mut places = Vec::new();
     tree.each_read(&mut |read| places.extend(read_place(read)));
     places
 }
 
 /// Actions that associations of several kinds, or several steps at once, act on: the calls of both would be one.
-pub(super) fn shared_calls(model: &Model, refused: &mut Vec<Refused>) {
+pub(crate) fn shared_calls(model: &Model, refused: &mut Vec<Refused>) {
     let mut kinds = BTreeMap::<ActionId, (Qualifier, AssociationId)>::new();
     for (id, association) in model.associations.iter() {
         let Effect::Call(action, _) = association.effect else { continue };

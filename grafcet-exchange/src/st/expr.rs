@@ -1,6 +1,6 @@
 //! Expressions, in the words of structured text.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
@@ -8,14 +8,14 @@ use grafcet_compiler::model::{
 };
 
 use super::names::Names;
-use super::syntax::{Stub, Variable};
+use super::syntax::Stub;
 use super::text::{Text, all, any, not, strength};
 use super::time;
 use crate::Refused;
 
 /// What a value is.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Bool,
     /// `UINT`
     Int(&'static str),
@@ -25,7 +25,7 @@ pub(super) enum Kind {
 }
 
 /// The type of structured text.
-pub(super) fn kind(ty: &Ty) -> Option<Kind> {
+pub(crate) fn kind(ty: &Ty) -> Option<Kind> {
     Some(match ty {
         Ty::Bool(_) => Kind::Bool,
         Ty::Time(_) => Kind::Time,
@@ -48,7 +48,7 @@ pub(super) fn kind(ty: &Ty) -> Option<Kind> {
 }
 
 impl Kind {
-    pub(super) fn name(&self) -> &'static str {
+    pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Bool => "BOOL",
             Self::Int(name) => name,
@@ -59,37 +59,48 @@ impl Kind {
 }
 
 /// What an expression sees at its moment.
-pub(super) struct At<'a> {
+pub(crate) struct At<'a> {
     /// Whether a step is active: `step = 20`; none where that cannot be said then.
-    pub(super) active: &'a dyn Fn(StepId) -> Option<Text>,
+    pub(crate) active: &'a dyn Fn(StepId) -> Option<Text>,
     /// Under which names it reads what the cycle changes.
-    pub(super) before: &'a BTreeMap<Place, String>,
+    pub(crate) before: &'a BTreeMap<Place, String>,
     /// Times of steps can be read.
-    pub(super) times: bool,
+    pub(crate) times: bool,
     /// Where it stands.
-    pub(super) mark: Mark,
+    pub(crate) mark: Mark,
 }
 
 /// Names, and what expressions need beside them.
-pub(super) struct Scope<'m> {
-    pub(super) model: &'m Model,
-    pub(super) names: Names,
+pub(crate) struct Scope<'m> {
+    pub(crate) model: &'m Model,
+    pub(crate) names: Names,
     values: BTreeMap<Name, String>,
     /// The timers of steps.
-    pub(super) timers: BTreeMap<StepId, String>,
+    pub(crate) timers: BTreeMap<StepId, String>,
     /// Of an edge the variables for rising, falling and the value before.
-    pub(super) edges: BTreeMap<EdgeId, [String; 3]>,
-    pub(super) delays: BTreeMap<DelayId, String>,
-    pub(super) stubs: Vec<Stub>,
+    pub(crate) edges: BTreeMap<EdgeId, [String; 3]>,
+    pub(crate) delays: BTreeMap<DelayId, String>,
+    pub(crate) stubs: Vec<Stub>,
     /// The names of stubs, by what they stand for.
-    called: BTreeMap<String, String>,
+    pub(super) called: BTreeMap<String, String>,
     /// Of code actions the instance and its function block.
-    pub(super) instances: BTreeMap<ActionId, (String, String)>,
+    pub(crate) instances: BTreeMap<ActionId, (String, String)>,
+    /// In a chart of the language itself, which has steps.
+    pub(crate) steps: Option<Steps>,
+}
+
+/// Steps as the language itself has them: with `Step.X` and `Step.T`.
+pub(crate) struct Steps {
+    /// By step.
+    pub(crate) names: Vec<String>,
+    /// Active wherever what is translated counts, so that their times are those of the chart. The time of another step is the one that it had
+    /// reached when it was left.
+    pub(crate) active: Vec<StepId>,
 }
 
 impl<'m> Scope<'m> {
     /// With names for all that is declared.
-    pub(super) fn new(model: &'m Model, names: Names) -> Self {
+    pub(crate) fn new(model: &'m Model, names: Names) -> Self {
         let mut scope = Self {
             model,
             names,
@@ -100,6 +111,7 @@ impl<'m> Scope<'m> {
             stubs: Vec::new(),
             called: BTreeMap::new(),
             instances: BTreeMap::new(),
+            steps: None,
         };
         let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
         all.extend(model.params.ids().map(Name::Param));
@@ -112,16 +124,16 @@ impl<'m> Scope<'m> {
         scope
     }
 
-    pub(super) fn name(&self, name: Name) -> &str {
+    pub(crate) fn name(&self, name: Name) -> &str {
         self.values.get(&name).map_or("", String::as_str)
     }
 
-    pub(super) fn place(&self, place: Place) -> &str {
+    pub(crate) fn place(&self, place: Place) -> &str {
         self.name(place.into())
     }
 
     /// The timer of a step.
-    pub(super) fn timer(&mut self, step: StepId) -> String {
+    pub(crate) fn timer(&mut self, step: StepId) -> String {
         if !self.timers.contains_key(&step) {
             let name = self.names.own(&format!("T_{}", plain(&self.model.steps[step].name)));
             self.timers.insert(step, name);
@@ -130,11 +142,11 @@ impl<'m> Scope<'m> {
     }
 
     /// An expression of this kind.
-    pub(super) fn expr(&mut self, expr: &Expr, wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
+    pub(crate) fn expr(&mut self, expr: &Expr, wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
         self.tree(&expr.tree, wanted, &At { mark: expr.mark, ..*at })
     }
 
-    pub(super) fn tree(&mut self, tree: &Tree, wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
+    pub(crate) fn tree(&mut self, tree: &Tree, wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
         match tree {
             Tree::Bool(value) => Ok(Text::word(if *value { "TRUE" } else { "FALSE" })),
             Tree::Int(value) => Ok(match value {
@@ -157,7 +169,7 @@ impl<'m> Scope<'m> {
         }
     }
 
-    fn read(&mut self, read: Read, at: &At<'_>) -> Result<Text, Refused> {
+    pub(super) fn read(&mut self, read: Read, at: &At<'_>) -> Result<Text, Refused> {
         let place = |place: Place, name: &str| at.before.get(&place).map_or(name, String::as_str).to_owned();
         let active = |step| {
             (at.active)(step).ok_or_else(|| {
@@ -177,10 +189,14 @@ impl<'m> Scope<'m> {
             }
             Read::Since(step) => {
                 may_read_times(at)?;
-                Ok(Text::word(format!("{}.ET", self.timer(step))))
+                if self.steps.as_ref().is_some_and(|steps| !steps.active.contains(&step)) {
+                    let what = "the time of a step that may not be active";
+                    return Err(refuse(at, what, "compare it as in `5s/Step`, or ask for it where the step is active"));
+                }
+                Ok(Text::word(self.since(step)))
             }
-            Read::Rising(edge) => Ok(Text::word(self.edge(edge, at)?[0].clone())),
-            Read::Falling(edge) => Ok(Text::word(self.edge(edge, at)?[1].clone())),
+            Read::Rising(edge) => self.edge_of(edge, 0, at),
+            Read::Falling(edge) => self.edge_of(edge, 1, at),
             Read::Delay(delay) => self.delay(delay, at),
             Read::Ticks(ticks) => time::literal(self.model, ticks, at.mark).map(Text::word),
             Read::Elapsed(time, step) => self.elapsed(time, step, at),
@@ -194,18 +210,38 @@ impl<'m> Scope<'m> {
     fn elapsed(&mut self, time: TimeRef, step: StepId, at: &At<'_>) -> Result<Text, Refused> {
         may_read_times(at)?;
         let limit = self.time(time, at.mark)?;
-        let timer = self.timer(step);
-        let reached = Text { text: format!("{timer}.ET >= {limit}"), strength: strength::ORDER };
-        // The time of a step that is not active is zero: only a time that may be zero asks for more.
-        if matches!(time, TimeRef::Ticks(1..)) {
+        let reached = Text::order(format!("{} >= {limit}", self.since(step)));
+        // The timer of a step that is not active is at zero: only a time that may be zero asks for more.
+        let at_zero = self.steps.as_ref().is_none_or(|steps| steps.active.contains(&step));
+        if at_zero && matches!(time, TimeRef::Ticks(1..)) {
             return Ok(reached);
         }
         let active = self.read(Read::Active(step), at)?;
         Ok(all(vec![active, reached]))
     }
 
+    /// How long a step has been active.
+    fn since(&mut self, step: StepId) -> String {
+        match &self.steps {
+            Some(steps) => format!("{}.T", steps.names[step.index()]),
+            None => format!("{}.ET", self.timer(step)),
+        }
+    }
+
+    /// Rising or falling.
+    fn edge_of(&mut self, id: EdgeId, which: usize, at: &At<'_>) -> Result<Text, Refused> {
+        let names = self.edge(id, at)?;
+        if self.steps.is_none() {
+            return Ok(Text::word(names[which].clone()));
+        }
+        let model = self.model;
+        let now = self.tree(&model.edges[id].of.tree, &Kind::Bool, at)?;
+        let was = Text::word(names[2].clone());
+        Ok(all(if which == 0 { vec![now, not(was)] } else { vec![not(now), was] }))
+    }
+
     /// A time as a literal or a name.
-    pub(super) fn time(&self, time: TimeRef, mark: Mark) -> Result<String, Refused> {
+    pub(crate) fn time(&self, time: TimeRef, mark: Mark) -> Result<String, Refused> {
         match time {
             TimeRef::Ticks(ticks) => time::literal(self.model, ticks, mark),
             TimeRef::Param(id) => Ok(self.name(Name::Param(id)).to_owned()),
@@ -235,6 +271,9 @@ impl<'m> Scope<'m> {
         if !reads_inputs_alone(&self.model.delays[id].of.tree) {
             return Err(refuse(at, "the delay of what the chart itself changes", "only delays of inputs are"));
         }
+        if self.steps.is_some() {
+            return Err(refuse(at, "a delay", "in SFC of IEC 61131-3 let a step wait for its time"));
+        }
         if !self.delays.contains_key(&id) {
             let name = self.names.own(&format!("delay_{}", id.index() + 1));
             self.delays.insert(id, name);
@@ -243,7 +282,7 @@ impl<'m> Scope<'m> {
     }
 
     /// What an expression is, where that can be told.
-    pub(super) fn kind(&self, tree: &Tree) -> Option<Kind> {
+    pub(crate) fn kind(&self, tree: &Tree) -> Option<Kind> {
         match tree {
             Tree::Int(_) => Some(Kind::Number),
             Tree::Read(Read::Name(name)) => kind(self.model.ty(*name)),
@@ -318,68 +357,21 @@ impl<'m> Scope<'m> {
         let right = self.tree(b, &kind, at)?.within(if of_bool { strength } else { tight });
         Ok(Text { text: format!("{left} {word} {right}"), strength })
     }
-
-    /// A function that a person has to write.
-    fn opaque(&mut self, text: &str, reads: &[Read], wanted: &Kind, at: &At<'_>) -> Result<Text, Refused> {
-        let mut inputs = Vec::new();
-        let mut given = BTreeSet::new();
-        for read in reads {
-            let Read::Name(name) = read else {
-                let what = format!("`{text}`, which reads more than declared values,");
-                return Err(refuse(at, &what, "move the rest out of it"));
-            };
-            let Some(kind) = kind(self.model.ty(*name)) else {
-                return Err(refuse(at, &format!("`{text}`"), "the type of what it reads is one of the program"));
-            };
-            let value = self.read(*read, at)?.text;
-            if given.insert(*name) {
-                inputs.push((Variable::new(self.name(*name), kind.name()), value));
-            }
-        }
-        if *wanted == Kind::Number {
-            return Err(refuse(
-                at,
-                &format!("`{text}`, whose type the chart does not tell,"),
-                "compare it with a declared value",
-            ));
-        }
-        let name = match self.called.get(text) {
-            Some(name) => name.clone(),
-            None => {
-                let name = self.names.own(&function(text));
-                self.called.insert(text.to_owned(), name.clone());
-                let inputs = inputs.iter().map(|(variable, _)| variable.clone()).collect();
-                let ty = Some(wanted.name().to_owned());
-                self.stubs.push(Stub { name: name.clone(), ty, inputs, rust: text.to_owned() });
-                name
-            }
-        };
-        let given: Vec<String> =
-            inputs.iter().map(|(variable, value)| format!("{} := {value}", variable.name)).collect();
-        Ok(Text::word(format!("{name}({})", given.join(", "))))
-    }
-}
-
-/// `valid` of `sensors::valid(level)`.
-fn function(text: &str) -> String {
-    let before = text.split(['(', '{', '[', ' ']).next().unwrap_or_default();
-    let name = before.rsplit([':', '.']).next().unwrap_or_default().trim_end_matches('!');
-    if name.is_empty() { "rust".to_owned() } else { name.to_owned() }
 }
 
 /// Inputs and parameters, which no action writes.
-pub(super) fn reads_inputs_alone(tree: &Tree) -> bool {
+pub(crate) fn reads_inputs_alone(tree: &Tree) -> bool {
     let mut alone = !tree.is_opaque();
     tree.each_read(&mut |read| alone &= matches!(read, Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_)));
     alone
 }
 
 /// A name without the mark of a raw identifier.
-pub(super) fn plain(name: &proc_macro2::Ident) -> String {
+pub(crate) fn plain(name: &proc_macro2::Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 
-fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
+pub(super) fn refuse(at: &At<'_>, what: &str, mend: &str) -> Refused {
     Refused::at(at.mark, format!("{what} has no translation into structured text; {mend}"))
 }
 

@@ -21,7 +21,7 @@ pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     refused
 }
 
-fn structure(model: &Model, refused: &mut Vec<Refused>) {
+pub(crate) fn structure(model: &Model, refused: &mut Vec<Refused>) {
     for partial in model.partials.values() {
         if let Some(name) = &partial.name {
             let why = "partial grafcets and enclosing steps have no translation into structured text: export a chart of one net";
@@ -40,7 +40,7 @@ fn structure(model: &Model, refused: &mut Vec<Refused>) {
     }
 }
 
-fn types(model: &Model, refused: &mut Vec<Refused>) {
+pub(crate) fn types(model: &Model, refused: &mut Vec<Refused>) {
     let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
     all.extend(model.params.ids().map(Name::Param));
     all.extend(model.outputs.ids().map(Name::Output));
@@ -94,7 +94,7 @@ fn several(model: &Model) -> Option<Refused> {
 }
 
 /// What is left out by an `any` stays active beside what it enters, and it comes before all other transitions of the net, not of a step.
-fn anys(model: &Model, refused: &mut Vec<Refused>) {
+pub(crate) fn anys(model: &Model, refused: &mut Vec<Refused>) {
     let parallel = several(model).is_some();
     for any in model.anys.values().filter(|_| parallel) {
         let mark = model.transitions[any.first].mark;

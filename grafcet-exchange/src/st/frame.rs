@@ -12,15 +12,15 @@ use crate::Refused;
 
 /// What a program remembers beside its names.
 #[derive(Default)]
-pub(super) struct Frame {
-    pub(super) variables: Vec<Variable>,
+pub(crate) struct Frame {
+    pub(crate) variables: Vec<Variable>,
     /// What happens at `Init`.
-    pub(super) init: Vec<Statement>,
+    pub(crate) init: Vec<Statement>,
 }
 
 impl Frame {
     /// A variable with its value at the beginning and after `Init`.
-    pub(super) fn remember(&mut self, variable: Variable) {
+    pub(crate) fn remember(&mut self, variable: Variable) {
         if let Some(init) = &variable.init {
             self.init.push(Statement::assign(&*variable.name, &**init));
         }
@@ -28,13 +28,13 @@ impl Frame {
     }
 
     /// A timer that begins anew at `Init`.
-    pub(super) fn timer(&mut self, name: &str, note: &str) {
+    pub(crate) fn timer(&mut self, name: &str, note: &str) {
         self.variables.push(Variable::new(name, "TON").note(note));
         self.init.push(Statement::Call(format!("{name}(IN := FALSE, PT := {LONGEST})")));
     }
 
     /// Edges, with whether there has been a scan before.
-    pub(super) fn edges(&mut self, scope: &mut Scope<'_>, started: &str) -> Result<Vec<Statement>, Refused> {
+    pub(crate) fn edges(&mut self, scope: &mut Scope<'_>, started: &str) -> Result<Vec<Statement>, Refused> {
         let mut statements = Vec::new();
         for (id, [rises, falls, was]) in scope.edges.clone() {
             let of = &scope.model.edges[id].of;
@@ -53,7 +53,7 @@ impl Frame {
     }
 
     /// Delays of inputs.
-    pub(super) fn delays(&mut self, scope: &mut Scope<'_>) -> Result<Vec<Statement>, Refused> {
+    pub(crate) fn delays(&mut self, scope: &mut Scope<'_>) -> Result<Vec<Statement>, Refused> {
         let mut statements = Vec::new();
         for (id, name) in scope.delays.clone() {
             let delay = &scope.model.delays[id];
@@ -91,7 +91,7 @@ fn input(scope: &mut Scope<'_>, of: &Expr) -> Result<Text, Refused> {
 }
 
 /// The value at the beginning.
-pub(super) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refused> {
+pub(crate) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refused> {
     let model = scope.model;
     let init = match name {
         Name::Output(id) => model.outputs[id].init.as_ref(),
@@ -121,7 +121,7 @@ pub(super) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refus
 }
 
 /// Inputs, parameters, outputs and variables of the chart; what is written returns to its initial value at `Init`.
-pub(super) fn declare(
+pub(crate) fn declare(
     scope: &mut Scope<'_>,
     program: &mut Program,
     frame: &mut Frame,

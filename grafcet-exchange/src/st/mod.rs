@@ -1,23 +1,24 @@
 //! IEC 61131-3 structured text.
 //!
-//! - `syntax`, `names`, `time`, `text`, `expr`: programs, names, times and expressions of structured text
+//! - `syntax`, `names`, `time`, `text`, `expr`, `stubs`: programs, names, times and expressions of structured text, and functions to be written
 //! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
 //! - `fits`: what neither form can say
 //! - `action`: what an association is, and what an effect does
 //! - `case`, `flags`: the two forms
 //! - `header`: what the program says of itself
 
-mod action;
+pub(crate) mod action;
 mod case;
-mod expr;
-mod fits;
+pub(crate) mod expr;
+pub(crate) mod fits;
 mod flags;
-mod frame;
+pub(crate) mod frame;
 mod header;
-mod names;
-mod syntax;
-mod text;
-mod time;
+pub(crate) mod names;
+mod stubs;
+pub(crate) mod syntax;
+pub(crate) mod text;
+pub(crate) mod time;
 
 use grafcet_compiler::model::Model;
 

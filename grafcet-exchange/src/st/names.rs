@@ -9,7 +9,7 @@ const TAKEN: &str = "
     end_function end_function_block end_if end_interface end_method end_namespace end_program end_repeat end_resource end_step end_struct
     end_transition end_type end_var end_while en eno eq exit exp expt extends false final find floor for from f_edge f_trig function
     function_block ge goto gt if implements init_step initial_step insert int interface internal interval ldate ldt le left len limit lint ln log lreal lt ltime ltod
-    lword max method mid min mod move mul mux namespace ne non_retain not null of on_change or overlap override param pi pointer priority private program protected
+    lword max method mid min mod move mul mux namespace ne non_retain not null of on on_change or overlap override param pi pointer priority private program protected
     public r_edge r_trig read_only read_write real ref ref_to reference region repeat replace resource retain return right rol ror round rs sel shl shr sin
     single sint sizeof sqrt sr step string struct sub super tan task then this time time_of_day to tod tof ton tp transition true trunc type udint uint ulint
     until usint using var var_access var_config var_external var_global var_in_out var_input var_output var_temp wchar while with word
@@ -17,20 +17,20 @@ const TAKEN: &str = "
 
 /// Gives names, each once.
 #[derive(Default)]
-pub(super) struct Names {
+pub(crate) struct Names {
     /// In small letters.
     given: BTreeSet<String>,
     /// What has another name than in the chart.
-    pub(super) renamed: BTreeMap<String, String>,
+    pub(crate) renamed: BTreeMap<String, String>,
 }
 
 impl Names {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { given: TAKEN.split_whitespace().map(str::to_owned).collect(), renamed: BTreeMap::new() }
     }
 
     /// A name of the chart, as it is if it can be.
-    pub(super) fn of_chart(&mut self, wanted: &str) -> String {
+    pub(crate) fn of_chart(&mut self, wanted: &str) -> String {
         let name = self.own(wanted);
         if name != wanted {
             self.renamed.insert(wanted.to_owned(), name.clone());
@@ -38,8 +38,18 @@ impl Names {
         name
     }
 
+    /// A step of the chart, which stands in the name space of variables: where one of these has its name, it gets `Step` behind it.
+    pub(crate) fn of_step(&mut self, wanted: &str) -> String {
+        if !self.given.contains(&plain(wanted).to_lowercase()) {
+            return self.of_chart(wanted);
+        }
+        let name = self.own(&format!("{wanted}Step"));
+        self.renamed.insert(wanted.to_owned(), name.clone());
+        name
+    }
+
     /// A name that the translation needs.
-    pub(super) fn own(&mut self, wanted: &str) -> String {
+    pub(crate) fn own(&mut self, wanted: &str) -> String {
         let plain = plain(wanted);
         let mut name = plain.clone();
         let mut number = 2;
@@ -74,9 +84,9 @@ mod tests {
     #[test]
     fn names_that_structured_text_takes() {
         let mut names = Names::new();
-        let wanted = ["on", "On", "ON", "mod", "größe", "_a__b_", "1", "S1"];
+        let wanted = ["go", "Go", "GO", "mod", "größe", "_a__b_", "1", "S1"];
         let given = wanted.map(|name| names.of_chart(name));
-        assert_eq!(given, ["on", "On_2", "ON_3", "mod_2", "gr_e", "a_b", "x1", "S1"]);
+        assert_eq!(given, ["go", "Go_2", "GO_3", "mod_2", "gr_e", "a_b", "x1", "S1"]);
         assert_eq!(names.renamed.len(), 6);
     }
 }

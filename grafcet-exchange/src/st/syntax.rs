@@ -2,7 +2,7 @@
 
 /// A statement.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum Statement {
+pub(crate) enum Statement {
     /// `target := value;`
     Assign(String, String),
     /// `instance(…);`, a call of a function block.
@@ -19,79 +19,79 @@ pub(super) enum Statement {
 
 /// `20: // Heat`
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Arm {
-    pub(super) number: u32,
-    pub(super) title: String,
-    pub(super) body: Vec<Statement>,
+pub(crate) struct Arm {
+    pub(crate) number: u32,
+    pub(crate) title: String,
+    pub(crate) body: Vec<Statement>,
 }
 
 impl Statement {
-    pub(super) fn assign(target: impl Into<String>, value: impl Into<String>) -> Self {
+    pub(crate) fn assign(target: impl Into<String>, value: impl Into<String>) -> Self {
         Self::Assign(target.into(), value.into())
     }
 
     /// `IF condition THEN … END_IF;`
-    pub(super) fn when(condition: impl Into<String>, then: Vec<Statement>) -> Self {
+    pub(crate) fn when(condition: impl Into<String>, then: Vec<Statement>) -> Self {
         Self::If(vec![(condition.into(), then)], Vec::new())
     }
 
-    pub(super) fn comment(text: impl Into<String>) -> Self {
+    pub(crate) fn comment(text: impl Into<String>) -> Self {
         Self::Comment(text.into())
     }
 }
 
 /// A declared variable.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Variable {
-    pub(super) name: String,
-    pub(super) ty: String,
+pub(crate) struct Variable {
+    pub(crate) name: String,
+    pub(crate) ty: String,
     /// Behind `:=`.
-    pub(super) init: Option<String>,
+    pub(crate) init: Option<String>,
     /// Behind `//`.
-    pub(super) note: String,
+    pub(crate) note: String,
 }
 
 impl Variable {
-    pub(super) fn new(name: impl Into<String>, ty: impl Into<String>) -> Self {
+    pub(crate) fn new(name: impl Into<String>, ty: impl Into<String>) -> Self {
         Self { name: name.into(), ty: ty.into(), init: None, note: String::new() }
     }
 
-    pub(super) fn init(self, init: impl Into<String>) -> Self {
+    pub(crate) fn init(self, init: impl Into<String>) -> Self {
         Self { init: Some(init.into()), ..self }
     }
 
-    pub(super) fn note(self, note: impl Into<String>) -> Self {
+    pub(crate) fn note(self, note: impl Into<String>) -> Self {
         Self { note: note.into(), ..self }
     }
 }
 
 /// A function or function block that a person has to write.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Stub {
-    pub(super) name: String,
+pub(crate) struct Stub {
+    pub(crate) name: String,
     /// Of a function; a function block returns nothing.
-    pub(super) ty: Option<String>,
-    pub(super) inputs: Vec<Variable>,
+    pub(crate) ty: Option<String>,
+    pub(crate) inputs: Vec<Variable>,
     /// What it stands for, in Rust.
-    pub(super) rust: String,
+    pub(crate) rust: String,
 }
 
 /// A function block with all that belongs to it.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub(super) struct Program {
-    pub(super) header: Vec<String>,
-    pub(super) stubs: Vec<Stub>,
-    pub(super) name: String,
-    pub(super) inputs: Vec<Variable>,
-    pub(super) outputs: Vec<Variable>,
-    pub(super) variables: Vec<Variable>,
-    pub(super) body: Vec<Statement>,
+pub(crate) struct Program {
+    pub(crate) header: Vec<String>,
+    pub(crate) stubs: Vec<Stub>,
+    pub(crate) name: String,
+    pub(crate) inputs: Vec<Variable>,
+    pub(crate) outputs: Vec<Variable>,
+    pub(crate) variables: Vec<Variable>,
+    pub(crate) body: Vec<Statement>,
     /// What has another name than in the chart.
-    pub(super) renamed: Vec<(String, String)>,
+    pub(crate) renamed: Vec<(String, String)>,
 }
 
 impl Program {
-    pub(super) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let mut text = String::new();
         for line in &self.header {
             push(&mut text, 0, &comment(line));
@@ -114,7 +114,7 @@ impl Program {
 }
 
 impl Stub {
-    fn write(&self, text: &mut String) {
+    pub(crate) fn write(&self, text: &mut String) {
         let end = match &self.ty {
             Some(ty) => {
                 push(text, 0, &format!("FUNCTION {} : {ty}", self.name));
@@ -137,7 +137,7 @@ impl Stub {
     }
 }
 
-fn declare(text: &mut String, keyword: &str, variables: &[Variable]) {
+pub(crate) fn declare(text: &mut String, keyword: &str, variables: &[Variable]) {
     if variables.is_empty() {
         return;
     }
@@ -150,7 +150,7 @@ fn declare(text: &mut String, keyword: &str, variables: &[Variable]) {
     push(text, 0, "END_VAR");
 }
 
-fn statements(text: &mut String, depth: usize, all: &[Statement]) {
+pub(crate) fn statements(text: &mut String, depth: usize, all: &[Statement]) {
     if all.iter().all(|one| matches!(one, Statement::Comment(_) | Statement::Gap)) && depth > 0 {
         push(text, depth, ";");
     }
@@ -187,7 +187,7 @@ fn statements(text: &mut String, depth: usize, all: &[Statement]) {
 }
 
 /// On one line, whatever stands in it.
-fn comment(text: &str) -> String {
+pub(crate) fn comment(text: &str) -> String {
     let words: Vec<&str> = text.split_whitespace().collect();
     if words.is_empty() { "//".to_owned() } else { format!("// {}", words.join(" ")) }
 }

@@ -1,52 +1,52 @@
 //! Texts of expressions, with parentheses where they need them.
 
 /// How strongly operators hold together.
-pub(super) mod strength {
-    pub(in crate::st) const OR: u8 = 1;
-    pub(in crate::st) const XOR: u8 = 2;
-    pub(in crate::st) const AND: u8 = 3;
-    pub(in crate::st) const EQUAL: u8 = 4;
-    pub(in crate::st) const ORDER: u8 = 5;
-    pub(in crate::st) const SUM: u8 = 6;
-    pub(in crate::st) const PRODUCT: u8 = 7;
-    pub(in crate::st) const UNARY: u8 = 9;
-    pub(in crate::st) const WORD: u8 = 10;
+pub(crate) mod strength {
+    pub(crate) const OR: u8 = 1;
+    pub(crate) const XOR: u8 = 2;
+    pub(crate) const AND: u8 = 3;
+    pub(crate) const EQUAL: u8 = 4;
+    pub(crate) const ORDER: u8 = 5;
+    pub(crate) const SUM: u8 = 6;
+    pub(crate) const PRODUCT: u8 = 7;
+    pub(crate) const UNARY: u8 = 9;
+    pub(crate) const WORD: u8 = 10;
 }
 
 /// A text and how strongly it holds together.
 #[derive(Clone)]
-pub(super) struct Text {
-    pub(super) text: String,
-    pub(super) strength: u8,
+pub(crate) struct Text {
+    pub(crate) text: String,
+    pub(crate) strength: u8,
 }
 
 impl Text {
-    pub(super) fn word(text: impl Into<String>) -> Self {
+    pub(crate) fn word(text: impl Into<String>) -> Self {
         Self { text: text.into(), strength: strength::WORD }
     }
 
     /// A comparison.
-    pub(super) fn order(text: impl Into<String>) -> Self {
+    pub(crate) fn order(text: impl Into<String>) -> Self {
         Self { text: text.into(), strength: strength::ORDER }
     }
 
     /// In parentheses where what is around it holds more strongly.
-    pub(super) fn within(self, strength: u8) -> String {
+    pub(crate) fn within(self, strength: u8) -> String {
         if self.strength < strength { format!("({})", self.text) } else { self.text }
     }
 }
 
 /// All of them; `TRUE` of none.
-pub(super) fn all(parts: Vec<Text>) -> Text {
+pub(crate) fn all(parts: Vec<Text>) -> Text {
     joined(parts, "AND", strength::AND, "TRUE")
 }
 
 /// One of them; `FALSE` of none.
-pub(super) fn any(parts: Vec<Text>) -> Text {
+pub(crate) fn any(parts: Vec<Text>) -> Text {
     joined(parts, "OR", strength::OR, "FALSE")
 }
 
-pub(super) fn not(part: Text) -> Text {
+pub(crate) fn not(part: Text) -> Text {
     Text { text: format!("NOT {}", part.within(strength::UNARY)), strength: strength::UNARY }
 }
 

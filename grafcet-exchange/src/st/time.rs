@@ -6,11 +6,11 @@ use grafcet_compiler::model::Model;
 use crate::Refused;
 
 /// The longest that every PLC has: 2^31 - 1 ms.
-pub(super) const LONGEST: &str = "T#24d20h31m23s647ms";
+pub(crate) const LONGEST: &str = "T#24d20h31m23s647ms";
 const LONGEST_MS: u64 = (1 << 31) - 1;
 
 /// `T#1m30s` of so many ticks of the chart's clock.
-pub(super) fn literal(model: &Model, ticks: u32, mark: Mark) -> Result<String, Refused> {
+pub(crate) fn literal(model: &Model, ticks: u32, mark: Mark) -> Result<String, Refused> {
     const MS: u64 = 1_000_000;
     let nanos = u64::from(ticks).saturating_mul(model.clock_nanos);
     if nanos % MS != 0 {

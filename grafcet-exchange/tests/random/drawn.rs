@@ -49,20 +49,20 @@ fn charts_of_the_examples() {
     assert!(compared["CASE"].len() >= 24 && compared["flip-flops"].len() >= 40, "{compared:?}");
 }
 
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("a folder of the project").flatten().map(|entry| entry.path());
     entries.filter(|file| file.extension().is_some_and(|end| end == "rs")).collect()
 }
 
 /// Behind `sfc` or `grafcet`, in front of a brace.
-fn names(text: &str) -> Vec<String> {
+pub(crate) fn names(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let headers = words.windows(3).filter(|words| ["sfc", "grafcet"].contains(&words[0]) && words[2] == "{");
     headers.map(|words| words[1].to_owned()).collect()
 }
 
 /// Few inputs change at a time.
-fn timeline(model: &Model, seed: u64) -> Vec<Line> {
+pub(crate) fn timeline(model: &Model, seed: u64) -> Vec<Line> {
     let (mut rng, mut now, mut inputs) = (Rng::new(seed), 0, BTreeMap::new());
     let mut lines = Vec::new();
     for number in 1..=400 {

@@ -20,6 +20,7 @@ mod random;
 #[path = "../../../tests/conformance/reader.rs"]
 #[allow(dead_code, unreachable_pub, reason = "a part of another test's crate")]
 mod reader;
+mod round;
 mod shifted;
 
 use std::collections::BTreeMap;
@@ -31,7 +32,7 @@ use grafcet_exchange::st::{Form, Options, structured_text};
 
 /// So many charts of each dialect and form.
 const CHARTS: usize = 200;
-const CYCLES: usize = 120;
+pub(crate) const CYCLES: usize = 120;
 
 #[test]
 fn case_sfc() {
@@ -54,7 +55,7 @@ fn flip_flops_grafcet() {
 }
 
 /// A chart whose drawing is in order.
-fn resolved(text: &str) -> Option<Model> {
+pub(crate) fn resolved(text: &str) -> Option<Model> {
     let text = fragments::written_out(&fragments::plain(text));
     let mut sink = Sink::new();
     let model = parse::chart(text.parse().ok()?, &mut sink).map(|chart| model::resolve(&chart, &mut sink));

@@ -215,7 +215,7 @@ fn values(model: &Model, given: &BTreeMap<String, i128>) -> Vec<interp::Value> {
     model.inputs.values().map(one).collect()
 }
 
-fn value(number: i128, ty: &Ty) -> interp::Value {
+pub(crate) fn value(number: i128, ty: &Ty) -> interp::Value {
     match ty {
         Ty::Bool(_) => interp::Value::Bool(number != 0),
         Ty::Time(_) => interp::Value::Ticks(u32::try_from(number).unwrap_or(u32::MAX)),
@@ -232,7 +232,7 @@ pub(crate) fn number(value: interp::Value) -> i128 {
     }
 }
 
-fn plain(name: &proc_macro2::Ident) -> String {
+pub(crate) fn plain(name: &proc_macro2::Ident) -> String {
     name.to_string().trim_start_matches("r#").to_owned()
 }
 

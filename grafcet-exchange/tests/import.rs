@@ -1,0 +1,382 @@
+//! Charts of PLC tools in Rust: what is made of them is worked out by hand, what is wrong has its place, and nothing makes the reader panic.
+
+use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::plant;
+use grafcet_exchange::import::{Imported, Wrong, import};
+use grafcet_exchange::plcopen::{Options, plcopen};
+
+fn imported(text: &str) -> Imported {
+    import(text, "there.st").unwrap_or_else(|wrong| panic!("{wrong:?}"))
+}
+
+/// What stands behind `use`, each line without its indent.
+fn source(done: &Imported) -> Vec<&str> {
+    let begin = done.rust.find("grafcet! {").expect("a call");
+    done.rust[begin..].lines().map(str::trim).filter(|line| !line.is_empty()).collect()
+}
+
+fn expect(text: &str, expected: &str) {
+    let done = imported(text);
+    let expected: Vec<&str> = expected.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    assert_eq!(source(&done), expected, "{}", done.rust);
+}
+
+fn notes(done: &Imported) -> Vec<&str> {
+    done.charts.iter().flat_map(|chart| &chart.notes).map(|note| &*note.message).collect()
+}
+
+/// A station as somebody has written it: names in capitals, comments, an address, a timer, an edge, branches whose priorities are not in their order.
+const STATION: &str = "
+(* The drilling station. *)
+FUNCTION_BLOCK DRILL_STATION
+VAR_INPUT
+    xStart : BOOL; (* the button *)
+    PART, Down : BOOL;
+    SoakTime : TIME := T#1m30s;
+END_VAR
+VAR_OUTPUT
+    MOTOR : BOOL;
+END_VAR
+VAR
+    Count : INT := 5;
+    Lamp AT %QX0.1 : BOOL;
+    Edge : R_TRIG;
+END_VAR
+INITIAL_STEP INIT_STATE: // nothing moves
+    Look();
+END_STEP
+TRANSITION (PRIORITY := 2) FROM INIT_STATE TO REJECT := xStart; END_TRANSITION
+TRANSITION (PRIORITY := 1) FROM INIT_STATE TO (Drill, Watch) := Edge.Q AND PART; END_TRANSITION
+STEP Drill: MOTOR(N); Lamp(SD, T#2s); END_STEP
+STEP Watch: CountUp(P1); END_STEP
+// both are ready
+TRANSITION FROM (Drill, Watch) TO REJECT := Drill.T >= SoakTime AND (Down OR Count MOD 3 = 0); END_TRANSITION
+STEP REJECT: Lamp(R); END_STEP
+TRANSITION FROM REJECT TO INIT_STATE := NOT PART; END_TRANSITION
+ACTION Look: Edge(CLK := xStart); END_ACTION
+ACTION CountUp: IF Down THEN Count := Count + 1; ELSE Count := 0; END_IF; END_ACTION
+END_FUNCTION_BLOCK
+";
+
+#[test]
+fn a_station() {
+    expect(
+        STATION,
+        "grafcet! {
+        /// The drilling station.
+        pub sfc DrillStation {
+        /// the button
+        input x_start: bool;
+        input part, down: bool;
+        param soak_time: time = 1m30s;
+        output motor: bool;
+        /// At %QX0.1.
+        output lamp: bool;
+        var count: i16 = 5;
+        /// nothing moves
+        initial step InitState;
+        step Drill { motor; SD 2s lamp; }
+        step Watch {
+        P1 {
+        if down {
+        count = count + 1;
+        } else {
+        count = 0;
+        }
+        }
+        }
+        step Reject { R lamp; }
+        InitState -[rising(x_start) && part]-> (Drill, Watch);
+        InitState -[x_start]-> Reject -[!part]-> InitState;
+        // both are ready
+        (Drill, Watch) -[soak_time/Drill && (down || count % 3 == 0)]-> Reject;
+        }
+        }",
+    );
+    let done = imported(STATION);
+    assert!(notes(&done).is_empty(), "{:?}", notes(&done));
+    let renamed = |name: &str| done.charts[0].renamed.iter().find(|(there, _)| there == name).map(|(_, here)| &**here);
+    assert_eq!(
+        ["DRILL_STATION", "xStart", "INIT_STATE", "Drill"].map(renamed),
+        [Some("DrillStation"), Some("x_start"), Some("InitState"), None]
+    );
+}
+
+/// What is made of it the compiler takes.
+#[test]
+fn it_is_a_chart() {
+    let done = imported(STATION);
+    let begin = done.rust.find("grafcet! {").expect("a call") + "grafcet! {".len();
+    let end = done.rust.rfind('}').expect("an end");
+    let mut sink = Sink::new();
+    let model = plant::model(done.rust[begin..end].parse().expect("tokens"), &mut sink);
+    assert!(model.is_some());
+    let said = sink.finish();
+    assert!(said.is_empty(), "{said:?}");
+}
+
+/// Whatever has no translation is a stub with its text, and said.
+#[test]
+fn stubs() {
+    let done = imported(
+        "PROGRAM P
+        VAR_INPUT a : BOOL; n : INT; END_VAR
+        VAR q : BOOL; T1 : TP; END_VAR
+        INITIAL_STEP S1: Work(N); q(N); none(N); END_STEP
+        TRANSITION FROM S1 TO S2 := T1.Q; END_TRANSITION
+        STEP S2: END_STEP
+        TRANSITION FROM S2 TO S1 := SQRT(n) > 3; END_TRANSITION
+        ACTION Work: FOR i := 1 TO 3 DO n := n + 1; END_FOR; END_ACTION
+        END_PROGRAM",
+    );
+    let rust = &done.rust;
+    for wanted in [
+        "action work();",
+        "/// To be written: `Work` was structured text\n        ///     FOR i := 1 TO 3 DO n := n + 1; END_FOR;",
+        "initial step S1 { N work(); q; }",
+        "S1 -[s1_to_s2()]-> S2 -[s2_to_s1()]-> S1;",
+        "/// To be written: the condition from S1 to S2, which was\n///     T1.Q;\nfn s1_to_s2() -> bool {\n    todo!(",
+        "///     SQRT(n) > 3;\nfn s2_to_s1() -> bool {",
+    ] {
+        assert!(rust.contains(wanted), "{wanted}\n{rust}");
+    }
+    let all = notes(&done);
+    for (note, wanted) in all.iter().zip([
+        "`T1` of type TP is left out",
+        "`none` is neither an action nor a boolean",
+        "`s1_to_s2` is a function to be written",
+        "`s2_to_s1` is a function",
+        "`Work` is a code action",
+    ]) {
+        assert!(note.starts_with(wanted), "{all:?}");
+    }
+    assert_eq!(all.len(), 5, "{all:?}");
+}
+
+/// The standard's final call of an action that goes on is none of the blocks that two steps have; a time counts only while its step is active.
+#[test]
+fn what_differs_is_said() {
+    let done = imported(
+        "PROGRAM P VAR_INPUT a : BOOL; END_VAR VAR n : INT; END_VAR
+        INITIAL_STEP S1: Up(N); END_STEP STEP S2: Up(N); END_STEP STEP S3: END_STEP
+        TRANSITION FROM S1 TO S2 := a; END_TRANSITION
+        TRANSITION FROM S2 TO S3 := S1.T >= T#2s; END_TRANSITION
+        TRANSITION FROM S3 TO S1 := NOT a; END_TRANSITION
+        ACTION Up: n := n + 1; END_ACTION END_PROGRAM",
+    );
+    let all = notes(&done);
+    assert!(all.iter().any(|note| note.starts_with("`Up` goes on from `S1` to `S2` in the file")), "{all:?}");
+    assert!(all.contains(&"`S1.T` is zero here while the step is not active"), "{all:?}");
+}
+
+/// What is assigned in one step and switched by its qualifier in another is assigned in both.
+#[test]
+fn switched_and_assigned() {
+    let done = imported(
+        "PROGRAM P VAR_INPUT a : BOOL; END_VAR VAR_OUTPUT q, p : BOOL; END_VAR
+        INITIAL_STEP S1: Off(P1); p(N); END_STEP STEP S2: q(N); END_STEP STEP S3: q(R); q(S); END_STEP
+        TRANSITION FROM S1 TO S2 := a; END_TRANSITION
+        TRANSITION FROM S2 TO S3 := NOT a; END_TRANSITION
+        TRANSITION FROM S3 TO S1 := a; END_TRANSITION
+        ACTION Off: q := 0; END_ACTION END_PROGRAM",
+    );
+    for wanted in [
+        "initial step S1 { P1 q = false; p; }",
+        "step S2 { P1 q = true; P0 q = false; }",
+        "step S3 { P1 q = false; P1 q = true; }",
+    ] {
+        assert!(done.rust.contains(wanted), "{wanted}\n{}", done.rust);
+    }
+    assert_eq!(notes(&done).len(), 3, "{:?}", notes(&done));
+}
+
+/// A copy is the memory of an edge only where nobody reads it otherwise.
+#[test]
+fn a_copy_that_is_read_as_it_is() {
+    let text = |condition: &str| {
+        format!(
+            "PROGRAM P VAR_INPUT a : BOOL; END_VAR VAR old : BOOL; END_VAR
+            INITIAL_STEP S1: Keep(N); END_STEP STEP S2: Keep(N); END_STEP
+            TRANSITION FROM S1 TO S2 := a AND NOT old; END_TRANSITION
+            TRANSITION FROM S2 TO S1 := {condition}; END_TRANSITION
+            ACTION Keep: old := a; END_ACTION END_PROGRAM"
+        )
+    };
+    let edge = imported(&text("NOT a AND old"));
+    assert!(edge.rust.contains("S1 -[rising(a)]-> S2 -[falling(a)]-> S1;"), "{}", edge.rust);
+    let copy = imported(&text("old"));
+    assert!(copy.rust.contains("step S2 { N old = a; }"), "{}", copy.rust);
+    assert!(copy.rust.contains("S1 -[a && !old]-> S2 -[old]-> S1;"), "{}", copy.rust);
+}
+
+/// The place of what is wrong: the text under the mark.
+fn wrong(text: &str) -> (String, String) {
+    let Wrong { at, message } = import(text, "there").expect_err(text);
+    (text[at].to_owned(), message)
+}
+
+#[test]
+fn errors_have_their_place() {
+    let missing = "PROGRAM P INITIAL_STEP S1: END_STEP TRANSITION FROM S1 TO S9 := TRUE; END_TRANSITION END_PROGRAM";
+    assert_eq!(wrong(missing), ("TRANSITION FROM S1 TO S9".to_owned(), "there is no step `S9`".to_owned()));
+    let open = "PROGRAM P INITIAL_STEP S1: q(N) END_STEP END_PROGRAM";
+    assert_eq!(wrong(open), ("END_STEP".to_owned(), "expected `;`, found `END_STEP`".to_owned()));
+    let twice = "PROGRAM P INITIAL_STEP S1: END_STEP STEP s1: END_STEP END_PROGRAM";
+    assert_eq!(wrong(twice), ("s1".to_owned(), "there are two steps `s1`".to_owned()));
+    let none = "FUNCTION_BLOCK F VAR a : BOOL; END_VAR a := TRUE; END_FUNCTION_BLOCK";
+    assert_eq!(wrong(none).1, "there is no SFC in this file: no step");
+    let comment = "PROGRAM P (* open";
+    assert_eq!(wrong(comment).1, "this comment has no end `*)`");
+    assert!(wrong("<project><a></project>").1.starts_with("this is no XML"));
+    assert!(wrong("<html/>").1.starts_with("this is no PLCopen XML"));
+    assert!(wrong("fn main() {}").1.starts_with("expected `PROGRAM`"));
+    let sfc = |inside: &str| {
+        format!("<project><pou name='P' pouType='program'><body><SFC>{inside}</SFC></body></pou></project>")
+    };
+    let double = sfc("<step localId='1' name='A'/><step localId='1' name='B'/>");
+    assert_eq!(wrong(&double), ("<step".to_owned(), "two elements have the number 1".to_owned()));
+}
+
+/// Whatever is thrown at it, it answers.
+#[test]
+fn garbage() {
+    let chart = "sfc C { input a, b: bool; output q, p: bool; output n: u8; initial step A { q if b; } step B { p; n = 3; } step E { L 2s p; } A -[rising(a)]-> (B, E); A -[b]-> A; (B, E) -[5s/B && !a]-> A; }";
+    let mut sink = Sink::new();
+    let model = plant::model(chart.parse().expect("tokens"), &mut sink).expect("a chart");
+    _ = sink.finish();
+    let xml = plcopen(&model, Options::default()).expect("a translation").text;
+    for text in [xml.as_str(), STATION] {
+        for end in (0..text.len()).step_by(3) {
+            if text.is_char_boundary(end) {
+                _ = import(&text[..end], "there");
+            }
+        }
+        let mut state = 1_u64;
+        let mut random = |below: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            usize::try_from(state >> 33).unwrap_or(0) % below
+        };
+        let signs = [
+            "<",
+            ">",
+            "\"",
+            "&",
+            "(",
+            ")",
+            ":",
+            ";",
+            ":=",
+            "'",
+            "(*",
+            "0",
+            "999999999999999999999999999999999999999999",
+            "END_STEP",
+            "é",
+            "localId=\"1\"",
+            "%",
+            "T#",
+            "#",
+            ".",
+        ];
+        for _ in 0..800 {
+            let mut changed = text.to_owned();
+            for _ in 0..=random(3) {
+                let (from, length) = (random(changed.len()), random(12));
+                let to = (from + length).min(changed.len());
+                if changed.is_char_boundary(from) && changed.is_char_boundary(to) {
+                    changed.replace_range(from..to, signs[random(signs.len())]);
+                }
+            }
+            if let Err(wrong) = import(&changed, "there") {
+                assert!(changed.get(wrong.at.clone()).is_some(), "{wrong:?}\n{changed}");
+            }
+        }
+    }
+    let deep = format!(
+        "PROGRAM P INITIAL_STEP A: END_STEP TRANSITION FROM A TO A := {}a{}; END_TRANSITION END_PROGRAM",
+        "(".repeat(100_000),
+        ")".repeat(100_000)
+    );
+    assert!(import(&deep, "there").is_ok_and(|done| notes(&done).len() == 1));
+    let long = format!(
+        "PROGRAM P INITIAL_STEP A: END_STEP TRANSITION FROM A TO A := a{}; END_TRANSITION END_PROGRAM",
+        " OR a".repeat(100_000)
+    );
+    assert!(import(&long, "there").is_ok_and(|done| notes(&done).len() == 1));
+    _ = import(&"<a>".repeat(100_000), "there");
+}
+
+/// Conditions drawn as contacts and blocks, by name and beside the chart; negated wherever that can stand. What holds more than a condition is a stub.
+#[test]
+fn conditions_of_networks() {
+    let line = |from: usize| format!("<connectionPointIn><connection refLocalId='{from}'/></connectionPointIn>");
+    let transition = |id: usize, from: usize, condition: &str| {
+        format!("<transition localId='{id}'>{}<condition{condition}</condition></transition>", line(from))
+    };
+    let jump = |id: usize, from: usize, to: &str| {
+        format!("<jumpStep localId='{id}' targetName='{to}'>{}</jumpStep>", line(from))
+    };
+    let contact = |id: usize, name: &str, negated: bool, from: usize| {
+        format!("<contact localId='{id}' negated='{negated}'>{}<variable>{name}</variable></contact>", line(from))
+    };
+    let pin = |from: usize| format!("<variable formalParameter='IN{from}'>{}</variable>", line(from));
+    let block = |id: usize, kind: &str, more: &str, from: [usize; 2]| {
+        let pins = from.map(pin).concat();
+        format!("<block localId='{id}' typeName='{kind}'{more}><inputVariables>{pins}</inputVariables></block>")
+    };
+    let value = |id: usize, name: &str| {
+        format!("<inVariable localId='{id}' negated='false'><expression>{name}</expression></inVariable>")
+    };
+    let steps = ["S1", "S2", "S3", "S4"]
+        .iter()
+        .zip(1..)
+        .map(|(name, id)| format!("<step localId='{id}' name='{name}' initialStep='{}'/>", id == 1));
+    let sfc = [
+        steps.collect::<Vec<_>>().concat(),
+        // a and not b in a row of contacts
+        "<leftPowerRail localId='20'/>".to_owned() + &contact(21, "a", false, 20) + &contact(22, "b", true, 21),
+        transition(11, 1, &format!(">{}", line(22))) + &jump(31, 11, "S2"),
+        // not (a xor b) by name
+        transition(12, 2, " negated='true'><reference name='Differ'/>") + &jump(32, 12, "S3"),
+        // a or b
+        value(23, "a") + &value(24, "b") + &block(25, "OR", "", [23, 24]),
+        transition(13, 3, &format!(">{}", line(25))) + &jump(33, 13, "S4"),
+        // a flip-flop is more than a condition
+        block(26, "SR", " instanceName='SR0'", [23, 24]),
+        transition(14, 4, &format!(">{}", line(26))) + &jump(34, 14, "S1"),
+        transition(15, 4, " negated='true'><inline name=''><ST><p>a OR b;</p></ST></inline>") + &jump(35, 15, "S2"),
+    ];
+    let named = value(1, "a")
+        + &value(2, "b")
+        + &block(3, "XOR", "", [1, 2])
+        + &format!("<outVariable localId='4' negated='false'>{}<expression>differ</expression></outVariable>", line(3));
+    let text = format!(
+        "<project><types><pous><pou name='P' pouType='program'><interface><inputVars><variable name='a'><type><BOOL/></type></variable><variable name='b'><type><BOOL/></type></variable></inputVars></interface><transitions><transition name='Differ'><body><FBD>{named}</FBD></body></transition></transitions><body><SFC>{}</SFC></body></pou></pous></types></project>",
+        sfc.concat()
+    );
+    let done = imported(&text);
+    let lines = source(&done);
+    let expected = ["S1 -[a && !b]-> S2 -[!(a ^ b)]-> S3 -[a || b]-> S4 -[s4_to_s1()]-> S1;", "S4 -[!(a || b)]-> S2;"];
+    for line in expected {
+        assert!(lines.contains(&line), "{line}\n{}", done.rust);
+    }
+    assert!(
+        done.rust
+            .contains("///     block 26 SR SR0, from 23 and 24\n///     inVariable 23: a\n///     inVariable 24: b"),
+        "{}",
+        done.rust
+    );
+}
+
+/// Divergences that lead to each other, where nobody comes to an end.
+#[test]
+fn a_drawing_in_circles() {
+    let lines: Vec<String> = (1..=30).map(|from| format!("<connection refLocalId='{from}'/>")).collect();
+    let lines = format!("<connectionPointIn>{}</connectionPointIn>", lines.concat());
+    let one = |id: usize| format!("<selectionDivergence localId='{id}'>{lines}</selectionDivergence>");
+    let all = (1..=30).map(one).collect::<Vec<_>>().concat();
+    let text = format!(
+        "<project><pou name='P'><body><SFC><step localId='40' name='A'/>{all}<transition localId='50'>{lines}</transition></SFC></body></pou></project>"
+    );
+    assert_eq!(notes(&imported(&text)), ["left out: a transition, as no step leads to it"]);
+}
