@@ -309,7 +309,7 @@ fn entered(body: &[Statement<'_>], field: PlaceId, mut value: bool) -> Option<(b
         }
     }
     let mut left_alone = Vec::new();
-    for (copy, value) in copies.iter() {
+    for (copy, value) in &copies {
         if value.is_none() {
             left_alone.push(*copy);
         }
