@@ -34,9 +34,12 @@ fn of_folder(folder: &Path) -> Result<Vec<Value>, Box<dyn Error>> {
     Ok(charts)
 }
 
-/// What a chart is about: its task, and the first line of its documentation.
+/// What a chart is about: its task, and the first paragraph of its documentation.
 fn entry(shown: &Shown, task: Option<&String>) -> Value {
-    let doc = shown.text.lines().find_map(|line| line.strip_prefix("/// ")).unwrap_or_default();
-    let about: Vec<&str> = task.map(String::as_str).into_iter().chain([doc]).filter(|text| !text.is_empty()).collect();
+    let docs = shown.text.lines().skip_while(|line| !line.starts_with("/// "));
+    let doc: Vec<&str> = docs.map_while(|line| line.strip_prefix("/// ")).collect();
+    let doc = doc.join(" ");
+    let about: Vec<&str> =
+        task.map(String::as_str).into_iter().chain([doc.as_str()]).filter(|text| !text.is_empty()).collect();
     json!({ "name": shown.name, "about": about.join(": "), "text": shown.text })
 }

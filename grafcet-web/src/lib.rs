@@ -11,13 +11,21 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub use forms::Form;
 pub use play::Play;
 
-/// What there is to say of a text, and its drawing; as JSON.
+/// What can be seen of a text at once: its drawing, and the names in it; as JSON.
 #[wasm_bindgen]
 #[must_use]
 pub fn look(text: &str) -> String {
     // Nothing of the texts before is asked for any more, and lexers keep every one of them.
     proc_macro2::extra::invalidate_current_thread_spans();
     look::look(text).to_string()
+}
+
+/// What the compiler says of a text, at its places, and whether the chart can run; as JSON.
+#[wasm_bindgen]
+#[must_use]
+pub fn check(text: &str) -> String {
+    proc_macro2::extra::invalidate_current_thread_spans();
+    look::check(text).to_string()
 }
 
 /// The same chart in another notation: `rust`, `case`, `flip-flops`, `pnml`; as JSON.

@@ -9,7 +9,23 @@ use serde_json::{Value, json};
 
 use crate::text::{Places, Written};
 
+/// What can be seen at once: the drawing, and where its parts stand in the text; the names.
 pub(crate) fn look(text: &str) -> Value {
+    let places = Places::of(text);
+    let written = Written::find(text).ok();
+    let found = written.as_ref().and_then(Written::model);
+    let drawing = found.as_ref().filter(|(_, whole)| *whole);
+    json!({
+        "name": written.map_or_else(String::new, |written| written.name),
+        "drawing": drawing.map(|(model, _)| with_description(model, grafcet_draw::svg_live)),
+        "transitions": drawing.map_or_else(Vec::new, |(model, _)| transitions(model, &places)),
+        "steps": drawing.map_or_else(Vec::new, |(model, _)| steps(model, &places)),
+        "words": found.as_ref().map_or_else(Vec::new, |(model, _)| words(model)),
+    })
+}
+
+/// What the compiler says, which may take its time; and whether the chart can run.
+pub(crate) fn check(text: &str) -> Value {
     let places = Places::of(text);
     let written = match Written::find(text) {
         Ok(written) => written,
@@ -17,23 +33,15 @@ pub(crate) fn look(text: &str) -> Value {
             let found = places.mark(at.into()).unwrap_or(0..0);
             let sentence = "this is not Rust: it cannot be read beyond this point";
             let note = json!({ "from": found.start, "to": found.end, "text": sentence, "table": "" });
-            return json!({ "name": "", "drawing": null, "messages": [{ "level": "error", "rule": null, "notes": [note] }],
-                "runs": false, "words": [] });
+            return json!({ "messages": [{ "level": "error", "rule": null, "notes": [note] }], "runs": false });
         }
     };
     let said = diagnose(written.tokens.clone(), Wanted::default());
-    let found = written.model();
-    let drawing = found.as_ref().filter(|(_, whole)| *whole);
     // What a chart claims of itself may be broken: it runs all the same.
     let wrong = |one: &Diagnostic| one.severity == Severity::Deny && !one.is_about_a_claim();
     json!({
-        "name": written.name,
-        "drawing": drawing.map(|(model, _)| with_description(model, grafcet_draw::svg_live)),
-        "transitions": drawing.map_or_else(Vec::new, |(model, _)| transitions(model, &places)),
-        "steps": drawing.map_or_else(Vec::new, |(model, _)| steps(model, &places)),
         "messages": said.iter().map(|one| message(one, &written, &places)).collect::<Vec<_>>(),
-        "runs": drawing.is_some() && !said.iter().any(wrong),
-        "words": found.map_or_else(Vec::new, |(model, _)| words(&model)),
+        "runs": !said.iter().any(wrong),
     })
 }
 

@@ -1,10 +1,16 @@
 //! What is said of a text, at places of JavaScript.
 
-use grafcet_web::{look, translate};
+use grafcet_web::{check, look, translate};
 use serde_json::{Value, json};
 
+/// All that the page knows of a text.
 fn looked(text: &str) -> Value {
-    serde_json::from_str(&look(text)).expect("JSON")
+    let mut all: Value = serde_json::from_str(&look(text)).expect("JSON");
+    let said: Value = serde_json::from_str(&check(text)).expect("JSON");
+    for (name, value) in said.as_object().expect("an object") {
+        all[name] = value.clone();
+    }
+    all
 }
 
 fn translated(text: &str, form: &str) -> Value {

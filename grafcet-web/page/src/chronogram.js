@@ -64,7 +64,7 @@ export class Chronogram {
     let low = 0, high = history.length - 1;
     while (low < high) {
       const middle = Math.ceil((low + high) / 2);
-      if (history[middle].elapsed <= tick) low = middle; else high = middle - 1;
+      if (this.#simulation.begins(history[middle]) <= tick) low = middle; else high = middle - 1;
     }
     return low;
   }
@@ -75,7 +75,7 @@ export class Chronogram {
     if (!names) return;
     const first = Math.max(0, history.length - MOST), seen = history.slice(first);
     const wide = Math.max(260, this.#place.clientWidth), length = wide - LEFT - RIGHT;
-    const from = seen[0].elapsed, end = Math.max(history[history.length - 1].elapsed + step, from + 50 * step);
+    const from = simulation.begins(seen[0]), end = Math.max(history[history.length - 1].elapsed + step, from + 50 * step);
     this.#from = from;
     this.#ticksPerPixel = (end - from) / length;
     const x = elapsed => Math.round((LEFT + (elapsed - from) / this.#ticksPerPixel) * 10) / 10;
@@ -83,7 +83,7 @@ export class Chronogram {
     const high = HEAD + rows.length * ROW + 4;
     const parts = [];
     this.#axis(parts, { from, end, x, high, names });
-    const starts = seen.map(moment => x(moment.elapsed)), last = x(history[history.length - 1].elapsed + step);
+    const starts = seen.map(moment => x(simulation.begins(moment))), last = x(history[history.length - 1].elapsed + step);
     rows.forEach((row, index) => this.#row(parts, row, HEAD + index * ROW, seen, starts, last));
     if (shown >= first) {
       const at = starts[shown - first], to = shown + 1 < history.length ? starts[shown - first + 1] : last;

@@ -25,12 +25,18 @@ const look = EditorView.theme({
   ".cm-tooltip": { backgroundColor: "var(--raised)", color: "var(--ink)", border: "1px solid var(--edge)", borderRadius: "8px", boxShadow: "var(--shadow)", overflow: "hidden", maxWidth: "min(60ch, 92vw)" },
   ".cm-tooltip-autocomplete > ul": { fontFamily: "var(--mono)", fontSize: "13px" },
   ".cm-tooltip-autocomplete > ul > li[aria-selected]": { backgroundColor: "var(--accent)", color: "var(--on-accent)" },
-  ".cm-completionDetail": { fontStyle: "normal", opacity: ".75" },
+  ".cm-completionDetail": { fontStyle: "normal", color: "var(--soft)" },
+  "li[aria-selected] .cm-completionDetail": { color: "inherit" },
   ".cm-diagnostic": { padding: "8px 12px", borderLeft: "3px solid var(--bad)", fontFamily: "var(--sans)", fontSize: "13px", lineHeight: "1.45", whiteSpace: "normal" },
   ".cm-diagnostic-warning": { borderLeftColor: "var(--warn)" },
   ".cm-diagnostic a": { color: "var(--accent)" },
   ".cm-lintRange-error, .cm-lintRange-warning": { backgroundImage: "none", textDecoration: "underline wavy var(--bad) 1px", textUnderlineOffset: "3px" },
   ".cm-lintRange-warning": { textDecorationColor: "var(--warn)" },
+  // The marks of the library are pictures within its styles, which the page's policy refuses.
+  ".cm-gutter-lint": { width: "14px" },
+  ".cm-lint-marker": { width: "9px", height: "9px", margin: "0.45em 2px", borderRadius: "50%" },
+  ".cm-lint-marker-error": { content: "''", backgroundColor: "var(--bad)" },
+  ".cm-lint-marker-warning": { content: "''", backgroundColor: "var(--warn)" },
   ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--ink)", borderColor: "var(--edge)" },
   ".cm-textfield, .cm-button": { backgroundImage: "none", backgroundColor: "var(--paper)", color: "var(--ink)", border: "1px solid var(--edge)", borderRadius: "5px" },
 });
@@ -65,7 +71,7 @@ export class Editor {
       autocompletion({ override: [completions(words)] }),
       // Escape, then Tab, leads out of the editor.
       keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab]),
-      EditorView.contentAttributes.of({ "aria-label": "The chart as text", spellcheck: "false" }),
+      EditorView.contentAttributes.of({ "aria-label": "The chart as text", spellcheck: "false", tabindex: "0" }),
       EditorView.updateListener.of(update => { if (update.docChanged) changed(update.state.doc.toString()); }),
     ];
     this.#view = new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: root, root });

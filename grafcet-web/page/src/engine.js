@@ -64,17 +64,21 @@ export class Engine {
 // So long a text may keep the compiler from the one that has been typed since, in milliseconds.
 const PATIENCE = 1500;
 
-// The compiler for a text that changes: always the newest one is looked at, those between are left out.
-export class Checker {
+// One question about a text that changes: always the newest text is asked, those between are left out.
+export class Latest {
   #engine = new Engine();
+  #call;
+  #show;
   #waiting = null;
   #busy = false;
-  #show;
   #since = 0;
   #timer = 0;
 
-  // `show` gets what there is to say, the text it is said of, and how long that took.
-  constructor(show) { this.#show = show; }
+  // `show` gets a text and the answer, or an error.
+  constructor(call, show) {
+    this.#call = call;
+    this.#show = show;
+  }
 
   look(text) {
     this.#waiting = text;
@@ -82,22 +86,22 @@ export class Checker {
     else if (!this.#timer) this.#timer = setTimeout(() => this.#give(), Math.max(0, PATIENCE - (performance.now() - this.#since)));
   }
 
-  // Asked behind what is being looked at.
+  // Another question, behind what is being asked.
   ask(call, ...args) { return this.#fresh().ask(call, ...args); }
 
   #fresh() {
-    if (this.#engine.isBroken) {
-      this.#engine.end();
-      this.#engine = new Engine();
-    }
+    if (this.#engine.isBroken) this.#anew();
     return this.#engine;
+  }
+
+  #anew() {
+    this.#engine.end();
+    this.#engine = new Engine();
   }
 
   #give() {
     this.#timer = 0;
-    if (this.#waiting === null) return;
-    this.#engine.end();
-    this.#engine = new Engine();
+    if (this.#waiting !== null) this.#anew();
   }
 
   async #work() {
@@ -107,10 +111,9 @@ export class Checker {
       this.#waiting = null;
       this.#since = performance.now();
       try {
-        const said = await this.#fresh().ask("look", text);
-        this.#show({ text, said, took: performance.now() - this.#since });
+        this.#show(text, await this.#fresh().ask(this.#call, text));
       } catch (error) {
-        if (!(error instanceof Ended)) this.#show({ text, error });
+        if (!(error instanceof Ended)) this.#show(text, null, error);
       }
       clearTimeout(this.#timer);
       this.#timer = 0;

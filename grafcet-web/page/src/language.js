@@ -7,8 +7,7 @@ import { tags } from "@lezer/highlight";
 export const ITEMS = ["input", "output", "var", "param", "let", "action", "clock", "max_evolutions", "budget", "assume", "optimize",
   "encoding", "forceable", "modes", "never", "always", "home", "initial", "final", "linked", "entry", "exit", "macro", "enclosing",
   "step", "partial", "sfc", "grafcet", "plant"];
-const WITHIN = ["if", "else", "any", "on", "as", "pub", "crate", "within", "after", "often", "cycle", "force", "rising", "falling",
-  "between", "until", "from", "to", "size", "flags", "leads_to", "eventually"];
+const WITHIN = ["if", "else", "any", "in", "pub", "crate", "within", "often", "force", "rising", "falling"];
 const QUALIFIERS = ["N", "S", "R", "P", "P0", "P1", "L", "D", "SD", "DS", "SL"];
 const TYPES = /^(bool|u8|u16|u32|u64|u128|i8|i16|i32|i64|i128|usize|isize|f32|f64|time)$/;
 

@@ -3,7 +3,7 @@
 import { Chronogram } from "./chronogram.js";
 import { Drawing } from "./drawing.js";
 import { Editor, rich, ruleLink } from "./editor.js";
-import { Checker } from "./engine.js";
+import { Latest } from "./engine.js";
 import { Forms } from "./forms.js";
 import { Gallery, charts } from "./gallery.js";
 import { packed, unpacked } from "./share.js";
@@ -15,7 +15,8 @@ const at = id => document.getElementById(id);
 
 const STORED = "grafcet.chart";
 
-// What the compiler has said last, of which text.
+// What is drawn, of which text; and what the compiler has said last, which comes later.
+let drawn = null;
 let looked = null;
 // The last one that could run: the marks of the drawing are of it.
 let simulation = null;
@@ -37,18 +38,21 @@ function list(place, lines) {
 
 // ---- What is typed
 
-const checker = new Checker(({ text, said, error, took }) => {
-  if (error) {
-    at("verdict").textContent = "The compiler has failed";
-    at("verdict").className = "bad";
-    list(at("problems"), [`${error.message}. Please report this chart; the next change starts it anew.`]);
-    return;
-  }
+// The drawing does not wait for what the compiler has to say.
+const drawer = new Latest("look", (text, seen, error) => {
+  if (error) return failed(error);
+  drawn = { text, ...seen };
+  drawing.draw(seen.drawing);
+  at("chart-name").textContent = seen.name || "Chart";
+  document.title = seen.name ? `${seen.name} · grafcet playground` : "grafcet playground";
+  show();
+});
+
+const checker = new Latest("check", (text, said, error) => {
+  if (error) return failed(error);
   looked = { text, ...said };
-  document.documentElement.dataset.took = Math.round(took);
-  editor.mark(editor.text === text ? said.messages : []);
+  if (editor.text === text) editor.mark(said.messages);
   problems(said);
-  drawing.draw(said.drawing);
   forms.of(text);
   keep(STORED, text);
   // Each session is a worker of its own: not one for each letter.
@@ -57,9 +61,13 @@ const checker = new Checker(({ text, said, error, took }) => {
   show();
 });
 
-function problems({ name, messages, runs }) {
-  at("chart-name").textContent = name || "Chart";
-  document.title = name ? `${name} · grafcet playground` : "grafcet playground";
+function failed(error) {
+  at("verdict").textContent = "The compiler has failed";
+  at("verdict").className = "bad";
+  list(at("problems"), [`${error.message}. Please report this chart; the next change starts it anew.`]);
+}
+
+function problems({ messages, runs }) {
   const errors = messages.filter(one => one.level === "error").length, warnings = messages.length - errors;
   const count = (number, word) => number === 0 ? [] : [number === 1 ? `1 ${word}` : `${number} ${word}s`];
   at("verdict").textContent = [...count(errors, "error"), ...count(warnings, "warning")].join(", ") || (runs ? "No complaints" : "");
@@ -101,16 +109,18 @@ function restart() {
 }
 
 function input(change) {
+  // What is true in the first cycle already has no edge (A26), which nobody who clicks has in mind.
+  if (simulation.latest.number === 0 && !wasStopped) void simulation.cycle();
   change();
   if (!simulation.isRunning && !wasStopped && simulation.isLive) simulation.run(true);
 }
 
 function show() {
   const ready = simulation?.names && simulation.moment;
-  const fits = ready && looked && simulation.text === looked.text;
+  const fits = ready && drawn && simulation.text === drawn.text;
   document.body.classList.toggle("idle", !ready);
   for (const id of ["run", "cycle", "skip", "init", "restart"]) at(id).disabled = !ready;
-  at("stale").hidden = !(ready && looked && !fits && looked.runs);
+  at("stale").hidden = !(ready && looked?.runs && simulation.text !== looked.text);
   const trouble = simulation?.trouble ?? unreadable;
   at("trouble").hidden = trouble === "";
   if (at("trouble").dataset.text !== trouble) {
@@ -127,8 +137,7 @@ function show() {
   signals.show(simulation);
   chronogram.draw(simulation);
   list(at("waits"), moment.said);
-  const happened = [...moment.did, ...moment.late.map(step => `\`${step}\` is late`)];
-  list(at("did"), happened.length > 0 ? happened : ["nothing"]);
+  list(at("did"), happened());
   if (!fits) return drawing.clear();
   const evolutions = moment.evolutions;
   drawing.mark({
@@ -139,9 +148,18 @@ function show() {
   });
 }
 
+// What the last cycle did that did anything, and when.
+function happened() {
+  const { history, shown, moment } = simulation;
+  const late = moment.late.map(step => `\`${step}\` is late`);
+  const last = history.slice(0, shown + 1).findLast(one => one.did.length > 0);
+  if (!last) return [...late, "nothing yet"];
+  return [...late, `at ${last.time}:`, ...last.did];
+}
+
 // What to say of a transition that somebody points at.
 function told(transition) {
-  const fits = simulation?.names && looked?.text === simulation.text;
+  const fits = simulation?.names && drawn?.text === simulation.text;
   if (!fits) return rich("The chart that runs is another one.");
   const { condition } = simulation.names.transitions[transition];
   const waits = simulation.moment.waits.filter(([one]) => one === transition).map(([, text]) => text);
@@ -153,14 +171,17 @@ function told(transition) {
 
 const editor = new Editor(at("editor"), {
   text: "",
-  changed: text => checker.look(text),
-  words: () => looked?.words ?? [],
+  changed: text => {
+    drawer.look(text);
+    checker.look(text);
+  },
+  words: () => drawn?.words ?? [],
 });
 const drawing = new Drawing(at("drawing"), at("hint"), {
   pointed: told,
   chosen: (kind, number) => {
-    const place = (kind === "step" ? looked?.steps : looked?.transitions)?.[number];
-    if (place && editor.text === looked.text) editor.go(...place);
+    const place = (kind === "step" ? drawn?.steps : drawn?.transitions)?.[number];
+    if (place && editor.text === drawn.text) editor.go(...place);
   },
 });
 const forms = new Forms((text, form) => checker.ask("translate", text, form), (from, to) => editor.go(from, to));
@@ -235,4 +256,4 @@ addEventListener("hashchange", () => { if (location.hash.startsWith("#chart=")) 
 void start();
 
 // For tests.
-Object.assign(globalThis, { playground: { editor, get simulation() { return simulation; }, get looked() { return looked; } } });
+Object.assign(globalThis, { playground: { editor, get simulation() { return simulation; }, get drawn() { return drawn; }, get looked() { return looked; } } });

@@ -6,6 +6,29 @@ function made(tag, properties, ...children) {
   return element;
 }
 
+// Longer is held and not clicked, in milliseconds.
+const HELD = 350;
+
+// A click turns the input around; who holds it, as one does with a push button, lets go of it again.
+function held(button, is, set) {
+  let was = false, since = 0;
+  button.addEventListener("pointerdown", event => {
+    if (event.button !== 0) return;
+    button.setPointerCapture(event.pointerId);
+    was = is();
+    since = performance.now();
+    if (!was) set(true);
+  });
+  button.addEventListener("pointerup", () => { if (!was && performance.now() - since > HELD) set(false); });
+  // It was the beginning of a scroll.
+  button.addEventListener("pointercancel", () => { if (!was) set(false); });
+  button.addEventListener("click", event => {
+    const byKey = event.detail === 0;
+    if (byKey) set(!is());
+    else if (was) set(false);
+  });
+}
+
 export class Signals {
   #place;
   #names = null;
@@ -46,7 +69,7 @@ export class Signals {
     if (kind.is === "bool") {
       const lamp = made("span", { className: "lamp" });
       const button = made("button", { type: "button", className: "input" }, lamp, name);
-      button.addEventListener("click", () => set(button.getAttribute("aria-pressed") !== "true"));
+      held(button, () => button.getAttribute("aria-pressed") === "true", set);
       all.push((value, waits) => {
         button.setAttribute("aria-pressed", String(value === true));
         button.classList.toggle("waits", waits);

@@ -41,6 +41,9 @@ export class Simulation {
     });
   }
 
+  // Where a moment begins on the axis of time: the beginning of all stands a cycle before the first one.
+  begins({ number, elapsed }) { return number === 0 ? -this.step : elapsed; }
+
   get isRunning() { return this.#running; }
   get isLive() { return this.shown === this.history.length - 1; }
   get moment() { return this.history[this.shown]; }
@@ -85,8 +88,7 @@ export class Simulation {
     return this.#do(async () => {
       await this.#here();
       await this.#engine.ask("init");
-      // What it shows now: the initial situation, which the next cycle enters.
-      this.#add(await this.#engine.ask("now"));
+      await this.#cycle(1);
     });
   }
 

@@ -1,11 +1,12 @@
 // The compiler, or one session of a chart that runs: calls in, answers out, one after the other.
-import { Session, initSync, look, translate } from "grafcet";
+import { Session, check, initSync, look, translate } from "grafcet";
 
 let session = null;
 
 const calls = {
   start: module => { initSync({ module }); },
   look,
+  check,
   translate,
   begin: (text, step) => {
     session = new Session(text, step);

@@ -39,10 +39,11 @@ export async function open(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1360, height: 900 }, permissions: ["clipboard-read", "clipboard-write"], ...options });
   const page = await context.newPage();
   const problems = [];
-  page.on("console", message => { if (message.type() === "error" || message.type() === "warning") problems.push(message.text()); });
+  page.on("console", message => { if (message.type() === "error" || message.type() === "warning") problems.push(`${message.text()} ${JSON.stringify(message.location())}`); });
   page.on("pageerror", error => problems.push(String(error)));
   page.on("request", request => { if (!request.url().startsWith(new URL(address).origin)) problems.push(`asks ${request.url()}`); });
   page.on("requestfailed", request => problems.push(`${request.url()}: ${request.failure()?.errorText}`));
+  page.problems = problems;
   await page.goto(address);
   return { page, context, problems };
 }
