@@ -14,7 +14,7 @@ if (!out) throw new Error("usage: node build.mjs GLUE GALLERY OUT");
 await mkdir(out, { recursive: true });
 const built = await esbuild.build({
   absWorkingDir: here,
-  entryPoints: [join(source, "main.js"), join(source, "worker.js")],
+  entryPoints: [join(source, "main.js"), join(source, "worker.js"), join(source, "offline.js")],
   outdir: out, bundle: true, format: "esm", minify: true, target: "es2022", charset: "utf8", legalComments: "none", metafile: true,
   alias: { grafcet: join(glue, "grafcet.js") },
   logLevel: "warning",

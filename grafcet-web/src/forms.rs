@@ -39,7 +39,10 @@ impl Form {
 
 /// The text, and what is to be known beside it; or why there is none, with places.
 pub(crate) fn translate(text: &str, form: Form) -> Value {
-    let Ok(written) = Written::find(text) else { return refused("this is not Rust yet") };
+    let written = match Written::find(text) {
+        Ok(written) => written,
+        Err(unread) => return refused(unread.why),
+    };
     let said = diagnose(written.tokens.clone(), Wanted::default());
     let wrong = said.iter().filter(|one| one.severity == Severity::Deny && !one.is_about_a_claim()).count();
     if wrong > 0 {

@@ -7,7 +7,7 @@ use grafcet_compiler::{Wanted, diagnose};
 use proc_macro2::Ident;
 use serde_json::{Value, json};
 
-use crate::text::{Places, Written};
+use crate::text::{Places, Unread, Written};
 
 /// What can be seen at once: the drawing, and where its parts stand in the text; the names.
 pub(crate) fn look(text: &str) -> Value {
@@ -29,10 +29,8 @@ pub(crate) fn check(text: &str) -> Value {
     let places = Places::of(text);
     let written = match Written::find(text) {
         Ok(written) => written,
-        Err(at) => {
-            let found = places.mark(at.into()).unwrap_or(0..0);
-            let sentence = "this is not Rust: it cannot be read beyond this point";
-            let note = json!({ "from": found.start, "to": found.end, "text": sentence, "table": "" });
+        Err(Unread { at, why }) => {
+            let note = json!({ "from": at.start, "to": at.end, "text": why, "table": "" });
             return json!({ "messages": [{ "level": "error", "rule": null, "notes": [note] }], "runs": false });
         }
     };

@@ -45,7 +45,7 @@ impl Play {
     /// # Errors
     /// It is no chart that can be run: why.
     pub fn new(text: &str, step: u32) -> Result<Self, String> {
-        let written = Written::find(text).map_err(|_| "this is not Rust".to_owned())?;
+        let written = Written::find(text).map_err(|unread| unread.why.to_owned())?;
         let chart = Chart::of_tokens(written.tokens).map_err(|refused| refused.to_string())?;
         let beside = Beside::of(Box::leak(Box::new(chart)));
         let values = beside.first();
@@ -246,8 +246,11 @@ impl Play {
     fn made(&mut self, simulation: Simulation<'static>, cycle: Cycle) {
         let before = &self.now;
         let since = before.cycle.as_ref().map_or(0, |before| cycle.now.wrapping_sub(before.now));
-        let is_new = before.values != self.values
-            || before.cycle.as_ref().is_none_or(|before| differs(before, &cycle, since, self.step));
+        let differs = |last: &Cycle| {
+            let is_late = before.simulation.late_steps() != simulation.late_steps();
+            is_late || since != self.step || differs(last, &cycle)
+        };
+        let is_new = before.values != self.values || before.cycle.as_ref().is_none_or(differs);
         let next = Moment {
             values: self.values.clone(),
             number: before.number + 1,
@@ -276,12 +279,10 @@ impl Play {
 }
 
 /// Whether a cycle shows anything that the one before did not.
-fn differs(before: &Cycle, cycle: &Cycle, since: u32, step: u32) -> bool {
-    let seen = |cycle: &Cycle| {
-        let told = (cycle.forced.clone(), cycle.calls.clone(), cycle.ran.clone(), cycle.is_stable);
-        (cycle.steps.clone(), cycle.outputs.clone(), cycle.variables.clone(), told)
-    };
-    !cycle.evolutions.is_empty() || since != step || seen(before) != seen(cycle)
+fn differs(before: &Cycle, cycle: &Cycle) -> bool {
+    let told = |cycle: &Cycle| (cycle.forced.clone(), cycle.calls.clone(), cycle.ran.clone(), cycle.is_stable);
+    let seen = (&cycle.steps, &cycle.outputs, &cycle.variables) != (&before.steps, &before.outputs, &before.variables);
+    seen || !cycle.evolutions.is_empty() || told(before) != told(cycle)
 }
 
 fn signals(signals: &[Signal]) -> Vec<Json> {

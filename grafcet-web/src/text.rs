@@ -30,6 +30,28 @@ impl<'t> Places<'t> {
     }
 }
 
+/// Why a text is no sequence of tokens, and where.
+#[derive(Debug)]
+pub(crate) struct Unread {
+    pub(crate) at: Range<usize>,
+    pub(crate) why: &'static str,
+}
+
+/// Where brackets are nested so deeply that whoever walks through the tokens has no stack left, in bytes. The compiler bounds what a chart nests, far below
+/// this; but it looks at tokens. Brackets in texts and comments count, too.
+fn too_deep(text: &str) -> Option<usize> {
+    const MOST: usize = 1000;
+    let mut depth: usize = 0;
+    text.bytes().position(|byte| {
+        match byte {
+            b'(' | b'[' | b'{' => depth += 1,
+            b')' | b']' | b'}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        depth > MOST
+    })
+}
+
 /// A chart that was found in a text.
 pub(crate) struct Written {
     pub(crate) name: String,
@@ -43,9 +65,17 @@ impl Written {
     /// The chart that the text is, or the first call of `grafcet!` in it: people paste what they have.
     ///
     /// # Errors
-    /// Where it ends to be a sequence of Rust's tokens.
-    pub(crate) fn find(text: &str) -> Result<Self, Span> {
-        let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| error.span())?;
+    /// It is no sequence of Rust's tokens.
+    pub(crate) fn find(text: &str) -> Result<Self, Unread> {
+        let places = Places::of(text);
+        if let Some(at) = too_deep(text) {
+            let at = places.bytes(at..at + 1).unwrap_or(0..0);
+            return Err(Unread { at, why: "brackets are nested too deeply from here on" });
+        }
+        let tokens: TokenStream = text.parse().map_err(|error: proc_macro2::LexError| Unread {
+            at: places.mark(error.span().into()).unwrap_or(0..0),
+            why: "this is not Rust: it cannot be read beyond this point",
+        })?;
         let called = calls(&tokens).into_iter().next();
         let (call, tokens) = called.unwrap_or_else(|| (Span::call_site(), tokens));
         Ok(Self { name: chart_name(&tokens).unwrap_or_default(), tokens, call })
@@ -82,6 +112,15 @@ mod tests {
         let written = Written::find(text).expect("tokens");
         let name = written.tokens.into_iter().nth(1).expect("a name");
         assert_eq!(Places::of(text).mark(name.span().into()), Some(14..15));
+    }
+
+    #[test]
+    fn what_is_nested_without_end_is_refused_at_its_place() {
+        let nested = |depth: usize| format!("sfc A {{ {}x{} }}", "(".repeat(depth), ")".repeat(depth));
+        assert!(Written::find(&nested(999)).is_ok());
+        // The brace is one of them, so that the thousandth parenthesis is one too many.
+        assert_eq!(Written::find(&nested(100_000)).err().map(|unread| unread.at), Some(1007..1008));
+        assert_eq!(Written::find("sfc A { ) }").err().map(|unread| unread.at), Some(8..8));
     }
 
     #[test]

@@ -37,6 +37,22 @@ fn what_changes_nothing_is_not_shown() {
 }
 
 #[test]
+fn what_changes_without_an_evolution_is_shown() {
+    // Entered in the first cycle, at 0 ms; the fourth one is at 30 ms, the sixth at 50 ms.
+    let mut play = Play::new(
+        "sfc Q { input on: bool; output slow: bool; initial step A within 50ms { D 30ms slow; } step B; A -[on]-> B -[!on]-> A; }",
+        10,
+    )
+    .expect("a chart");
+    let shown = play.advance(8).expect("cycles");
+    assert_eq!(numbers(&shown), [1, 4, 6, 8]);
+    let seen = |place: usize| (&shown[place]["outputs"], &shown[place]["late"]);
+    assert_eq!(seen(0), (&json!([false]), &json!([])));
+    assert_eq!(seen(1), (&json!([true]), &json!([])));
+    assert_eq!(seen(2), (&json!([true]), &json!(["A"])));
+}
+
+#[test]
 fn to_the_next_change() {
     let mut door = door();
     door.set(0, "true").expect("an input");

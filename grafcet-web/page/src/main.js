@@ -23,6 +23,8 @@ let simulation = null;
 // The first click on an input lets the chart run; who has stopped it once, goes on by hand.
 let wasStopped = false;
 let soon = 0;
+// The chart of the address.
+let linked = null;
 // What is wrong with the link that was opened.
 let unreadable = "";
 
@@ -134,6 +136,7 @@ function show() {
   at("clock").textContent = `${moment.time} · cycle ${moment.number}`;
   at("live").hidden = simulation.isLive;
   at("past").textContent = simulation.isLive ? "" : "The past: what you do now goes on from here.";
+  speak();
   signals.show(simulation);
   chronogram.draw(simulation);
   list(at("waits"), moment.said);
@@ -148,11 +151,20 @@ function show() {
   });
 }
 
+// For who listens: what is shown now, but not while it runs.
+function speak() {
+  const { moment, names } = simulation;
+  if (simulation.isRunning || moment.number === 0) return;
+  const steps = moment.steps.map(step => names.steps[step]), on = names.outputs.filter((_, place) => moment.outputs[place] === true);
+  const text = `Cycle ${moment.number}: in ${steps.join(", ") || "no step"}; ${on.map(one => one.name).join(", ") || "no output"} on`;
+  if (at("spoken").textContent !== text) at("spoken").textContent = text;
+}
+
 // What the last cycle did that did anything, and when.
 function happened() {
   const { history, shown, moment } = simulation;
   const late = moment.late.map(step => `\`${step}\` is late`);
-  const last = history.slice(0, shown + 1).findLast(one => one.did.length > 0);
+  const last = history.slice(0, shown + 1).findLast(one => one.isNew && one.did.length > 0);
   if (!last) return [...late, "nothing yet"];
   return [...late, `at ${last.time}:`, ...last.did];
 }
@@ -172,6 +184,8 @@ function told(transition) {
 const editor = new Editor(at("editor"), {
   text: "",
   changed: text => {
+    // The address says another chart than the page shows.
+    if (location.hash && text !== linked) forget();
     drawer.look(text);
     checker.look(text);
   },
@@ -199,6 +213,10 @@ function open(text) {
   simulation = null;
   wasStopped = false;
   editor.replace(text);
+}
+
+function forget() {
+  linked = null;
   history.replaceState(null, "", location.pathname + location.search);
 }
 
@@ -220,7 +238,8 @@ document.addEventListener("keydown", event => { if (event.key === "Escape") draw
 document.addEventListener("scroll", () => drawing.hush(), true);
 
 at("share").addEventListener("click", async () => {
-  const fragment = await packed(editor.text);
+  linked = editor.text;
+  const fragment = await packed(linked);
   history.replaceState(null, "", `#${fragment}`);
   at("address").value = location.href;
   at("copied").textContent = "";
@@ -240,7 +259,7 @@ at("copy").addEventListener("click", async () => {
 // The chart of the link, else what was typed last, else the first of the gallery.
 async function first() {
   try {
-    const linked = await unpacked(location.hash);
+    linked = await unpacked(location.hash);
     if (linked !== null) return linked;
   } catch (error) {
     unreadable = `The chart of this link cannot be read: ${error.message}`;
@@ -254,6 +273,7 @@ async function start() {
 }
 addEventListener("hashchange", () => { if (location.hash.startsWith("#chart=")) void start(); });
 void start();
+if ("serviceWorker" in navigator) navigator.serviceWorker.register("offline.js").catch(() => { /* then with a network alone */ });
 
 // For tests.
 Object.assign(globalThis, { playground: { editor, get simulation() { return simulation; }, get drawn() { return drawn; }, get looked() { return looked; } } });

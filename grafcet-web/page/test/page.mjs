@@ -87,6 +87,7 @@ const steps = {
     assert.deepEqual([await active(page), await marked(page)], [["On"], ["On"]]);
     assert.match(await text(page, "#signals"), /relay\s+on\s+green\s+on\s+red\s+off/);
     assert.equal(await text(page, "#waits"), "On → Off waits for off (false) or over_temp (false)");
+    assert.equal(await page.textContent("#spoken"), "Cycle 2: in On; relay, green on");
     // What a transition waits for, where somebody points at it.
     await page.locator("#drawing [data-transition='1']").hover();
     assert.match(await text(page, "#hint"), /waits for off \(false\) or over_temp \(false\)/);
@@ -136,6 +137,8 @@ const steps = {
     await page.waitForFunction(() => playground.simulation.latest.values.join() === "true,false,false");
     assert.ok(await page.evaluate(() => playground.simulation.history.some(moment => moment.values.join() === "true,true,false")));
     await page.click("#run");
+    // Behind what was asked before it was stopped.
+    await page.evaluate(() => playground.simulation.cycle(0));
     const stopped = await page.evaluate(() => playground.simulation.latest.number);
     await page.waitForTimeout(150);
     assert.equal(await page.evaluate(() => playground.simulation.latest.number), stopped);
@@ -156,12 +159,34 @@ const steps = {
     await ready(other.page);
     assert.equal(await text(other.page, "#verdict"), "No complaints");
     assert.deepEqual(other.problems, []);
+    // Once it is changed, the address does not say any more what it was.
+    await other.page.evaluate(() => playground.editor.replace(playground.editor.text.replaceAll("Motor", "Engine")));
+    await other.page.waitForFunction(() => playground.looked.text.includes("Engine"));
+    await other.page.reload();
+    await other.page.waitForFunction(() => globalThis.playground?.drawn?.name === "Engine");
+    assert.equal(new URL(other.page.url()).hash, "");
     await other.context.close();
     const damaged = await open(browser, `${server.address}#chart=AAAA`);
     await damaged.page.waitForSelector("#trouble:not([hidden])");
     assert.match(await text(damaged.page, "#trouble"), /cannot be read/);
     assert.deepEqual(damaged.problems, []);
     await damaged.context.close();
+  },
+
+  async "without a network"(page) {
+    const { page: other, context, problems } = await open(browser, server.address);
+    await ready(other);
+    await other.evaluate(() => navigator.serviceWorker.ready);
+    await other.reload();
+    await ready(other);
+    assert.deepEqual(problems, []);
+    await context.setOffline(true);
+    await other.reload();
+    await ready(other);
+    assert.equal(await text(other, "#verdict"), "No complaints");
+    await other.click("#open-gallery");
+    await other.locator("#shelves button").first().waitFor();
+    await context.close();
   },
 
   async "other notations"(page) {
