@@ -1,4 +1,5 @@
-// Builds the page: `node build.mjs GLUE GALLERY OUT`. GLUE has what wasm-bindgen wrote, GALLERY is a file of charts, OUT is where the page goes.
+// Builds the page: `node build.mjs GLUE GALLERY LICENCES OUT`. GLUE has what wasm-bindgen wrote, GALLERY is a file of charts, LICENCES has those of the
+// crates, OUT is where the page goes.
 
 import { cp, mkdir, readFile, readdir, writeFile } from "node:fs/promises";
 import { dirname, join, resolve } from "node:path";
@@ -8,8 +9,8 @@ import * as esbuild from "esbuild";
 import { Marked } from "marked";
 
 const here = dirname(fileURLToPath(import.meta.url)), source = join(here, "src");
-const [glue, gallery, out] = process.argv.slice(2).map(path => resolve(path));
-if (!out) throw new Error("usage: node build.mjs GLUE GALLERY OUT");
+const [glue, gallery, crates, out] = process.argv.slice(2).map(path => resolve(path));
+if (!out) throw new Error("usage: node build.mjs GLUE GALLERY LICENCES OUT");
 
 await mkdir(out, { recursive: true });
 const built = await esbuild.build({
@@ -23,7 +24,7 @@ await cp(join(glue, "grafcet_bg.wasm"), join(out, "grafcet_bg.wasm"));
 await cp(gallery, join(out, "gallery.json"));
 for (const file of ["index.html", "style.css", "icon.svg"]) await cp(join(source, file), join(out, file));
 await writeFile(join(out, "rules.html"), await rules());
-await writeFile(join(out, "LICENSES.txt"), await licences(built.metafile));
+await writeFile(join(out, "LICENSES.txt"), await licences(built.metafile) + await readFile(crates, "utf8"));
 
 // The page of rules, in the folder itself, so that it can be read without a network.
 async function rules() {
@@ -70,5 +71,5 @@ async function licences({ inputs }) {
     if (!file) throw new Error(`${name} has no licence file`);
     parts.push(`${name} ${version} (${license})\n\n${await readFile(join(here, folder, file), "utf8")}`);
   }
-  return parts.join(`\n${"-".repeat(72)}\n\n`);
+  return parts.map(part => `${part.trimEnd()}\n\n${"-".repeat(72)}\n\n`).join("");
 }

@@ -88,6 +88,8 @@ const steps = {
     assert.match(await text(page, "#signals"), /relay\s+on\s+green\s+on\s+red\s+off/);
     assert.equal(await text(page, "#waits"), "On → Off waits for off (false) or over_temp (false)");
     assert.equal(await page.textContent("#spoken"), "Cycle 2: in On; relay, green on");
+    const bars = kind => page.locator(`#drawing [data-transition].${kind}`).evaluateAll(all => all.map(mark => mark.dataset.transition));
+    assert.deepEqual([await bars("enabled"), await bars("cleared")], [["1"], ["0"]]);
     // What a transition waits for, where somebody points at it.
     await page.locator("#drawing [data-transition='1']").hover();
     assert.match(await text(page, "#hint"), /waits for off \(false\) or over_temp \(false\)/);
@@ -132,6 +134,8 @@ const steps = {
     assert.equal(await page.getAttribute("#run", "aria-pressed"), "true");
     assert.deepEqual(await active(page), ["On"]);
     assert.deepEqual(await page.evaluate(() => playground.simulation.history.slice(0, 3).map(moment => moment.values[0])), [false, false, true]);
+    const kept = await page.evaluate(() => playground.simulation.history.map(moment => moment.number));
+    assert.ok(kept.length <= 5, `of ${kept.at(-1)} cycles those are kept in which something changed: ${kept}`);
     // Held as a push button is.
     await input(page, "off").click({ delay: 450 });
     await page.waitForFunction(() => playground.simulation.latest.values.join() === "true,false,false");

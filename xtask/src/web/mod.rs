@@ -1,5 +1,7 @@
 //! The playground: the compiler and the simulation as WebAssembly, and the page around them, in one folder.
 
+mod licences;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -30,8 +32,8 @@ pub(crate) fn test() -> Result {
     let built = Built::all()?;
     let timelines = built.folder.join("timelines.json");
     write_example("timelines", &root().join("tests/conformance"), &timelines)?;
-    run_command(node("test/corpus.mjs").arg(&built.glue).arg(&timelines))?;
-    run_command(node("test/page.mjs").arg(&built.page).arg(built.folder.join("screenshots")))
+    run_command(node("test/corpus.mjs")?.arg(&built.glue).arg(&timelines))?;
+    run_command(node("test/page.mjs")?.arg(&built.page).arg(built.folder.join("screenshots")))
 }
 
 /// Builds it and serves it on this machine.
@@ -40,7 +42,7 @@ pub(crate) fn test() -> Result {
 /// As of [`run`].
 pub(crate) fn show() -> Result {
     let built = Built::all()?;
-    run_command(node("test/show.mjs").arg(&built.page))
+    run_command(node("test/show.mjs")?.arg(&built.page))
 }
 
 /// What is built, one out of the other.
@@ -58,9 +60,11 @@ impl Built {
         let (glue, gallery, page) = (folder.join("glue"), folder.join("gallery.json"), project::target("web"));
         bind(&module(&folder)?, &glue)?;
         write_example("gallery", &root(), &gallery)?;
+        let crates = folder.join("crates.txt");
+        write(&crates, &licences::of_crates("grafcet-web", TARGET)?)?;
         packages()?;
         project::remove(&page)?;
-        run_command(node("build.mjs").args([&glue, &gallery, &page]))?;
+        run_command(node("build.mjs")?.args([&glue, &gallery, &crates, &page]))?;
         Ok(Self { folder, glue, page })
     }
 }
@@ -88,7 +92,10 @@ fn bind(module: &Path, glue: &Path) -> Result {
 /// What an example of the crate prints about a folder.
 fn write_example(name: &str, folder: &Path, file: &Path) -> Result {
     let run = ["run", "--quiet", "--package", "grafcet-web", "--example", name, "--"];
-    let text = capture(cargo(&run).arg(folder))?;
+    write(file, &capture(cargo(&run).arg(folder))?)
+}
+
+fn write(file: &Path, text: &str) -> Result {
     fs::write(file, text).map_err(|error| format!("{}: {error}", file.display()))
 }
 
@@ -99,14 +106,20 @@ fn packages() -> Result {
     if time("node_modules/.package-lock.json") > time("package-lock.json") {
         return Ok(());
     }
-    let npm = find("npm").ok_or("npm is not in the PATH; install Node.js 20 or newer, which brings it along")?;
-    run_command(Command::new(npm).args(["ci", "--no-audit", "--no-fund", "--ignore-scripts"]).current_dir(page))
+    run_command(
+        Command::new(of_node("npm")?).args(["ci", "--no-audit", "--no-fund", "--ignore-scripts"]).current_dir(page),
+    )
 }
 
-fn node(script: &str) -> Command {
-    let mut command = Command::new("node");
+fn node(script: &str) -> Result<Command> {
+    let mut command = Command::new(of_node("node")?);
     command.arg(script).current_dir(root().join(PAGE));
-    command
+    Ok(command)
+}
+
+/// A program of Node.js.
+fn of_node(name: &str) -> Result<PathBuf> {
+    find(name).ok_or_else(|| format!("{name} is not in the PATH; install Node.js 20 or newer, which brings npm along"))
 }
 
 /// The two parts of wasm-bindgen understand each other only where they are of one version.
