@@ -1,6 +1,6 @@
 //! The licences of the crates that are in the playground's WebAssembly.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -11,25 +11,29 @@ use serde_json::Value;
 use crate::command::{Result, capture};
 use crate::project::cargo;
 
-/// The licence of each crate that is not of this workspace, one after the other.
+/// The licence of each crate that is in `root` for this target and not of this workspace, one after the other.
 ///
 /// # Errors
 /// Cargo does not tell, or a file cannot be read.
 pub(super) fn of_crates(root: &str, target: &str) -> Result<String> {
-    let metadata = ["metadata", "--locked", "--format-version", "1", "--filter-platform", target];
-    let text = capture(cargo(&metadata).stdout(Stdio::piped()))?;
-    let metadata: Value = serde_json::from_str(&text).map_err(|error| format!("cargo metadata: {error}"))?;
-    let packages = by_id(&metadata["packages"]);
+    // The tree has the crates of this one with its features, and without what builds and tests them; where they lie, the metadata tell.
+    let tree = ["tree", "--locked", "--edges", "normal,no-proc-macro", "--prefix", "none", "--format", "{p}"];
+    let tree = capture(cargo(&tree).args(["--package", root, "--target", target]).stdout(Stdio::piped()))?;
+    let metadata = ["metadata", "--locked", "--format-version", "1"];
+    let metadata = capture(cargo(&metadata).stdout(Stdio::piped()))?;
+    let metadata: Value = serde_json::from_str(&metadata).map_err(|error| format!("cargo metadata: {error}"))?;
+    let packages: Vec<&Value> = metadata["packages"].as_array().into_iter().flatten().collect();
     let mut all = String::new();
-    for id in needed(root, &packages, &by_id(&metadata["resolve"]["nodes"])) {
-        let package = packages.get(id).copied().unwrap_or(&Value::Null);
+    for (name, version) in crates(&tree) {
+        let found = packages.iter().find(|one| one["name"] == name && one["version"] == version);
+        let package = found.ok_or_else(|| format!("cargo metadata does not tell of {name} {version}"))?;
         // What has no source is ours.
         if package["source"].is_null() {
             continue;
         }
         let word = |field: &str| package[field].as_str().unwrap_or_default();
         // Writing to a string cannot fail.
-        _ = writeln!(all, "{} {} ({})\n", word("name"), word("version"), word("license"));
+        _ = writeln!(all, "{name} {version} ({})\n", word("license"));
         for text in texts(Path::new(word("manifest_path")))? {
             _ = writeln!(all, "{}\n", text.trim_end());
         }
@@ -38,30 +42,13 @@ pub(super) fn of_crates(root: &str, target: &str) -> Result<String> {
     Ok(all)
 }
 
-fn by_id(list: &Value) -> BTreeMap<&str, &Value> {
-    let all = list.as_array().into_iter().flatten();
-    all.filter_map(|one| Some((one["id"].as_str()?, one))).collect()
-}
-
-/// The crate of this name and all that it is made of: neither what tests it nor what builds it.
-fn needed<'m>(
-    root: &str,
-    packages: &BTreeMap<&'m str, &Value>,
-    nodes: &BTreeMap<&'m str, &'m Value>,
-) -> BTreeSet<&'m str> {
-    let mut open: Vec<&str> = packages.iter().filter(|(_, one)| one["name"] == root).map(|(id, _)| *id).collect();
-    let mut found = BTreeSet::new();
-    while let Some(id) = open.pop() {
-        if !found.insert(id) {
-            continue;
-        }
-        let dependencies = nodes.get(id).and_then(|node| node["deps"].as_array()).into_iter().flatten();
-        let normal = dependencies.filter(|one| {
-            one["dep_kinds"].as_array().is_some_and(|kinds| kinds.iter().any(|kind| kind["kind"].is_null()))
-        });
-        open.extend(normal.filter_map(|one| one["pkg"].as_str()));
-    }
-    found
+/// Names and versions: `syn v3.0.9`, once each.
+fn crates(tree: &str) -> BTreeSet<(&str, &str)> {
+    let named = tree.lines().filter_map(|line| {
+        let (name, rest) = line.split_once(" v")?;
+        Some((name, rest.split(' ').next()?))
+    });
+    named.collect()
 }
 
 /// The files beside a manifest that hold a licence, in their order.
@@ -80,20 +67,24 @@ fn texts(manifest: &Path) -> Result<Vec<String>> {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
-    use super::{by_id, needed};
+    use super::{crates, of_crates};
 
     #[test]
-    fn what_tests_and_builds_a_crate_is_not_in_it() {
-        let packages = json!([{ "id": "a", "name": "page" }, { "id": "b", "name": "b" }, { "id": "c", "name": "c" }]);
-        let kind = |kind| json!([{ "kind": kind }]);
-        let nodes = json!([
-            { "id": "a", "deps": [{ "pkg": "b", "dep_kinds": kind(None::<&str>) }, { "pkg": "c", "dep_kinds": kind(Some("dev")) }] },
-            { "id": "b", "deps": [{ "pkg": "a", "dep_kinds": kind(None) }, { "pkg": "c", "dep_kinds": kind(Some("build")) }] },
-            { "id": "c", "deps": [] },
-        ]);
-        let found: Vec<&str> = needed("page", &by_id(&packages), &by_id(&nodes)).into_iter().collect();
-        assert_eq!(found, ["a", "b"]);
+    fn a_crate_is_there_once() {
+        let tree = "page v0.1.0 (/home/page)\nsyn v3.0.9\nquote v1.0.47\nsyn v3.0.9 (*)\n";
+        let found: Vec<_> = crates(tree).into_iter().collect();
+        assert_eq!(found, [("page", "0.1.0"), ("quote", "1.0.47"), ("syn", "3.0.9")]);
+    }
+
+    #[test]
+    fn what_is_in_the_page_and_nothing_else() {
+        let text = of_crates("grafcet-web", "wasm32-unknown-unknown").expect("cargo tells");
+        for name in ["\nsyn ", "\nwasm-bindgen ", "\nserde_json "] {
+            assert!(text.contains(name), "{name}");
+        }
+        // A macro, what an optional feature asks for, what is ours.
+        for name in ["\nserde_derive ", "\ndefmt ", "\ngrafcet-"] {
+            assert!(!text.contains(name), "{name}");
+        }
     }
 }
