@@ -16,6 +16,8 @@ const MOST_BACK: usize = 10_000;
 pub struct Play {
     beside: Beside<'static>,
     now: Moment,
+    /// What the next cycle begins with, where that is not what the last one has left: after *Init*, and with other parameters.
+    changed: Option<Simulation<'static>>,
     /// The moments in which something changed, before this one.
     past: VecDeque<Moment>,
     /// For the next cycle.
@@ -51,7 +53,7 @@ impl Play {
         let values = beside.first();
         let simulation = beside.start().map_err(|error| error.to_string())?;
         let now = Moment { simulation, values: values.clone(), cycle: None, number: 0, elapsed: 0, is_new: true };
-        Ok(Self { beside, now, past: VecDeque::new(), values, step })
+        Ok(Self { beside, now, changed: None, past: VecDeque::new(), values, step })
     }
 
     /// The names of everything, and what kind of value each has.
@@ -78,7 +80,8 @@ impl Play {
         let moment = &self.now;
         let names = self.all_names();
         let done = moment.cycle.as_ref();
-        let blocked = moment.simulation.blocked();
+        let simulation = self.simulation();
+        let blocked = simulation.blocked();
         let mut did = done.map_or_else(Vec::new, |cycle| happened(names, cycle));
         let ran = done.iter().flat_map(|cycle| &cycle.ran);
         did.extend(ran.map(|ran| format!("{}: {}", names.steps[ran.step].name, ran.text)));
@@ -90,11 +93,11 @@ impl Play {
             "elapsed": moment.elapsed,
             "time": names.time(moment.elapsed),
             "now": done.map_or(0, |cycle| cycle.now),
-            "steps": moment.simulation.steps(),
+            "steps": simulation.steps(),
             "values": values(&moment.values),
-            "outputs": values(&moment.simulation.outputs()),
-            "variables": values(&moment.simulation.variables()),
-            "params": values(&moment.simulation.params()),
+            "outputs": values(&simulation.outputs()),
+            "variables": values(&simulation.variables()),
+            "params": values(&simulation.params()),
             "evolutions": evolutions.map(|one| json!({
                 "cleared": one.cleared, "left": one.deactivated, "entered": one.activated, "steps": one.steps,
             })).collect::<Vec<_>>(),
@@ -105,7 +108,7 @@ impl Play {
             "waits": waiting.collect::<Vec<_>>(),
             "isFirst": blocked.is_first,
             "said": blocked.to_string().lines().collect::<Vec<_>>(),
-            "late": moment.simulation.late_steps(),
+            "late": simulation.late_steps(),
             "isNew": moment.is_new,
             "stable": done.is_none_or(|cycle| cycle.is_stable),
         })
@@ -133,8 +136,10 @@ impl Play {
     pub fn set_param(&mut self, place: usize, value: &str) -> Result<(), String> {
         let param = self.all_names().params.get(place).ok_or("there is no such parameter")?;
         let value = read(param, value)?;
-        self.keep();
-        self.now.simulation.set_param(&param.name, value).map_err(|error| error.to_string())
+        let mut changed = self.simulation().clone();
+        changed.set_param(&param.name, value).map_err(|error| error.to_string())?;
+        self.changed = Some(changed);
+        Ok(())
     }
 
     /// So many cycles: those in which something changed, and the last one.
@@ -185,7 +190,7 @@ impl Play {
         let situation: Vec<&str> = situation.collect::<Option<_>>().ok_or("there is no such step")?;
         let signals = names.inputs.iter().zip(&self.values);
         let inputs: Vec<(&str, Value)> = signals.map(|(input, value)| (input.name.as_str(), value.clone())).collect();
-        let mut simulation = self.now.simulation.clone();
+        let mut simulation = self.simulation().clone();
         let cycle = simulation.force(now, &situation, &inputs).map_err(|error| error.to_string())?;
         self.made(simulation, cycle);
         Ok(self.now())
@@ -196,8 +201,10 @@ impl Play {
     /// # Errors
     /// An initial value is not understood.
     pub fn init(&mut self) -> Result<(), String> {
-        self.keep();
-        self.now.simulation.init().map_err(|error| error.to_string())
+        let mut changed = self.simulation().clone();
+        changed.init().map_err(|error| error.to_string())?;
+        self.changed = Some(changed);
+        Ok(())
     }
 
     /// Back to the end of the cycle of this number.
@@ -208,6 +215,7 @@ impl Play {
         if number > self.now.number {
             return Err("that has not happened yet".to_owned());
         }
+        self.changed = None;
         if number < self.now.number {
             // What the signals were in a stretch without a change they were at its beginning.
             while let Some(before) = self.past.pop_back() {
@@ -231,13 +239,18 @@ impl Play {
         self.beside.chart().names()
     }
 
+    /// The chart as the next cycle finds it.
+    fn simulation(&self) -> &Simulation<'static> {
+        self.changed.as_ref().unwrap_or(&self.now.simulation)
+    }
+
     /// The first cycle is at zero.
     fn next(&self) -> u32 {
         self.now.cycle.as_ref().map_or(0, |cycle| cycle.now.wrapping_add(self.step))
     }
 
     fn cycle(&mut self, now: u32) -> Result<(), String> {
-        let done = self.beside.cycle(&self.now.simulation, now, &self.values);
+        let done = self.beside.cycle(self.simulation(), now, &self.values);
         let (simulation, cycle) = done.map_err(|error| error.to_string())?;
         self.made(simulation, cycle);
         Ok(())
@@ -250,7 +263,9 @@ impl Play {
             let is_late = before.simulation.late_steps() != simulation.late_steps();
             is_late || since != self.step || differs(last, &cycle)
         };
-        let is_new = before.values != self.values || before.cycle.as_ref().is_none_or(differs);
+        // What was changed by hand is not there when that moment is run again.
+        let by_hand = self.changed.take().is_some();
+        let is_new = by_hand || before.values != self.values || before.cycle.as_ref().is_none_or(differs);
         let next = Moment {
             values: self.values.clone(),
             number: before.number + 1,
@@ -261,11 +276,6 @@ impl Play {
         };
         self.keep_if_new();
         self.now = next;
-    }
-
-    /// The present moment is about to be changed by hand.
-    fn keep(&mut self) {
-        self.now.is_new = true;
     }
 
     fn keep_if_new(&mut self) {

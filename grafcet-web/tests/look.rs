@@ -55,6 +55,7 @@ fn a_mistake_is_marked_at_its_token() {
     let text = MOTOR.replace("-[on]->", "-[onn]->");
     let said = looked(&text);
     assert_eq!(said["runs"], json!(false));
+    assert!(said["drawing"].as_str().is_some_and(|svg| svg.contains(">onn<")), "the drawing says what is written");
     let message = &said["messages"][0];
     assert_eq!((message["level"].as_str(), marked(&text, message)), (Some("error"), vec!["onn"]));
 }
@@ -73,6 +74,8 @@ fn what_cannot_be_read_ends_at_its_place() {
     let said = looked("sfc Motor { ) }");
     assert_eq!((&said["messages"][0]["notes"][0]["from"], &said["runs"]), (&json!(12), &json!(false)));
     assert_eq!(looked("")["runs"], json!(false));
+    let half = looked(&MOTOR.replace("-[off]-> Off;", "-[off]-> ;"));
+    assert_eq!((&half["drawing"], &half["runs"]), (&Value::Null, &json!(false)), "half a chart would be another one");
     assert!(looked("/* open")["messages"][0]["level"] == "error");
 }
 

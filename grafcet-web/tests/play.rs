@@ -84,6 +84,12 @@ fn back_and_on_again_is_the_same() {
     let begin = door.rewind(0).expect("kept");
     assert_eq!((&begin["number"], &begin["values"], &begin["isFirst"]), (&json!(0), &json!([false]), &json!(true)));
     assert!(door.rewind(1).is_err(), "that has not happened yet");
+    let shown = door.advance(2).expect("cycles");
+    assert_eq!(
+        (&shown[1]["values"], &shown[1]["steps"]),
+        (&json!([false]), &json!([0])),
+        "the input is what it was then"
+    );
 }
 
 #[test]
@@ -99,8 +105,18 @@ fn another_parameter_acts_from_the_next_cycle_on() {
         (numbers(&shown).last(), &shown[shown.as_array().map_or(0, Vec::len) - 1]["steps"]),
         (Some(&5), &json!([0]))
     );
-    door.rewind(3).expect("kept");
-    assert_eq!(door.now()["params"], json!([30]), "it was so then");
+    assert_eq!(door.rewind(3).expect("kept")["params"], json!([30]), "it was so in that cycle");
+    assert_eq!(door.rewind(2).expect("kept")["params"], json!([2000]), "and not yet in this one");
+}
+
+#[test]
+fn a_parameter_that_changes_nothing_to_be_seen_is_there_on_the_way_back() {
+    let mut door = door();
+    door.advance(5).expect("cycles");
+    door.set_param(0, "30").expect("a parameter");
+    door.advance(5).expect("cycles");
+    assert_eq!(door.rewind(8).expect("kept")["params"], json!([30]));
+    assert_eq!(door.rewind(5).expect("kept")["params"], json!([2000]));
 }
 
 #[test]
@@ -110,9 +126,14 @@ fn init_is_taken_back_as_everything_else() {
     door.advance(4).expect("cycles");
     door.init().expect("initial values");
     assert_eq!((&door.now()["steps"], &door.now()["isFirst"]), (&json!([0]), &json!(true)));
+    // The fifth cycle is like the first one, the sixth leads to the second step again.
+    door.advance(3).expect("cycles");
+    assert_eq!(door.rewind(5).expect("kept")["steps"], json!([0]));
+    assert_eq!(door.rewind(4).expect("kept")["steps"], json!([1]), "before it was put back");
     door.advance(1).expect("a cycle");
-    door.rewind(3).expect("kept");
-    assert_eq!(door.now()["steps"], json!([1]));
+    assert_eq!(door.now()["steps"], json!([1]), "which has not happened any more");
+    door.init().expect("initial values");
+    assert_eq!(door.rewind(4).expect("kept")["steps"], json!([1]), "what has not had its cycle yet is taken back, too");
 }
 
 #[test]

@@ -22,7 +22,7 @@ export class Simulation {
   // Which of these is looked at.
   shown = 0;
   #values = [];
-  params = [];
+  #params = [];
   speed = 1;
   step = 1;
   trouble = null;
@@ -36,7 +36,7 @@ export class Simulation {
       this.names = names;
       this.history = [now];
       this.#values = [...now.values];
-      this.params = [...now.params];
+      this.#params = [...now.params];
       await this.#period(nanos);
     });
   }
@@ -49,6 +49,7 @@ export class Simulation {
   get moment() { return this.history[this.shown]; }
   // What the next cycle is given.
   get values() { return this.isLive ? this.#values : this.moment.values; }
+  get params() { return this.isLive ? this.#params : this.moment.params; }
   get latest() { return this.history[this.history.length - 1]; }
 
   // How long a cycle takes, in nanoseconds: at least a tick of the chart's clock.
@@ -80,7 +81,7 @@ export class Simulation {
     return this.#do(async () => {
       await this.#here();
       await this.#engine.ask("set_param", place, String(value));
-      this.params[place] = value;
+      this.#params[place] = value;
     });
   }
 
@@ -140,6 +141,7 @@ export class Simulation {
     await this.#engine.ask("rewind", number);
     this.history.length = this.shown + 1;
     this.#values = [...this.moment.values];
+    this.#params = [...this.moment.params];
   }
 
   #add(moment) {
@@ -150,7 +152,7 @@ export class Simulation {
     this.history.push(moment);
     if (this.history.length > MOST_KEPT) this.history.shift();
     if (follows) this.shown = this.history.length - 1;
-    this.params = [...moment.params];
+    this.#params = [...moment.params];
   }
 
   // One after the other, in the order in which it was asked.
