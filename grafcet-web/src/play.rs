@@ -36,6 +36,8 @@ struct Moment {
     number: u32,
     /// Ticks since the first cycle.
     elapsed: u64,
+    /// Ticks from the cycle before; those after it that change nothing are as far apart.
+    step: u32,
     /// Something is different from the moment before, so that it has to be kept.
     is_new: bool,
 }
@@ -52,7 +54,7 @@ impl Play {
         let beside = Beside::of(Box::leak(Box::new(chart)));
         let values = beside.first();
         let simulation = beside.start().map_err(|error| error.to_string())?;
-        let now = Moment { simulation, values: values.clone(), cycle: None, number: 0, elapsed: 0, is_new: true };
+        let now = Moment { simulation, values: values.clone(), cycle: None, number: 0, elapsed: 0, step, is_new: true };
         Ok(Self { beside, now, changed: None, past: VecDeque::new(), values, step })
     }
 
@@ -228,8 +230,8 @@ impl Play {
                 return Err("the beginning is forgotten".to_owned());
             }
             self.values.clone_from(&self.now.values);
-            while self.now.number < number {
-                self.cycle(self.next())?;
+            while let Some(last) = self.now.cycle.as_ref().filter(|_| self.now.number < number) {
+                self.cycle(last.now.wrapping_add(self.now.step))?;
             }
         }
         Ok(self.now())
@@ -261,7 +263,7 @@ impl Play {
         let since = before.cycle.as_ref().map_or(0, |before| cycle.now.wrapping_sub(before.now));
         let differs = |last: &Cycle| {
             let is_late = before.simulation.late_steps() != simulation.late_steps();
-            is_late || since != self.step || differs(last, &cycle)
+            is_late || since != before.step || differs(last, &cycle)
         };
         // What was changed by hand is not there when that moment is run again.
         let by_hand = self.changed.take().is_some();
@@ -270,6 +272,7 @@ impl Play {
             values: self.values.clone(),
             number: before.number + 1,
             elapsed: before.elapsed + u64::from(since),
+            step: if before.cycle.is_some() { since } else { self.step },
             cycle: Some(cycle),
             simulation,
             is_new,

@@ -93,6 +93,18 @@ fn back_and_on_again_is_the_same() {
 }
 
 #[test]
+fn back_before_the_cycle_time_was_changed() {
+    let mut door = door();
+    door.advance(5).expect("cycles");
+    door.step_by(100);
+    let shown = door.advance(3).expect("cycles");
+    assert_eq!((numbers(&shown), &shown[1]["elapsed"]), (vec![6, 8], &json!(340)));
+    // Cycles 1 to 4 were at 0, 10, 20 and 30 ms.
+    assert_eq!(door.rewind(4).expect("kept")["elapsed"], json!(30));
+    assert_eq!(door.advance(1).expect("a cycle")[0]["elapsed"], json!(130), "from here on it is the new one");
+}
+
+#[test]
 fn another_parameter_acts_from_the_next_cycle_on() {
     let mut door = door();
     door.set(0, "true").expect("an input");
