@@ -6,6 +6,10 @@ function module() {
   compiled ??= fetch("grafcet_bg.wasm").then(async response => {
     if (!response.ok) throw new Error(`grafcet_bg.wasm: ${response.status} ${response.statusText}`);
     return WebAssembly.compile(await response.arrayBuffer());
+  }).catch(error => {
+    // The next one tries again.
+    compiled = null;
+    throw error;
   });
   return compiled;
 }
@@ -33,6 +37,7 @@ export class Engine {
       this.#fail(new Error(event.message || "the worker does not start"));
     });
     this.#started = module().then(module => this.#send("start", module));
+    this.#started.catch(() => { this.isBroken = true; });
   }
 
   // Answers are JSON, or nothing.

@@ -66,7 +66,7 @@ const checker = new Latest("check", (text, said, error) => {
 function failed(error) {
   at("verdict").textContent = "The compiler has failed";
   at("verdict").className = "bad";
-  list(at("problems"), [`${error.message}. Please report this chart; the next change starts it anew.`]);
+  list(at("problems"), [`${error.message}. The next change starts it anew; if it fails again, please report the chart.`]);
 }
 
 function problems({ messages, runs }) {

@@ -16,10 +16,10 @@ function held(button, is, set) {
     if (event.button !== 0) return;
     button.setPointerCapture(event.pointerId);
     was = is();
-    since = performance.now();
+    since = event.timeStamp;
     if (!was) set(true);
   });
-  button.addEventListener("pointerup", () => { if (!was && performance.now() - since > HELD) set(false); });
+  button.addEventListener("pointerup", event => { if (!was && event.timeStamp - since > HELD) set(false); });
   // It was the beginning of a scroll.
   button.addEventListener("pointercancel", () => { if (!was) set(false); });
   button.addEventListener("click", event => {

@@ -137,7 +137,7 @@ const steps = {
     const kept = await page.evaluate(() => playground.simulation.history.map(moment => moment.number));
     assert.ok(kept.length <= 5, `of ${kept.at(-1)} cycles those are kept in which something changed: ${kept}`);
     // Held as a push button is.
-    await input(page, "off").click({ delay: 450 });
+    await input(page, "off").click({ delay: 700 });
     await page.waitForFunction(() => playground.simulation.latest.values.join() === "true,false,false");
     assert.ok(await page.evaluate(() => playground.simulation.history.some(moment => moment.values.join() === "true,true,false")));
     await page.click("#run");
@@ -190,6 +190,20 @@ const steps = {
     assert.equal(await text(other, "#verdict"), "No complaints");
     await other.click("#open-gallery");
     await other.locator("#shelves button").first().waitFor();
+    await context.close();
+  },
+
+  async "what was not loaded is loaded with the next change"() {
+    const context = await browser.newContext(), other = await context.newPage();
+    await other.route("**/grafcet_bg.wasm", route => route.abort());
+    await other.goto(server.address);
+    await other.waitForFunction(() => document.querySelector("#verdict").textContent === "The compiler has failed");
+    assert.match(await text(other, "#problems"), /fetch/i);
+    await other.unroute("**/grafcet_bg.wasm");
+    await other.evaluate(() => playground.editor.replace(`${playground.editor.text}\n`));
+    await ready(other);
+    assert.equal(await text(other, "#verdict"), "No complaints");
+    assert.equal(await other.locator("#problems li").count(), 0);
     await context.close();
   },
 
