@@ -125,7 +125,8 @@ export class Simulation {
       this.#rest = Math.min(this.#rest + nanos / (this.names.nanosPerTick * this.step), MOST_CYCLES);
       const cycles = Math.floor(this.#rest);
       this.#rest -= cycles;
-      if (cycles > 0 && this.#running) await this.cycle(cycles);
+      // Somebody may have stopped it, or look at the past, until what was asked before is done.
+      if (cycles > 0) await this.#do(async () => { if (this.#running) await this.#cycle(cycles); });
     }
   }
 

@@ -140,6 +140,18 @@ const steps = {
     await input(page, "off").click({ delay: 700 });
     await page.waitForFunction(() => playground.simulation.latest.values.join() === "true,false,false");
     assert.ok(await page.evaluate(() => playground.simulation.history.some(moment => moment.values.join() === "true,true,false")));
+    // Looked at in the middle of its run, between what was asked and what is done: nothing of it is forgotten.
+    const [before, after] = await page.evaluate(async () => {
+      const { simulation } = playground, { number } = simulation.latest;
+      void simulation.set(1, false);
+      await new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      simulation.look(1);
+      await new Promise(resolve => setTimeout(resolve, 200));
+      return [number, simulation.latest.number];
+    });
+    assert.ok(after >= before, `${after} of ${before} cycles`);
+    await page.click("#live");
+    await page.click("#run");
     await page.click("#run");
     // Behind what was asked before it was stopped.
     await page.evaluate(() => playground.simulation.cycle(0));
