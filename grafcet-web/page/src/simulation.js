@@ -107,8 +107,8 @@ export class Simulation {
   // Looks at a moment of the past; what is done next is done from there.
   look(at) {
     this.run(false);
-    this.shown = Math.max(0, Math.min(this.history.length - 1, at));
-    this.#changed();
+    // Behind what was asked before: that is done now, and not in the past.
+    return this.#do(async () => { this.shown = Math.max(0, Math.min(this.history.length - 1, at)); });
   }
 
   end() {
