@@ -78,7 +78,7 @@
 //! [First chart](manual::first_chart), from `cargo new` to an emulated controller; [the language](manual::language), all that a
 //! chart may hold; [the meaning](manual::semantics), what one cycle does exactly; [the rules](manual::rules) that the compiler
 //! checks; [the names](manual::names); [the cookbook](manual::cookbook); [porting](manual::porting) of CASE and flip-flop
-//! programs; [the tool](manual::tool) `cargo grafcet`.
+//! programs; [the tool](manual::tool) `cargo grafcet`; [the playground](manual::playground) in the browser.
 #![no_std]
 
 /// Pictures of a chart, with the steps marked that are active: for the host, with the feature `std`.
@@ -223,6 +223,10 @@ pub mod manual {
     #[doc = "[record]: self::record\n"]
     #[doc = include_str!("../docs/tool.md")]
     pub mod tool {}
+
+    #[doc = "[rules]: self::rules\n[cookbook]: self::cookbook\n[tool]: self::tool\n"]
+    #[doc = include_str!("../docs/playground.md")]
+    pub mod playground {}
 }
 
 /// The charts of the pages are tests. Those of the rules, half of which are wrong, have a test of their own, and the first

@@ -1,7 +1,6 @@
 #![doc = include_str!("../README.md")]
 
 mod args;
-mod beside;
 mod check;
 mod coverage;
 mod diff;

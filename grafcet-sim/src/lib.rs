@@ -1,7 +1,9 @@
 #![doc = include_str!("../README.md")]
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
+mod beside;
 mod blocked;
+mod calls;
 mod chart;
 mod coverage;
 mod cycle;
@@ -17,7 +19,9 @@ mod simulation;
 mod trace;
 mod value;
 
+pub use beside::Beside;
 pub use blocked::{Blocked, HeldBack, Part, Wait, Waiting, Why};
+pub use calls::{calls, chart_name};
 pub use chart::{Chart, Refused};
 pub use coverage::{Coverage, Criterion, Missing};
 pub use cycle::{Call, Cycle, Evolution, Forced, Gap, Phase, Ran};

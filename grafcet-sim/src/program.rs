@@ -78,14 +78,14 @@ fn without_blanks(text: &str) -> String {
 }
 
 /// A program beside a chart, which a simulation asks.
-pub(crate) struct Beside<'a> {
+pub(crate) struct Around<'a> {
     pub(crate) model: &'a Model,
     pub(crate) program: &'a Program<'a>,
     /// Where conditions are taken down, if they are.
     pub(crate) coverage: Option<&'a std::cell::RefCell<Coverage>>,
 }
 
-impl Beside<'_> {
+impl Around<'_> {
     fn ask<R>(&self, text: &str, look: &dyn Fn(Name) -> Option<interp::Value>, f: impl FnOnce(&Asked<'_>) -> R) -> R {
         let named = |name: &str| {
             let name = find(self.model, name)?;
@@ -95,7 +95,7 @@ impl Beside<'_> {
     }
 }
 
-impl World for Beside<'_> {
+impl World for Around<'_> {
     fn value(&self, text: &str, look: &dyn Fn(Name) -> Option<interp::Value>) -> Option<interp::Value> {
         let constant = self.program.values.get(&without_blanks(text)).cloned();
         let value = constant.or_else(|| {

@@ -11,7 +11,7 @@ use crate::coverage::Coverage;
 use crate::cycle::{Call, Cycle, Evolution, Forced, Ran};
 use crate::interp::{self, Interpreter};
 use crate::names::{Names, plain as plain_name};
-use crate::program::{Beside, Program};
+use crate::program::{Around, Program};
 use crate::value::{Value, inside, outside, plain};
 
 /// A chart that runs from its source.
@@ -182,7 +182,7 @@ impl<'c> Simulation<'c> {
 
     fn run(&mut self, now: u32, by_hand: Option<&interp::Situation>) -> Result<Cycle, Error> {
         let model = self.chart.model();
-        let world = Beside { model, program: &self.program, coverage: Some(&self.coverage) };
+        let world = Around { model, program: &self.program, coverage: Some(&self.coverage) };
         let done = match by_hand {
             Some(situation) => self.machine.force_in(&world, situation, &self.inputs, now)?,
             None => self.machine.cycle_in(&world, &self.inputs, now)?,
@@ -213,7 +213,7 @@ impl<'c> Simulation<'c> {
     /// What the chart waits for at the end of the last cycle.
     #[must_use]
     pub fn blocked(&self) -> Blocked {
-        let world = Beside { model: self.chart.model(), program: &self.program, coverage: None };
+        let world = Around { model: self.chart.model(), program: &self.program, coverage: None };
         blocked::blocked(self.chart, &self.machine.look(&world, &self.inputs))
     }
 
@@ -222,7 +222,7 @@ impl<'c> Simulation<'c> {
     pub fn is_excluded(&self, inputs: &[Value]) -> bool {
         let model = self.chart.model();
         let values: Vec<_> = model.inputs.values().zip(inputs).map(|(input, value)| inside(value, &input.ty)).collect();
-        let world = Beside { model, program: &self.program, coverage: None };
+        let world = Around { model, program: &self.program, coverage: None };
         let look = self.machine.look(&world, &values);
         model.assumptions.iter().any(|assumption| look.holds(&assumption.never.tree) == Ok(true))
     }

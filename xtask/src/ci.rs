@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use crate::command::{Result, run as run_command};
 use crate::project::{cargo, root, target};
-use crate::{bench, conformance, firmware, first_chart, msrv, packages, record, record_cost};
+use crate::{bench, conformance, firmware, first_chart, msrv, packages, record, record_cost, web};
 
 const FIRMWARE: [&str; 2] = ["--manifest-path", "examples/firmware/Cargo.toml"];
 const RTIC: [&str; 2] = ["--manifest-path", "examples/rtic/Cargo.toml"];
@@ -18,8 +18,9 @@ const EMBASSY: [&str; 2] = ["--manifest-path", "examples/embassy/Cargo.toml"];
 const CORPUS: [&str; 2] = ["--manifest-path", "tests/conformance/board/Cargo.toml"];
 const HOSTILE: [&str; 2] = ["--manifest-path", "tests/hostile/Cargo.toml"];
 const BENCHES: [&str; 2] = ["--manifest-path", "benches/Cargo.toml"];
+const WEB: [&str; 2] = ["--manifest-path", "grafcet-web/bind/Cargo.toml"];
 /// What has a lock file of its own.
-const APART: [[&str; 2]; 6] = [FIRMWARE, RTIC, EMBASSY, CORPUS, HOSTILE, BENCHES];
+const APART: [[&str; 2]; 7] = [FIRMWARE, RTIC, EMBASSY, CORPUS, HOSTILE, BENCHES, WEB];
 
 /// A named step of CI.
 type Step = (&'static str, fn() -> Result);
@@ -44,6 +45,7 @@ const ROWS: [&[Step]; 2] = [
         ("firmware", firmware::run),
         ("record", recorder),
         ("first chart", first_chart::run),
+        ("web", web::test),
     ],
 ];
 
@@ -233,6 +235,6 @@ mod tests {
         let count = names.len();
         names.sort_unstable();
         names.dedup();
-        assert_eq!((names.len(), count), (12, 12));
+        assert_eq!((names.len(), count), (13, 13));
     }
 }

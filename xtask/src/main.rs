@@ -22,6 +22,7 @@ mod record_cost;
 mod release;
 mod screenshots;
 mod toolchain;
+mod web;
 
 use std::process::ExitCode;
 
@@ -78,6 +79,9 @@ Usage: cargo xtask <task>
   soak CYCLES [--charts N] [--seconds N] [--seed N] [--dialect sfc|grafcet]
             random charts for a long time, with clocks that wrap around, on stretches of it beside the interpreter
   msrv      check the crates that ship with the oldest supported Rust
+  web       the playground, as a folder that any web server can show: target/web (Node.js with npm)
+  web test  builds it, plays the conformance corpus on its WebAssembly, and uses the page in headless Chromium
+  web show  builds it and shows it on this machine, until Ctrl-C
 ";
 
 fn main() -> ExitCode {
@@ -116,6 +120,9 @@ fn main() -> ExitCode {
         ["release"] => release::run(),
         ["soak", cycles, ref rest @ ..] => conformance::run(&[&["--soak", cycles, "--shrink", "0"], rest].concat()),
         ["screenshots"] => screenshots::run(),
+        ["web"] => web::run(),
+        ["web", "test"] => web::test(),
+        ["web", "show"] => web::show(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{USAGE}");
             Ok(())

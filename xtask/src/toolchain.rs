@@ -81,11 +81,17 @@ impl BareMetal {
 
     /// `cargo <subcommand> --target <target>` at the root of the workspace.
     pub(crate) fn cargo(&self, subcommand: &str, target: &str) -> Command {
+        self.cargo_with(subcommand, target, "core")
+    }
+
+    /// The same for a target that has more of the standard library: `std,panic_abort`.
+    pub(crate) fn cargo_with(&self, subcommand: &str, target: &str, libraries: &str) -> Command {
         match self {
             Self::Installed => project::cargo(&[subcommand, "--target", target]),
             Self::FromSource { cargo, rustc, linker } => {
                 let mut command = Command::new(cargo);
-                command.current_dir(project::root()).args([subcommand, "--target", target, "-Zbuild-std=core"]);
+                command.current_dir(project::root()).args([subcommand, "--target", target]);
+                command.arg(format!("-Zbuild-std={libraries}"));
                 // `-Zbuild-std` is not stable, and neither compiler nor cargo is a nightly one.
                 command.env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
                 project::forget_cargo(&mut command);

@@ -2,9 +2,7 @@
 //!
 //! - `package`: the crates that are meant, as cargo tells
 //! - `modules`: from the first file of a target to all its files
-//! - `calls`: the calls in the tokens of one file
 
-mod calls;
 mod modules;
 mod package;
 
@@ -12,6 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use grafcet_sim::{calls, chart_name};
 use proc_macro2::{Span, TokenStream};
 
 use crate::Failure;
@@ -117,9 +116,9 @@ pub(crate) fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
         let file = File::read(path)?;
         let mut found = file.charts();
         // A file with a chart alone, as it stands between the braces.
-        if found.is_empty() && calls::name(&file.tokens).is_some() {
+        if found.is_empty() && chart_name(&file.tokens).is_some() {
             found.push(Found {
-                name: calls::name(&file.tokens).unwrap_or_default(),
+                name: chart_name(&file.tokens).unwrap_or_default(),
                 tokens: file.tokens,
                 source: file.source,
                 call: Span::call_site(),
@@ -163,11 +162,11 @@ impl File {
     }
 
     fn charts(&self) -> Vec<Found> {
-        let found = calls::calls(&self.tokens).into_iter();
+        let found = calls(&self.tokens).into_iter();
         found
             .map(|(call, tokens)| Found {
                 source: Rc::clone(&self.source),
-                name: calls::name(&tokens).unwrap_or_default(),
+                name: chart_name(&tokens).unwrap_or_default(),
                 tokens,
                 call,
             })

@@ -2,9 +2,7 @@
 
 use std::collections::VecDeque;
 
-use grafcet_sim::{Chart, Cycle, Error, Kind, Names, Scripted, Signal, Simulation, Value};
-
-use crate::beside::Beside;
+use grafcet_sim::{Beside, Chart, Cycle, Error, Kind, Names, Scripted, Signal, Simulation, Value};
 
 /// So many cycles can be taken back: each holds a copy of the chart's memory.
 const MOST_BACK: usize = 10_000;

@@ -3,9 +3,7 @@
 use std::collections::BTreeSet;
 
 use grafcet_compiler::model::{Effect, Id, Model, Name, Place, Read, Statement, Transition, Tree};
-use grafcet_sim::{Kind, Simulation, Value};
-
-use crate::beside::Beside;
+use grafcet_sim::{Beside, Kind, Simulation, Value};
 
 /// More combinations than this are not tried in full: then each value alone.
 const MOST: usize = 128;

@@ -16,11 +16,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use grafcet_sim::Chart;
+use grafcet_sim::{Beside, Chart};
 use serde_json::json;
 
 use crate::args::Tests;
-use crate::beside::Beside;
 use crate::find::{self, Found};
 use crate::{Failure, Outcome, check, complain, replay, say, simulate};
 use goals::Goal;

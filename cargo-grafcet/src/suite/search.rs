@@ -3,11 +3,10 @@
 use std::collections::BTreeSet;
 
 use grafcet_compiler::model::Model;
-use grafcet_sim::{Blocked, Cycle, Error, Simulation, Value, Wait, Why};
+use grafcet_sim::{Beside, Blocked, Cycle, Error, Simulation, Value, Wait, Why};
 
 use super::choices::Asked;
 use super::goals::{Ends, Entered, Goal};
-use crate::beside::Beside;
 
 /// The end of a cycle, or the beginning.
 #[derive(Clone)]

@@ -3,11 +3,10 @@
 use std::fmt::Write as _;
 
 use grafcet_compiler::model::{Model, Name, Ty};
-use grafcet_sim::{Cycle, Kind, Names, Signal, Value, happened, script_line};
+use grafcet_sim::{Beside, Cycle, Kind, Names, Signal, Value, happened, script_line};
 
 use super::plan::Plan;
 use super::search::Node;
-use crate::beside::Beside;
 
 /// What a suite is worth before somebody has read it.
 const MARK: &str = "from the chart, to be confirmed by a person";

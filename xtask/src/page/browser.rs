@@ -122,11 +122,18 @@ impl Browser {
     /// As of [`Browser::ask`].
     pub(super) fn open(&mut self, url: &str) -> Result {
         self.loaded = false;
+        // Behind the page's own listener, which has then done its work.
+        self.value("globalThis.heard = new Promise(heard => addEventListener('hashchange', () => heard(true), { once: true })), 0")?;
         let answer = self.ask("Page.navigate", &json!({ "url": url }))?;
         if let Some(error) = answer.get("errorText") {
             return Err(format!("{url}: {error}"));
         }
-        while answer.get("loaderId").is_some() && !self.loaded {
+        if answer.get("loaderId").is_none() {
+            // Nothing is loaded anew: the page is told some time later.
+            self.ask("Runtime.evaluate", &json!({ "expression": "globalThis.heard", "awaitPromise": true }))?;
+            return Ok(());
+        }
+        while !self.loaded {
             self.receive("Page.navigate")?;
         }
         Ok(())

@@ -2,9 +2,10 @@
 
 use proc_macro2::{Span, TokenStream, TokenTree};
 
-/// Where each call is, and what stands between its braces, also within functions and the arguments of other macros. What a `macro_rules!` would write is
-/// no call.
-pub(super) fn calls(tokens: &TokenStream) -> Vec<(Span, TokenStream)> {
+/// Where each call of `grafcet!` is, and what stands between its braces, also within functions and the arguments of other macros. What a `macro_rules!` would
+/// write is no call.
+#[must_use]
+pub fn calls(tokens: &TokenStream) -> Vec<(Span, TokenStream)> {
     let mut found = Vec::new();
     collect(tokens, &mut found);
     found
@@ -34,8 +35,9 @@ fn is_called(before: &[Option<TokenTree>; 2], name: &str) -> bool {
     matches!(before, [Some(TokenTree::Ident(word)), Some(TokenTree::Punct(mark))] if word == name && mark.as_char() == '!')
 }
 
-/// `Motor` of `pub sfc Motor { … }`; none where this is not the begin of a chart.
-pub(super) fn name(tokens: &TokenStream) -> Option<String> {
+/// The name of the chart that these tokens begin with: `Motor` of `pub sfc Motor { … }`; none where this is not the begin of a chart.
+#[must_use]
+pub fn chart_name(tokens: &TokenStream) -> Option<String> {
     let mut all = tokens.clone().into_iter();
     let is_keyword = |tree: &TokenTree| matches!(tree, TokenTree::Ident(word) if *word == "sfc" || *word == "grafcet");
     all.by_ref().find(is_keyword)?;
@@ -47,11 +49,11 @@ pub(super) fn name(tokens: &TokenStream) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{calls, name};
+    use super::{calls, chart_name};
 
     fn names(text: &str) -> Vec<String> {
         let tokens = text.parse().unwrap_or_else(|error| panic!("{text}: {error}"));
-        calls(&tokens).iter().map(|(_, call)| name(call).unwrap_or_default()).collect()
+        calls(&tokens).iter().map(|(_, call)| chart_name(call).unwrap_or_default()).collect()
     }
 
     #[test]

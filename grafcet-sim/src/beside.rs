@@ -3,19 +3,23 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use grafcet_sim::{Chart, Cycle, Error, Kind, Program, Signal, Simulation, Value};
+use crate::{Chart, Cycle, Error, Kind, Program, Signal, Simulation, Value};
 
 /// Values of what the program around the chart tells, by its text.
 type Told = Rc<RefCell<Vec<(String, Value)>>>;
 
-pub(crate) struct Beside<'c> {
+/// A chart with a place for everything that it is given: its inputs, and behind them what the program around it tells ([`Chart::outside`]), so that somebody
+/// can play with it who has no program.
+pub struct Beside<'c> {
     chart: &'c Chart,
     signals: Vec<Signal>,
     told: Told,
 }
 
 impl<'c> Beside<'c> {
-    pub(crate) fn of(chart: &'c Chart) -> Self {
+    /// With nothing told yet.
+    #[must_use]
+    pub fn of(chart: &'c Chart) -> Self {
         let signals = chart.names().inputs.iter().cloned().chain(chart.outside()).collect();
         Self { chart, signals, told: Told::default() }
     }
@@ -24,7 +28,7 @@ impl<'c> Beside<'c> {
     ///
     /// # Errors
     /// Something in the chart depends on itself, or an initial value is not understood.
-    pub(crate) fn start(&self) -> Result<Simulation<'c>, Error> {
+    pub fn start(&self) -> Result<Simulation<'c>, Error> {
         let asked = Rc::clone(&self.told);
         // What blocks of Rust write is not known: they write nothing.
         let program = Program::new().block(|_| Some(Vec::new())).function(move |question| {
@@ -38,12 +42,7 @@ impl<'c> Beside<'c> {
     ///
     /// # Errors
     /// The chart's own arithmetic fails, or a value does not fit.
-    pub(crate) fn cycle(
-        &self,
-        before: &Simulation<'c>,
-        now: u32,
-        values: &[Value],
-    ) -> Result<(Simulation<'c>, Cycle), Error> {
+    pub fn cycle(&self, before: &Simulation<'c>, now: u32, values: &[Value]) -> Result<(Simulation<'c>, Cycle), Error> {
         let (inputs, outside) = values.split_at(self.inputs());
         let texts = self.signals[inputs.len()..].iter().map(|signal| signal.name.clone());
         *self.told.borrow_mut() = texts.zip(outside.iter().cloned()).collect();
@@ -52,27 +51,33 @@ impl<'c> Beside<'c> {
         Ok((next, cycle))
     }
 
-    pub(crate) fn chart(&self) -> &'c Chart {
+    /// The chart.
+    #[must_use]
+    pub fn chart(&self) -> &'c Chart {
         self.chart
     }
 
     /// The chart's inputs, and behind them what the program around it tells.
-    pub(crate) fn signals(&self) -> &[Signal] {
+    #[must_use]
+    pub fn signals(&self) -> &[Signal] {
         &self.signals
     }
 
     /// So many of the signals are the chart's inputs.
-    pub(crate) fn inputs(&self) -> usize {
+    #[must_use]
+    pub fn inputs(&self) -> usize {
         self.chart.names().inputs.len()
     }
 
     /// What the signals are before anybody has set them.
-    pub(crate) fn first(&self) -> Vec<Value> {
+    #[must_use]
+    pub fn first(&self) -> Vec<Value> {
         (0..self.signals.len()).map(|place| self.first_of(place)).collect()
     }
 
-    /// A name that stands for itself is no variant that the chart names, where that is a function's, and the one that is meant, where it is a constant's.
-    pub(crate) fn first_of(&self, place: usize) -> Value {
+    /// What one of them is then. A name that stands for itself is no variant that the chart names, where that is a function's, and the one that is meant, where it is a constant's.
+    #[must_use]
+    pub fn first_of(&self, place: usize) -> Value {
         let signal = &self.signals[place];
         match &signal.kind {
             Kind::Bool => Value::Bool(false),
