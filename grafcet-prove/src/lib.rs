@@ -6,6 +6,7 @@ mod bits;
 mod bmc;
 pub mod certificate;
 pub mod circuit;
+mod clocks;
 pub mod export;
 mod goal;
 mod home;

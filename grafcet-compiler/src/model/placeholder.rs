@@ -17,6 +17,8 @@ pub fn ident(read: Read, at: Span) -> Option<Ident> {
         Read::Rising(edge) => format!("rising_{}", edge.index()),
         Read::Falling(edge) => format!("falling_{}", edge.index()),
         Read::Delay(delay) => format!("delay_{}", delay.index()),
+        // No code is made of a property.
+        Read::Memory(_) => return None,
         Read::Ticks(ticks) => format!("ticks_{ticks}"),
         Read::Elapsed(time, step) => format!("elapsed_{}_{}", time_name(time), step.index()),
         Read::MacroElapsed(time, id) => format!("macro_elapsed_{}_{}", time_name(time), id.index()),
