@@ -5,7 +5,7 @@
 //! else is; one clock is no more than another there; one that tells how far a period is goes with the time of the step. What the others do
 //! not make certain of the next cycle goes, until nothing does (Houdini). What is left always holds, and is checked like any proof.
 
-use grafcet_compiler::model::Id;
+use grafcet_compiler::model::{Id, StepId};
 use grafcet_compiler::program::{Program, Role, Type};
 
 use crate::aig::Lit;
@@ -209,7 +209,7 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
     /// The time of a step stays below what leaves it.
     fn limits(&mut self) {
         let steps = self.steps.clone();
-        for (id, (_, clock)) in self.steps_with_clocks() {
+        for (id, clock) in self.steps_with_clocks() {
             let Some((_, step)) = steps.iter().find(|(step, _)| *step == id.index()) else { continue };
             for limit in limits(self.program.model, id) {
                 let below = self.below(&clock, limit);
@@ -218,10 +218,10 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
         }
     }
 
-    fn steps_with_clocks(&self) -> Vec<(grafcet_compiler::model::StepId, (Option<Role>, Said<Bits>))> {
+    fn steps_with_clocks(&self) -> Vec<(StepId, Said<Bits>)> {
         let mut all = Vec::new();
         for (region, steps) in self.program.regions.iter().enumerate() {
-            for clock in self.clocks.iter().filter(|(role, _)| *role == Some(Role::Time(region))) {
+            for (_, clock) in self.clocks.iter().filter(|(role, _)| *role == Some(Role::Time(region))) {
                 all.extend(steps.iter().map(|step| (*step, clock.clone())));
             }
         }

@@ -7,6 +7,7 @@ mod bmc;
 pub mod certificate;
 pub mod circuit;
 mod clocks;
+mod exclusions;
 pub mod export;
 mod goal;
 mod home;

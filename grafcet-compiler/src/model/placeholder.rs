@@ -9,7 +9,8 @@ use super::{Blink, Blinker, Id, Read, TimeRef};
 #[must_use]
 pub fn ident(read: Read, at: Span) -> Option<Ident> {
     let name = match read {
-        Read::Name(_) => return None,
+        // A name stands for itself, and no code is made of a property.
+        Read::Name(_) | Read::Memory(_) => return None,
         Read::Active(step) => format!("active_{}", step.index()),
         Read::Since(step) => format!("since_{}", step.index()),
         Read::MacroActive(id) => format!("macro_active_{}", id.index()),
@@ -17,8 +18,6 @@ pub fn ident(read: Read, at: Span) -> Option<Ident> {
         Read::Rising(edge) => format!("rising_{}", edge.index()),
         Read::Falling(edge) => format!("falling_{}", edge.index()),
         Read::Delay(delay) => format!("delay_{}", delay.index()),
-        // No code is made of a property.
-        Read::Memory(_) => return None,
         Read::Ticks(ticks) => format!("ticks_{ticks}"),
         Read::Elapsed(time, step) => format!("elapsed_{}_{}", time_name(time), step.index()),
         Read::MacroElapsed(time, id) => format!("macro_elapsed_{}_{}", time_name(time), id.index()),
