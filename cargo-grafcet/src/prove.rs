@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use grafcet_compiler::analysis::Facts;
-use grafcet_compiler::model::Model;
+use grafcet_compiler::model::{Claim, Model, StepId};
 use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, table, vacuous, words};
@@ -50,7 +50,10 @@ fn one(chart: &Found, model: &Model, options: &Prove) -> Result<bool, Failure> {
     write(&program, &circuit, options)?;
     let mut proved = true;
     for (index, property) in model.properties.iter().enumerate() {
-        let text = text(property.mark, chart);
+        let text = match &property.claim {
+            Claim::Home(steps, _) => home(model, steps),
+            _ => text(property.mark, chart),
+        };
         let (limit, start) = (Limit::time(Duration::from_secs(options.seconds)), Instant::now());
         let bad = circuit.bad.iter().find(|bad| bad.property == index);
         let live = circuit.live.iter().find(|live| live.property == index);
@@ -143,6 +146,12 @@ fn show(chart: &Found, property: &str, said: &Said, start: Instant, options: &Pr
     let cycles = said.cycles.map_or_else(String::new, |cycles| format!(" in cycle {cycles}"));
     let lines: String = said.lines.iter().fold(String::new(), |all, line| all + "    " + line.trim_end() + "\n");
     say(&format!("{}: {}{cycles}: {property}\n{lines}", chart.name, said.verdict))
+}
+
+/// The mark of one ends with the last step, in front of the parenthesis.
+fn home(model: &Model, steps: &[StepId]) -> String {
+    let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+    if names.len() == 1 { format!("home {}", names.concat()) } else { format!("home ({})", names.join(", ")) }
 }
 
 /// As it stands in the source, on one line.
