@@ -326,8 +326,12 @@ impl<'c> Search<'c> {
         }
     }
 
-    /// The cubes with which one is looked for around the state in the last model: those found last, and those to which it leads.
+    /// The cubes with which one is looked for around the state in the last model: those found last, and one to which it leads. With open inputs
+    /// all of them, as it may lead elsewhere with each value of these.
     fn near(&self, inputs: &[usize], known: usize) -> Vec<usize> {
+        if !self.open.is_empty() {
+            return (0..known).collect();
+        }
         let values = self.values(&self.free(inputs));
         let last = known.saturating_sub(NEAR);
         let mut near: Vec<usize> = (0..last).filter(|lead| self.is_inside(*lead, &values)).take(1).collect();
