@@ -5,10 +5,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use grafcet_compiler::analysis::Facts;
-use grafcet_compiler::model::{Claim, Model};
+use grafcet_compiler::model::{Claim, Model, StepId};
 use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_prove::circuit::Circuit;
-use grafcet_prove::{Limit, Verdict, decide, decide_live, export, table, vacuous, words};
+use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, table, vacuous, words};
 use serde_json::{Value, json};
 
 use crate::args::Prove;
@@ -51,25 +51,22 @@ fn one(chart: &Found, model: &Model, options: &Prove) -> Result<bool, Failure> {
     let mut proved = true;
     for (index, property) in model.properties.iter().enumerate() {
         let text = match &property.claim {
-            Claim::Home(..) => "home".to_owned(),
+            Claim::Home(steps, _) => home(model, steps),
             _ => text(property.mark, chart),
         };
         let (limit, start) = (Limit::time(Duration::from_secs(options.seconds)), Instant::now());
         let bad = circuit.bad.iter().find(|bad| bad.property == index);
         let live = circuit.live.iter().find(|live| live.property == index);
-        let verdict = match (bad, live) {
-            (Some(bad), _) => decide(&program, &circuit, *bad, &limit),
-            (None, Some(live)) => decide_live(&program, &circuit, *live, &limit),
-            (None, None) => {
-                let why = circuit.refused.iter().find(|(property, _)| *property == index);
-                proved &= why.is_none();
-                let said = match why {
-                    Some((_, refused)) => {
-                        Said { verdict: "not modelled", cycles: None, lines: vec![refused.to_string()] }
-                    }
-                    // A way home is.
-                    None => Said { verdict: "left to the checker", cycles: None, lines: Vec::new() },
-                };
+        let home = circuit.homes.iter().find(|home| home.property == index);
+        let verdict = match (bad, live, home) {
+            (Some(bad), ..) => decide(&program, &circuit, *bad, &limit),
+            (_, Some(live), _) => decide_live(&program, &circuit, *live, &limit),
+            (.., Some(home)) => decide_home(&program, &circuit, home, &limit),
+            (None, None, None) => {
+                let refused = circuit.refused.iter().find(|(property, _)| *property == index);
+                proved = false;
+                let lines = refused.map(|(_, refused)| refused.to_string()).into_iter().collect();
+                let said = Said { verdict: "not modelled", cycles: None, lines };
                 show(chart, &text, &said, start, options)?;
                 continue;
             }
@@ -117,7 +114,9 @@ fn said(program: &Program<'_>, circuit: &Circuit, verdict: &Verdict, why: bool) 
         Verdict::Proved(proof) => {
             let mut all = Vec::new();
             if why {
+                all.extend(words::ways(&proof.ways));
                 all.extend(words::clocks(program, &proof.clocks));
+                all.extend(proof.known.iter().cloned());
                 all.extend(words::lines(program, proof.beside.as_deref().unwrap_or(circuit), &proof.invariant));
             }
             Said { verdict: "proved", cycles: None, lines: all }
@@ -147,6 +146,12 @@ fn show(chart: &Found, property: &str, said: &Said, start: Instant, options: &Pr
     let cycles = said.cycles.map_or_else(String::new, |cycles| format!(" in cycle {cycles}"));
     let lines: String = said.lines.iter().fold(String::new(), |all, line| all + "    " + line.trim_end() + "\n");
     say(&format!("{}: {}{cycles}: {property}\n{lines}", chart.name, said.verdict))
+}
+
+/// The mark of one ends with the last step, in front of the parenthesis.
+fn home(model: &Model, steps: &[StepId]) -> String {
+    let names: Vec<String> = steps.iter().map(|step| model.steps[*step].name.to_string()).collect();
+    if names.len() == 1 { format!("home {}", names.concat()) } else { format!("home ({})", names.join(", ")) }
 }
 
 /// As it stands in the source, on one line.

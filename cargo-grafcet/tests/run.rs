@@ -28,7 +28,7 @@ fn what_is_proved() {
     let prove = |arguments: &[&str]| tool(folder.path(), &[&["prove", "charts.rs"], arguments].concat());
     let done = prove(&["--chart", "Motor"]);
     assert_eq!(done.code, Some(0), "{done:?}");
-    assert_eq!(done.out, "Motor: proved: never relay && Off.X\nMotor: left to the checker: home\n");
+    assert_eq!(done.out, "Motor: proved: never relay && Off.X\nMotor: proved: home Off\n");
     let done = prove(&["--chart", "Hoist"]);
     assert_eq!(done.code, Some(1), "{done:?}");
     // Entered in the second cycle.

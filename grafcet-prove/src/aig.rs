@@ -3,7 +3,7 @@
 use std::ops::Not;
 
 /// A wire of an [`Aig`]: a node, or its negation.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub struct Lit(u32);
 
 impl Lit {

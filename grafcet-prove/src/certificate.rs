@@ -86,28 +86,30 @@ pub fn fault_of_ways(
     let nodes = nodes(&mut sat, &circuit.aig);
     let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
     let chosen = ways::inputs(circuit).0;
-    // Where the target is reached, and what an earlier cube holds, is no matter of a later one.
+    // Where the target is reached, and what an earlier cube holds, is no matter of a later one: there the way of that one is gone.
     sat.clause(&[!term(ways.target.now)]);
     sat.clause(&[term(known)]);
+    // A cycle that does not count, or that arrives nowhere: that is asked for, and it must not be.
+    let nowhere = sat.term();
+    sat.clause(&[!nowhere, !term(may), !term(ways.target.end)]);
+    let mut nearer = 0;
     for (number, lead) in ways.leads.iter().enumerate() {
+        if number > 0 && lead.after < ways.leads[number - 1].after {
+            return Ok(Some(format!("cube {number} is nearer than the one in front of it")));
+        }
+        while ways.leads[nearer].after < lead.after {
+            let outside =
+                ways.leads[nearer].cube.iter().map(|code| !of(*code, |latch| term(circuit.latches[latch].next)));
+            sat.clause(&[!nowhere, !term(may)].into_iter().chain(outside).collect::<Vec<Term>>());
+            nearer += 1;
+        }
         let here: Vec<Term> =
             lead.cube.iter().map(|code| of(*code, |latch| term(circuit.latches[latch].now))).collect();
-        let mut arrives = vec![term(may)];
-        match lead.to {
-            None => arrives.push(term(ways.target.end)),
-            Some(to) if to >= number => return Ok(Some(format!("cube {number} leads to {to}, not to an earlier one"))),
-            Some(to) => arrives
-                .extend(ways.leads[to].cube.iter().map(|code| of(*code, |latch| term(circuit.latches[latch].next)))),
-        }
-        let ask = sat.term();
-        let fails: Vec<Term> = arrives.into_iter().map(|term| !term).chain([!ask]).collect();
-        sat.clause(&fails);
         let given = chosen.iter().map(|lit| term(lit.xor(lead.inputs.binary_search(&lit.node()).is_err())));
-        let assumed: Vec<Term> = [ask].into_iter().chain(given).chain(here.iter().copied()).collect();
+        let assumed: Vec<Term> = [nowhere].into_iter().chain(given).chain(here.iter().copied()).collect();
         if sat.solve(&assumed)? {
             return Ok(Some(format!("the inputs of cube {number} do not lead on")));
         }
-        sat.clause(&[!ask]);
         let elsewhere: Vec<Term> = here.into_iter().map(|term| !term).collect();
         sat.clause(&elsewhere);
     }

@@ -1,7 +1,7 @@
 //! Whether a way breaks a property, as the interpreter sees it: cycle by cycle, with nothing of the circuit.
 
-use grafcet_compiler::model::{Claim, Tree};
-use grafcet_sim::interp::{ClosedLoop, Error, Value};
+use grafcet_compiler::model::{Claim, Model, Tree};
+use grafcet_sim::interp::{ClosedLoop, Error, Remembered, Value};
 
 /// What breaks a property.
 pub(crate) enum Goal<'m> {
@@ -31,13 +31,15 @@ pub(crate) struct Watch<'g> {
     since: Option<(usize, u32)>,
     /// What has to come first has come.
     seen: bool,
+    remembered: Remembered,
     cycles: usize,
     is_broken: bool,
 }
 
 impl<'g> Watch<'g> {
-    pub(crate) fn new(goal: &'g Goal<'g>) -> Self {
-        Self { goal, since: None, seen: false, cycles: 0, is_broken: false }
+    pub(crate) fn new(model: &Model, goal: &'g Goal<'g>) -> Self {
+        let remembered = Remembered::new(model);
+        Self { goal, since: None, seen: false, remembered, cycles: 0, is_broken: false }
     }
 
     /// After a cycle.
@@ -45,7 +47,8 @@ impl<'g> Watch<'g> {
     /// # Errors
     /// The interpreter does not understand the property.
     pub(crate) fn cycle(&mut self, machine: &ClosedLoop<'_>, inputs: &[Value], now: u32) -> Result<(), Error> {
-        let holds = |tree: &Tree| machine.holds(tree, inputs);
+        self.remembered.cycle(machine.chart(), inputs, now);
+        let holds = |tree: &Tree| self.remembered.holds(machine.chart(), tree, inputs);
         match self.goal {
             Goal::End(violation) => self.is_broken = holds(violation)?,
             Goal::Answer(from, to, within) => {

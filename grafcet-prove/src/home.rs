@@ -12,6 +12,7 @@ use grafcet_sim::interp::Value;
 use crate::aig::{Aig, Lit};
 use crate::certificate;
 use crate::circuit::{Circuit, Condition, Home, Source};
+use crate::exclusions;
 use crate::goal::Goal;
 use crate::play::Player;
 use crate::replay::{Shown, Why};
@@ -40,9 +41,15 @@ pub fn decide_home(program: &Program<'_>, circuit: &Circuit, home: &Home, limit:
     let roots = home.parts.iter().flat_map(|part| [part.now, part.end]).chain([circuit.constraint]);
     let relevant = cone(&circuit, roots.collect());
     let mays = [may(&mut circuit, Trust::Certain), circuit.constraint];
-    let Ok(steps) = Steps::add(program, &mut circuit, &relevant, limit) else {
+    let Ok(mut steps) = Steps::add(program, &mut circuit, &relevant, limit) else {
         return Ok(Verdict::Undecided(OVER.to_owned()));
     };
+    // Latches that have been added are steps.
+    let compared: Vec<usize> = relevant.iter().copied().chain(steps.latches()).collect();
+    match exclusions::add(&mut circuit, &compared, limit) {
+        Ok(known) => steps.known = circuit.aig.and(steps.known, known),
+        Err(_) => return Ok(Verdict::Undecided(OVER.to_owned())),
+    }
     let circuits = (&mut circuit, &steps);
     // By way of where branches meet, if there are such places; and without.
     let by_meetings = home.meetings.iter().map(|meeting| (&meeting[..], FEW));
@@ -114,10 +121,12 @@ fn nearer(
 ) -> Result<Nearer, Internal> {
     let search = || Search::new((circuit, steps), target, may, Trust::Certain, limit);
     let mut ways = Ways { target, leads: Vec::new() };
-    // First short cycles; and first along states that are where the parts before it are at home.
-    let (short, mut insides) = (search().short(), vec![from.now, Lit::TRUE]);
+    // First cycles in which what is waited for is over, and short ones; and first along states that are where the parts before it are at home.
+    let patient = || search().patient();
+    let short = [patient().and_then(Search::short), patient(), search().short()].into_iter().flatten();
+    let mut insides = vec![from.now, Lit::TRUE];
     insides.dedup();
-    let mut searches: Vec<(Search<'_>, Lit)> = short.map(|short| (short, Lit::TRUE)).into_iter().collect();
+    let mut searches: Vec<(Search<'_>, Lit)> = short.map(|short| (short, Lit::TRUE)).collect();
     searches.extend(insides.into_iter().map(|inside| (search(), inside)));
     let whole = searches.len() - 1;
     let mut all = false;

@@ -12,7 +12,7 @@ use crate::aig::{Aig, Lit};
 use crate::bits;
 use crate::certificate;
 use crate::circuit::{Circuit, Condition, Deadline, Field, Latch};
-use crate::sat::{Limit, Over, Sat, Wires};
+use crate::sat::{Limit, Over, Sat, Term, Wires};
 
 /// So many candidates, and no more.
 const MOST: usize = 400;
@@ -49,12 +49,11 @@ pub(crate) fn strengthened(
     let mut circuit = circuit.clone();
     let mut lemmas = candidates(program, &mut circuit, deadline);
     lemmas.truncate(MOST);
-    let mut lemmas = of_beginning(&circuit, &lemmas, limit)?;
-    while let Some(left) = fewer(&circuit, &lemmas, limit)? {
-        lemmas = left;
-    }
+    let of = |lemma: &Lemma| Condition { now: lemma.now, end: lemma.next };
+    let left = always(&circuit, &lemmas.iter().map(of).collect::<Vec<_>>(), limit)?;
+    let mut lemmas: Vec<Lemma> = left.into_iter().map(|index| lemmas[index]).collect();
     // The same once more, by the checker of proofs: what is wrong here would be a false proof.
-    let both: Vec<Condition> = lemmas.iter().map(|lemma| Condition { now: lemma.now, end: lemma.next }).collect();
+    let both: Vec<Condition> = lemmas.iter().map(of).collect();
     if !certificate::is_inductive(&circuit, &both, limit)? {
         lemmas.clear();
     }
@@ -90,7 +89,7 @@ fn relations(model: &Model, step: Option<StepId>, offsets: &[BTreeSet<u32>]) -> 
 }
 
 /// The times with which conditions that leave a step compare.
-fn limits(model: &Model, step: StepId) -> BTreeSet<u32> {
+pub(crate) fn limits(model: &Model, step: StepId) -> BTreeSet<u32> {
     let time = |read: &Read| match read {
         Read::Ticks(ticks) | Read::Elapsed(TimeRef::Ticks(ticks), _) => Some(*ticks),
         _ => None,
@@ -198,41 +197,48 @@ fn wrong(aig: &mut Aig, relation: Relation, (waits, first): (Lit, Lit), timer: &
     }
 }
 
-/// Those with which every chart begins.
-fn of_beginning(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Result<Vec<Lemma>, Over> {
+/// Those of some conditions that hold wherever a chart begins, and that together go on to hold, by their numbers.
+pub(crate) fn always(circuit: &Circuit, all: &[Condition], limit: &Limit) -> Result<Vec<usize>, Over> {
     let (mut sat, mut wires) = (Sat::new(limit), Wires::new(&circuit.aig));
+    let (begins, goes_on) = (sat.term(), sat.term());
     for latch in &circuit.latches {
         if let Some(initial) = latch.initial {
             let term = wires.term(&mut sat, &circuit.aig, latch.now.xor(!initial));
-            sat.clause(&[term]);
+            sat.clause(&[!begins, term]);
         }
     }
-    let mut left = Vec::new();
-    for lemma in lemmas {
-        let now = wires.term(&mut sat, &circuit.aig, lemma.now);
-        if !sat.solve(&[!now])? {
-            left.push(*lemma);
-        }
+    let constraint = wires.term(&mut sat, &circuit.aig, circuit.constraint);
+    sat.clause(&[!goes_on, constraint]);
+    let mut terms = Vec::new();
+    for condition in all {
+        let now = wires.term(&mut sat, &circuit.aig, condition.now);
+        terms.push((now, wires.term(&mut sat, &circuit.aig, condition.end)));
     }
+    let mut left: Vec<usize> = (0..all.len()).collect();
+    fewer(&mut sat, &mut left, &|index| terms[index].0, &|_| vec![begins])?;
+    let here = |left: &[usize]| left.iter().map(|index| terms[*index].0).chain([goes_on]).collect();
+    fewer(&mut sat, &mut left, &|index| terms[index].1, &here)?;
     Ok(left)
 }
 
-/// Those that still hold after a cycle before which all do; none where that is all of them.
-fn fewer(circuit: &Circuit, lemmas: &[Lemma], limit: &Limit) -> Result<Option<Vec<Lemma>>, Over> {
-    let (mut sat, mut wires) = (Sat::new(limit), Wires::new(&circuit.aig));
-    let mut known = vec![wires.term(&mut sat, &circuit.aig, circuit.constraint)];
-    for lemma in lemmas {
-        known.push(wires.term(&mut sat, &circuit.aig, lemma.now));
-    }
-    for term in known {
-        sat.clause(&[term]);
-    }
-    let mut left = Vec::new();
-    for lemma in lemmas {
-        let next = wires.term(&mut sat, &circuit.aig, lemma.next);
-        if !sat.solve(&[!next])? {
-            left.push(*lemma);
+/// Leaves out, model by model, what does not hold where all that is left is assumed as this says.
+fn fewer(
+    sat: &mut Sat,
+    left: &mut Vec<usize>,
+    holds: &dyn Fn(usize) -> Term,
+    assumed: &dyn Fn(&[usize]) -> Vec<Term>,
+) -> Result<(), Over> {
+    while !left.is_empty() {
+        let ask = sat.term();
+        let clause: Vec<Term> = left.iter().map(|index| !holds(*index)).chain([!ask]).collect();
+        sat.clause(&clause);
+        let mut all = assumed(left);
+        all.push(ask);
+        if !sat.solve(&all)? {
+            return Ok(());
         }
+        left.retain(|index| sat.holds(holds(*index)));
+        sat.clause(&[!ask]);
     }
-    Ok((left.len() < lemmas.len()).then_some(left))
+    Ok(())
 }

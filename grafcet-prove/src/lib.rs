@@ -6,6 +6,8 @@ mod bits;
 mod bmc;
 pub mod certificate;
 pub mod circuit;
+mod clocks;
+mod exclusions;
 pub mod export;
 mod goal;
 mod home;

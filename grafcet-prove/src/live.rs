@@ -124,8 +124,9 @@ fn times(program: &Program<'_>, circuit: &mut Circuit) -> Vec<Lit> {
     let Some(elapsed) = circuit.inputs.iter().find(|wire| wire.source == Source::Elapsed).cloned() else {
         return Vec::new();
     };
-    let is_time = |field: &&Field| {
-        field.place.is_some_and(|place| matches!(field.program(program).places[place.0].ty, Type::Ticks))
+    let is_time = |field: &&Field| match field.place {
+        Some(place) => matches!(field.program(program).places[place.0].ty, Type::Ticks),
+        None => circuit.timers.iter().any(|timer| timer.first == field.first),
     };
     let fields: Vec<Field> = circuit.fields.iter().filter(is_time).cloned().collect();
     let mut all = Vec::new();

@@ -96,6 +96,13 @@ pub fn clipped(ticks: u32, time_bits: usize) -> i128 {
     i128::from(ticks).min((1 << time_bits) - 1)
 }
 
+/// What passes between two cycles, or what stands for all that is as far in each period.
+#[must_use]
+pub fn passed(ticks: u32, circuit: &Circuit) -> i128 {
+    let (ticks, period, most) = (i128::from(ticks), i128::from(circuit.period), (1 << circuit.time_bits) - 1);
+    if ticks <= most { ticks } else { most - (most - ticks).rem_euclid(period) }
+}
+
 /// The names of the bits of a wire.
 #[must_use]
 pub fn wire_name(program: &Program<'_>, wire: &Wire) -> String {

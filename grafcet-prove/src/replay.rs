@@ -49,7 +49,7 @@ pub enum Why {
 /// # Errors
 /// It does not lead to where the property is broken.
 pub(crate) fn replay(program: &Program<'_>, circuit: &Circuit, goal: &Goal<'_>, way: &Way) -> Result<Vec<Shown>, Why> {
-    let mut watch = Watch::new(goal);
+    let mut watch = Watch::new(program.model, goal);
     let shown = goes(program, circuit, &mut watch, way, 0..way.inputs.len())?;
     if watch.is_broken() {
         Ok(shown)
@@ -72,7 +72,7 @@ pub(crate) fn endless(
     way: &Way,
     again: usize,
 ) -> Result<Vec<Shown>, Why> {
-    let (mut watch, length) = (Watch::new(goal), way.inputs.len());
+    let (mut watch, length) = (Watch::new(program.model, goal), way.inputs.len());
     let turns = (1..AGAIN).flat_map(|_| again..length);
     let mut shown = goes(program, circuit, &mut watch, way, (0..length).chain(turns))?;
     let turn = length - again;

@@ -17,8 +17,9 @@ use crate::verdict::{Internal, Verdict, decide, never, vacuous};
 /// So many gates and no more: a macro is built without optimisation.
 const GATES: usize = 400_000;
 
-/// So many steps of the solver for each property.
+/// So many steps of the solver for each property, and for each way home, of which a step is shorter.
 const STEPS: u64 = 200_000;
+const STEPS_HOME: u64 = 400_000;
 
 /// Answers what is `asked` of a chart: one answer for each question.
 ///
@@ -35,7 +36,9 @@ pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling>
         Err(refused) => return all(&format!("the solver does not model {refused}")),
     };
     let limit = || Limit::work(STEPS);
+    let is_home = |property: usize| circuit.homes.iter().any(|home| home.property == property);
     let answer = |question: &Question| match *question {
+        Question::Holds(property) if is_home(property) => holds(&program, &circuit, property, &Limit::work(STEPS_HOME)),
         Question::Holds(property) => holds(&program, &circuit, property, &limit()),
         Question::NeverHappens(property) => proved(vacuous(&circuit, property, &limit())),
         Question::NoCycle => proved(never(&circuit, Lit::TRUE, &limit())),

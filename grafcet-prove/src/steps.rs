@@ -56,6 +56,11 @@ impl Steps {
         Ok(steps)
     }
 
+    /// The latches that have been added, ascending.
+    pub(crate) fn latches(&self) -> impl Iterator<Item = usize> + '_ {
+        self.of_regions.iter().flat_map(|[_, steps]| steps.clone())
+    }
+
     /// Whether another latch says what this one says with this value.
     pub(crate) fn is_told(&self, latch: usize, value: bool) -> bool {
         self.of_regions.iter().any(|[numbers, steps]| numbers.contains(&latch) || !value && steps.contains(&latch))

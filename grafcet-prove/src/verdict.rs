@@ -6,6 +6,7 @@ use crate::aig::Lit;
 use crate::bmc;
 use crate::certificate;
 use crate::circuit::{Bad, Circuit, Deadline};
+use crate::clocks;
 use crate::goal::Goal;
 use crate::lemmas::{About, strengthened};
 use crate::pdr::{Answer, Pdr};
@@ -23,6 +24,8 @@ pub struct Proof {
     pub beside: Option<Box<Circuit>>,
     /// What it knows of the clocks of steps and of the property, beside the invariant.
     pub clocks: Vec<About>,
+    /// What else it knows of clocks, in words.
+    pub known: Vec<String>,
     /// Of a `home`: the ways back, from everywhere to the steps of one region, from there to those of the next one, too, and so on.
     pub ways: Vec<Ways>,
 }
@@ -30,7 +33,7 @@ pub struct Proof {
 impl Proof {
     /// Of an invariant of the chart's own circuit.
     pub(crate) fn of(invariant: Invariant) -> Self {
-        Self { invariant, beside: None, clocks: Vec::new(), ways: Vec::new() }
+        Self { invariant, beside: None, clocks: Vec::new(), known: Vec::new(), ways: Vec::new() }
     }
 }
 
@@ -62,6 +65,9 @@ impl std::error::Error for Internal {}
 /// So many cycles are looked at one by one before anything else: most faults show there, and soon.
 const FIRST_CYCLES: usize = 8;
 
+/// So many steps of the solver are taken before it is looked for how clocks go together.
+const ALONE: u64 = 10_000;
+
 /// What is said where the limit is reached.
 pub(crate) const OVER: &str = "the solver was stopped at its limit";
 
@@ -76,6 +82,21 @@ pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit)
     let deadline = circuit.deadlines.iter().find(|deadline| deadline.property == bad.property);
     if let Some(deadline) = deadline {
         return in_time(program, circuit, (bad, *deadline), &goal, limit);
+    }
+    // It may do without.
+    if clocks::are_several(program, circuit, bad.possible) {
+        match decide_on(program, circuit, bad, &goal, &limit.part(ALONE))? {
+            Verdict::Undecided(why) if why == OVER && !limit.is_over() => {}
+            verdict => return Ok(verdict),
+        }
+        if let Ok(Some((with, known))) = clocks::known(program, circuit, bad.possible, limit) {
+            return Ok(match decide_on(program, &with, bad, &goal, limit)? {
+                Verdict::Proved(Proof { invariant, .. }) => {
+                    Verdict::Proved(Proof { beside: Some(Box::new(with)), known, ..Proof::of(invariant) })
+                }
+                verdict => verdict,
+            });
+        }
     }
     decide_on(program, circuit, bad, &goal, limit)
 }

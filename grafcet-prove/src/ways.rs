@@ -3,7 +3,7 @@
 //! A state from which a cycle leads to a cube that is known is looked for; around it a cube is made, as large as can be, from all of which the
 //! same inputs lead there. Nothing is asked about how a chart gets to such a state. Where no more are found, no others have a way.
 
-use crate::aig::{Aig, Lit, Node};
+use crate::aig::{Aig, Lit, Node, value};
 use crate::circuit::{Circuit, Condition, Source};
 use crate::pdr::code;
 use crate::sat::{Limit, Over, Sat, Term, Wires};
@@ -19,20 +19,21 @@ pub enum Trust {
     Possible,
 }
 
-/// From all of a cube these inputs lead, in one cycle, to the target, or to a cube that stands before this one.
+/// From all of a cube these inputs lead, in one cycle, to the target, or to cubes that are nearer to it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Lead {
     pub cube: Cube,
     /// The inputs that are on, by their nodes, ascending.
     pub inputs: Vec<usize>,
-    /// The number of the cube; none for the target.
-    pub to: Option<usize>,
+    /// How many cycles it may take after this one.
+    pub after: usize,
 }
 
 /// Ways to a target.
 #[derive(Clone, Debug)]
 pub struct Ways {
     pub target: Condition,
+    /// The nearer ones first.
     pub leads: Vec<Lead>,
 }
 
@@ -40,11 +41,7 @@ impl Ways {
     /// So many cycles, at most, where they are gone as they are found.
     #[must_use]
     pub fn longest(&self) -> usize {
-        let mut lengths: Vec<usize> = Vec::with_capacity(self.leads.len());
-        for lead in &self.leads {
-            lengths.push(1 + lead.to.map_or(0, |number| lengths[number]));
-        }
-        lengths.into_iter().max().unwrap_or(0)
+        self.leads.last().map_or(0, |lead| lead.after + 1)
     }
 }
 
@@ -56,6 +53,12 @@ pub(crate) fn inputs(circuit: &Circuit) -> (Vec<Lit>, Vec<Lit>) {
         kind.extend(&wire.bits);
     }
     (chosen, open)
+}
+
+/// The bits of the time that passes between two cycles, by their nodes.
+fn times(circuit: &Circuit) -> Vec<usize> {
+    let times = circuit.inputs.iter().filter(|wire| wire.source == Source::Elapsed);
+    times.flat_map(|wire| &wire.bits).map(|bit| bit.node()).collect()
 }
 
 /// What has to hold in each cycle of a way.
@@ -70,11 +73,16 @@ const NODES_PER_STEP: u64 = 4;
 /// A search that is this short is looked for at first: two evolutions, and one that finds that nothing more clears.
 const SHORT: usize = 6;
 
+/// A cube is widened as far as its inputs lead to one of the last so many before it.
+const NEAR: usize = 100;
+
 /// One cycle in the solver; of the open inputs all copies have values of their own.
 struct Cycle {
     next: Vec<Term>,
     target: Term,
     may: Term,
+    /// It ends in the target or in one of the first so many cubes.
+    arrives_at_all: Option<(usize, Term)>,
 }
 
 /// Wires and what the latches among them become.
@@ -168,7 +176,7 @@ impl<'c> Search<'c> {
     ) -> Cycle {
         let next = latches.iter().map(|latch| wires.term(sat, &circuit.aig, circuit.latches[*latch].next)).collect();
         let target = wires.term(sat, &circuit.aig, target.end);
-        Cycle { next, target, may: wires.term(sat, &circuit.aig, may) }
+        Cycle { next, target, may: wires.term(sat, &circuit.aig, may), arrives_at_all: None }
     }
 
     /// The same among cycles in which a search ends soon. None where that is always so.
@@ -187,6 +195,17 @@ impl<'c> Search<'c> {
         Some(self)
     }
 
+    /// The same among cycles before which as much time passes as can: then a time that is waited for is over. None where no time counts.
+    pub(crate) fn patient(mut self) -> Option<Self> {
+        let times = times(self.circuit);
+        let bits: Vec<Term> =
+            self.chosen.iter().filter(|(node, _)| times.contains(node)).map(|(_, term)| *term).collect();
+        for bit in &bits {
+            self.sat.clause(&[*bit]);
+        }
+        (!bits.is_empty()).then_some(self)
+    }
+
     /// What another search has found.
     pub(crate) fn knowing(mut self, ways: Ways) -> Self {
         ways.leads.into_iter().for_each(|lead| self.add(lead));
@@ -201,37 +220,58 @@ impl<'c> Search<'c> {
     pub(crate) fn run(&mut self, inside: Lit, most: usize) -> Result<bool, Over> {
         let mut wires = self.wires();
         let inside = wires.term(&mut self.sat, &self.circuit.aig, inside);
-        // From where one cycle leads to what is known, then from where one leads to what has been found so, and so on.
-        let mut front: Vec<Option<usize>> = [None].into_iter().chain((0..self.leads.len()).map(Some)).collect();
-        while !front.is_empty() {
+        // From where one cycle leads to what is known, then from where one leads to that and to what has been found so, and so on.
+        loop {
             let known = self.leads.len();
-            let mut front_of = Vec::new();
-            for to in front {
-                front_of.push((to, self.arrives_at(to)));
-            }
-            let any = self.sat.term();
-            let clause: Vec<Term> = front_of.iter().map(|(_, arrives)| *arrives).chain([!any]).collect();
-            self.sat.clause(&clause);
-            while let Some(lead) = self.before(&front_of, &[inside, any])? {
+            let arrives = self.arrives();
+            while let Some(lead) = self.before(known, [inside, arrives])? {
                 if self.leads.len() == most {
                     return Ok(false);
                 }
                 self.add(lead);
             }
-            front = (known..self.leads.len()).map(Some).collect();
-        }
-        Ok(true)
-    }
-
-    /// A term that is true only where a cycle leads there, whatever the open inputs are.
-    fn arrives_at(&mut self, to: Option<usize>) -> Term {
-        let all = self.sat.term();
-        for cycle in 0..self.cycles.len() {
-            for part in self.arrives(to, &self.cycles[cycle]) {
-                self.sat.clause(&[!all, part]);
+            if self.leads.len() == known {
+                return Ok(true);
             }
         }
+    }
+
+    /// A term that is true only where a cycle leads to something that is known, whatever the open inputs are.
+    fn arrives(&mut self) -> Term {
+        let all = self.sat.term();
+        for cycle in 0..self.cycles.len() {
+            self.arrives_with(cycle, self.leads.len(), all);
+        }
         all
+    }
+
+    /// That term, for the open inputs of one cycle.
+    fn arrives_with(&mut self, cycle: usize, known: usize, all: Term) {
+        // What has been said of the first cubes is not said again.
+        let (from, before) = match self.cycles[cycle].arrives_at_all {
+            Some((count, before)) if count <= known => (count, before),
+            _ => (0, self.cycles[cycle].target),
+        };
+        let here = self.sat.term();
+        let mut any = vec![!here, before];
+        for lead in from..known {
+            any.push(self.arrives_at(cycle, lead));
+        }
+        self.sat.clause(&any);
+        self.cycles[cycle].arrives_at_all = Some((known, here));
+        self.sat.clause(&[!all, here]);
+        self.sat.clause(&[!all, self.cycles[cycle].may]);
+    }
+
+    /// A term that is true only where a cycle ends in a cube.
+    fn arrives_at(&mut self, cycle: usize, lead: usize) -> Term {
+        let here = self.sat.term();
+        for code in self.leads[lead].cube.clone() {
+            let (latch, value) = entry(code);
+            let next = self.cycles[cycle].next[self.index(latch)];
+            self.sat.clause(&[!here, if value { next } else { !next }]);
+        }
+        here
     }
 
     fn add(&mut self, lead: Lead) {
@@ -259,33 +299,96 @@ impl<'c> Search<'c> {
         if value { term } else { !term }
     }
 
-    /// What has to be true at the end of a cycle.
-    fn arrives(&self, to: Option<usize>, cycle: &Cycle) -> Vec<Term> {
-        let Some(number) = to else { return vec![cycle.target, cycle.may] };
-        let next = |code: &u32| {
-            let (latch, value) = entry(*code);
-            let term = cycle.next[self.index(latch)];
-            if value { term } else { !term }
-        };
-        self.leads[number].cube.iter().map(next).chain([cycle.may]).collect()
-    }
-
-    /// A state of which no way is known yet, and inputs that lead on from it.
-    fn before(&mut self, front: &[(Option<usize>, Term)], assumed: &[Term]) -> Result<Option<Lead>, Over> {
+    /// A state of which no way is known yet, and inputs that lead on from it to the first so many cubes.
+    fn before(&mut self, known: usize, assumed: [Term; 2]) -> Result<Option<Lead>, Over> {
         loop {
-            if !self.sat.solve(assumed)? {
+            if !self.sat.solve(&assumed)? {
                 return Ok(None);
             }
-            let Some((to, _)) = front.iter().find(|(_, arrives)| self.sat.holds(*arrives)) else { return Ok(None) };
             let state = self.state();
             let on = |(node, term): &(usize, Term)| self.sat.holds(*term).then_some(*node);
             let mut inputs: Vec<usize> = self.chosen.iter().filter_map(on).collect();
             inputs.sort_unstable();
-            match self.widened(&state, &inputs, *to)? {
-                Ok(cube) => return Ok(Some(Lead { cube, inputs, to: *to })),
-                Err(otherwise) => self.beside(front, &otherwise),
+            let near = self.near(&inputs, known);
+            let (simpler, mut otherwise) = (self.simpler(&inputs, &near), None);
+            for inputs in [simpler, inputs] {
+                match self.widened(&state, &inputs, &near)? {
+                    Ok(cube) => {
+                        let after = known.checked_sub(1).map_or(0, |last| self.leads[last].after + 1);
+                        return Ok(Some(Lead { cube, inputs, after }));
+                    }
+                    Err(open) => otherwise = Some(open),
+                }
+            }
+            if let Some(otherwise) = otherwise {
+                self.beside(known, assumed[1], &otherwise);
             }
         }
+    }
+
+    /// The cubes with which one is looked for around the state in the last model: those found last, and one to which it leads. With open inputs
+    /// all of them, as it may lead elsewhere with each value of these.
+    fn near(&self, inputs: &[usize], known: usize) -> Vec<usize> {
+        if !self.open.is_empty() {
+            return (0..known).collect();
+        }
+        let values = self.values(&self.free(inputs));
+        let last = known.saturating_sub(NEAR);
+        let mut near: Vec<usize> = (0..last).filter(|lead| self.is_inside(*lead, &values)).take(1).collect();
+        near.extend(last..known);
+        near
+    }
+
+    /// The free nodes in the last model, with these inputs.
+    fn free(&self, inputs: &[usize]) -> Vec<bool> {
+        let mut free = vec![false; self.circuit.aig.len()];
+        for (latch, term) in self.latches.iter().zip(&self.now) {
+            free[self.circuit.latches[*latch].now.node()] = self.sat.holds(*term);
+        }
+        for (lit, term) in &self.open {
+            free[lit.node()] = self.sat.holds(*term);
+        }
+        for node in inputs {
+            free[*node] = true;
+        }
+        free
+    }
+
+    fn values(&self, free: &[bool]) -> Vec<bool> {
+        self.circuit.aig.simulate(|node| free[node])
+    }
+
+    /// Whether a cycle ends in a cube.
+    fn is_inside(&self, lead: usize, values: &[bool]) -> bool {
+        let cube = self.leads[lead].cube.iter().map(|code| entry(*code));
+        cube.into_iter().all(|(latch, on)| value(values, self.circuit.latches[latch].next) == on)
+    }
+
+    /// The inputs of the last model without those that can be off, and with as much time as can pass: what happens beside the way is as little as can be,
+    /// so that it is gone from more states.
+    fn simpler(&self, inputs: &[usize], near: &[usize]) -> Vec<usize> {
+        let mut free = self.free(inputs);
+        let time = times(self.circuit);
+        // From the last one on: what is declared first is what the plant is about.
+        for (node, _) in self.chosen.iter().rev() {
+            let before = free[*node];
+            free[*node] = time.contains(node);
+            if free[*node] != before && !self.leads_on(&free, near) {
+                free[*node] = before;
+            }
+        }
+        let mut on: Vec<usize> = self.chosen.iter().map(|(node, _)| *node).filter(|node| free[*node]).collect();
+        on.sort_unstable();
+        on
+    }
+
+    /// Whether a cycle leads on, by the values of free nodes, to what a cube around the state is looked for with.
+    fn leads_on(&self, free: &[bool], near: &[usize]) -> bool {
+        let values = self.values(free);
+        let is = |lit: Lit| value(&values, lit);
+        let short = self.short.is_none_or(|long| !is(long));
+        let arrives = || is(self.target.end) || near.iter().any(|lead| self.is_inside(*lead, &values));
+        short && is(self.may) && arrives()
     }
 
     /// The state in the last model. Which step of a region is active is told by that step alone.
@@ -298,7 +401,7 @@ impl<'c> Search<'c> {
     }
 
     /// One more cycle, with the open inputs as they were where the last way led nowhere.
-    fn beside(&mut self, front: &[(Option<usize>, Term)], otherwise: &[bool]) {
+    fn beside(&mut self, known: usize, arrives: Term, otherwise: &[bool]) {
         let mut wires = self.wires();
         for (node, term) in &self.chosen {
             wires.bind(Lit::of(*node), *term);
@@ -309,20 +412,16 @@ impl<'c> Search<'c> {
             wires.bind(*lit, if *on { truth } else { !truth });
         }
         let cycle = Self::cycle(self.circuit, &self.latches, (self.target, self.may), &mut self.sat, &mut wires);
-        for (to, arrives) in front {
-            for part in self.arrives(*to, &cycle) {
-                self.sat.clause(&[!*arrives, part]);
-            }
-        }
         self.cycles.push(cycle);
+        self.arrives_with(self.cycles.len() - 1, known, arrives);
     }
 
     /// The cube around a state, as large as can be, from which these inputs lead on whatever the open ones are; where that is not so of the state
     /// itself, open ones with which they do not.
-    fn widened(&self, state: &[u32], inputs: &[usize], to: Option<usize>) -> Result<Result<Cube, Vec<bool>>, Over> {
+    fn widened(&self, state: &[u32], inputs: &[usize], near: &[usize]) -> Result<Result<Cube, Vec<bool>>, Over> {
         // Its gates are gone through several times.
         self.limit.spend(self.nodes.len() as u64 / NODES_PER_STEP);
-        let mut given = Given::new(self, inputs, to);
+        let mut given = Given::new(self, inputs, near);
         let Some(mut cube) = given.core(state)? else { return Ok(Err(given.otherwise())) };
         for code in cube.clone() {
             let fewer: Cube = cube.iter().copied().filter(|other| *other != code).collect();
@@ -359,7 +458,7 @@ struct Given {
 }
 
 impl Given {
-    fn new(search: &Search<'_>, inputs: &[usize], to: Option<usize>) -> Self {
+    fn new(search: &Search<'_>, inputs: &[usize], near: &[usize]) -> Self {
         let circuit = search.circuit;
         let mut aig = Aig::default();
         let mut of: Vec<Lit> = vec![Lit::FALSE; circuit.aig.len()];
@@ -383,16 +482,17 @@ impl Given {
             }
         }
         let is = |lit: Lit| of[lit.node()].xor(lit.is_negated());
-        let mut leads = aig.and(is(search.may), !long);
-        match to {
-            None => leads = aig.and(leads, is(search.target.end)),
-            Some(number) => {
-                for code in &search.leads[number].cube {
-                    let (latch, value) = entry(*code);
-                    leads = aig.and(leads, is(circuit.latches[latch].next).xor(!value));
-                }
+        let mut arrives = is(search.target.end);
+        for lead in near {
+            let mut here = Lit::TRUE;
+            for code in &search.leads[*lead].cube {
+                let (latch, value) = entry(*code);
+                here = aig.and(here, is(circuit.latches[latch].next).xor(!value));
             }
+            arrives = aig.or(arrives, here);
         }
+        let may = aig.and(is(search.may), !long);
+        let leads = aig.and(may, arrives);
         let (mut sat, mut wires) = (Sat::of_inputs(&search.limit), Wires::new(&aig));
         let mut now = vec![None; circuit.latches.len()];
         for latch in &search.latches {

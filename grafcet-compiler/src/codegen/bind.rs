@@ -200,6 +200,8 @@ impl Cx<'_> {
                 quote!((#active && self.#since >= #time))
             }
             Read::Rising(_) | Read::Falling(_) if moment == Moment::Start => quote!(false),
+            // Only properties have it, of which no code is made.
+            Read::Memory(_) => quote!(false),
             Read::Rising(id) => self.edge(id, true, moment).into_token_stream(),
             Read::Falling(id) => self.edge(id, false, moment).into_token_stream(),
             Read::Delay(id) => {

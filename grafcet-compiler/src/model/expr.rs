@@ -1,6 +1,6 @@
 //! Expressions of the user, resolved: once as tokens for the generated code, once as a tree for whoever reasons about them.
 
-use super::ids::{DelayId, EdgeId, InputId, MacroId, OutputId, ParamId, StepId, VarId};
+use super::ids::{DelayId, EdgeId, InputId, MacroId, MemoryId, OutputId, ParamId, StepId, VarId};
 use crate::diagnostic::Mark;
 
 /// An expression with its names resolved.
@@ -72,6 +72,8 @@ pub enum Read {
     MacroElapsed(TimeRef, MacroId),
     /// `blink(700ms/300ms)`
     Blink(Blink),
+    /// `rising(e)`, `falling(e)` or `t1/e/t2` in a property; what it looks at stands beside it where reads are listed.
+    Memory(MemoryId),
 }
 
 /// `blink(700ms/300ms, Step)`: as long as the step is active, true for the first part of each period since its activation,
@@ -101,7 +103,9 @@ impl Read {
             Self::Active(step) | Self::Since(step) | Self::Elapsed(_, step) => Some(Blinker::Step(step)),
             Self::MacroActive(id) | Self::MacroSince(id) | Self::MacroElapsed(_, id) => Some(Blinker::Macro(id)),
             Self::Blink(blink) => Some(blink.of),
-            Self::Name(_) | Self::Rising(_) | Self::Falling(_) | Self::Delay(_) | Self::Ticks(_) => None,
+            Self::Name(_) | Self::Rising(_) | Self::Falling(_) | Self::Delay(_) | Self::Ticks(_) | Self::Memory(_) => {
+                None
+            }
         }
     }
 }
@@ -317,4 +321,16 @@ pub enum TimeRef {
     Ticks(u32),
     Param(ParamId),
     Var(VarId),
+}
+
+impl TimeRef {
+    /// The name, where it is one.
+    #[must_use]
+    pub fn name(self) -> Option<Name> {
+        match self {
+            Self::Ticks(_) => None,
+            Self::Param(id) => Some(Name::Param(id)),
+            Self::Var(id) => Some(Name::Var(id)),
+        }
+    }
 }

@@ -222,4 +222,6 @@ ids! {
     pub EdgeId;
     /// A general delay `t1/e/t2`.
     pub DelayId;
+    /// What a property remembers.
+    pub MemoryId;
 }

@@ -23,8 +23,8 @@ pub use expr::{
 };
 pub(crate) use ids::ids;
 pub use ids::{
-    ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, OutputId, ParamId,
-    PartialId, StepId, TransitionId, VarId,
+    ActionId, AnyId, Arena, AssociationId, DelayId, EdgeId, ForceId, Id, InputId, LetId, MacroId, MemoryId, OutputId,
+    ParamId, PartialId, StepId, TransitionId, VarId,
 };
 pub use plants::{Driven, Plant, Plants, Seen, Watched, Wire};
 pub use resolve::resolve;
@@ -86,6 +86,8 @@ pub struct Model {
     pub longest_cycle: Option<u32>,
     /// What the checker shall prove, in source order.
     pub properties: Vec<Property>,
+    /// What properties remember of the ends of cycles, each after those that it reads. A program stores nothing of it.
+    pub memories: Arena<MemoryId, Memory>,
     /// What stands beside it in a proof.
     pub plants: Plants,
     /// Where names stand that generated code does not repeat there.
@@ -404,6 +406,24 @@ pub enum ForceOrder {
     Hold,
     /// `{INIT}`
     Init,
+}
+
+/// An edge or a delay in a property: where one of the chart looks at the moments of evolutions, this looks at the ends of cycles.
+pub struct Memory {
+    pub kind: Remembers,
+    /// What it looks at.
+    pub of: Expr,
+}
+
+/// What a [`Memory`] is true for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Remembers {
+    /// `rising(e)`: at this end and not at the one before; never at the end of the first cycle (A26).
+    Rise,
+    /// `falling(e)`
+    Fall,
+    /// `t1/e/t2`: from the end where `e` has held for the first time to that where it has not held for the second (A36).
+    Delay(TimeRef, TimeRef),
 }
 
 /// An expression whose value of the evolution before is remembered for `rising` and `falling`.

@@ -9,7 +9,8 @@ use super::{Blink, Blinker, Id, Read, TimeRef};
 #[must_use]
 pub fn ident(read: Read, at: Span) -> Option<Ident> {
     let name = match read {
-        Read::Name(_) => return None,
+        // A name stands for itself, and no code is made of a property.
+        Read::Name(_) | Read::Memory(_) => return None,
         Read::Active(step) => format!("active_{}", step.index()),
         Read::Since(step) => format!("since_{}", step.index()),
         Read::MacroActive(id) => format!("macro_active_{}", id.index()),

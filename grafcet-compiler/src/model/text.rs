@@ -1,6 +1,6 @@
 //! What the model says in words: expressions, times, transitions as the user would write them.
 
-use super::{AnyId, Binary, Blink, Blinker, Model, Name, Read, StepId, TimeRef, Transition, Tree, Unary};
+use super::{AnyId, Binary, Blink, Blinker, Model, Name, Read, Remembers, StepId, TimeRef, Transition, Tree, Unary};
 use crate::list::List;
 
 impl Model {
@@ -51,17 +51,28 @@ impl Model {
             Read::Falling(id) => format!("falling({})", self.edges[id].of.text),
             Read::Delay(id) => {
                 let delay = &self.delays[id];
-                let is_long = delay.of.text.contains(' ');
-                let of = if is_long { format!("({})", delay.of.text) } else { delay.of.text.clone() };
-                match delay.off {
-                    TimeRef::Ticks(0) => format!("{}/{of}", self.time_ref_text(delay.on)),
-                    off => format!("{}/{of}/{}", self.time_ref_text(delay.on), self.time_ref_text(off)),
+                self.delay_text((delay.on, delay.off), &delay.of.text)
+            }
+            Read::Memory(id) => {
+                let memory = &self.memories[id];
+                match memory.kind {
+                    Remembers::Rise => format!("rising({})", memory.of.text),
+                    Remembers::Fall => format!("falling({})", memory.of.text),
+                    Remembers::Delay(on, off) => self.delay_text((on, off), &memory.of.text),
                 }
             }
             Read::Ticks(ticks) => self.time_text(i128::from(ticks)),
             Read::Elapsed(time, step) => format!("{}/{}", self.time_ref_text(time), self.steps[step].name),
             Read::MacroElapsed(time, id) => format!("{}/{}", self.time_ref_text(time), self.macros[id].name),
             Read::Blink(blink) => self.blink_text(blink),
+        }
+    }
+
+    fn delay_text(&self, (on, off): (TimeRef, TimeRef), of: &str) -> String {
+        let of = if of.contains(' ') { format!("({of})") } else { of.to_owned() };
+        match off {
+            TimeRef::Ticks(0) => format!("{}/{of}", self.time_ref_text(on)),
+            off => format!("{}/{of}/{}", self.time_ref_text(on), self.time_ref_text(off)),
         }
     }
 

@@ -110,6 +110,9 @@ impl Mentions {
                 Claim::Home(..) => {}
             }
         }
+        for id in system.memories.ids() {
+            rename(&mut system.memories[id].of);
+        }
         system.assumptions.iter_mut().for_each(|assumption| rename(&mut assumption.never));
         system.often.iter_mut().for_each(rename);
     }

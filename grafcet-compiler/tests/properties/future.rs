@@ -33,7 +33,7 @@ fn mistakes() {
         ("on leads_to ;", "expected what it leads to, found `;`"),
         ("on leads_to On within;", "after `within` stands how long it may take"),
         ("Off before ;", "expected what comes after it, found `;`"),
-        ("rising(on) leads_to On;", "a property is about the end of a cycle; an edge takes two"),
+        ("assume often rising(on);", "an assumption is about the inputs of one cycle, and an edge takes two"),
         ("assume often relay;", "an assumption is about the inputs of one cycle, and `relay` is an output"),
         ("assume often On.X;", "an assumption is about the inputs of one cycle, and this is a step"),
         ("assume cycle within;", "after `within` stands the longest time between two cycles"),

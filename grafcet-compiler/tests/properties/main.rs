@@ -236,11 +236,11 @@ fn contents() {
     holds(&chart("never M.X && A.X; always level > 5 && A.X => q; never F.X && E.X; always true; never v && A.X;"));
     for (property, word) in [
         ("never speed > 3;", "it depends on `speed`"),
-        ("never rising(a) && B.X;", "an edge takes two"),
+        ("never rising(a) && B.X;", "it depends on `rising(a)`"),
         ("never 5s/A;", "it depends on `5s/A`"),
         ("always A.T < 5s || M.T > 1s;", "it depends on `A.T`, `M.T`"),
-        ("never 5s/a;", "this is a time with a memory of its own"),
-        ("never blink(500ms, A);", "this is a time with a memory of its own"),
+        ("never 5s/a;", "it depends on `5s/a`"),
+        ("never blink(500ms, A);", "it depends on `blink(500ms"),
         ("always a => w;", "unknown_name"),
         ("home Nowhere;", "unknown_step"),
         ("home M;", "is a macro-step"),

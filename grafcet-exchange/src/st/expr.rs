@@ -204,6 +204,7 @@ impl<'m> Scope<'m> {
                 Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
             }
             Read::Blink(_) => Err(refuse(at, "`blink`", "write it as two steps, each with its time")),
+            Read::Memory(_) => Err(refuse(at, "an edge or a delay of a property", "leave it out")),
         }
     }
 

@@ -33,6 +33,7 @@ pub(super) fn conditions(model: &Model) -> Vec<Tree> {
             None => all.extend(property.claim.expressions().iter().filter_map(|one| written_out(model, &one.tree))),
         }
     }
+    all.extend(model.memories.values().filter_map(|memory| written_out(model, &memory.of.tree)));
     all
 }
 
@@ -140,8 +141,11 @@ impl Lowering<'_, '_> {
                 let over = !bits::below(&mut self.aig, &passed, &whole);
                 return Ok(Sym::Bool(self.aig.and(active, over)));
             }
-            Read::Rising(_) | Read::Falling(_) | Read::Delay(_) | Read::Blink(_) => {
-                return Err(Refused("a property over more than the end of a cycle".to_owned()));
+            Read::Blink(blink) => return Ok(Sym::Bool(self.blinks(blink, end)?)),
+            Read::Memory(id) => return Ok(Sym::Bool(self.remembered(id, end)?)),
+            // A combinational variable may stand for one of the chart.
+            Read::Rising(_) | Read::Falling(_) | Read::Delay(_) => {
+                return Err(Refused("a variable that stands for an edge or a delay of the chart".to_owned()));
             }
         };
         self.at(role, end)

@@ -2,6 +2,9 @@
 //!
 //! Where times are only compared with constants, all that are longer than the longest of these are alike: so they saturate there, and
 //! so does what passes between two cycles, which is an input. `min(min(t, M) + min(e, M), M) = min(t + e, M)`: nothing is lost.
+//!
+//! What blinks asks how far a period is. So of all that is longer as much is told apart as the periods tell apart: with a common multiple of
+//! theirs above the longest constant, each longer time has one that is as far in each of them.
 
 use grafcet_compiler::model::{Binary, Model, Name, Read, Tree, Ty};
 use grafcet_compiler::program::{Expr, Program, Role, Run, Statement, Type, Value};
@@ -10,20 +13,34 @@ use grafcet_compiler::program::{Expr, Program, Role, Run, Statement, Type, Value
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Clock {
     pub(super) width: usize,
+    /// What all periods divide; one without any.
+    pub(super) period: u32,
 }
 
 /// As wide as a tick count of the program.
 const EXACT: usize = 32;
 
 impl Clock {
-    /// The one that tells more.
+    /// The one that tells what both do.
     pub(super) fn or(self, other: Self) -> Self {
-        Self { width: self.width.max(other.width) }
+        let Some(period) = common(self.period, other.period) else { return Self::EXACT };
+        // More than either, and a common multiple above that.
+        let most = |clock: Self| (1_u64 << clock.width) - u64::from(clock.period);
+        Self::beyond(most(self).max(most(other)), period)
+    }
+
+    const EXACT: Self = Self { width: EXACT, period: 1 };
+
+    /// That which tells apart all up to here, and then so many.
+    fn beyond(longest: u64, period: u32) -> Self {
+        // What saturates has to be more than any constant.
+        let width = (longest + u64::from(period)).next_power_of_two().trailing_zeros() as usize;
+        if width < EXACT { Self { width, period } } else { Self::EXACT }
     }
 
     /// `claims` are what properties look at, `deadline` is the longest that they ask for.
     pub(super) fn of(program: &Program<'_>, claims: &[Tree], deadline: u32) -> Self {
-        let mut scan = Scan { program, longest: deadline, exact: false };
+        let mut scan = Scan { program, longest: deadline, period: Some(1), exact: false };
         let declared = program.model.inputs.values().any(|input| matches!(input.ty, Ty::Time(_)));
         let stored = program.places.iter().any(|place| {
             matches!(place.ty, Type::Ticks) && matches!(place.role, Role::Output(_) | Role::Var(_) | Role::Param(_))
@@ -33,18 +50,27 @@ impl Clock {
         for claim in claims {
             scan.tree(claim);
         }
-        if scan.exact {
-            return Self { width: EXACT };
+        match scan.period {
+            Some(period) if !scan.exact => Self::beyond(u64::from(scan.longest) + 1, period),
+            _ => Self::EXACT,
         }
-        // What saturates has to be more than any constant.
-        let width = (u64::from(scan.longest) + 2).next_power_of_two().trailing_zeros();
-        Self { width: (width as usize).min(EXACT) }
     }
+}
+
+/// The least common multiple; none where it does not fit.
+fn common(a: u32, b: u32) -> Option<u32> {
+    let (mut divisor, mut rest) = (a, b);
+    while rest > 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    (a / divisor.max(1)).checked_mul(b)
 }
 
 struct Scan<'p, 'm> {
     program: &'p Program<'m>,
     longest: u32,
+    /// None where it is too long.
+    period: Option<u32>,
     exact: bool,
 }
 
@@ -81,7 +107,12 @@ impl Scan<'_, '_> {
     fn expr(&mut self, expr: &Expr<'_>) {
         match expr {
             Expr::Value(Value::Ticks(ticks)) => self.longest = self.longest.max(*ticks),
-            Expr::Period(..) | Expr::Sub(..) => self.exact = true,
+            Expr::Period(reached, passed, period) => {
+                self.period = self.period.and_then(|known| common(known, (*period).max(1)));
+                self.expr(reached);
+                self.expr(passed);
+            }
+            Expr::Sub(..) => self.exact = true,
             Expr::Not(inner) => self.expr(inner),
             Expr::All(parts) | Expr::Any(parts) => parts.iter().for_each(|part| self.expr(part)),
             Expr::Compare(_, a, b) | Expr::Add(a, b) => {

@@ -4,7 +4,7 @@
 //! - `given`: inputs, params and what places begin with
 //! - `sym`: values as wires; `free`: Rust that is not looked into; `clock`: how exactly times are counted
 //! - `plants`: what the chart moves, and what it sees of that
-//! - `claims`: properties at the end of a cycle; `monitors`: those over several; `homes`: ways back
+//! - `claims`: properties at the end of a cycle; `remembered`: their edges and delays; `monitors`: those over several; `homes`: ways back
 //!
 //! What a chart remembers is latches, what it is given is inputs; what has passed since the cycle before is one of them, and so are
 //! params, as they can be exchanged.
@@ -17,6 +17,7 @@ mod given;
 mod homes;
 mod monitors;
 mod plants;
+mod remembered;
 mod run;
 mod sym;
 mod tree;
@@ -36,6 +37,7 @@ use free::Origin;
 pub use homes::{Condition, Home};
 use monitors::Monitors;
 use plants::Part;
+use remembered::Memories;
 use sym::{FreeId, Sym, Width};
 
 /// So many gates and no more.
@@ -55,7 +57,7 @@ impl fmt::Display for Refused {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Source {
     Input(InputId),
-    /// Ticks since the cycle before; the highest value stands for all that are longer.
+    /// Ticks since the cycle before; those that are longer than it can tell are those that are as far in all periods.
     Elapsed,
     Param(ParamId),
     /// An input of a plant that nobody drives: a choice or a fault.
@@ -129,6 +131,16 @@ impl Deadline {
     }
 }
 
+/// A clock of a property, by the numbers of its latches.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Timer {
+    /// What it counts since it changed.
+    pub of: usize,
+    /// The first of its bits.
+    pub first: usize,
+    pub width: usize,
+}
+
 /// A property that says what comes some time: it is broken where the chart waits for ever.
 #[derive(Clone, Copy, Debug)]
 pub struct Live {
@@ -163,8 +175,12 @@ pub struct Circuit {
     pub refused: Vec<(usize, Refused)>,
     /// A search for stability gets to its first evolution, to its second one and so on.
     pub rounds: Vec<Lit>,
+    /// The clocks of delays in properties.
+    pub timers: Vec<Timer>,
     /// The bits of a time.
     pub time_bits: usize,
+    /// What all periods of what blinks divide, in ticks; one without any.
+    pub period: u32,
 }
 
 /// What the places hold.
@@ -191,6 +207,7 @@ pub(crate) struct Lowering<'p, 'm> {
     panics: Lit,
     constraint: Lit,
     rounds: Vec<Lit>,
+    memories: Memories,
     origins: Vec<Origin>,
     by_text: BTreeMap<(String, Vec<Sym>), FreeId>,
     as_bool: BTreeMap<FreeId, Sym>,
@@ -219,6 +236,14 @@ impl Circuit {
     }
 }
 
+impl Circuit {
+    /// From here on all times are alike, but for how far periods are.
+    #[must_use]
+    pub fn long(&self) -> i128 {
+        (1 << self.time_bits) - i128::from(self.period)
+    }
+}
+
 impl Field {
     /// The program whose place it is.
     #[must_use]
@@ -244,6 +269,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             panics: Lit::FALSE,
             constraint: Lit::TRUE,
             rounds: Vec::new(),
+            memories: Memories::default(),
             origins: Vec::new(),
             by_text: BTreeMap::new(),
             as_bool: BTreeMap::new(),
@@ -277,6 +303,9 @@ impl<'p, 'm> Lowering<'p, 'm> {
             let (sym, field) = self.place(PlaceId(index))?;
             env.push(sym);
             kept.extend(field);
+        }
+        if let Some(Sym::Bool(first)) = program.place(Role::First).map(|first| env[first.0].clone()) {
+            self.memories.first = first;
         }
         let so_far = self.aig.free();
         let mut plants = self.plants()?;
@@ -331,6 +360,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             signed: false,
         });
         latches.push(Latch { now: so_far, next: broken, initial: Some(false) });
+        let timers = std::mem::take(&mut self.memories).finish(&mut latches, &mut fields);
         let Asked { mut claims, mut monitors, homes, triggers, often } = asked;
         claims.refused.append(&mut monitors.refused);
         let ended = monitors.finish(&mut latches, &mut fields);
@@ -350,7 +380,9 @@ impl<'p, 'm> Lowering<'p, 'm> {
             often,
             refused: claims.refused,
             rounds: self.rounds,
+            timers,
             time_bits: self.clock.width,
+            period: self.clock.period,
         })
     }
 

@@ -1,7 +1,7 @@
 //! Properties over more than one cycle: what has been seen so far is latches beside those of the chart.
 
 use grafcet_compiler::analysis::combinational::written_out;
-use grafcet_compiler::model::{Claim, Expr, Model};
+use grafcet_compiler::model::{Claim, Expr, Model, Remembers, TimeRef};
 use grafcet_compiler::program::Role;
 
 use super::{Bad, Deadline, Env, Field, Latch, Live, Lowering, Refused};
@@ -52,15 +52,25 @@ fn deadline(model: &Model) -> Option<u32> {
     model.properties.iter().filter_map(|property| within(&property.claim)).max()
 }
 
-/// The same, or the longest time between two cycles.
+/// The longest time that a property remembers.
+fn delay(model: &Model) -> Option<u32> {
+    let times = model.memories.values().filter_map(|memory| match memory.kind {
+        Remembers::Delay(on, off) => Some([on, off]),
+        Remembers::Rise | Remembers::Fall => None,
+    });
+    let ticks = |time| if let TimeRef::Ticks(ticks) = time { ticks } else { 0 };
+    times.flatten().map(ticks).max()
+}
+
+/// The longest of these, or the longest time between two cycles.
 pub(super) fn longest(model: &Model) -> u32 {
-    deadline(model).max(model.longest_cycle).unwrap_or(0)
+    deadline(model).max(delay(model)).max(model.longest_cycle).unwrap_or(0)
 }
 
 impl Lowering<'_, '_> {
     /// Whether a property asks how long something takes.
     pub(super) fn has_deadline(&self) -> bool {
-        deadline(self.program.model).is_some()
+        deadline(self.program.model).or(delay(self.program.model)).is_some()
     }
 
     /// `broken`: arithmetic has left its type in this cycle or before.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::hierarchy;
 use super::modes::{self, Mode};
+use super::remembered::Remembered;
 use super::state::State;
 use super::value::{Error, Value};
 use super::view::View;
@@ -17,6 +18,8 @@ pub struct Look<'a> {
     pub(super) given: Given<'a>,
     /// As they were sampled last.
     pub(super) delays: BTreeMap<DelayId, bool>,
+    /// What properties remember, where one is looked at.
+    pub(super) remembered: Option<&'a Remembered>,
 }
 
 /// How far a delay has come.
@@ -31,8 +34,8 @@ pub struct Counted {
 }
 
 impl Look<'_> {
-    fn view(&self) -> View<'_> {
-        self.state.view(self.model, self.given, &self.delays)
+    pub(super) fn view(&self) -> View<'_> {
+        View { remembered: self.remembered, ..self.state.view(self.model, self.given, &self.delays) }
     }
 
     /// Whether a condition holds.

@@ -11,6 +11,7 @@
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848
 //! - `rest`: whether the next cycle has something to do without an input and without time
 //! - `recall`, `by_state`: a memory put together from a recorded state, and what follows from the active step alone
+//! - `remembered`: edges and delays of properties
 //! - `time`, `value`: delays and timers, values and their arithmetic
 
 mod any;
@@ -26,6 +27,7 @@ mod look;
 mod modes;
 mod real;
 mod recall;
+mod remembered;
 mod rest;
 mod sfc;
 mod state;
@@ -44,6 +46,7 @@ pub use self::look::{Counted, Look};
 pub use self::modes::Mode;
 pub use self::real::{Real, Symbol};
 pub use self::recall::{Recalled, is_part};
+pub use self::remembered::Remembered;
 pub use self::rest::Rest;
 use self::sfc::Sfc;
 use self::state::State;
@@ -289,7 +292,13 @@ impl<'m> Interpreter<'m> {
     pub fn look<'a>(&'a self, world: &'a dyn World, inputs: &'a [Value]) -> Look<'a> {
         let state = &self.memory.state;
         let delays = state.delays.iter().map(|(id, delayed)| (*id, delayed.output)).collect();
-        Look { model: self.model, state, given: Given { inputs, params: &self.params, world }, delays }
+        Look {
+            model: self.model,
+            state,
+            given: Given { inputs, params: &self.params, world },
+            delays,
+            remembered: None,
+        }
     }
 
     /// The steps that have a time (`within`) which is over, as the last cycle has seen it.

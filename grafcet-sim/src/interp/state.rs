@@ -88,6 +88,7 @@ impl State {
             times: &self.times,
             edges: Edges { before: &self.edges, now: None },
             delays,
+            remembered: None,
             own: None,
         }
     }
@@ -123,7 +124,9 @@ impl Times {
 
 /// Whether some expression asks for a phase.
 fn blinks(model: &Model) -> bool {
-    model.expressions().into_iter().flatten().any(|read| matches!(read, Read::Blink(_)))
+    let claimed = model.properties.iter().flat_map(|property| property.claim.expressions());
+    let mut reads = model.expressions().into_iter().flatten().chain(claimed.flat_map(|expr| &expr.reads));
+    reads.any(|read| matches!(read, Read::Blink(_)))
 }
 
 /// The values after `=`, or those of `Default`.
@@ -142,6 +145,7 @@ pub(super) fn constants<'m>(
         times: &times,
         edges: Edges { before: &no_edges, now: None },
         delays: no_delays,
+        remembered: None,
         own: None,
     };
     let value = |(ty, init): (&Ty, &Option<Expr>)| match init {

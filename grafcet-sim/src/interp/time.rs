@@ -63,7 +63,8 @@ impl Delayed {
         if self.on.running { (true, self.on.elapsed) } else { (false, self.off.elapsed) }
     }
 
-    fn step(&mut self, signal: bool, elapsed: u32, (on, off): (u32, u32)) {
+    /// One cycle, `elapsed` ticks after the one before.
+    pub(super) fn step(&mut self, signal: bool, elapsed: u32, (on, off): (u32, u32)) {
         self.on.step(signal, elapsed, false);
         self.off.step(!signal, elapsed, false);
         if self.on.reached(on) {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::computed::computed;
 use super::continuous;
+use super::remembered::Remembered;
 use super::value::{Error, Term, Value, accept, binary, unary};
 use super::world::Given;
 use grafcet_compiler::model::{
@@ -42,6 +43,8 @@ pub(super) struct View<'a> {
     pub(super) edges: Edges<'a>,
     /// `t1/e/t2`, sampled once per cycle.
     pub(super) delays: &'a BTreeMap<DelayId, bool>,
+    /// What a property remembers, where one is looked at.
+    pub(super) remembered: Option<&'a Remembered>,
     /// What the running block has written so far.
     pub(super) own: Option<&'a BTreeMap<Place, Value>>,
 }
@@ -125,6 +128,11 @@ impl View<'_> {
                 Term::Bool(before && !now)
             }
             Read::Delay(delay) => Term::Bool(self.delays.get(&delay).copied().unwrap_or(false)),
+            Read::Memory(id) => {
+                let known = self.remembered.and_then(|remembered| remembered.value(id));
+                let unknown = || Error::NotUnderstood(format!("{} without its memory", self.model.read_text(read)));
+                Term::Bool(known.ok_or_else(unknown)?)
+            }
             Read::Ticks(ticks) => Term::Ticks(ticks),
             Read::Elapsed(time, step) => Term::Bool(self.elapsed(time, step)?),
             Read::MacroElapsed(time, id) => {

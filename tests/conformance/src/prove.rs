@@ -12,7 +12,7 @@ use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, va
 use crate::brute::claims::broken;
 use crate::brute::graph::Graph;
 use crate::brute::responses;
-use crate::brute::{make, resolve};
+use crate::brute::{make, memories, resolve};
 
 /// What is compared.
 #[derive(Clone, Copy, Debug)]
@@ -71,6 +71,53 @@ pub fn number(number: u64, kind: Kind, counts: &mut Counts) -> Result<bool, Stri
     };
     counts.params += usize::from(!judged.params.is_empty());
     compare((&model, &judged), &graph, kind, number, counts).map_err(|error| format!("{number}: {error}\n{text}"))?;
+    Ok(true)
+}
+
+/// Compares properties with edges and delays, in a chart without times; false where there is nothing to compare.
+///
+/// # Errors
+/// A difference, with the chart.
+pub fn remembering(number: u64, grafcet: bool, cycles: usize, counts: &mut Counts) -> Result<bool, String> {
+    let (plain, text, overs) = make::remembering(number, grafcet);
+    let (Ok(model), Ok(judged)) = (resolve(&plain), resolve(&text)) else { return Ok(false) };
+    let Some(graph) = Graph::of(&model, cycles).map_err(|error| format!("{error}\n{plain}"))? else {
+        return Ok(false);
+    };
+    let encoding = if number % 4 == 3 { Encoding::Flags } else { Encoding::Regions };
+    let program = counted(&judged, &Facts::of(&judged), encoding).map_err(|refused| refused.to_string())?;
+    counts.charts += 1;
+    let Ok(circuit) = Circuit::of(&program) else {
+        counts.refused += 1;
+        return Ok(true);
+    };
+    for (property, over) in overs.into_iter().enumerate() {
+        let Some(bad) = circuit.bad.iter().find(|bad| bad.property == property) else {
+            counts.undecided.push((number, format!("property {property}: not modelled")));
+            continue;
+        };
+        let shortest = memories::broken(&model, &graph, &model.properties[property].claim, over)?;
+        let verdict = decide(&program, &circuit, *bad, &Limit::time(Duration::from_secs(20)))
+            .map_err(|error| format!("{number}: {error}\n{text}"))?;
+        let same = match &verdict {
+            Verdict::Undecided(why) => {
+                counts.undecided.push((number, format!("property {property}: {why}")));
+                true
+            }
+            Verdict::Proved(_) => {
+                counts.proved += 1;
+                shortest.is_none()
+            }
+            Verdict::Endless { .. } => false,
+            Verdict::Violated(way) => {
+                counts.broken += 1;
+                shortest == Some(way.len())
+            }
+        };
+        if !same {
+            return Err(format!("{number}: property {property}: {verdict:?}, by brute force {shortest:?}\n{text}"));
+        }
+    }
     Ok(true)
 }
 

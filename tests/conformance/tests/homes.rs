@@ -19,20 +19,23 @@ fn read(text: &str) -> Model {
     model
 }
 
+fn within(model: &Model, limit: &dyn Fn() -> Limit) -> Vec<Verdict> {
+    let program = counted(model, &Facts::of(model), Encoding::Regions).expect("a program");
+    let circuit = Circuit::of(&program).expect("a circuit");
+    let decided = circuit.homes.iter().map(|home| decide_home(&program, &circuit, home, &limit()));
+    decided.collect::<Result<_, _>>().expect("no internal error")
+}
+
 /// In how many cycles it may be lost; none where there is always a way home; why it is not decided.
 fn judged(text: &str) -> Vec<Result<Option<usize>, String>> {
     let model = read(text);
-    let program = counted(&model, &Facts::of(&model), Encoding::Regions).expect("a program");
-    let circuit = Circuit::of(&program).expect("a circuit");
-    let verdict = |home| match decide_home(&program, &circuit, home, &Limit::time(std::time::Duration::from_secs(10)))
-        .expect("no internal error")
-    {
+    let verdict = |verdict| match verdict {
         Verdict::Proved(_) => Ok(None),
         Verdict::Violated(way) => Ok(Some(way.len())),
         Verdict::Undecided(why) => Err(why),
         Verdict::Endless { .. } => panic!("it is about no cycles that come again"),
     };
-    circuit.homes.iter().map(verdict).collect()
+    within(&model, &|| Limit::time(std::time::Duration::from_secs(10))).into_iter().map(verdict).collect()
 }
 
 /// The errors of the macro, with a solver or without.
@@ -246,10 +249,14 @@ fn ways_that_are_none_are_refused() {
     }
     let fault = |ways: &_| certificate::fault_of_ways(circuit, (known, may), ways, &limit).expect("no limit");
     assert_eq!(fault(ways), None);
-    // A cube that leads to itself, one that holds more than it may, and a cycle with other inputs.
+    // A cube that is said to be nearer than it is, in its place and in front of all, one that holds more than it may, and a cycle with other inputs.
     let mut turned = ways.clone();
-    turned.leads[3].to = Some(3);
-    assert!(fault(&turned).is_some_and(|what| what.contains("not to an earlier one")));
+    let last = turned.leads.last_mut().expect("some");
+    last.after = 0;
+    assert!(fault(&turned).is_some_and(|what| what.contains("nearer than the one in front of it")));
+    let nearest = turned.leads.pop().expect("some");
+    turned.leads.insert(0, nearest);
+    assert!(fault(&turned).is_some_and(|what| what.contains("do not lead on")));
     let mut wider = ways.clone();
     wider.leads[3].cube.clear();
     assert!(fault(&wider).is_some());
@@ -262,4 +269,75 @@ fn ways_that_are_none_are_refused() {
     // Everything but home is not closed: a cycle leads out of it.
     assert!(!certificate::is_closed(circuit, ways.target.now, ways.target.end, &limit).expect("no limit"));
     assert!(certificate::is_closed(circuit, Lit::TRUE, ways.target.end, &limit).expect("no limit"));
+}
+
+/// An elevator of four floors that remembers its calls: `edge` is what a call takes, a level or `rising`, `up` where the car stops on its way up.
+fn elevator(edge: &str, up: &str) -> String {
+    let of_floor = |floor: usize| {
+        format!(
+            "partial Calls{floor} {{ initial step C{floor}; step W{floor} {{ S want{floor}; }} step S{floor} {{ R want{floor}; }}
+             C{floor} -[{edge}(call{floor})]-> W{floor} -[Served.X && at{floor}]-> S{floor} -[!call{floor}]-> C{floor}; }}"
+        )
+    };
+    let calls: Vec<String> = (0..4).map(of_floor).collect();
+    let calls = calls.join(" ");
+    format!(
+        "grafcet Elevator {{
+         input call0, call1, call2, call3, at0, at1, at2, at3, door_open, door_closed: bool;
+         output up, down, opening, closing: bool; var want0, want1, want2, want3: bool = false;
+         let here = want0 && at0 || want1 && at1 || want2 && at2 || want3 && at3;
+         let above = at0 && (want1 || want2 || want3) || at1 && (want2 || want3) || at2 && want3;
+         let below = at3 && (want0 || want1 || want2) || at2 && (want0 || want1) || at1 && want0;
+         {calls}
+         partial Car {{
+           initial step Idle; step Up {{ up; }} step Down {{ down; }} step Opening {{ opening; }} step Served; step Closing {{ closing; }}
+           Idle -[here]-> Opening; Idle -[above && !here]-> Up; Idle -[below && !above && !here]-> Down;
+           Up -[{up}]-> Opening; Down -[here || at0]-> Opening; Opening -[door_open]-> Served -[3s/Served]-> Closing;
+           Closing -[door_closed && !here]-> Idle; Closing -[here && !door_closed]-> Opening; }}
+         assume never at0 && at1; assume never at0 && at2; assume never at0 && at3;
+         assume never at1 && at2; assume never at1 && at3; assume never at2 && at3; assume never door_open && door_closed;
+         home Idle; home (Idle, C0, C1, C2, C3); }}"
+    )
+}
+
+/// Within the limit of a macro.
+const STEPS: u64 = 400_000;
+
+#[test]
+fn an_elevator_that_remembers_calls_comes_home() {
+    for calls in ["", "rising"] {
+        for verdict in within(&read(&elevator(calls, "here || at3")), &|| Limit::work(STEPS)) {
+            assert!(matches!(verdict, Verdict::Proved(_)), "{calls}: {verdict:?}");
+        }
+    }
+    // Going up it never stops, once it is on its way: called in the first cycle, in which it goes.
+    for verdict in within(&read(&elevator("", "here && at0 && at1")), &|| Limit::work(STEPS)) {
+        assert!(matches!(&verdict, Verdict::Violated(way) if way.len() == 1), "{verdict:?}");
+    }
+}
+
+/// A rotary table with ten stations, each a partial grafcet that the main one waits for.
+#[test]
+fn a_rotary_table_comes_home() {
+    let all = |of: &dyn Fn(usize) -> String, by: &str| (0..10).map(of).collect::<Vec<_>>().join(by);
+    let stations = all(
+        &|n| {
+            format!(
+                "partial S{n} {{ initial step I{n}; step W{n} {{ tool{n}; }} step R{n};
+                 I{n} -[Work.X]-> W{n} -[done{n} || !part{n}]-> R{n} -[Turn.X]-> I{n}; }}"
+            )
+        },
+        " ",
+    );
+    let (idle, ready) = (all(&|n| format!("I{n}.X"), " && "), all(&|n| format!("R{n}.X"), " && "));
+    let text = format!(
+        "grafcet Table {{ input start, turned: bool; {} {} output turn: bool;
+         partial Main {{ initial step Idle; step Turn {{ turn; }} step Work;
+         Idle -[start && !turned && {idle}]-> Work -[{ready}]-> Turn -[turned && {idle}]-> Idle; }} {stations} home Idle; }}",
+        all(&|n| format!("input done{n}, part{n}: bool;"), " "),
+        all(&|n| format!("output tool{n}: bool;"), " "),
+    );
+    for verdict in within(&read(&text), &|| Limit::work(STEPS)) {
+        assert!(matches!(verdict, Verdict::Proved(_)), "{verdict:?}");
+    }
 }

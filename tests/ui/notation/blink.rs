@@ -29,7 +29,6 @@ grafcet! {
         (B, C) -[b && blink(500ms)]-> F -[!a]-> A;
         () -[b && blink(500ms)]-> B;
         never lamp && blink(500ms);
-        never lamp && blink(500ms, A);
         assume never a && blink(500ms, A);
     }
 }

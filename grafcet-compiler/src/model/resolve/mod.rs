@@ -22,6 +22,7 @@ mod otherwise;
 mod properties;
 mod pure;
 mod ranges;
+mod remembered;
 mod scope;
 mod text;
 mod time;
@@ -33,8 +34,8 @@ use self::blink::Owner;
 use self::named::{Named, Scale};
 use self::scope::Scope;
 use super::{
-    Arena, Blinker, Delay, DelayId, Dialect, Edge, EdgeId, ForceOrder, Id, InputId, LetId, LevelAttr, MacroId, Mention,
-    Model, Name, PartialId, Plants, Step, StepId, TransitionId, Ty,
+    Arena, Blinker, Dialect, ForceOrder, Id, InputId, LetId, LevelAttr, MacroId, Mention, Model, Name, PartialId,
+    Plants, Step, StepId, TransitionId, Ty,
 };
 use crate::ast;
 use crate::diagnostic::{Mark, Sink, rules};
@@ -169,6 +170,7 @@ fn empty(chart: &ast::Chart) -> Model {
         often: Vec::new(),
         longest_cycle: None,
         properties: Vec::new(),
+        memories: Arena::default(),
         plants: Plants::default(),
         mentions: Vec::new(),
     }
@@ -350,19 +352,6 @@ impl Resolver<'_> {
     /// Something could not be resolved and is missing from the model.
     fn lose(&mut self) {
         self.model.incomplete = true;
-    }
-
-    /// The memory of an edge; equal expressions share one.
-    fn edge(&mut self, edge: Edge) -> EdgeId {
-        let same = self.model.edges.iter().find(|(_, e)| e.of.tree.is_alike(&edge.of.tree)).map(|(id, _)| id);
-        same.unwrap_or_else(|| self.model.edges.push(edge))
-    }
-
-    /// A delay; equal ones share their timer.
-    fn delay(&mut self, delay: Delay) -> DelayId {
-        let same = |d: &Delay| (d.on, d.off) == (delay.on, delay.off) && d.of.tree.is_alike(&delay.of.tree);
-        let found = self.model.delays.iter().find(|(_, d)| same(d)).map(|(id, _)| id);
-        found.unwrap_or_else(|| self.model.delays.push(delay))
     }
 }
 

@@ -30,7 +30,7 @@ pub(super) struct Named {
     /// How many inputs, outputs, variables and params are declared before it.
     before: [usize; 4],
     /// What it stands for; not known before its first use, as its edges are no others than those of the uses.
-    known: Option<Expr>,
+    pub(super) known: Option<Expr>,
     /// Something in it is wrong, and was said.
     broken: bool,
     pub(super) size: Size,

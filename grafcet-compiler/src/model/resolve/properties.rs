@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 
 use super::expr::Seen;
 use super::scope::Meaning;
-use super::{Resolver, expr};
+use super::{Resolver, expr, remembered};
 use crate::ast;
 use crate::diagnostic::Mark;
 use crate::model::{Assumption, Claim, Expr, LetId, Name, Property, Read, StepId};
@@ -61,6 +61,7 @@ impl Resolver<'_> {
                 | Read::Delay(_)
                 | Read::Elapsed(..)
                 | Read::MacroElapsed(..)
+                | Read::Memory(_)
                 | Read::Blink(_) => format!("{this} a time"),
             };
             self.sink.notation(mark, format!("{why}, and {what}"));
@@ -141,31 +142,12 @@ impl Resolver<'_> {
         }
     }
 
-    /// A condition of a property: what can be seen at the end of a cycle.
+    /// A condition of a property: about the ends of cycles. Its edges and delays are none of the chart's, which would remember them.
     fn claimed(&mut self, condition: &syn::Expr) -> Expr {
-        let (condition, places) = expr::resolve_with_places(condition, self);
-        let why = "a property is about the end of a cycle";
-        for Seen { read, mark, within } in places {
-            let this = self.subject(within);
-            let what = match read {
-                Read::Rising(_) | Read::Falling(_) => "an edge takes two; name what holds at the end of one".to_owned(),
-                Read::Delay(_) | Read::Blink(_) => {
-                    format!(
-                        "{this} a time with a memory of its own; name the step or output that matters, or a step's time"
-                    )
-                }
-                Read::Name(_)
-                | Read::Active(_)
-                | Read::Since(_)
-                | Read::Elapsed(..)
-                | Read::MacroActive(_)
-                | Read::MacroSince(_)
-                | Read::MacroElapsed(..)
-                | Read::Ticks(_) => continue,
-            };
-            self.sink.notation(mark, format!("{why}; {what}"));
-        }
-        condition
+        let of_chart = self.sampled_apart();
+        let condition = expr::resolve(condition, self);
+        let own = self.sampled_again(of_chart);
+        remembered::Remembering { own: &own, model: &mut self.model }.expr(&condition)
     }
 
     /// Who a sentence about something that is read speaks of.

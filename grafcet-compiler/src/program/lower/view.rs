@@ -53,6 +53,8 @@ impl<'m> Lower<'_, 'm> {
             Read::MacroActive(id) => self.macro_active(id, moment),
             Read::MacroSince(id) => self.macro_since(id, moment),
             Read::Rising(_) | Read::Falling(_) if moment == Moment::Start => no(),
+            // Only properties have it, of which a program knows nothing.
+            Read::Memory(_) => no(),
             Read::Rising(id) => self.edge(id.index(), moment, true),
             Read::Falling(id) => self.edge(id.index(), moment, false),
             Read::Delay(id) => Expr::Place(self.delay(id).output),

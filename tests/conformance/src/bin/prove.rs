@@ -112,6 +112,14 @@ fn random(charts: u64, options: &Options) -> Result<bool, String> {
             grafcet_conformance::prove::number(number, kind, &mut counts)?;
             number += 1;
         }
+        if !timed {
+            number = options.first;
+            let before = counts.charts as u64;
+            while counts.charts as u64 - before < charts {
+                grafcet_conformance::prove::remembering(number, grafcet, options.cycles, &mut counts)?;
+                number += 1;
+            }
+        }
         let name = if grafcet { "grafcet" } else { "sfc" };
         let times = if timed { " with times" } else { "" };
         let seconds = start.elapsed().as_secs_f64();
@@ -232,7 +240,7 @@ fn say(program: &Program<'_>, circuit: &Circuit, property: usize, verdict: &Verd
                 for line in words::ways(&proof.ways) {
                     println!("    {line}");
                 }
-                for line in words::clocks(program, &proof.clocks) {
+                for line in words::clocks(program, &proof.clocks).iter().chain(&proof.known) {
                     println!("    {line}");
                 }
                 for line in words::lines(program, circuit, &proof.invariant) {

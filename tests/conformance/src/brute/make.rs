@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::draw::Arrow;
 use super::hierarchy::Body;
+use super::memories::{self, Over};
 use super::words::Words;
 use crate::random::Rng;
 
@@ -118,6 +119,49 @@ pub fn by_recipe(chart: &str, number: u64) -> String {
 #[must_use]
 pub fn with_param(chart: &str) -> String {
     chart.replace(AS_INPUT, "param k: u8 in 1..=3 = 2;\n")
+}
+
+/// A counting chart that claims, of some conditions at a time, that one does not hold with another that stands below an edge or a delay; and
+/// beside it what brute force takes for it, which says the same without them.
+#[must_use]
+pub(crate) fn remembering(number: u64, grafcet: bool) -> (String, String, Vec<Over>) {
+    let mut rng = Rng::new(number ^ 0x3e_3e);
+    let text = counting(number, grafcet, false);
+    let is_property = |line: &str| ["never ", "always ", "home "].iter().any(|word| line.starts_with(word));
+    let mut lines: Vec<String> = text.lines().filter(|line| !is_property(line)).map(str::to_owned).collect();
+    let is_step = |line: &&str| line.contains("step ") && !line.contains("macro");
+    let steps = text.lines().filter(is_step).filter_map(|line| line.strip_suffix(" {")?.rsplit(' ').next());
+    let steps: Vec<&str> = steps.collect();
+    let names = text.lines().filter_map(|line| line.split_once(' ')?.1.strip_suffix(": bool;"));
+    let names: Vec<&str> = names.collect();
+    let mut one = || {
+        let not = if rng.chance(30) { "!" } else { "" };
+        match rng.below(6) {
+            0 => format!("(n == {})", rng.below(4)),
+            1 | 2 => format!("{not}{}.X", rng.pick(&steps)),
+            3 => format!("({not}{}.X && {})", rng.pick(&steps), rng.pick(&names)),
+            _ => format!("{not}{}", rng.pick(&names)),
+        }
+    };
+    let (mut judged, mut overs, end) = (lines.clone(), Vec::new(), lines.len() - 1);
+    // Time passes, whatever the chart asks.
+    let timed = format!("never {}.T > 2m && {0}.T < 2m;", steps[0]);
+    for index in 0..4 {
+        let (of, other) = (one(), one());
+        let over = match (number + index) % 5 {
+            0 => Over::Rise,
+            1 => Over::Fall,
+            2 => Over::Delay(1_000, 0),
+            3 => Over::Delay(1_000, 2_000),
+            _ => Over::RiseOfDelay(1_000),
+        };
+        lines.insert(end, format!("never {other} && {of};"));
+        judged.insert(end, format!("never {other} && {};", memories::text(over, &of)));
+        overs.insert(0, over);
+    }
+    lines.insert(end + 4, timed.clone());
+    judged.insert(end + 4, timed);
+    (lines.join("\n") + "\n", judged.join("\n") + "\n", overs)
 }
 
 /// A counting chart, which claims something over several cycles, too, and may say which inputs come again and again.

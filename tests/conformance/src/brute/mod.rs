@@ -7,7 +7,7 @@
 //! - `circles`: what turns for ever whenever it is entered
 //! - `rules`: what is reported beside what happens
 //! - `nested`: what is decided by reduction
-//! - `claims`: the properties that stand in the chart; `responses`: those over more than one cycle
+//! - `claims`: the properties that stand in the chart; `responses`: those over more than one cycle; `memories`: their edges and delays
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
 
@@ -19,6 +19,7 @@ mod facts;
 pub mod graph;
 mod hierarchy;
 pub mod make;
+pub(crate) mod memories;
 mod nested;
 mod replay;
 pub(crate) mod responses;

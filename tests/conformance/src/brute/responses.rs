@@ -43,7 +43,7 @@ pub(crate) fn broken(model: &Model, graph: &Graph, claim: &Claim) -> Result<Opti
 }
 
 /// By state and cycle, two conditions at its end.
-struct Edges(Vec<Vec<(bool, bool)>>);
+pub(super) struct Edges(Vec<Vec<(bool, bool)>>);
 
 /// How much time passes before a cycle: the graph has each valuation without time first, then with a leap.
 fn elapsed(graph: &Graph, index: usize) -> u32 {
@@ -51,14 +51,14 @@ fn elapsed(graph: &Graph, index: usize) -> u32 {
 }
 
 impl Edges {
-    fn of(model: &Model, graph: &Graph, one: &Tree, other: &Tree) -> Result<Self, String> {
+    pub(super) fn of(model: &Model, graph: &Graph, one: &Tree, other: &Tree) -> Result<Self, String> {
         let both = |edge: &Edge| Ok((graph.holds(model, edge, one)?, graph.holds(model, edge, other)?));
         let of_state = |edges: &Vec<Edge>| edges.iter().map(both).collect::<Result<_, String>>();
         Ok(Self(graph.states.iter().map(|state| of_state(&state.cycles)).collect::<Result<_, _>>()?))
     }
 
     /// After how many cycles `next` says first that it is broken.
-    fn shortest<S: Ord + Copy>(
+    pub(super) fn shortest<S: Ord + Copy>(
         &self,
         graph: &Graph,
         start: S,

@@ -87,6 +87,7 @@ impl Search<'_> {
             },
             Read::Rising(id) | Read::Falling(id) => self.tree(&model.edges[id].of.tree),
             Read::Delay(id) => self.tree(&model.delays[id].of.tree),
+            Read::Memory(id) => self.tree(&model.memories[id].of.tree),
             Read::Name(Name::Var(id)) => self.place(Place::Var(id)),
             Read::Name(Name::Output(id)) => self.place(Place::Output(id)),
             Read::Name(Name::Input(_) | Name::Param(_)) | Read::Ticks(_) => {}
