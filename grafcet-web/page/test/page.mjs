@@ -12,8 +12,9 @@ const [folder, pictures] = process.argv.slice(2).map(path => resolve(path));
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 await mkdir(pictures, { recursive: true });
 const server = await serve(folder), browser = await start();
-// So many milliseconds from a key to the drawing, of a chart of 100 steps. The page means to take less than 100; a machine that does other things, too, takes longer.
-const LONGEST = 300;
+// So many milliseconds from a key to the drawing, of a chart of 100 steps, say that something is wrong. The page means to take less than 100, which is
+// printed and not asked here: a machine that does other things, too, takes several times as long.
+const LONGEST = 1000;
 
 const ready = page => page.waitForSelector("#run:not(:disabled)");
 const settled = (page, text) => page.waitForFunction(text => globalThis.playground.looked?.text === text && playground.drawn?.text === text, text);
