@@ -78,6 +78,7 @@ pub(crate) struct Charts {
 Examples:
   cargo grafcet check                          the crate in this folder
   cargo grafcet check src/press.rs --chart Press
+  cargo grafcet check --watch                  beside the editor
   cargo grafcet check --format sarif > charts.sarif    for code scanning in CI
 
 Exit code 1 says that a chart has errors, with --deny-warnings also that it has warnings.")]
@@ -96,6 +97,9 @@ pub(crate) struct Check {
     /// Exit code 1 for warnings, too
     #[arg(long)]
     pub(crate) deny_warnings: bool,
+    /// Check again whenever one of the files has changed, until Ctrl-C
+    #[arg(long, conflicts_with_all = ["format", "json", "sarif"])]
+    pub(crate) watch: bool,
     /// Let a solver decide the properties that the checker leaves open, as the feature `prove` of the crate `grafcet` does
     #[arg(long)]
     pub(crate) prove: bool,

@@ -8,9 +8,13 @@ use grafcet_compiler::{Wanted, diagnose};
 use crate::args::{Check, Format};
 use crate::find::{self, Found};
 use crate::report::{Message, human, json, sarif};
-use crate::{Failure, Outcome, say};
+use crate::{Failure, Outcome, say, watch};
 
 pub(crate) fn run(options: &Check) -> Result<Outcome, Failure> {
+    if options.watch { watch::run(&options.charts, || once(options)) } else { once(options) }
+}
+
+fn once(options: &Check) -> Result<Outcome, Failure> {
     let format = match (options.json, options.sarif) {
         (true, _) => Format::Json,
         (_, true) => Format::Sarif,

@@ -15,6 +15,7 @@ mod replay;
 mod report;
 mod simulate;
 mod suite;
+mod watch;
 
 use std::ffi::OsString;
 use std::fmt;

@@ -50,6 +50,31 @@ pub(crate) fn charts(options: &Charts) -> Result<Vec<Found>, Failure> {
     Ok(charts)
 }
 
+/// A folder in which files lie that may have charts.
+pub(crate) struct Folder {
+    pub(crate) path: PathBuf,
+    pub(crate) with_all_below: bool,
+}
+
+/// Where the files lie that are meant: those that are named, or of a crate all that lie beside the first file of a target or below it; in the crate's
+/// own folder, in which all else lies, those beside it alone.
+///
+/// # Errors
+/// Cargo does not tell.
+pub(crate) fn folders(options: &Charts) -> Result<Vec<Folder>, Failure> {
+    let files = if options.files.is_empty() { package::targets(options)?.files } else { options.files.clone() };
+    let mut folders: Vec<Folder> = Vec::new();
+    for file in files {
+        // A file that is named alone lies here.
+        let path = file.parent().filter(|path| !path.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_path_buf();
+        let with_all_below = options.files.is_empty() && !path.join("Cargo.toml").is_file();
+        if folders.iter().all(|folder| folder.path != path) {
+            folders.push(Folder { path, with_all_below });
+        }
+    }
+    Ok(folders)
+}
+
 /// The one chart that is meant.
 ///
 /// # Errors
