@@ -59,6 +59,7 @@ impl Net {
         let assumed_never = assumed_never.iter().map(|tree| compiler.formula(tree)).list();
         let Compiler { atoms, edges, shared, numbers, differences, .. } = compiler;
         let calls = atoms.ids().filter(|atom| atoms[*atom].what.may_differ()).list();
+        let has_volatile = atoms.values().any(|atom| atom.volatile);
         let links = Links::of(model, &atoms, &differences, &numbers);
         let presumed = unfollowed::presumed(&atoms, &links);
         let unfollowed = unfollowed::atoms(&atoms, &links, &presumed);
@@ -73,6 +74,7 @@ impl Net {
             atoms,
             links,
             calls,
+            has_volatile,
             edges,
             shared,
             actions,

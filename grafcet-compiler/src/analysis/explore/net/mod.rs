@@ -64,6 +64,8 @@ pub(crate) struct Net {
     pub(crate) links: Links,
     /// Atoms whose values may differ in each evaluation.
     pub(crate) calls: Vec<AtomId>,
+    /// Actions that are not followed may change some atoms.
+    pub(crate) has_volatile: bool,
     pub(crate) edges: Vec<Option<Formula>>,
     pub(crate) shared: Vec<Formula>,
     pub(crate) actions: Actions,

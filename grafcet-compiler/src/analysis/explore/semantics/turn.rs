@@ -106,7 +106,7 @@ pub(super) fn of(
     }
     if evolution.is_power_of_two() {
         *anchor = Some(Anchor::new(valuation, evolution, cleared.len()));
-    } else if let Some(anchor) = anchor {
+    } else if let Some(anchor) = anchor.as_mut().filter(|anchor| anchor.asked == valuation.tape.asked()) {
         anchor.since.push(Moment::of(valuation));
     }
     None

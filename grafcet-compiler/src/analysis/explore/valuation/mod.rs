@@ -297,7 +297,7 @@ impl<'n> Valuation<'n> {
     pub(crate) fn forget_volatile(&mut self) {
         self.acted = true;
         let net = self.net;
-        if !self.given.learnt().iter().any(|atom| net.atoms[*atom].volatile) {
+        if !net.has_volatile || !self.given.learnt().iter().any(|atom| net.atoms[*atom].volatile) {
             return;
         }
         self.impossible |= !self.goes_together();
