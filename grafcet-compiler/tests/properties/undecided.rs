@@ -157,3 +157,13 @@ fn too_many_inputs() {
     assert!(undecided.iter().all(|one| one.contains("asks for 24 inputs, `i0`, `i1`")), "{said:#?}");
     assert!(!undecided.is_empty(), "{said:#?}");
 }
+
+/// What was known of a variable before an action wrote it, which is not looked into, is not known behind it: in the search that leaves A where `n` is 0, C is entered
+/// as well as E.
+#[test]
+fn what_an_action_has_changed_is_not_known_any_more() {
+    holds(
+        "grafcet C { input a: bool; var n: u8; initial step A; step B { P1 n = next(n); } step C; step E; \
+         A -[n == 0 && a]-> B; B -[n != 0]-> C; B -[n == 0]-> E; C -[!a]-> A; E -[!a]-> A; }",
+    );
+}
