@@ -1,22 +1,13 @@
 //! Programs worked out by hand: the listings of the source document, timelines, and functions.
 
+mod common;
+
 #[path = "machine/mod.rs"]
 mod machine;
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::model::Model;
-use grafcet_compiler::plant;
+use common::model;
 use grafcet_exchange::st::{Form, Options, structured_text};
 use machine::{Machine, Statement, Value, statements, units};
-
-fn model(chart: &str) -> Model {
-    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
-    let mut sink = Sink::new();
-    let model = plant::model(tokens, &mut sink);
-    let said = sink.finish();
-    assert!(said.is_empty(), "{said:?}");
-    model.expect("a chart")
-}
 
 fn program(chart: &str, form: Form) -> String {
     match structured_text(&model(chart), &Options { form, ..Options::default() }) {

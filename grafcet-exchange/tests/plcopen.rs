@@ -1,22 +1,13 @@
 //! PLCopen XML. The schema says nothing of its licence and so is not kept here; these are its rules that matter, and what it does not say: who is connected
 //! with whom, and where.
 
+mod common;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::model::Model;
-use grafcet_compiler::plant;
+use common::model;
 use grafcet_exchange::plcopen::{Options, plcopen};
 use roxmltree::{Document, Node};
-
-fn model(chart: &str) -> Model {
-    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
-    let mut sink = Sink::new();
-    let model = plant::model(tokens, &mut sink);
-    let said = sink.finish();
-    assert!(said.is_empty(), "{said:?}");
-    model.expect("a chart")
-}
 
 /// Branches that join again, parallel branches, jumps back, a condition, a value, an edge, a time.
 const CHART: &str = "sfc Cell {

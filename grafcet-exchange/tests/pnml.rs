@@ -1,21 +1,12 @@
 //! PNML, read back by a reader of XML.
 
+mod common;
+
 use std::collections::{BTreeMap, BTreeSet};
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::model::Model;
-use grafcet_compiler::plant;
+use common::model;
 use grafcet_exchange::pnml::pnml;
 use roxmltree::{Document, Node};
-
-fn model(chart: &str) -> Model {
-    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
-    let mut sink = Sink::new();
-    let model = plant::model(tokens, &mut sink);
-    let said = sink.finish();
-    assert!(said.is_empty(), "{said:?}");
-    model.expect("a chart")
-}
 
 /// The text of a child of this name.
 fn text(node: Node<'_, '_>, child: &str) -> Option<String> {

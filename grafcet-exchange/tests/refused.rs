@@ -1,8 +1,8 @@
 //! What has no translation is an error that says why; nothing else is written.
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::model::Model;
-use grafcet_compiler::plant;
+mod common;
+
+use common::model;
 use grafcet_exchange::st::{Form, Options, structured_text};
 
 const BOTH: [Form; 2] = [Form::Case, Form::FlipFlops];
@@ -114,15 +114,6 @@ const CASES: [(&[Form], &str, &str); 20] = [
 ];
 
 /// One that the compiler accepts.
-fn model(chart: &str) -> Model {
-    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
-    let mut sink = Sink::new();
-    let model = plant::model(tokens, &mut sink);
-    let said = sink.finish();
-    assert!(said.is_empty(), "{said:?}");
-    model.expect("a chart")
-}
-
 #[test]
 fn what_has_no_translation() {
     for (forms, chart, why) in CASES {

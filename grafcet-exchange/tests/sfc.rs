@@ -1,20 +1,11 @@
 //! SFC of IEC 61131-3 in its textual form: what is written is worked out by hand, what is not has its reason.
 
-use grafcet_compiler::diagnostic::Sink;
-use grafcet_compiler::model::Model;
-use grafcet_compiler::plant;
+mod common;
+
+use common::model;
 use grafcet_exchange::sfc::textual;
 
 /// A chart that the compiler accepts.
-fn model(chart: &str) -> Model {
-    let tokens = chart.parse().unwrap_or_else(|error| panic!("{chart}: {error}"));
-    let mut sink = Sink::new();
-    let model = plant::model(tokens, &mut sink);
-    let said = sink.finish();
-    assert!(said.is_empty(), "{said:?}");
-    model.expect("a chart")
-}
-
 /// The program without its header, its lines without what is said behind them.
 fn program(chart: &str) -> Vec<String> {
     let done = textual(&model(chart)).expect("a translation");

@@ -10,6 +10,7 @@ use super::{Action, Block, Chart, Step, Transition, fits, order};
 use crate::Refused;
 use crate::st::expr::{At, Kind, Scope, Steps, plain};
 use crate::st::frame::{self, Frame};
+use crate::st::header;
 use crate::st::names::Names;
 use crate::st::syntax::{Program, Statement, Variable};
 use crate::st::text::Text;
@@ -171,16 +172,9 @@ fn header(model: &Model, scope: &Scope<'_>, chart: Option<&(String, String)>) ->
         lines.insert(0, about);
     }
     lines.extend(chart.map(|(chart, name)| format!("Renamed: the chart `{chart}` is {name}.")));
-    for (chart, name) in &scope.names.renamed {
-        lines.push(format!("Renamed: `{chart}` of the chart is {name}."));
-    }
-    for stub in &scope.stubs {
-        lines.push(format!("To be written by you: {}, in Rust `{}`.", stub.name, stub.rust));
-    }
-    let late: Vec<String> =
-        model.steps.values().filter(|step| step.late.is_some()).map(|step| plain(&step.name)).collect();
-    if !late.is_empty() {
-        lines.push(format!("Left out: `within` of {}; where a transition asks for it, it is there.", late.join(", ")));
+    header::own_names(scope, &mut lines);
+    if let Some(late) = header::supervised(model) {
+        lines.push(format!("Left out: `within` of {late}; where a transition asks for it, it is there."));
     }
     lines
 }

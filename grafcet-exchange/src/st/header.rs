@@ -47,15 +47,25 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
             "The timers of steps are called twice in a scan: to read them, and to begin with the step.".to_owned(),
         );
     }
+    own_names(scope, lines);
+    if let Some(late) = supervised(model) {
+        lines.push(format!("Left out: `within` of {late}, which no transition asks for."));
+    }
+}
+
+/// What has another name than in the chart, and what is to be written.
+pub(crate) fn own_names(scope: &Scope<'_>, lines: &mut Vec<String>) {
     for (chart, name) in &scope.names.renamed {
         lines.push(format!("Renamed: `{chart}` of the chart is {name}."));
     }
     for stub in &scope.stubs {
         lines.push(format!("To be written by you: {}, in Rust `{}`.", stub.name, stub.rust));
     }
+}
+
+/// The steps with a `within`, if there are any: `Fill, Heat`.
+pub(crate) fn supervised(model: &Model) -> Option<String> {
     let late: Vec<String> =
         model.steps.values().filter(|step| step.late.is_some()).map(|step| plain(&step.name)).collect();
-    if !late.is_empty() {
-        lines.push(format!("Left out: `within` of {}, which no transition asks for.", late.join(", ")));
-    }
+    (!late.is_empty()).then(|| late.join(", "))
 }

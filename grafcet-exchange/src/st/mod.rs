@@ -13,7 +13,7 @@ pub(crate) mod expr;
 pub(crate) mod fits;
 mod flags;
 pub(crate) mod frame;
-mod header;
+pub(crate) mod header;
 pub(crate) mod names;
 mod stubs;
 pub(crate) mod syntax;
