@@ -62,12 +62,46 @@ pub fn is_inductive(circuit: &Circuit, lemmas: &[Condition], limit: &Limit) -> R
     for lemma in lemmas {
         sat.clause(&[!goes_on, term(lemma.now)]);
     }
-    for lemma in lemmas {
-        if sat.solve(&[begins, !term(lemma.now)])? || sat.solve(&[goes_on, !term(lemma.end)])? {
+    let after = after_cycle(&mut sat, circuit, lemmas, &nodes);
+    for (lemma, end) in lemmas.iter().zip(after) {
+        if sat.solve(&[begins, !term(lemma.now)])? || sat.solve(&[goes_on, !end])? {
             return Ok(false);
         }
     }
     Ok(true)
+}
+
+/// What the lemmas say once the cycle has led on: not as who found them says it, but the same gates over the latches as they then are.
+fn after_cycle(sat: &mut Sat, circuit: &Circuit, lemmas: &[Condition], nodes: &[Term]) -> Vec<Term> {
+    let aig = &circuit.aig;
+    let mut is_asked = vec![false; aig.len()];
+    lemmas.iter().for_each(|lemma| is_asked[lemma.now.node()] = true);
+    for index in (0..aig.len()).rev() {
+        if let (true, Node::And(a, b)) = (is_asked[index], aig.node(index)) {
+            (is_asked[a.node()], is_asked[b.node()]) = (true, true);
+        }
+    }
+    let mut later = nodes.to_vec();
+    for index in 0..aig.len() {
+        if let (true, Node::Free | Node::And(..)) = (is_asked[index], aig.node(index)) {
+            later[index] = sat.term();
+        }
+    }
+    for latch in &circuit.latches {
+        let (now, next) = (latch.now.node(), latch.next);
+        let next = if next.is_negated() { !nodes[next.node()] } else { nodes[next.node()] };
+        later[now] = if latch.now.is_negated() { !next } else { next };
+    }
+    let at = |later: &[Term], lit: Lit| if lit.is_negated() { !later[lit.node()] } else { later[lit.node()] };
+    for index in 0..aig.len() {
+        if let (true, Node::And(a, b)) = (is_asked[index], aig.node(index)) {
+            let (term, x, y) = (later[index], at(&later, a), at(&later, b));
+            sat.clause(&[!term, x]);
+            sat.clause(&[!term, y]);
+            sat.clause(&[term, !x, !y]);
+        }
+    }
+    lemmas.iter().map(|lemma| at(&later, lemma.now)).collect()
 }
 
 /// What is wrong with ways; none where each cube of theirs leads on as it says, with the inputs that it names and whatever the others are.
