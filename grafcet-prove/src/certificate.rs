@@ -75,7 +75,9 @@ pub fn is_inductive(circuit: &Circuit, lemmas: &[Condition], limit: &Limit) -> R
 fn after_cycle(sat: &mut Sat, circuit: &Circuit, lemmas: &[Condition], nodes: &[Term]) -> Vec<Term> {
     let aig = &circuit.aig;
     let mut is_asked = vec![false; aig.len()];
-    lemmas.iter().for_each(|lemma| is_asked[lemma.now.node()] = true);
+    for lemma in lemmas {
+        is_asked[lemma.now.node()] = true;
+    }
     for index in (0..aig.len()).rev() {
         if let (true, Node::And(a, b)) = (is_asked[index], aig.node(index)) {
             (is_asked[a.node()], is_asked[b.node()]) = (true, true);
