@@ -2,7 +2,7 @@
 
 use super::{Concurrency, Facts, Nesting, explore};
 use crate::list::{List, PushAll};
-use crate::model::{Id, Model, StepId};
+use crate::model::{Id, Model, Name, Read, StepId};
 
 /// Of charts with more steps a stored situation is not looked at: a table of pairs grows with the square of their number.
 const MOST_STEPS: usize = 256;
@@ -40,7 +40,8 @@ impl Situations {
     pub(crate) fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let row = model.steps.len().div_ceil(8);
         let most = MOST_SITUATIONS.min(MOST_BYTES / row.max(1));
-        if let Some(found) = explore::situations(model, WORK, most) {
+        let found = if forgets(model) { None } else { explore::situations(model, WORK, most) };
+        if let Some(found) = found {
             return Self::Listed(found.iter().flat(|steps| bits(steps, row)).list());
         }
         let exclusive = Concurrency::of_exclusive_branches(model);
@@ -60,6 +61,18 @@ impl Situations {
         }
         if is_whole { Self::Whole(table) } else { Self::Pairs(table) }
     }
+}
+
+/// Whether a cycle by hand (A38) leaves behind what no way of the chart's own does, and some condition asks for it: another value, an edge of a step.
+fn forgets(model: &Model) -> bool {
+    let is_of_inputs = |read: &Read| matches!(read, Read::Name(Name::Input(_) | Name::Param(_)));
+    let stays = |read: &Read| match read {
+        Read::Rising(id) | Read::Falling(id) => model.edges[*id].of.reads.iter().all(is_of_inputs),
+        Read::Name(Name::Var(_) | Name::Output(_)) | Read::Delay(_) => false,
+        // When times are over is taken to be open.
+        _ => true,
+    };
+    model.forceable && !model.transitions.values().all(|transition| transition.condition.reads.iter().all(stays))
 }
 
 /// A row with the bits of these steps.

@@ -1,11 +1,13 @@
 //! `force`: a cycle that leads into a given situation (A38), of a chart that says `forceable;`.
 //!
-//! Its evolution is given and not searched for; all else is that of an ordinary cycle, made by the plan's twin (`Plan::forced`), which keeps the situation
-//! before and the one after beside each other.
+//! Its evolution is given and not searched for; all else is that of an ordinary cycle: of a program its second one, else what the plan's twin says
+//! (`Plan::forced`), which keeps the situation before and the one after beside each other.
 
 use proc_macro2::{Literal, TokenStream};
 
 use super::bind::Moment;
+use super::machine::Machine;
+use super::names::Names;
 use super::{Cx, names, requirements, state};
 use crate::analysis::{Facts, Situations};
 use crate::list::List;
@@ -14,11 +16,10 @@ use crate::place::quote;
 use crate::plan::RegionId;
 
 /// The method and the trait, where the chart asks for them.
-pub(super) fn all(cx: &Cx<'_>, facts: &Facts<'_>, root: &TokenStream) -> Option<TokenStream> {
-    let plan = cx.plan.forced.as_deref()?;
+pub(super) fn all(cx: &Cx<'_>, facts: &Facts<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
+    let body = machine.forced.as_ref()?;
     let situations = if cx.is_alone() { Situations::Alone } else { Situations::of(cx.model, facts) };
-    let possible = possible(&situations, &cx.p);
-    Some(Cx::new(cx.model, plan, root).force(&possible))
+    Some(cx.force(&possible(&situations, &cx.p), body))
 }
 
 /// `Possible::Pairs(b"…")`
@@ -43,11 +44,18 @@ pub(super) fn possible(situations: &Situations, p: &TokenStream) -> TokenStream 
 }
 
 impl Cx<'_> {
-    fn force(&self, possible: &TokenStream) -> TokenStream {
+    /// What the plan's twin does, where the chart is not made from a program.
+    pub(super) fn forced_body(&self) -> Option<TokenStream> {
+        let plan = self.plan.forced.as_deref()?;
+        let twin = Cx { model: self.model, plan, names: Names::of(self.model), p: self.p.clone() };
+        Some(if twin.model.is_grafcet() { twin.by_search() } else { twin.by_scan() })
+    }
+
+    fn force(&self, possible: &TokenStream, body: &TokenStream) -> TokenStream {
         let Cx { model, p, names, .. } = self;
         let (vis, chart, step) = (&model.vis, &names.chart, &names.step);
         let (inputs, outputs) = (&names.inputs, &names.outputs);
-        let (ask, body) = (self.forced_situation(), if model.is_grafcet() { self.by_search() } else { self.by_scan() });
+        let ask = self.forced_situation();
         let (copied, levels) = (requirements::copied(model, p), super::types::levels(model));
         let time = self.plan.memory.time;
         let now = time.then(|| quote!(, now: impl #p::core::convert::Into<#p::Ticks>));
@@ -105,17 +113,17 @@ impl Cx<'_> {
         }
         let (p, regions) = (&self.p, 0..self.plan.regions.all().len());
         let declare = regions.clone().map(|region| {
-            let (name, ty) = (forced_state(region), self.names.region(region, self.plan));
+            let (name, ty) = (asked(region), self.names.region(region, self.plan));
             quote!(let mut #name: #p::Option<#ty> = #p::Option::None;)
         });
         let arm = |id: StepId| {
             let (name, variant) = (state::step_name(self, id), self.variant(id));
-            let region = forced_state(self.plan.regions.of_step(id));
+            let region = asked(self.plan.regions.of_step(id));
             quote!(#name => #region = #p::Option::Some(#variant),)
         };
         let arms = self.model.steps.ids().map(arm).tokens();
         let states = regions.map(|region| {
-            let name = forced_state(region);
+            let name = asked(region);
             let none = if self.plan.regions.all()[region].may_be_empty {
                 self.empty(region)
             } else {
@@ -141,7 +149,7 @@ impl Cx<'_> {
             quote!(let #after = #forced;)
         } else {
             let after = |region| {
-                let (after, forced) = (names::after(region, self.plan), forced_state(region));
+                let (after, forced) = (names::after(region, self.plan), asked(region));
                 quote!(let #after = #forced;)
             };
             (0..self.plan.regions.all().len()).map(after).tokens()
@@ -196,6 +204,6 @@ impl Cx<'_> {
 }
 
 /// The state of a region that is asked for.
-fn forced_state(region: RegionId) -> proc_macro2::Ident {
+pub(super) fn asked(region: RegionId) -> proc_macro2::Ident {
     names::local(&format!("forced{region}"))
 }

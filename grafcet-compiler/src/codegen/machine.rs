@@ -23,6 +23,8 @@ pub(super) struct Machine<'m> {
     /// The declared types among theirs: whether the chart is `Copy` depends on them.
     pub(super) stored: Vec<&'m Ty>,
     pub(super) cycle: TokenStream,
+    /// The body of a cycle that leads into the situation that is asked for.
+    pub(super) forced: Option<TokenStream>,
     /// A function that the cycle calls.
     pub(super) evolve: Option<TokenStream>,
     /// By step: whether it is active.
@@ -75,6 +77,7 @@ impl<'m> Machine<'m> {
             began: Vec::new(),
             stored: remembered.and(vars).list(),
             cycle: cx.cycle_body(),
+            forced: cx.forced_body(),
             evolve: cx.evolve_function(),
             active: model.steps.ids().map(|step| chart_impl::holds(cx, step)).list(),
             situation: chart_impl::situation(cx),

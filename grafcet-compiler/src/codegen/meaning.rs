@@ -94,7 +94,13 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
         Role::State(region) => Held::Situation(steps(region)),
         Role::First => Held::First,
         Role::Stable | Role::Settled | Role::Before | Role::Passed => Held::Deadline,
-        Role::Bit(_) | Role::Reading | Role::Recorded | Role::Param(_) | Role::Local | Role::Evolutions => return None,
+        Role::Bit(_)
+        | Role::Asked(_)
+        | Role::Reading
+        | Role::Recorded
+        | Role::Param(_)
+        | Role::Local
+        | Role::Evolutions => return None,
         Role::Time(region) | Role::Began(region) => Held::Time(steps(region)),
         Role::MacroTime(id) | Role::MacroBegan(id) => Held::MacroTime(id),
         Role::Phase { region, period } => Held::Phase(steps(region), period),

@@ -78,7 +78,7 @@ pub(crate) fn generate(
         },
         _ => Machine::planned(&cx),
     };
-    let (items, forced) = (items(&cx, &machine), force::all(&cx, facts, root));
+    let (items, forced) = (items(&cx, &machine), force::all(&cx, facts, &machine));
     let recorded = fingerprint.map(|fingerprint| {
         let situations = if cx.is_alone() { Situations::Unknown } else { Situations::stored(model, facts) };
         record::all(&cx, &machine, &situations, fingerprint)

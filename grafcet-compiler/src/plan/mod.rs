@@ -66,7 +66,7 @@ pub struct Plan {
     pub search_ends: Ends,
     /// After how many evolutions that changed something such a search is given up.
     pub max_evolutions: u32,
-    /// `forceable;`: how a cycle is made that leads into a given situation.
+    /// `forceable;`: how a cycle is made that leads into a given situation, where no program says it.
     pub forced: Option<Box<Self>>,
 }
 
@@ -75,7 +75,9 @@ impl Plan {
     #[must_use]
     pub fn of(model: &Model, facts: &Facts<'_>, races: &Races) -> Self {
         let mut plan = Self::once(model, facts, races);
-        plan.forced = model.forceable.then(|| Box::new(Self::once(model, facts, races).forced(model)));
+        if model.forceable && plan.shape.form != Form::Program {
+            plan.forced = Some(Box::new(Self::once(model, facts, races).forced(model)));
+        }
         plan
     }
 

@@ -249,13 +249,7 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
         return Form::Flags;
     }
     if is_sequence(model, plan, only_situation) {
-        // What a program does with a situation that is given is not said yet.
-        return match (model.forceable, is_long(model, plan)) {
-            (false, true) if !suits_program(model, plan.evolution) => Form::LongSequence,
-            (false, _) => Form::Program,
-            (true, true) => Form::LongSequence,
-            (true, false) => Form::Sequence,
-        };
+        return Form::Program;
     }
     // Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
     // evolution reads and writes would have to be copied too.

@@ -54,6 +54,8 @@ pub struct Program<'m> {
     pub beside: Vec<Set<StepId>>,
     pub search: Search,
     pub cycle: Vec<Statement<'m>>,
+    /// Of a chart that says `forceable;`: the cycle that leads into a situation by hand (A38).
+    pub forced: Option<Vec<Statement<'m>>>,
     /// The plants of a `counted` program, in the order of the model.
     pub plants: Vec<Program<'m>>,
     /// Of a chart that uses time.
@@ -105,6 +107,8 @@ pub enum Role {
     Before,
     /// Which step of a region is active.
     State(usize),
+    /// Which step of a region, or step of its own, is asked for by hand. Whoever asks sets it before the cycle.
+    Asked(usize),
     /// Whether a step is active.
     Bit(StepId),
     /// The time of the active step of a region; under flags, each step is one.
@@ -169,6 +173,8 @@ pub enum Type<'m> {
     State(usize),
     /// The number of an association.
     Number,
+    /// So many kinds of states, by number; each list of kinds has one of its own.
+    Kind { list: usize, count: i128 },
     Phase,
     /// A declared type that is none of these.
     User(&'m Ty),
@@ -333,6 +339,18 @@ pub struct Deadline<'m> {
     pub waits: Vec<(Expr<'m>, Expr<'m>)>,
     /// Steps that have a time, and what tells behind a cycle that it is over, where they are active.
     pub late: Vec<(StepId, Expr<'m>)>,
+}
+
+impl<'m> Program<'m> {
+    /// The cycle, and the one that is forced.
+    pub(crate) fn cycles(&self) -> impl Iterator<Item = &Vec<Statement<'m>>> {
+        std::iter::once(&self.cycle).chain(&self.forced)
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn cycles_mut(&mut self) -> impl Iterator<Item = &mut Vec<Statement<'m>>> {
+        std::iter::once(&mut self.cycle).chain(&mut self.forced)
+    }
 }
 
 impl Program<'_> {

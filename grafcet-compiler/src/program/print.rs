@@ -61,6 +61,7 @@ impl Program<'_> {
             Type::Bool => "bool".to_owned(),
             Type::Ticks => "time".to_owned(),
             Type::Number => "number".to_owned(),
+            Type::Kind { .. } => "kind".to_owned(),
             Type::Phase => "phase".to_owned(),
             Type::State(region) => {
                 let steps = self.regions.get(region).into_iter().flatten();
@@ -250,7 +251,11 @@ impl Program<'_> {
                 (format!("if {} then {} else {}", parts[0], parts[1], parts[2]), 0)
             }
             Expr::Table(place, table) => {
-                let name = if let Some((_, Value::Ticks(_))) = table.first() { "times" } else { "table" };
+                let name = match table.first() {
+                    Some((_, Value::Ticks(_))) => "times",
+                    Some((_, Value::Int(_))) => "kinds",
+                    _ => "table",
+                };
                 (format!("{name}({})", self.name(*place)), 9)
             }
             Expr::Next(place) => (format!("{} + 1", self.name(*place)), 4),

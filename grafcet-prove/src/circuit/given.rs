@@ -75,7 +75,7 @@ impl Lowering<'_, '_> {
                     Type::Ticks | Type::User(Ty::Time(_)) => self.ticks(0),
                     Type::State(_) => self.value(Value::Step(None))?,
                     Type::Phase => Sym::Phase,
-                    Type::Number => Sym::int(0),
+                    Type::Number | Type::Kind { .. } => Sym::int(0),
                     Type::User(ty @ Ty::Int { .. }) => Sym::Int(bits::constant(0), Width::of(ty)?),
                     // Which variant it is, the type says.
                     Type::User(Ty::Other(_)) => Sym::Free(self.free(&place.name, Vec::new(), false)),

@@ -406,7 +406,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             Type::Ticks | Type::User(Ty::Time(_)) => Sym::Ticks(number),
             Type::State(_) => Sym::State(number),
             Type::Phase => Sym::Phase,
-            Type::Number => Sym::Int(number, None),
+            Type::Number | Type::Kind { .. } => Sym::Int(number, None),
             Type::User(ty) => Sym::Int(number, Width::of(ty)?),
         };
         Ok((sym, Some(Kept { place: id, bits, signed })))
@@ -421,6 +421,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             Type::Ticks | Type::User(Ty::Time(_)) => (self.clock.width, false),
             Type::State(region) => (bits(self.program.regions[region].len()), false),
             Type::Number => (bits(self.program.model.associations.len()), false),
+            Type::Kind { count, .. } => (bits(usize::try_from(count).unwrap_or(usize::MAX)), false),
             Type::User(ty @ Ty::Int { .. }) => match Width::of(ty)? {
                 Some(width) => (width.bits, width.signed),
                 None => return Ok(None),

@@ -1,9 +1,10 @@
 //! Expressions.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::Printer;
 use super::user::is_input;
+use crate::codegen::names;
 use crate::list::List;
 use crate::place::quote;
 use crate::program::{Comparison, Expr, PlaceId, Type, Value};
@@ -140,6 +141,27 @@ impl<'m> Printer<'_, 'm> {
         self.eager && parts.iter().all(is_input)
     }
 
+    /// The kind of each state, and the type of the kinds: LLVM knows by it how many there are.
+    pub(super) fn kinds(&self, ty: Type<'m>, place: PlaceId, table: &[(Value, Value)]) -> (TokenStream, TokenStream) {
+        let (p, state) = (&self.cx.p, self.get(place));
+        let of_state: Map<Value, Value> = table.iter().copied().collect();
+        let states = self.layout.states(self.program, self.program.places[place.0].ty);
+        let Type::Kind { count, .. } = ty else { return Default::default() };
+        let kind_of = |state: &Value| *of_state.get(state).unwrap_or(&Value::Int(count - 1));
+        let (name, length) = (kind_type(ty), Literal::usize_suffixed(states.len()));
+        let variants = (0..count).map(kind_variant).list();
+        let kinds = states.iter().map(|state| self.constant(kind_of(state), ty)).list();
+        let declared = quote! {
+            #[derive(Clone, Copy)]
+            enum #name { #(#variants,)* }
+        };
+        let found = quote!({
+            const KINDS: [#name; #length] = [#(#kinds),*];
+            match KINDS.get(#state as #p::usize) { #p::Option::Some(found) => *found, #p::Option::None => KINDS[0] }
+        });
+        (declared, found)
+    }
+
     /// What a table has for the state of a place. None is out of its bounds, which LLVM knows.
     /// What it does not have is the state itself, or no time.
     fn table(&self, place: PlaceId, table: &[(Value, Value)]) -> TokenStream {
@@ -162,6 +184,9 @@ impl<'m> Printer<'_, 'm> {
                 match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => #p::u32::from(*found), #p::Option::None => 0 }
             }));
         }
+        if let Some(computed) = self.in_order_but(place, &states, &of_state) {
+            return computed;
+        }
         let mut values = Vec::new();
         for from in states {
             values.push(self.constant(*of_state.get(&from).unwrap_or(&from), ty));
@@ -171,6 +196,28 @@ impl<'m> Printer<'_, 'm> {
             const TABLE: [#held; #length] = [#(#values),*];
             match TABLE.get(#state as #p::usize) { #p::Option::Some(found) => *found, #p::Option::None => #state }
         })
+    }
+
+    /// Under `optimize size;` LLVM computes the next state where all arms of a match go on to the one behind, so the few jumps that a sequence
+    /// has are told apart in front of it.
+    fn in_order_but(&self, place: PlaceId, states: &[Value], of_state: &Map<Value, Value>) -> Option<TokenStream> {
+        if !self.cx.model.optimize_size {
+            return None;
+        }
+        let (ty, state) = (self.program.places[place.0].ty, self.get(place));
+        let (mut in_order, mut jumps, mut count) = (TokenStream::new(), TokenStream::new(), 0);
+        for (index, from) in states.iter().enumerate() {
+            let to = *of_state.get(from).unwrap_or(from);
+            let behind = *states.get(index + 1).unwrap_or(from);
+            let (from, to_behind) = (self.constant(*from, ty), self.constant(behind, ty));
+            in_order.extend(quote!(#from => #to_behind,));
+            if to != behind {
+                let to = self.constant(to, ty);
+                jumps.extend(quote!(#from => #to,));
+                count += 1;
+            }
+        }
+        (4 * count <= states.len()).then(|| quote!(match #state { #jumps _ => match #state { #in_order } }))
     }
 
     fn sum(&self, a: &Expr<'m>, sign: &TokenStream, b: &Expr<'m>) -> TokenStream {
@@ -199,4 +246,15 @@ impl<'m> Printer<'_, 'm> {
             _ => quote!(#left #sign #right),
         }
     }
+}
+
+/// The name of the type of some kinds.
+pub(super) fn kind_type(ty: Type<'_>) -> Ident {
+    let Type::Kind { list, .. } = ty else { return names::local("Kind") };
+    names::local(&format!("Kind{list}"))
+}
+
+/// The name of one of them.
+pub(super) fn kind_variant(kind: i128) -> Ident {
+    names::local(&format!("K{kind}"))
 }

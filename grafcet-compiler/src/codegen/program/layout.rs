@@ -3,15 +3,16 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::ToTokens;
 
-use super::Printer;
+use super::expr::kind_type;
 use super::visit::{self, Seen};
+use super::{Bodies, Printer};
 use crate::codegen::machine::Field;
-use crate::codegen::{Cx, names, rust, types};
+use crate::codegen::{Cx, force, names, rust, types};
 use crate::list::{List, PushAll};
 use crate::model::{Id, StepId, Ty};
 use crate::place::quote;
 
-use crate::program::{Arm, Initial, Phase, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use crate::program::{Arm, Initial, Phase, PlaceId, PlaceInfo, Program, Role, Type, Value};
 use crate::sorted::Set;
 
 /// How each place is stored.
@@ -52,6 +53,8 @@ enum Kind {
     /// Nothing reads or writes it, from within or from outside.
     Unused,
     Local,
+    /// A local that whoever forces the chart has set.
+    Asked,
     /// In the outputs that the cycle returns.
     Result,
     Field,
@@ -68,8 +71,8 @@ enum Kind {
 }
 
 impl Layout {
-    pub(super) fn of(cx: &Cx<'_>, program: &Program<'_>, cycle: &[Statement<'_>]) -> Self {
-        let mut used = Used::of(program, cycle);
+    pub(super) fn of(cx: &Cx<'_>, program: &Program<'_>, bodies: &Bodies<'_>) -> Self {
+        let mut used = Used::of(program, bodies);
         let mut taken: [Set<String>; 2] = [Set::new(), Set::new()];
         taken[0].extend(["params", "situation"].map(str::to_owned));
         let mut slots = Vec::new();
@@ -85,6 +88,7 @@ impl Layout {
                 Role::Param(id) => cx.model.params[id].name.clone(),
                 Role::Output(id) if kind == Kind::Result => cx.model.outputs[id].name.clone(),
                 Role::State(region) => names::region_field(region, cx.plan),
+                Role::Asked(region) => force::asked(region),
                 _ => names::local(&free(&place.name, &mut taken[usize::from(kind == Kind::Local)])),
             };
             if let (Initial::Value(value), false) = (place.initial, kind == Kind::Unused) {
@@ -115,6 +119,7 @@ impl Layout {
             Type::Phase => {
                 [Phase::First, Phase::Repeated, Phase::Final].into_iter().all(|phase| has(Value::Phase(phase)))
             }
+            Type::Kind { count, .. } => (0..count).all(|kind| has(Value::Int(kind))),
             Type::Ticks | Type::Number | Type::User(_) => false,
         }
     }
@@ -165,7 +170,8 @@ impl Layout {
         &self.slot(place).name
     }
 
-    fn number(&self, p: &TokenStream) -> TokenStream {
+    /// The type of a number that is stored.
+    pub(super) fn number(&self, p: &TokenStream) -> TokenStream {
         match self.highest {
             0..=0xff => quote!(#p::u8),
             0x100..=0xffff => quote!(#p::u16),
@@ -191,6 +197,7 @@ fn kind(place: &PlaceInfo<'_>, used: bool) -> Kind {
         Role::Param(_) => Kind::Param,
         Role::Bit(step) => Kind::Bit(step.index()),
         _ if !used && !shown => Kind::Unused,
+        Role::Asked(_) => Kind::Asked,
         Role::Output(_) if !place.is_field => Kind::Result,
         _ if !place.is_field => Kind::Local,
         _ if is_constant(place) => Kind::Field,
@@ -235,7 +242,7 @@ struct Used {
 }
 
 impl Used {
-    fn of(program: &Program<'_>, cycle: &[Statement<'_>]) -> Self {
+    fn of(program: &Program<'_>, bodies: &Bodies<'_>) -> Self {
         let mut used = Self { regions: vec![States::default(); program.regions.len()], ..Self::default() };
         let mut note = |seen: Seen| match seen {
             Seen::Read(place) | Seen::Written(place) => _ = used.places.insert(place),
@@ -246,7 +253,10 @@ impl Used {
             Seen::Entry(value) => used.has_tables |= matches!(value, Value::Step(_)),
             Seen::Value(_) => {}
         };
-        visit::block(cycle, &mut note);
+        visit::block(&bodies.cycle, &mut note);
+        if let Some(forced) = &bodies.forced {
+            visit::block(forced, &mut note);
+        }
         if let Some(deadline) = &program.deadline {
             visit::expr(&deadline.at_once, &mut note);
             note(Seen::Read(deadline.reading));
@@ -284,7 +294,7 @@ impl<'m> Printer<'_, 'm> {
         let Slot { name, kind } = self.layout.slot(place);
         match kind {
             Kind::Unused => self.initial(place),
-            Kind::Local => name.to_token_stream(),
+            Kind::Local | Kind::Asked => name.to_token_stream(),
             Kind::Result => quote!(outputs.#name),
             Kind::Field => quote!(self.#name),
             Kind::Late => {
@@ -309,7 +319,7 @@ impl<'m> Printer<'_, 'm> {
         let Slot { name, kind } = self.layout.slot(place);
         match kind {
             Kind::Unused => quote!(let _ = #value;),
-            Kind::Local => quote!(#name = #value;),
+            Kind::Local | Kind::Asked => quote!(#name = #value;),
             Kind::Result => quote!(outputs.#name = #value;),
             Kind::Field => quote!(self.#name = #value;),
             Kind::Late => {
@@ -369,6 +379,7 @@ impl<'m> Printer<'_, 'm> {
             (Type::Number, _) if self.info(place).role == Role::Evolutions => quote!(#p::u32),
             (Type::Number, _) => self.layout.number(p),
             (Type::Phase, _) => quote!(#p::Phase),
+            (ty @ Type::Kind { .. }, _) => kind_type(ty).to_token_stream(),
         }
     }
 
@@ -381,7 +392,7 @@ impl<'m> Printer<'_, 'm> {
             (Initial::Default, Type::Ticks) => quote!(#p::Ticks::ZERO),
             (Initial::Default, Type::Bool) => quote!(false),
             (Initial::Default, Type::User(ty)) => types::initial_value(None, ty, p),
-            (Initial::Default, Type::Number) => quote!(0),
+            (Initial::Default, Type::Number | Type::Kind { .. }) => quote!(0),
             (Initial::Default, Type::Phase) => quote!(#p::Phase::First),
             (Initial::Default, Type::State(region)) => self.cx.empty(region),
         }
@@ -409,7 +420,7 @@ impl<'m> Printer<'_, 'm> {
                     let (marked, initial) = (self.cx.names.marked(self.cx.plan), self.initial(place));
                     fields.push(Field { name, ty: marked.to_token_stream(), initial: quote!(#marked::of(#initial)) });
                 }
-                Kind::Unused | Kind::Local | Kind::Result | Kind::Param | Kind::Bit(_) | Kind::Mark => {}
+                Kind::Unused | Kind::Local | Kind::Asked | Kind::Result | Kind::Param | Kind::Bit(_) | Kind::Mark => {}
             }
         }
         fields

@@ -28,7 +28,7 @@ use crate::program::{self, PlaceId, Program, Role, Statement};
 
 /// What the fields of a program's state hold, by their names.
 pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)> {
-    let layout = Layout::of(cx, program, &statement::unwatched(&program.cycle));
+    let layout = Layout::of(cx, program, &Bodies::of(program));
     let mut held = Vec::new();
     if cx.plan.shape.is_flags() {
         held.push((layout::flags().to_string(), Held::Flags { steps: cx.model.steps.ids().list(), has_start: false }));
@@ -39,6 +39,21 @@ pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)
         }
     }
     held
+}
+
+/// The cycle and the forced one, without what observers are told.
+struct Bodies<'m> {
+    cycle: Vec<Statement<'m>>,
+    forced: Option<Vec<Statement<'m>>>,
+}
+
+impl<'m> Bodies<'m> {
+    fn of(program: &Program<'m>) -> Self {
+        Self {
+            cycle: statement::unwatched(&program.cycle),
+            forced: program.forced.as_deref().map(statement::unwatched),
+        }
+    }
 }
 
 /// What is printed, and what is known about it meanwhile.
@@ -52,8 +67,9 @@ struct Printer<'p, 'm> {
 
 /// The state and the cycle of a chart as its program says.
 pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
-    let cycle = statement::unwatched(&program.cycle);
-    let layout = Layout::of(cx, program, &cycle);
+    let bodies = Bodies::of(program);
+    let layout = Layout::of(cx, program, &bodies);
+    let cycle = &bodies.cycle;
     let eager = !cycle.iter().any(|statement| matches!(statement, Statement::Loop { rounds: 2.., .. }));
     let printer = Printer { cx, program, layout, eager };
     Machine {
@@ -63,7 +79,8 @@ pub(super) fn machine<'m>(cx: &Cx<'m>, program: &Program<'m>) -> Machine<'m> {
         began: printer.began(),
         fields: printer.fields(),
         stored: printer.stored(),
-        cycle: printer.cycle(&cycle),
+        cycle: printer.cycle(cycle),
+        forced: bodies.forced.as_deref().map(|forced| printer.cycle(forced)),
         evolve: None,
         active: cx.model.steps.ids().map(|step| printer.is_active(step)).list(),
         situation: printer.situation(),

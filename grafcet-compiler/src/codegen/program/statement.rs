@@ -4,6 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use syn::Lifetime;
 
 use super::Printer;
+use super::expr::{kind_type, kind_variant};
 use super::scope::Scope;
 use crate::list::List;
 use crate::place::{self, quote};
@@ -121,13 +122,16 @@ impl<'m> Printer<'_, 'm> {
     fn statement(&self, statement: &Statement<'m>, number: usize, lines: &mut Lines<'_>) -> TokenStream {
         match statement {
             Statement::Set(place, value) => {
-                let value = self.set_to(*place, value);
+                let (kinds, value) = match (self.info(*place).ty, value) {
+                    (ty @ Type::Kind { .. }, Expr::Table(of, table)) => self.kinds(ty, *of, table),
+                    _ => (TokenStream::new(), self.set_to(*place, value)),
+                };
                 if !lines.scope.declares[number] {
                     return self.put(*place, &value);
                 }
                 let (ty, name) = (self.ty(*place), self.layout.name(*place));
                 let mutable = lines.scope.mutable[place.0].then(|| quote!(mut));
-                quote!(let #mutable #name: #ty = #value;)
+                quote!(#kinds let #mutable #name: #ty = #value;)
             }
             Statement::If(condition, then, otherwise) => self.branches(condition, then, otherwise, lines),
             Statement::Match(place, arms, otherwise) => self.arms(*place, arms, otherwise, lines),
@@ -218,6 +222,10 @@ impl<'m> Printer<'_, 'm> {
         let p = &self.cx.p;
         match value {
             Value::Bool(value) => quote!(#value),
+            Value::Int(kind) if matches!(ty, Type::Kind { .. }) => {
+                let (kinds, kind) = (kind_type(ty), kind_variant(kind));
+                quote!(#kinds::#kind)
+            }
             Value::Int(number) => {
                 let number = Literal::i128_unsuffixed(number);
                 quote!(#number)

@@ -2,7 +2,7 @@
 //!
 //! A time that is compared with literals alone is the reading at which it began: what has passed is `now - began`, which is exact as long as
 //! two cycles lie less than 2^31 ticks apart. It cannot wrap, however long a step stays active: what can go on beyond the longest of its
-//! literals is kept there (`bounds`). Every other time is counted, and saturates.
+//! literals is kept there (`bound_times`). Every other time is counted, and saturates.
 
 use super::changes::{Change, Changes, changes, is_time_of_step};
 use super::places::{Phases, plain, time, truth};
@@ -207,8 +207,7 @@ impl<'m> Lower<'_, 'm> {
                 None => longest.push((*of, end)),
             }
         }
-        longest.retain(|bound| self.outlasted.contains(bound));
-        self.bounds = longest;
+        self.longest = longest;
     }
 
     /// The time that an expression of the deadline is about, from the reading at which it began.

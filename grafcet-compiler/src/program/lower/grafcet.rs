@@ -1,6 +1,6 @@
 //! The cycle of a `grafcet`, IEC 60848: the search for stability.
 
-use super::Lower;
+use super::{Cycles, Lower};
 use crate::list::{List, PushAll};
 use crate::model::{Effect, Id, OutputId, Place};
 use crate::program::build::{all, any, compare, differ, no, not, number, part, when, yes};
@@ -8,10 +8,20 @@ use crate::program::{Comparison, Expr, Initial, Mark, PlaceId, Role, Statement, 
 
 use super::stored::Stored;
 
+/// What every evolution does, however it is found: in the order of its three parts.
+pub(super) struct Round<'m> {
+    /// The situation and the values before it.
+    pub(super) look: Vec<Statement<'m>>,
+    /// The stored actions.
+    pub(super) stored: Vec<Statement<'m>>,
+    /// It takes place, and observers are told.
+    pub(super) commit: Vec<Statement<'m>>,
+}
+
 impl<'m> Lower<'_, 'm> {
     /// "Evolutions until the situation is stable; stored actions run with their evolution, continuous ones are evaluated once, on the
     /// stable situation."
-    pub(super) fn search_cycle(&mut self) -> Vec<Statement<'m>> {
+    pub(super) fn search_cycle(&mut self) -> Cycles<'m> {
         let on = Initial::Value(Value::Bool(true));
         let stable = (!self.search_ends).then(|| self.field("stable".to_owned(), Role::Stable, Type::Bool, on));
         let mut stored = self.stored_places();
@@ -29,11 +39,15 @@ impl<'m> Lower<'_, 'm> {
             let first = vec![Statement::If(Expr::Place(self.first), activate, Vec::new())];
             part(&mut cycle, "activation of the initial situation (A37)", first);
         }
-        let body = self.evolution(stable, &mut stored);
+        let round = self.round(&mut stored);
+        let mut forced = self.model.forceable.then(|| cycle.clone());
         let rounds = self.bound.saturating_add(1);
+        let body = self.evolution(stable, &stored, &round);
         part(&mut cycle, "search for stability (A24, A25, A30)", vec![Statement::Loop { rounds, body }]);
+        let found = cycle.len();
         self.continuous(&mut cycle);
         self.remember_passed();
+        let acted = cycle.len();
         part(&mut cycle, "times that are over", self.bound_times());
         part(&mut cycle, "whether the next cycle would do the same", self.settle_search(stable, &kept));
         let mut end = Vec::new();
@@ -41,21 +55,45 @@ impl<'m> Lower<'_, 'm> {
         when(&mut end, stable.map_or_else(yes, Expr::Place), self.use_up_edges());
         end.push(Statement::Set(self.first, no()));
         part(&mut cycle, "end", end);
-        cycle
+        if let Some(forced) = &mut forced {
+            forced.append(&mut self.force_search(&round, stable));
+            forced.extend_from_slice(&cycle[found..acted]);
+            part(forced, "times that are over", self.bound_times_by_hand());
+            part(forced, "the next cycle is due at once", self.unsettle());
+            part(forced, "end", vec![Statement::Set(self.first, no())]);
+        }
+        Cycles { own: cycle, forced }
+    }
+
+    /// What every evolution does, however it is found.
+    fn round(&mut self, stored: &mut Stored<'m>) -> Round<'m> {
+        let none_yet = compare(Comparison::Equal, Expr::Place(self.evolutions), number(0));
+        let fresh = all(vec![Expr::Place(self.first), none_yet]);
+        let mut look = Vec::new();
+        part(&mut look, "the situation before", self.copy_situation());
+        part(&mut look, "edges and combinational variables (A2, A22)", self.sample_evolution(&fresh));
+        let (writes, mut commit) = self.stored_actions(stored);
+        commit.push_all(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
+        commit.push_all(self.begin_times());
+        commit.push_all(self.use_up_edges());
+        // Without a bound it is enough to know whether there has been one.
+        let count = if self.search_ends { number(1) } else { Expr::Next(self.evolutions) };
+        commit.push(Statement::Set(self.evolutions, count));
+        let mut acts = Vec::new();
+        part(&mut acts, "stored actions, on the values before (A5)", writes);
+        let mut all_at_once = Vec::new();
+        part(&mut all_at_once, "it takes place, all at once (A6)", commit);
+        part(&mut all_at_once, "what observers are told", self.tell_evolution());
+        Round { look, stored: acts, commit: all_at_once }
     }
 
     /// One round of the search.
-    fn evolution(&mut self, stable: Option<PlaceId>, stored: &mut Stored<'m>) -> Vec<Statement<'m>> {
-        let mut body = Vec::new();
-        part(&mut body, "the situation before", self.copy_situation());
-        let none_yet = compare(Comparison::Equal, Expr::Place(self.evolutions), number(0));
-        let fresh = all(vec![Expr::Place(self.first), none_yet]);
-        part(&mut body, "edges and combinational variables (A2, A22)", self.sample_evolution(&fresh));
+    fn evolution(&self, stable: Option<PlaceId>, stored: &Stored<'m>, round: &Round<'m>) -> Vec<Statement<'m>> {
+        let mut body = round.look.clone();
         part(&mut body, "what nothing above keeps from clearing (A13, A17)", self.decide_free());
         part(&mut body, "what clears", self.decide());
         part(&mut body, "from above downwards (A11, A15, A19)", self.descend());
-        let (writes, calls) = self.stored_actions(stored);
-        part(&mut body, "stored actions, on the values before (A5)", writes);
+        body.extend_from_slice(&round.stored);
         let mut changes: Vec<Expr<'m>> =
             self.was.iter().zip(&self.state).map(|(was, state)| differ(*was, *state)).list();
         changes.push_all(stored.next.iter().map(|(place, next)| differ(*place, *next)));
@@ -70,15 +108,7 @@ impl<'m> Lower<'_, 'm> {
             let at_bound = compare(Comparison::Equal, Expr::Place(self.evolutions), number(self.bound as usize));
             part(&mut body, "the bound (A30)", vec![Statement::If(at_bound, stop, Vec::new())]);
         }
-        let mut commit = calls;
-        commit.push_all(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
-        commit.push_all(self.begin_times());
-        commit.push_all(self.use_up_edges());
-        // Without a bound it is enough to know whether there has been one.
-        let count = if stable.is_some() { Expr::Next(self.evolutions) } else { number(1) };
-        commit.push(Statement::Set(self.evolutions, count));
-        part(&mut body, "it takes place, all at once (A6)", commit);
-        part(&mut body, "what observers are told", self.tell_evolution());
+        body.extend_from_slice(&round.commit);
         body
     }
 

@@ -9,6 +9,7 @@
 //! - `decide`: which transitions clear
 //! - `sfc`, `control`, `runs`: IEC 61131-3, one evolution and `ACTION_CONTROL`
 //! - `grafcet`, `hierarchy`, `stored`, `continuous`: IEC 60848, the search for stability
+//! - `forced`: the cycle that leads into a situation by hand
 //! - `deadline`: until when nothing changes
 
 mod changes;
@@ -17,6 +18,7 @@ mod continuous;
 mod control;
 mod deadline;
 mod decide;
+mod forced;
 mod grafcet;
 mod hierarchy;
 mod places;
@@ -29,7 +31,7 @@ mod view;
 
 use std::fmt;
 
-use super::{Expr, PlaceId, PlaceInfo, Program, Search};
+use super::{Expr, PlaceId, PlaceInfo, Program, Search, Statement};
 use crate::analysis::{Facts, combinational, hierarchy::masters};
 use crate::list::List;
 use crate::model::{Blinker, Effect, Id, Model, PartialId, Place, Qualifier, StepId, Ty};
@@ -106,7 +108,7 @@ fn program<'m>(
         Encoding::Flags => Regions::flags(model, &facts.initial),
     };
     let mut lower = Lower::new(model, &regions, facts, clocks);
-    let cycle = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
+    let Cycles { own: cycle, forced } = if model.is_grafcet() { lower.search_cycle() } else { lower.scan_cycle() };
     let deadline = lower.deadline();
     let regions: Vec<Vec<StepId>> = regions.all().iter().map(|region| region.steps.clone()).list();
     let mut beside = Vec::new();
@@ -130,7 +132,13 @@ fn program<'m>(
         is_one_evolution: searches.ends.always(),
         excluding,
     };
-    Ok(Program { model, places: lower.places, regions, beside, search, cycle, plants: Vec::new(), deadline })
+    Ok(Program { model, places: lower.places, regions, beside, search, cycle, forced, plants: Vec::new(), deadline })
+}
+
+/// The cycle of a chart, and the one that is forced, where the chart has it.
+struct Cycles<'m> {
+    own: Vec<Statement<'m>>,
+    forced: Option<Vec<Statement<'m>>>,
 }
 
 /// What is made for one chart, and what is known about it meanwhile.
@@ -145,6 +153,8 @@ struct Lower<'r, 'm> {
     /// By region: its state, and that before the evolution.
     state: Vec<PlaceId>,
     was: Vec<PlaceId>,
+    /// The same of the situation that is asked for by hand, in a chart that takes one.
+    asked: Vec<PlaceId>,
     clocks: Clocks,
     /// By region, where it counts: the time, and that reached before the evolution of an `sfc` (A34).
     time: Vec<Option<Clock>>,
@@ -153,8 +163,8 @@ struct Lower<'r, 'm> {
     macro_time: Vec<Option<Clock>>,
     macro_reached: Vec<Option<PlaceId>>,
     phases: Vec<Phases>,
-    /// What can stay active when the longest time that it is compared with is over, and that time.
-    bounds: Vec<(Blinker, u32)>,
+    /// The longest time that each is compared with.
+    longest: Vec<(Blinker, u32)>,
     /// The times that can be over while their step stays active.
     outlasted: Set<(Blinker, u32)>,
     /// Whether such a time is over for the active step, where that is remembered.

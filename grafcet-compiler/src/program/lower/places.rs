@@ -46,13 +46,14 @@ impl<'r, 'm> Lower<'r, 'm> {
             first: PlaceId(0),
             state: Vec::new(),
             was: Vec::new(),
+            asked: Vec::new(),
             clocks,
             time: Vec::new(),
             reached: Vec::new(),
             macro_time: Vec::new(),
             macro_reached: Vec::new(),
             phases: Vec::new(),
-            bounds: Vec::new(),
+            longest: Vec::new(),
             outlasted: Set::new(),
             passed: None,
             elapsed: None,
@@ -137,9 +138,22 @@ impl<'r, 'm> Lower<'r, 'm> {
             let was = format!("was.{name}");
             let state = self.field(name, role, ty, Initial::Value(initial));
             self.state.push(state);
-            let was = self.like(was, state);
+            let was = self.situation_like(was, state);
             self.was.push(was);
+            if self.model.forceable {
+                let name = format!("asked.{}", self.name(state));
+                let asked = self.situation_like(name, state);
+                self.places[asked.0].role = Role::Asked(region);
+                self.asked.push(asked);
+            }
         }
+    }
+
+    /// A local that holds what a state may be; no other value is ever seen in it.
+    fn situation_like(&mut self, name: String, state: PlaceId) -> PlaceId {
+        let like = self.like(name, state);
+        self.places[like.0].initial = self.places[state.0].initial;
+        like
     }
 
     /// `state`, or with the first step of the region where there are several.
@@ -338,7 +352,7 @@ fn initial_of(ty: Type<'_>) -> Initial<'_> {
         Type::Bool => Value::Bool(false),
         Type::Ticks => Value::Ticks(0),
         Type::State(_) => Value::Step(None),
-        Type::Number => Value::Int(0),
+        Type::Number | Type::Kind { .. } => Value::Int(0),
         Type::Phase => Value::Phase(crate::program::Phase::First),
         Type::User(_) => return Initial::Default,
     })

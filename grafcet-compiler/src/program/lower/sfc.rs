@@ -1,6 +1,6 @@
 //! The cycle of an `sfc`, IEC 61131-3: one evolution, then the actions.
 
-use super::Lower;
+use super::{Cycles, Lower};
 use crate::list::{List, PushAll};
 use crate::model::{Id, Name, Read, StepId};
 use crate::program::build::{all, any, differ, no, not, part, when, yes};
@@ -8,31 +8,42 @@ use crate::program::{Expr, Mark, PlaceId, Statement};
 
 impl<'m> Lower<'_, 'm> {
     /// "Exactly one evolution, then the actions. In the first cycle no evolution: the initial step is entered."
-    pub(super) fn scan_cycle(&mut self) -> Vec<Statement<'m>> {
+    pub(super) fn scan_cycle(&mut self) -> Cycles<'m> {
         let mut cycle = Vec::new();
         let (kept, values) = self.keep_values();
         part(&mut cycle, "time passes", self.pass_time());
         part(&mut cycle, "the situation before", self.copy_situation());
         part(&mut cycle, "delays and edges", self.sample_once());
+        let mut forced = self.model.forceable.then(|| cycle.clone());
         let first = self.enter_initial();
         let mut evolution = self.decide();
         evolution.push_all(self.note_changes());
         evolution.push_all(self.write_situation());
         let evolve = vec![Statement::If(Expr::Place(self.first), first, evolution)];
         part(&mut cycle, "first cycle, or evolution (points 1 to 3)", evolve);
+        let evolved = cycle.len();
         part(&mut cycle, "what observers are told", self.tell());
         part(&mut cycle, "times reached and begun (A34)", [self.keep_times(), self.begin_times()].concat());
         part(&mut cycle, "the values before the actions (point 6)", values);
         part(&mut cycle, "edges for actions (point 8)", self.sample_for_actions());
         self.act(&mut cycle);
         self.remember_passed();
+        let acted = cycle.len();
         part(&mut cycle, "times that are over", self.bound_times());
         part(&mut cycle, "whether the next cycle would do the same", self.settle(&kept));
+        let settled = cycle.len();
         let mut end = self.use_up_edges();
         end.push_all(self.use_up_action_edges());
         end.push(Statement::Set(self.first, no()));
         part(&mut cycle, "end", end);
-        cycle
+        if let Some(forced) = &mut forced {
+            part(forced, "the evolution by hand (A38)", self.force_scan());
+            forced.extend_from_slice(&cycle[evolved..acted]);
+            part(forced, "times that are over", self.bound_times_by_hand());
+            part(forced, "the next cycle is due at once", self.unsettle());
+            forced.extend_from_slice(&cycle[settled..]);
+        }
+        Cycles { own: cycle, forced }
     }
 
     pub(super) fn copy_situation(&self) -> Vec<Statement<'m>> {

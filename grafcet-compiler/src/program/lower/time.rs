@@ -4,7 +4,7 @@
 use super::Lower;
 use super::clocks::Clock;
 use super::view::Moment;
-use crate::list::List;
+use crate::list::{List, PushAll};
 use crate::model::{Blinker, Id, MacroId};
 use crate::program::build::{add, all, any, at_least, choose, differ, no, not, ticks, when, zero};
 use crate::program::{Expr, Role, Statement};
@@ -89,15 +89,24 @@ impl<'m> Lower<'_, 'm> {
     /// What goes on beyond the longest time that something compares with stands still there: nobody can tell. So it never wraps. Beside
     /// that, whether a time of the active step is over.
     pub(super) fn bound_times(&self) -> Vec<Statement<'m>> {
-        let mut body = Vec::new();
-        if let Some(passed) = self.passed {
-            let over = self.outlasted.iter().map(|(of, end)| self.is_over(*of, *end));
-            body.push(Statement::Set(passed, any(over.list())));
+        let mut body = self.note_passed();
+        for bound in self.longest.iter().filter(|bound| self.outlasted.contains(*bound)) {
+            body.push_all(self.bound_time(bound));
         }
-        for (of, longest) in &self.bounds {
-            let Some(clock) = self.clock(*of) else { continue };
-            let back = Expr::Since(Box::new(Expr::Now), Box::new(ticks(*longest)));
-            when(&mut body, self.is_over(*of, *longest), vec![Statement::Set(clock.place(), back)]);
+        body
+    }
+
+    pub(super) fn note_passed(&self) -> Vec<Statement<'m>> {
+        let Some(passed) = self.passed else { return Vec::new() };
+        let over = self.outlasted.iter().map(|(of, end)| self.is_over(*of, *end));
+        vec![Statement::Set(passed, any(over.list()))]
+    }
+
+    pub(super) fn bound_time(&self, &(of, longest): &(Blinker, u32)) -> Vec<Statement<'m>> {
+        let mut body = Vec::new();
+        if let Some(clock) = self.clock(of) {
+            let back = Expr::Since(Box::new(Expr::Now), Box::new(ticks(longest)));
+            when(&mut body, self.is_over(of, longest), vec![Statement::Set(clock.place(), back)]);
         }
         body
     }

@@ -104,7 +104,7 @@ impl<'m> Lower<'_, 'm> {
         self.in_step(&self.state, step)
     }
 
-    fn in_step(&self, regions: &[PlaceId], step: StepId) -> Expr<'m> {
+    pub(super) fn in_step(&self, regions: &[PlaceId], step: StepId) -> Expr<'m> {
         let place = regions[self.regions.of_step(step)];
         if self.regions.are_flags() { Expr::Place(place) } else { Expr::Is(place, vec![step]) }
     }

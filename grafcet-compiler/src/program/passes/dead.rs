@@ -16,8 +16,12 @@ use crate::model::Read;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let base = read_after(program);
-    let mut live = Live::after(&base);
-    live.sweep(&mut program.cycle);
+    let mut begins = Places::of(&[]);
+    for cycle in program.cycles_mut() {
+        let mut live = Live::after(&base);
+        live.sweep(cycle);
+        begins.join(&live.now);
+    }
     for (index, place) in program.places.iter_mut().enumerate() {
         // Each cycle writes it before something reads it.
         let is_state = matches!(
@@ -26,7 +30,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         );
         if !is_state
             && base.contains(PlaceId(index))
-            && !live.now.contains(PlaceId(index))
+            && !begins.contains(PlaceId(index))
             && !waits_for(program.deadline.as_ref(), PlaceId(index))
         {
             place.is_field = false;
@@ -73,7 +77,9 @@ pub(super) fn read_after(program: &Program<'_>) -> Places {
 /// By place: what is seen, or is needed to find out what is seen.
 fn needed(program: &Program<'_>) -> Vec<bool> {
     let mut uses = Uses { by_target: vec![Vec::new(); program.places.len()], open: Vec::new() };
-    uses.block(&program.cycle, &mut Vec::new());
+    for cycle in program.cycles() {
+        uses.block(cycle, &mut Vec::new());
+    }
     each_of_deadline(program.deadline.as_ref(), &mut |place| uses.open.push(place));
     for (index, place) in program.places.iter().enumerate() {
         if is_seen(place) {
@@ -139,9 +145,11 @@ impl Uses {
 /// Takes away the places that nothing mentions, and numbers the others anew.
 fn drop_places(program: &mut Program<'_>) {
     let mut used = vec![false; program.places.len()];
-    let effects = Effects::of_all(&program.cycle);
-    for place in effects.reads.iter().chain(effects.writes.iter()) {
-        used[place.0] = true;
+    for cycle in program.cycles() {
+        let effects = Effects::of_all(cycle);
+        for place in effects.reads.iter().chain(effects.writes.iter()) {
+            used[place.0] = true;
+        }
     }
     each_of_deadline(program.deadline.as_ref(), &mut |place| used[place.0] = true);
     let (mut numbers, mut next) = (Vec::new(), 0);
@@ -153,8 +161,10 @@ fn drop_places(program: &mut Program<'_>) {
     let mut kept = used.iter();
     program.places.retain(|_| kept.next().copied().unwrap_or(true));
     let new = |place: PlaceId| numbers[place.0];
-    rewrite(&mut program.cycle, &mut |expr| renumbered(expr, &new));
-    renumber(&mut program.cycle, &new);
+    for cycle in program.cycles_mut() {
+        rewrite(cycle, &mut |expr| renumbered(expr, &new));
+        renumber(cycle, &new);
+    }
     if let Some(deadline) = &mut program.deadline {
         deadline.at_once = renumbered(&deadline.at_once, &new);
         deadline.reading = new(deadline.reading);

@@ -12,7 +12,7 @@
 //! - In a search it would load all inputs beforehand, and copy what few steps do into the ways to them.
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
 
-use super::super::{Fence, Program, Role, Statement};
+use super::super::{Fence, Program, Role, Statement, Type};
 use super::tables::goes_by_table;
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
@@ -41,12 +41,14 @@ fn search(program: &mut Program<'_>) {
     if program.model.inputs.is_empty() {
         return;
     }
+    // Tests that a table finds keep their one register.
+    let is_by_kind = program.places.iter().any(|place| matches!(place.ty, Type::Kind { .. }));
     let inputs = Statement::Fence(Fence::Inputs);
     if steps <= SHORT {
         program.cycle.insert(at + 1, Statement::Fence(Fence::Memory));
     }
     match &mut program.cycle[at] {
-        Statement::Loop { body, .. } if steps >= FEW && !goes_by_table(body) => body.insert(0, inputs),
+        Statement::Loop { body, .. } if steps >= FEW && (!goes_by_table(body) || is_by_kind) => body.insert(0, inputs),
         _ => program.cycle.insert(at, inputs),
     }
 }

@@ -1,6 +1,9 @@
 //! From a naive program to one as an engineer would write it. Each pass sees a program and nothing of the chart; one that does not apply
 //! changes nothing.
 //!
+//! A chart that says `forceable;` has a second cycle (A38), which begins in any state and leads to any other. It stays as it was lowered; passes that follow what fields hold
+//! from one cycle to the next leave such a chart alone (`Pass::follows_cycles`).
+//!
 //! - `marks`: what observers are told, where nobody observes
 //! - `apart`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
@@ -22,6 +25,7 @@
 //! - `passed`: a time is computed once for all states that ask for it
 //! - `records`: few outputs are one constant in each state
 //! - `working`: while a search goes on, the state is a local
+//! - `kinds`: in a long chart a table says what there is to do in a state
 //! - `fences`: where LLVM would make more of the code than it has to
 //!
 //! `split` and `search` stand on `flat` (the cycle as one list), `sparse` (which statements matter in which state), `engine` and `branches` (a cycle in one state) and
@@ -40,6 +44,7 @@ mod flat;
 mod fold;
 mod forward;
 mod hoist;
+mod kinds;
 mod live;
 mod many;
 mod moved;
@@ -77,6 +82,8 @@ pub enum Pass {
     Known,
     /// What ways have in common, within `Split`.
     Join,
+    /// An output that each state tells is no field, within `Split` and `Search`.
+    Told,
     /// The state before tells whether the cycle has moved, within `Split`.
     Moved,
     Search,
@@ -93,12 +100,13 @@ pub enum Pass {
     Passed,
     Records,
     Working,
+    Kinds,
     Fences,
 }
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 25] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -106,6 +114,7 @@ impl Pass {
         Self::Split,
         Self::Known,
         Self::Join,
+        Self::Told,
         Self::Moved,
         Self::Search,
         Self::Starting,
@@ -121,15 +130,22 @@ impl Pass {
         Self::Passed,
         Self::Records,
         Self::Working,
+        Self::Kinds,
         Self::Fences,
     ];
+
+    /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
+    fn follows_cycles(self) -> bool {
+        matches!(self, Self::Known | Self::Told | Self::Moved | Self::Several | Self::Rounds)
+    }
 }
 
 /// The same cycle in fewer words, by the passes that are wanted.
 pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
-    let wants = |pass: Pass| wanted.contains(&pass);
+    let is_forced = program.forced.is_some();
+    let wants = |pass: Pass| wanted.contains(&pass) && !(is_forced && pass.follows_cycles());
     if wants(Pass::Marks) {
-        without_marks(&mut program.cycle);
+        program.cycles_mut().for_each(without_marks);
     }
     if wants(Pass::Apart) {
         apart::pass(program);
@@ -143,11 +159,16 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Split) {
         split::pass(
             program,
-            &split::Options { known: wants(Pass::Known), join: wants(Pass::Join), moved: wants(Pass::Moved) },
+            &split::Options {
+                known: wants(Pass::Known),
+                join: wants(Pass::Join),
+                told: wants(Pass::Told),
+                moved: wants(Pass::Moved),
+            },
         );
     }
     if wants(Pass::Search) {
-        search::pass(program);
+        search::pass(program, wants(Pass::Told));
     }
     if wants(Pass::Starting) {
         starting::pass(program);
@@ -187,6 +208,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Working) {
         working::pass(program);
+    }
+    if wants(Pass::Kinds) {
+        kinds::pass(program);
     }
     if wants(Pass::Fences) {
         fences::pass(program);

@@ -6,12 +6,11 @@ use super::super::{PlaceId, Program, Role, Statement};
 use super::uses::{Effects, each_read};
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    let mut open = Vec::with_capacity(program.places.len());
-    for place in &program.places {
-        open.push(place.is_field && matches!(place.role, Role::Output(_)));
+    let mut found = given(program, &program.cycle);
+    if let Some(forced) = &program.forced {
+        let by_hand = given(program, forced);
+        found.retain(|place| by_hand.contains(place));
     }
-    let mut found = Vec::new();
-    scan(&program.cycle, &mut open, &mut found);
     let mut read_by_deadline = vec![false; program.places.len()];
     if let Some(deadline) = &program.deadline {
         let mut read = |place: PlaceId| read_by_deadline[place.0] = true;
@@ -24,6 +23,17 @@ pub(super) fn pass(program: &mut Program<'_>) {
     for place in found {
         program.places[place.0].is_field &= read_by_deadline[place.0];
     }
+}
+
+/// The outputs that a cycle gives a value first of all.
+fn given(program: &Program<'_>, cycle: &[Statement<'_>]) -> Vec<PlaceId> {
+    let mut open = Vec::with_capacity(program.places.len());
+    for place in &program.places {
+        open.push(place.is_field && matches!(place.role, Role::Output(_)));
+    }
+    let mut found = Vec::new();
+    scan(cycle, &mut open, &mut found);
+    found
 }
 
 fn scan(statements: &[Statement<'_>], open: &mut [bool], found: &mut Vec<PlaceId>) {

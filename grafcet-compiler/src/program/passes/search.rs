@@ -47,14 +47,14 @@ struct Search<'m> {
     tail: Vec<Statement<'m>>,
 }
 
-pub(super) fn pass(program: &mut Program<'_>) {
+pub(super) fn pass(program: &mut Program<'_>, tells: bool) {
     let count = program.places.len();
     let mut places = std::mem::take(&mut program.places);
     let search = Search::of(program, &mut places);
     program.places = places;
     let Some(search) = search else { return program.places.truncate(count) };
     let circle = search.circle(program);
-    match circle.map_or(Err(Lost), |circle| circle.cycle(program)).or_else(|Lost| search.cycle(program)) {
+    match circle.map_or(Err(Lost), |circle| circle.cycle(program, tells)).or_else(|Lost| search.cycle(program, tells)) {
         Ok((cycle, told)) => {
             program.cycle = cycle;
             told::no_fields(&mut program.places, told);
@@ -114,7 +114,7 @@ impl<'m> Search<'m> {
     }
 
     /// The cycle, and the outputs that are no fields in it.
-    fn cycle(&self, program: &Program<'m>) -> Result<(Vec<Statement<'m>>, Told), Lost> {
+    fn cycle(&self, program: &Program<'m>, tells: bool) -> Result<(Vec<Statement<'m>>, Told), Lost> {
         let mut round = self.body.clone();
         round.extend(self.tail.iter().cloned());
         let live = live(program, &round, &self.behind);
@@ -136,7 +136,7 @@ impl<'m> Search<'m> {
         }
         self.sweep(program, &mut trees, &acts);
         let mut before = self.before.clone();
-        let told = self.told(program, &mut before, &mut trees, &mut acts);
+        let told = if tells { self.told(program, &mut before, &mut trees, &mut acts) } else { Told::new() };
         let may = |_: &Statement<'m>| true;
         let mut bodies = Vec::with_capacity(acts.len());
         for (_, body) in &mut acts {
@@ -235,6 +235,9 @@ impl<'m> Search<'m> {
         trees.resize_with(self.points.all.len(), || None);
         let mut open = Set::new();
         open.extend(self.points.point(self.begin));
+        if program.forced.is_some() {
+            open.extend(program.regions[0].iter().filter_map(|step| self.points.of_step(*step)));
+        }
         while let Some(point) = open.first().copied() {
             open.remove(&point);
             let tree = engine.from(point, &[(self.state, Fact::Is(self.points.all[point]))], WAYS)?;

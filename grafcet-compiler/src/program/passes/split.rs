@@ -29,6 +29,7 @@ use super::many::{groups, sum_of_block};
 use super::moved;
 use super::share;
 use super::sparse::{Index, States};
+use super::starting;
 use super::told;
 use super::uses::{Effects, mentions, same_block};
 use crate::model::StepId;
@@ -42,6 +43,8 @@ pub(super) struct Options {
     pub(super) known: bool,
     /// What ways to one state have in common is done after them.
     pub(super) join: bool,
+    /// An output that each state tells is no field.
+    pub(super) told: bool,
     /// The state that the cycle began with tells whether it has moved.
     pub(super) moved: bool,
 }
@@ -114,9 +117,13 @@ impl Split {
         trees.resize_with(self.points.all.len(), || None);
         let mut open = Set::new();
         open.insert(0);
+        if program.forced.is_some() {
+            open.extend(program.regions[0].iter().filter_map(|step| self.points.of_step(*step)));
+        }
         while let Some(point) = open.first().copied() {
             open.remove(&point);
-            let facts = known[point].clone().unwrap_or_default();
+            // What leads there by hand, nobody follows.
+            let facts = known[point].clone().unwrap_or_else(|| vec![Fact::Nothing; self.fields.len()]);
             let mut given = vec![(self.first, Fact::Is(Value::Bool(point == 0))), (self.state, self.state_at(point))];
             given.extend(self.fields.iter().copied().zip(facts));
             let tree = engine.from(point, &given, WAYS)?;
@@ -161,8 +168,8 @@ impl Split {
             let begin = Expr::Value(Value::Step(self.begin));
             tree.body.insert(0, Statement::Set(self.state, begin));
         }
-        program.places[self.state.0].initial = Initial::Value(self.points.all[0]);
-        if options.known {
+        starting::as_state(program, self.state, self.first, self.begin);
+        if options.told {
             told::pass(program, &self.fields, &mut trees);
         }
         let [front, behind] = if options.moved {

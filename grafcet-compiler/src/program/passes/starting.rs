@@ -16,6 +16,7 @@
 use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
 use super::uses::{Effects, blocks, each_read, mentions, replaced, unset};
+use crate::model::StepId;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let (Some(state), Some(first)) = (program.place(Role::State(0)), program.place(Role::First)) else { return };
@@ -39,7 +40,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     if effects.writes.contains(&first) || is_asked(program, first) {
         return;
     }
-    if !effects.reads.contains(&first) && told(program).is_none() {
+    if !effects.reads.contains(&first) && told(program).is_none() && program.forced.is_none() {
         return;
     }
     // In the loop no state is that of the first cycle.
@@ -60,10 +61,22 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let enters = Statement::Set(state, Expr::Value(Value::Step(begin)));
     let front = [Statement::Set(first, is_start.clone()), Statement::If(Expr::Place(first), vec![enters], Vec::new())];
     program.cycle.splice(0..0, front);
-    program.places[state.0].initial = Initial::Value(Value::Start(begin));
-    program.places[first.0].is_field = false;
+    as_state(program, state, first, begin);
     settle(program, &is_start);
     outlasted(program);
+}
+
+/// The first cycle is a state, which the cycle takes care of; the forced one finds out when it begins.
+pub(super) fn as_state(program: &mut Program<'_>, state: PlaceId, first: PlaceId, begin: Option<StepId>) {
+    let start = Value::Start(begin);
+    program.places[state.0].initial = Initial::Value(start);
+    program.places[first.0].is_field = false;
+    if let Some(forced) = &mut program.forced {
+        let is_start = compare(Comparison::Equal, Expr::Place(state), Expr::Value(start));
+        let enters = Statement::Set(state, Expr::Value(Value::Step(begin)));
+        let front = [Statement::Set(first, is_start), Statement::If(Expr::Place(first), vec![enters], Vec::new())];
+        forced.splice(0..0, front);
+    }
 }
 
 /// Whether the deadline asks for a place.
@@ -126,7 +139,8 @@ fn each_set<'m>(statements: &[Statement<'m>], each: &mut dyn FnMut(PlaceId, &Exp
 
 /// Before the first cycle nothing is settled.
 fn settle<'m>(program: &mut Program<'m>, is_start: &Expr<'m>) {
-    let Some((settled, value)) = told(program) else { return };
+    // A forced cycle leaves it unsettled, whatever others tell.
+    let Some((settled, value)) = told(program).filter(|_| program.forced.is_none()) else { return };
     let told = all(vec![not(is_start.clone()), value.clone()]);
     let leaf = |expr: &Expr<'m>| matches!(expr, Expr::Place(place) if *place == settled).then(|| told.clone());
     let Some(deadline) = &mut program.deadline else { return };

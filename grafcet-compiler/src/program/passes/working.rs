@@ -36,7 +36,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
     // LLVM copies what the steps do into the ways to them, unless it has to read the state anew. A table leaves it nothing to copy into, but
     // with more states than a byte has its jump tables get larger.
-    let as_local = goes_by_table(body) && program.regions[0].len() < BYTE;
+    let as_local = goes_by_table(body) && program.regions[0].len() < BYTE && !program.model.optimize_size;
     let last_renamed = if as_local { program.cycle.len() - 1 } else { at };
     let now = local(program, state);
     rename(&mut program.cycle[at..=last_renamed], state, now);

@@ -98,7 +98,7 @@ impl Term {
             | (Self::Value(value @ Value::Ticks(_)), Type::Ticks)
             | (Self::Value(value @ (Value::Step(_) | Value::Start(_))), Type::State(_))
             | (Self::Value(value @ Value::Phase(_)), Type::Phase) => Ok(value),
-            (Self::Int(number, _), Type::Number) => Ok(Value::Int(number)),
+            (Self::Int(number, _), Type::Number | Type::Kind { .. }) => Ok(Value::Int(number)),
             (term, Type::User(ty)) => term.into_declared(ty),
             (term, _) => Err(Error::Type(format!("{term:?}"))),
         }
