@@ -23,18 +23,12 @@ const SHAPES: &[(&str, Form, Search)] = &[
     ("program_circle", Form::Program, Search::None),
     ("program_bounded", Form::Program, Search::None),
     ("program_turns", Form::Program, Search::None),
-    ("sequence_sfc", Form::Sequence, Search::None),
-    ("long_sfc", Form::LongSequence, Search::None),
+    ("program_kinds", Form::Program, Search::None),
+    ("program_forced_sfc", Form::Program, Search::None),
+    ("program_forced_grafcet", Form::Program, Search::None),
     ("in_place_sfc", Form::InPlace, Search::None),
     ("flags_sfc", Form::Flags, Search::None),
     ("compared_sfc", Form::Compared, Search::None),
-    ("sequence_once", Form::Sequence, Search::Once),
-    ("sequence_ends", Form::Sequence, Search::Ends),
-    ("sequence_walk", Form::Sequence, Search::Walk),
-    ("sequence_bounded", Form::Sequence, Search::Bounded(Undo::Nothing)),
-    ("long_ends", Form::LongSequence, Search::Ends),
-    ("long_walk", Form::LongSequence, Search::Walk),
-    ("long_bounded", Form::LongSequence, Search::Bounded(Undo::Nothing)),
     ("in_place_ends", Form::InPlace, Search::Ends),
     ("in_place_put_back", Form::InPlace, Search::Bounded(Undo::PutBack)),
     ("in_place_copy", Form::InPlace, Search::Bounded(Undo::Copy)),
@@ -95,13 +89,13 @@ fn shape(chart: TokenStream) -> Result<(Form, Search), Vec<String>> {
     shape.filter(|_| !wrong).ok_or_else(|| messages.collect())
 }
 
-/// `cycle`, and what it calls.
+/// `cycle` and `force`, and what they call.
 fn cycle(chart: TokenStream) -> String {
     let mut file: syn::File = syn::parse2(charts::expand(chart)).expect("an expansion is a list of items");
     file.items.retain_mut(|item| {
         let syn::Item::Impl(item) = item else { return false };
         item.items.retain(|inner| match inner {
-            syn::ImplItem::Fn(function) => ["cycle", "__evolve"].contains(&function.sig.ident.to_string().as_str()),
+            syn::ImplItem::Fn(function) => ["cycle", "__evolve", "force"].contains(&function.sig.ident.to_string().as_str()),
             _ => false,
         });
         item.trait_.is_none() && !item.items.is_empty()

@@ -50,7 +50,7 @@ impl Cx<'_> {
         let befores = if in_place { self.befores_for(code) } else { self.befores() };
         let afters = (0..self.plan.regions.all().len()).map(|region| {
             let (before, after) = (names::before(region, self.plan), names::after(region, self.plan));
-            let own = !self.plan.shape.is_sequence() && !in_place && !self.plan.shape.is_flags();
+            let own = !in_place && !self.plan.shape.is_flags();
             let declare = own.then(|| quote!(let mut #after = #before;));
             let again = self.plan.sees_reentry[region].then(|| {
                 let again = names::again(region, self.plan);
@@ -67,7 +67,7 @@ impl Cx<'_> {
 
     /// The situation after the evolution becomes the chart's, where it is not already.
     pub(super) fn commit(&self) -> TokenStream {
-        if self.plan.shape.is_in_place() || !self.model.is_grafcet() && self.plan.shape.is_long() {
+        if self.plan.shape.is_in_place() {
             return TokenStream::new();
         }
         if self.plan.shape.is_flags() {

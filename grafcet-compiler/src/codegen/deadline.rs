@@ -10,7 +10,6 @@ use crate::model::{
     Binary, Blink, Blinker, Effect, Expr, MacroId, Name, Place, Qualifier, Read, StepId, TimeRef, Tree,
 };
 use crate::place::quote;
-use crate::plan::LeftOver;
 use crate::sorted::Set;
 
 /// At which times of a step something changes.
@@ -59,26 +58,12 @@ pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> 
 impl Cx<'_> {
     /// As long as nothing contradicts, the cycle leaves nothing to the next one.
     pub(super) fn assume_settled(&self) -> Option<TokenStream> {
-        match self.plan.left_over {
-            LeftOver::Nothing => None,
-            LeftOver::StateBefore => {
-                let (field, before) = (names::state_before(), names::before(0, self.plan));
-                Some(quote!(self.#field = #before;))
-            }
-            LeftOver::Flag => Some(quote!(self.settled = true;)),
-        }
+        self.plan.flags_left_over.then(|| quote!(self.settled = true;))
     }
 
-    /// The cycle leaves something to the next one. Where the state before tells, no cycle but the first begins with that of the start.
+    /// The cycle leaves something to the next one.
     pub(super) fn unsettle(&self) -> Option<TokenStream> {
-        match self.plan.left_over {
-            LeftOver::Nothing => None,
-            LeftOver::StateBefore => {
-                let (field, start) = (names::state_before(), self.start());
-                Some(quote!(self.#field = #start;))
-            }
-            LeftOver::Flag => Some(quote!(self.settled = false;)),
-        }
+        self.plan.flags_left_over.then(|| quote!(self.settled = false;))
     }
 
     /// The same, if something changes.
@@ -86,34 +71,15 @@ impl Cx<'_> {
         self.unsettle().map(|unsettle| quote!(if #change { #unsettle }))
     }
 
-    /// The same where a step is entered or left, which the state before tells by itself.
-    pub(super) fn unsettle_by_moving(&self) -> Option<TokenStream> {
-        (self.plan.left_over == LeftOver::Flag).then(|| self.unsettle()).flatten()
-    }
-
     /// What is remembered of that, its type and what it begins with.
     pub(super) fn left_over_field(&self) -> Option<(Ident, TokenStream, TokenStream)> {
         let p = &self.p;
-        match self.plan.left_over {
-            LeftOver::Nothing => None,
-            LeftOver::StateBefore => {
-                let state = self.names.region(0, self.plan);
-                Some((names::state_before(), quote!(#state), self.initial(0)))
-            }
-            LeftOver::Flag => Some((names::local("settled"), quote!(#p::bool), quote!(false))),
-        }
+        self.plan.flags_left_over.then(|| (names::local("settled"), quote!(#p::bool), quote!(false)))
     }
 
     /// Whether the last cycle has left something to the next one, or there was none.
     fn is_left_over(&self) -> TokenStream {
-        match self.plan.left_over {
-            LeftOver::Nothing => self.first(),
-            LeftOver::StateBefore => {
-                let (field, state) = (names::state_before(), self.plain_state(0));
-                quote!(self.#field != #state)
-            }
-            LeftOver::Flag => quote!(!self.settled),
-        }
+        if self.plan.flags_left_over { quote!(!self.settled) } else { self.first() }
     }
 
     /// Until when nothing changes, where the chart uses time.

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 
 use proc_macro2::TokenStream;
-use quote::ToTokens;
 
 use super::bind::Moment;
 use super::branches::Branch;
@@ -13,10 +12,7 @@ use crate::list::{List, PushAll};
 use crate::model::{AnyId, Expr, Id, PartialId, StepId, Transition, TransitionId, Tree};
 use crate::place::quote;
 use crate::plan::{Form, RegionId};
-use crate::sorted::{Map, sort_unstable};
-
-/// From so many steps on, one arm for all that end alike is less code than an arm for each.
-const ALIKE: usize = 6;
+use crate::sorted::sort_unstable;
 
 impl Cx<'_> {
     /// Statements that change the `after` of every region by the transitions that clear.
@@ -62,7 +58,6 @@ impl Cx<'_> {
     /// A partial grafcet, unless a forcing order or its enclosing step decides about it.
     fn evolve_partial(&self, partial: PartialId) -> TokenStream {
         match self.plan.shape.form {
-            Form::Sequence | Form::LongSequence => self.one_match(),
             Form::InPlace => self.under_masters(partial, &self.evolve_in_place(partial)),
             Form::Flags | Form::Compared => self.evolve_compared(partial),
             Form::Program => TokenStream::new(),
@@ -102,69 +97,6 @@ impl Cx<'_> {
         quote!(if #starting { #(#enter)* } else { #evolve })
     }
 
-    /// `let after = match before { Off => if … { On } else { Off }, … };`
-    ///
-    /// A constant state at the end of every path lets the compiler jump from it straight to the step's actions.
-    pub(super) fn one_match(&self) -> TokenStream {
-        let (before, after) = (names::before(0, self.plan), names::after(0, self.plan));
-        if self.plan.shape.is_long() {
-            return self.long();
-        }
-        if self.model.is_grafcet() {
-            let stop = self.stop();
-            let leaving = |step: &&StepId| !self.plan.evolution.owned[step.index()].is_empty();
-            let steps: Vec<_> = self.plan.regions.all()[0].steps.iter().filter(leaving).list();
-            let rest = (steps.len() < self.states(0)).then(|| quote!(_ => #stop,));
-            let arms = steps.into_iter().map(|step| {
-                let (variant, next) = (self.variant(*step), self.next_step(*step));
-                quote!(#variant => #next,)
-            });
-            let unless = (!self.plan.shape.breaks_out).then(|| quote!(if #after == #before { #stop; }));
-            return quote!(let #after = match #before { #(#arms)* #rest }; #unless);
-        }
-        let arms = self.alike().into_iter().map(|steps| {
-            let variants = steps.iter().map(|step| self.variant(*step));
-            let next = match steps[..] {
-                [step] => self.next_step(step),
-                [step, ..] => self.next_step_or(step, &before.to_token_stream()),
-                [] => TokenStream::new(),
-            };
-            quote!(#(#variants)|* => #next,)
-        });
-        let start = self.has_start_variant(0).then(|| {
-            let (start, initial) = (self.start(), self.initial(0));
-            let begin = self.plan.shape.begins_on_entry.then(|| self.begin_initial());
-            let moved = self.note_moved();
-            quote!(#start => { #begin #moved #initial })
-        });
-        quote!(let #after = match #before { #(#arms)* #start };)
-    }
-
-    /// The steps of the region; those that end alike, as all branches of a selection may do, together.
-    fn alike(&self) -> Vec<Vec<StepId>> {
-        let steps = &self.plan.regions.all()[0].steps;
-        let end = |step: &StepId| {
-            let exit = self.plan.evolution.only_exit(self.model, *step)?;
-            Some((&self.model.transitions[exit].targets, self.plan.evolution.waits_for(self.model, *step)?))
-        };
-        let (mut arms, mut alike): (Vec<Vec<StepId>>, Map<_, Vec<StepId>>) = (Vec::new(), Map::new());
-        for step in steps {
-            match end(step) {
-                Some(end) => alike.or_default(end).push(*step),
-                None => arms.push(vec![*step]),
-            }
-        }
-        for (_, steps) in alike {
-            if steps.len() < ALIKE {
-                arms.push_all(steps.into_iter().map(|step| vec![step]));
-            } else {
-                arms.push(steps);
-            }
-        }
-        sort_unstable(&mut arms);
-        arms
-    }
-
     /// `{ if … { On } else { Off } }`
     pub(super) fn next_step(&self, step: StepId) -> TokenStream {
         self.next_step_or(step, &self.stay(step))
@@ -193,8 +125,7 @@ impl Cx<'_> {
 
     /// A path on which nothing clears: in a search it is the end of it.
     fn stay(&self, step: StepId) -> TokenStream {
-        let breaks_out = self.plan.shape.breaks_out || self.model.is_grafcet() && self.plan.shape.is_long();
-        if breaks_out { self.stop() } else { self.variant(step) }
+        self.variant(step)
     }
 
     /// What clearing does beside the situation, and the step it leads to.

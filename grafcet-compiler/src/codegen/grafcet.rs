@@ -1,7 +1,6 @@
 //! `cycle` of a `grafcet` (IEC 60848): evolutions until the situation is stable, then the continuous actions.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::ToTokens;
 
 use super::bind::Moment;
 use super::segments::Item;
@@ -20,12 +19,11 @@ impl Cx<'_> {
         let search = self.search();
         let left = self.left_by_start();
         let (continuous, calls, result) = (self.continuous(), self.continuous_calls(), self.result());
-        let second = self.declare_second(&continuous);
         let stable = self.stable_situation(&quote!(#continuous #calls #result));
         let outputs = self.declare_outputs();
         let forget = self.forget_instability();
         // The outputs come first: after the search, the compiler would clear them again in every arm.
-        quote!(#outputs #forget #time #start #search #left #stable #second #continuous #calls #result)
+        quote!(#outputs #forget #time #start #search #left #stable #continuous #calls #result)
     }
 
     /// A37: the activation of the initial situation is an evolution of its own. Delays are sampled on the initial situation
@@ -71,9 +69,6 @@ impl Cx<'_> {
 
     /// The search for stability.
     fn search(&self) -> TokenStream {
-        if self.plan.shape.walks() {
-            return self.walk();
-        }
         let combinational = self.all_combinational(Moment::Condition);
         let (declare_bound, bound) = self.bound();
         let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(fresh)));
@@ -89,7 +84,6 @@ impl Cx<'_> {
         // In place, an evolution reads each state where it uses it: held in registers, the states would be moved from one to
         // another on every way.
         let (once, each) = if self.plan.shape.is_in_place() { (opaque, Some(self.fence())) } else { (None, opaque) };
-        let fence = (self.plan.shape.breaks_out && !self.plan.shape.evolves_once()).then(|| self.fence());
         // An edge is gone in the next cycle.
         let gone = self.edge_names();
         let gone = (!gone.is_empty()).then(|| self.unsettle_if(&quote!(#(#gone)||*)));
@@ -100,19 +94,16 @@ impl Cx<'_> {
             #bound
             #stored #commit_collected #commit #restart #unsettle #forget
         };
-        let (snapshot, end) = (self.snapshot(&code), self.end_of_search());
-        let body = quote!({ #each #snapshot #code #end });
-        let label = self.search_label().map(|label| quote!(#label:));
-        let again = (!self.plan.shape.evolves_once()).then(|| quote!(loop));
+        let snapshot = self.snapshot(&code);
+        let body = quote!({ #each #snapshot #code });
         quote! {
             #declare_bound
             #declare_edges
             #still
             #time
             #once
-            #label #again #body
+            loop #body
             #gone
-            #fence
         }
     }
 
@@ -120,8 +111,7 @@ impl Cx<'_> {
     /// active step asks for.
     pub(super) fn opaque_inputs(&self) -> Option<TokenStream> {
         let p = &self.p;
-        let reads =
-            !self.model.inputs.is_empty() && !self.plan.shape.evolves_apart() && !self.plan.shape.evolves_once();
+        let reads = !self.model.inputs.is_empty() && !self.plan.shape.evolves_apart();
         reads.then(|| quote!(let inputs = #p::core::hint::black_box(inputs);))
     }
 
@@ -140,9 +130,6 @@ impl Cx<'_> {
 
     /// One evolution, or the end of the search where nothing changes.
     fn evolve_or_stop(&self, rest: &TokenStream) -> TokenStream {
-        if self.plan.shape.is_sequence() {
-            return self.one_match();
-        }
         let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let unchanged = self.unchanged();
         if !self.plan.shape.is_in_place() {
@@ -208,7 +195,7 @@ impl Cx<'_> {
 
     /// The mark of an unstable search is taken away at the begin of the next cycle.
     pub(super) fn forget_instability(&self) -> Option<TokenStream> {
-        (self.is_marked(0) && !self.plan.shape.walks()).then(|| self.mark(false))
+        self.is_marked(0).then(|| self.mark(false))
     }
 
     /// The situation the search has reached, for the continuous actions.
@@ -218,12 +205,7 @@ impl Cx<'_> {
             return TokenStream::new();
         }
         let states = (0..self.plan.regions.all().len()).map(|region| {
-            let after = names::after(region, self.plan);
-            let state = if self.plan.shape.walks() && self.plan.shape.is_long() {
-                names::walked().to_token_stream()
-            } else {
-                self.plain_state(region)
-            };
+            let (after, state) = (names::after(region, self.plan), self.plain_state(region));
             quote!(let #after = #state;)
         });
         let combinational = self.all_combinational(Moment::Stable);
@@ -276,7 +258,8 @@ impl Cx<'_> {
             match (self.continuous_condition(association, Moment::Stable), &association.effect) {
                 (Some(condition), _) => Item::After(association.step, quote!(if #condition { #act })),
                 (None, Effect::Control(Place::Output(output))) => {
-                    self.while_active(association.step, &names::output_local(self.model, *output))
+                    let local = names::output_local(self.model, *output);
+                    Item::After(association.step, quote!(#local = true;))
                 }
                 (None, _) => Item::After(association.step, act),
             }

@@ -24,7 +24,6 @@ impl Cx<'_> {
             held.push((names::region_field(region, plan).to_string(), Held::Situation(self.steps_of(region))));
             held.push((names::step_time(region, plan).to_string(), Held::Time(self.steps_of(region))));
         }
-        held.push((names::state_before().to_string(), Held::Deadline));
         held.push(("settled".to_owned(), Held::Deadline));
         held.push_all(memory.stored.iter().map(|id| (names::output_field(model, *id).to_string(), Held::Output(*id))));
         held.push_all(memory.last.iter().map(|id| (names::output_last_field(model, *id).to_string(), Held::Last(*id))));

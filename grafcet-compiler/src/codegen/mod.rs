@@ -17,7 +17,6 @@ mod force;
 mod grafcet;
 mod hierarchy;
 mod late;
-mod long;
 mod machine;
 mod meaning;
 mod names;
@@ -38,7 +37,6 @@ mod stub;
 mod time;
 mod types;
 mod variants;
-mod walk;
 mod writes;
 
 use proc_macro2::TokenStream;

@@ -88,19 +88,9 @@ pub(super) fn before(region: RegionId, plan: &Plan) -> Ident {
     state("before", region, plan)
 }
 
-/// The field that remembers the state the last cycle began with.
-pub(super) fn state_before() -> Ident {
-    local("situation_before")
-}
-
 /// The state of a region after the evolution; that of all, where they are bits.
 pub(super) fn after(region: RegionId, plan: &Plan) -> Ident {
     state("after", region, plan)
-}
-
-/// The state that a search has reached.
-pub(super) fn walked() -> Ident {
-    local("state")
 }
 
 fn state(name: &str, region: RegionId, plan: &Plan) -> Ident {
@@ -313,11 +303,6 @@ pub(super) fn private_variant(model: &Model, step: StepId) -> Ident {
 /// Whether a block has written a place: `written_speed`.
 pub(super) fn written(name: &Ident) -> Ident {
     prefixed("written_", name)
-}
-
-/// Whether the second of two steps is active.
-pub(super) fn in_second() -> Ident {
-    local("in_second")
 }
 
 /// A name of ours that no token of the user can mean.

@@ -9,7 +9,7 @@ use super::{Cx, names};
 use crate::list::List;
 use crate::model::{PartialId, TransitionId};
 use crate::place::quote;
-use crate::plan::{LeftOver, Nest, RegionId};
+use crate::plan::{Nest, RegionId};
 use crate::sorted::Set;
 
 impl Cx<'_> {
@@ -42,12 +42,12 @@ impl Cx<'_> {
         if self.model.is_grafcet() {
             return self.plan.shape.notes_moves.then(|| quote!(moved = true;));
         }
-        self.plan.shape.notes_moves.then(|| self.unsettle_by_moving()).flatten()
+        self.plan.shape.notes_moves.then(|| self.unsettle()).flatten()
     }
 
     /// A step is left and entered at once: the state before does not tell.
     pub(super) fn note_reentry(&self) -> Option<TokenStream> {
-        if self.plan.left_over == LeftOver::StateBefore { self.unsettle() } else { self.note_moved() }
+        self.note_moved()
     }
 
     /// `state` is that of the region after the evolution.
@@ -187,13 +187,6 @@ impl Cx<'_> {
             }
         })
     }
-}
-
-/// Whether tokens hold a name.
-pub(super) fn mentions(tokens: &TokenStream, name: &Ident) -> bool {
-    let mut names = Set::new();
-    identifiers(tokens.clone(), &mut names);
-    names.contains(&name.to_string())
 }
 
 fn identifiers(tokens: TokenStream, names: &mut Set<String>) {

@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
-use super::nest::mentions;
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::List;
@@ -139,26 +138,6 @@ impl Cx<'_> {
         self.plan.most_active == 1 || segment.arms.last().is_some_and(behind)
     }
 
-    /// `local` is true while `step` is active. With two steps that is a comparison and no jump.
-    pub(super) fn while_active(&self, step: StepId, local: &TokenStream) -> Item {
-        let Some(second) = self.second_of_two() else { return Item::After(step, quote!(#local = true;)) };
-        let (name, not) = (names::in_second(), (step != second).then(|| quote!(!)));
-        Item::Always(quote!(#local |= #not #name;))
-    }
-
-    /// The comparison that `actions` ask about: one for all of them is less code than one for each.
-    pub(super) fn declare_second(&self, actions: &TokenStream) -> Option<TokenStream> {
-        let (after, second, name) = (names::after(0, self.plan), self.second_of_two()?, names::in_second());
-        let variant = self.variant(second);
-        mentions(actions, &name).then(|| quote!(let #name = #after == #variant;))
-    }
-
-    /// The second step, where the chart has two and one of them is active.
-    fn second_of_two(&self) -> Option<StepId> {
-        let two = self.model.steps.len() == 2 && self.plan.shape.is_sequence();
-        two.then(|| self.model.steps.ids().nth(1)).flatten()
-    }
-
     fn segment(&self, segment: Segment) -> TokenStream {
         let Segment { before, region, mut arms, .. } = segment;
         if self.plan.shape.is_flags() {
@@ -166,10 +145,7 @@ impl Cx<'_> {
             return self.visit(if before { At::Before } else { At::After }, &arms);
         }
         let state = if before { names::before(region, self.plan).to_token_stream() } else { self.state_after(region) };
-        if let Some(shared) = self.shared_actions(&state, &arms) {
-            return shared;
-        }
-        let rest = (arms.len() < self.states(region)).then(|| self.other_states(region, &arms));
+        let rest = (arms.len() < self.states(region)).then(|| quote!(_ => {}));
         let arms = arms.iter().map(|(step, body)| {
             let variant = self.variant(*step);
             quote!(#variant => { #body })
@@ -184,16 +160,6 @@ impl Cx<'_> {
         } else {
             names::after(region, self.plan).to_token_stream()
         }
-    }
-
-    /// The arm for the states that `arms` leave out.
-    fn other_states(&self, region: RegionId, arms: &[(StepId, TokenStream)]) -> TokenStream {
-        if !self.is_wide() || self.has_start_variant(region) || self.states(region).is_power_of_two() {
-            return quote!(_ => {});
-        }
-        let steps = self.plan.regions.all()[region].steps.iter();
-        let others = steps.filter(|step| arms.iter().all(|(other, _)| other != *step)).map(|step| self.variant(*step));
-        quote!(#(#others)|* => {})
     }
 
     /// How many states a region has.

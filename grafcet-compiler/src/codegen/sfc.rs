@@ -9,10 +9,7 @@ use super::{Cx, names};
 use crate::list::{List, PushAll};
 use crate::model::{Association, AssociationId, Effect, Id, Place, Qualifier};
 use crate::place::quote;
-use crate::plan::{LeftOver, RegionId, Target, source_order};
-
-/// Up to how many steps an output is an expression.
-const SHORT: usize = 8;
+use crate::plan::{RegionId, Target, source_order};
 
 impl Cx<'_> {
     /// The body of `cycle`.
@@ -28,11 +25,10 @@ impl Cx<'_> {
         let commit = self.commit();
         let settle = self.settle();
         let actions = self.scan_actions();
-        let second = self.declare_second(&actions);
         let result = self.result();
         // The outputs come first: after the evolution, the compiler would clear them again in every arm.
         let outputs = self.declare_outputs();
-        let rest = quote!(#settle #second #actions #result);
+        let rest = quote!(#settle #actions #result);
         let afters = self.plan.shape.is_in_place().then(|| {
             let (fence, afters) = (self.fence(), self.afters_for(&rest));
             quote!(#fence #afters)
@@ -56,10 +52,8 @@ impl Cx<'_> {
         let resets = quote!(#resets #(let mut #holds = false;)*);
         let apply_resets = self.apply_resets();
         if self.runs_in_one_pass() {
-            // Nothing but the active step's own actions: its arm does it all. What is an expression comes first, so that it
-            // does not stand between the arms.
-            let (alone, arms): (Vec<_>, Vec<_>) = source_order(self.model).partition(|id| self.is_expression(*id));
-            let items = alone.into_iter().and(arms).map(|id| self.gather_local(id));
+            // Nothing but the active step's own actions: its arm does it all.
+            let items = source_order(self.model).map(|id| self.gather_local(id));
             let entered = source_order(self.model).map(|id| self.local_run(id, Part::Activation));
             let rest = self.part(Part::Rest);
             let all = self.in_order(items.and(entered).and(rest));
@@ -138,13 +132,8 @@ impl Cx<'_> {
             Effect::Control(Place::Output(output))
                 if association.qualifier == Qualifier::N && association.condition.is_none() =>
             {
-                return self.while_active(step, &names::output_local(self.model, *output));
-            }
-            Effect::Control(Place::Output(output)) if self.is_expression(id) => {
-                let (after, variant) = (names::after(0, self.plan), self.variant(step));
                 let local = names::output_local(self.model, *output);
-                let condition = association.condition.as_ref().map(|condition| self.value(condition, Moment::Action));
-                return Item::Always(quote!(#local |= #after == #variant && #condition;));
+                return Item::After(step, quote!(#local = true;));
             }
             Effect::Control(Place::Output(output)) => self.drive(*output, association.qualifier),
             Effect::Assign(Place::Output(_), _) if association.qualifier == Qualifier::N => {
@@ -157,19 +146,6 @@ impl Cx<'_> {
         };
         let act = self.under_condition(association, act);
         if association.qualifier == Qualifier::P { self.if_entered(step, &act) } else { Item::After(step, act) }
-    }
-
-    /// Whether an output is true under one condition in one step and nowhere else: in a short chart, where each path of the
-    /// evolution ends in a constant state, LLVM decides about the step beforehand.
-    fn is_expression(&self, id: AssociationId) -> bool {
-        let association = &self.model.associations[id];
-        let Effect::Control(place @ Place::Output(_)) = association.effect else { return false };
-        let writes = |other: &Association| other.effect.writes().contains(&place);
-        association.qualifier == Qualifier::N
-            && association.condition.as_ref().is_some_and(|condition| !condition.tree.is_opaque())
-            && self.plan.shape.is_sequence()
-            && self.model.steps.len() <= SHORT
-            && self.model.associations.values().filter(|other| writes(other)).count() == 1
     }
 
     fn under_condition(&self, association: &Association, act: TokenStream) -> TokenStream {
@@ -229,7 +205,7 @@ impl Cx<'_> {
             self.unsettling_run(&association.effect, &nothing, moment)
         } else {
             // A step is entered or left in such a cycle.
-            let (unsettle, run) = (self.unsettle_by_moving(), self.effect_run(&association.effect, &nothing, moment));
+            let (unsettle, run) = (self.unsettle(), self.effect_run(&association.effect, &nothing, moment));
             quote!(#unsettle #run)
         };
         self.under_condition(association, run)
@@ -243,7 +219,7 @@ impl Cx<'_> {
         }
         let restart = self.restart_times();
         let edges = self.edge_names();
-        if self.plan.shape.notes_moves || self.plan.left_over == LeftOver::StateBefore {
+        if self.plan.shape.notes_moves {
             let edges = (!edges.is_empty()).then(|| self.unsettle_if(&quote!(#(#edges)||*)));
             return quote!(#restart #edges);
         }

@@ -37,7 +37,7 @@ pub(super) fn regions(cx: &Cx<'_>) -> Vec<StateEnum> {
         empty: cx.plan.regions.all()[region].may_be_empty,
         start: cx.has_start_variant(region),
         marked: cx.is_marked(region),
-        wide: cx.is_wide(),
+        wide: false,
     };
     (0..enums).map(states).list()
 }

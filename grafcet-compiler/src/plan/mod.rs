@@ -20,14 +20,13 @@ pub(crate) use below::{Below, directly, is_top};
 pub use control::{Control, Target, What, source_order};
 pub use drive::Drive;
 pub use evolution::Evolution;
-pub use left_over::LeftOver;
 pub use memory::{Counted, Memory, Phase};
 pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use shape::{Form, Search, Shape, Undo};
 pub use stored::{Stored, is_stored};
 
-use crate::analysis::{Ends, Facts, Races};
+use crate::analysis::{Facts, Races};
 use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
 use crate::sorted::Set;
 
@@ -52,8 +51,8 @@ pub struct Plan {
     pub control: Control,
     pub stored: Stored,
     pub memory: Memory,
-    /// How `next_deadline` knows that the last cycle left something to the next one.
-    pub left_over: LeftOver,
+    /// A flag tells `next_deadline` that the last cycle left something to the next one.
+    pub flags_left_over: bool,
     /// The active steps of the initial situation.
     pub initial: Set<StepId>,
     /// The first cycle differs from the others, so the state says whether it is still to come.
@@ -62,8 +61,6 @@ pub struct Plan {
     pub sees_reentry: Vec<bool>,
     /// A search for stability may have no end, as far as is known (A30).
     pub may_be_unstable: bool,
-    /// Where a search ends without another look.
-    pub search_ends: Ends,
     /// After how many evolutions that changed something such a search is given up.
     pub max_evolutions: u32,
     /// `forceable;`: how a cycle is made that leads into a given situation, where no program says it.
@@ -113,7 +110,6 @@ impl Plan {
         let descent = Descent::of(model, &regions, concurrency);
         let may_be_unstable = model.is_grafcet() && may_be_unstable(model, &stored, facts);
         let searches = facts.searches(model);
-        let search_ends = searches.ends.clone();
         let shape = Shape::of(
             model,
             &shape::Known {
@@ -122,25 +118,17 @@ impl Plan {
                 memory: &memory,
                 stored: &stored,
                 descent,
-                search_ends: &search_ends,
                 nests: nests.is_some(),
                 may_be_unstable,
-                comes_back: searches.comes_back,
             },
         );
-        let left_over = LeftOver::of(
+        let flags_left_over = left_over::has_flag(
             model,
-            &left_over::Known {
-                memory: &memory,
-                shape: &shape,
-                evolution: &evolution,
-                drives: &drives,
-                may_be_unstable,
-            },
+            &left_over::Known { memory: &memory, evolution: &evolution, drives: &drives, may_be_unstable },
         );
         let acts_in_arms = acting::acts_in_arms(model, &shape, nests.as_deref().unwrap_or_default(), &drives, &control);
         Self {
-            left_over,
+            flags_left_over,
             acts_in_arms,
             has_start: has_start(model, &initial, &memory),
             memory,
@@ -151,7 +139,6 @@ impl Plan {
             most_active,
             sees_reentry,
             may_be_unstable,
-            search_ends,
             max_evolutions: searches.bound,
             stored,
             regions,

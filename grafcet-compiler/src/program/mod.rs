@@ -174,7 +174,10 @@ pub enum Type<'m> {
     /// The number of an association.
     Number,
     /// So many kinds of states, by number; each list of kinds has one of its own.
-    Kind { list: usize, count: i128 },
+    Kind {
+        list: usize,
+        count: i128,
+    },
     Phase,
     /// A declared type that is none of these.
     User(&'m Ty),

@@ -5,57 +5,65 @@ impl Long {
     /// situation.
     fn cycle(&mut self, inputs: &LongInputs) -> LongOutputs {
         let mut outputs = LongOutputs { lamp: false };
-        let before = self.situation;
-        let after = 'evolved: {
-            {
-                enum Kind {
-                    K0,
-                    K1,
-                    K2,
-                }
-                const KINDS: [Kind; 25usize] = [
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K0,
-                    Kind::K1,
-                    Kind::K2,
+        let mut after: __LongState = self.situation;
+        'once: {
+            #[derive(Clone, Copy)]
+            enum Kind3 {
+                K0,
+                K1,
+                K2,
+            }
+            let kind: Kind3 = {
+                const KINDS: [Kind3; 25usize] = [
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K1,
+                    Kind3::K2,
+                    Kind3::K0,
                 ];
-                match KINDS.get(before as usize) {
-                    core::option::Option::Some(Kind::K0) => {
-                        if inputs.a {} else { break 'evolved before }
+                match KINDS.get(self.situation as usize) {
+                    Option::Some(found) => *found,
+                    Option::None => KINDS[0],
+                }
+            };
+            match kind {
+                Kind3::K0 => {}
+                Kind3::K1 => {
+                    if !inputs.a {
+                        break 'once;
                     }
-                    core::option::Option::Some(Kind::K1) => {
-                        if inputs.b {} else { break 'evolved before }
+                }
+                Kind3::K2 => {
+                    if !inputs.b {
+                        break 'once;
                     }
-                    core::option::Option::Some(Kind::K2) => {}
-                    _ => {}
                 }
             }
-            let next = match before {
+            after = match after {
                 __LongState::S23 => __LongState::S0,
                 __LongState::INIT => __LongState::S0,
                 _ => {
-                    match before {
+                    match after {
                         __LongState::S0 => __LongState::S1,
                         __LongState::S1 => __LongState::S2,
                         __LongState::S2 => __LongState::S3,
@@ -79,14 +87,13 @@ impl Long {
                         __LongState::S20 => __LongState::S21,
                         __LongState::S21 => __LongState::S22,
                         __LongState::S22 => __LongState::S23,
-                        __LongState::S23 => __LongState::S23,
-                        __LongState::INIT => __LongState::S0,
+                        __LongState::S23 => __LongState::INIT,
+                        __LongState::INIT => __LongState::INIT,
                     }
                 }
             };
-            self.situation = next;
-            next
-        };
+            self.situation = after;
+        }
         match after {
             __LongState::S5 => {
                 outputs.lamp = true;
