@@ -95,7 +95,9 @@ fn cycle(chart: TokenStream) -> String {
     file.items.retain_mut(|item| {
         let syn::Item::Impl(item) = item else { return false };
         item.items.retain(|inner| match inner {
-            syn::ImplItem::Fn(function) => ["cycle", "__evolve", "force"].contains(&function.sig.ident.to_string().as_str()),
+            syn::ImplItem::Fn(function) => {
+                ["cycle", "__evolve", "force"].contains(&function.sig.ident.to_string().as_str())
+            }
             _ => false,
         });
         item.trait_.is_none() && !item.items.is_empty()

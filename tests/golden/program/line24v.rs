@@ -27,7 +27,7 @@ impl Line24V {
                 q3: false,
             }
         };
-        let mut was_state: __Line24VState = __Line24VState::NONE;
+        let mut was_state: __Line24VState = __Line24VState::S1;
         let mut evolutions: u32 = 0;
         loop {
             was_state = self.situation.state();

@@ -45,6 +45,7 @@ fn each_pass_is_as_recorded() {
         (Pass::Split, lamp),
         (Pass::Known, called),
         (Pass::Join, twice),
+        (Pass::Told, signal),
         (Pass::Moved, waits),
         (Pass::Search, stairs),
         (Pass::Starting, watch),
@@ -55,11 +56,12 @@ fn each_pass_is_as_recorded() {
         (Pass::Dead, lamp),
         (Pass::Once, drum),
         (Pass::Store, lamp),
-        (Pass::Tables, &belt()),
+        (Pass::Tables, &belt(9)),
         (Pass::Next, &wash()),
         (Pass::Passed, &wash()),
         (Pass::Records, lamp),
         (Pass::Working, stairs),
+        (Pass::Kinds, &small_belt()),
         (Pass::Fences, pair),
     ] {
         let model = read(chart);
@@ -68,6 +70,7 @@ fn each_pass_is_as_recorded() {
         let shaping = [
             Pass::Known,
             Pass::Join,
+            Pass::Told,
             Pass::Moved,
             Pass::Search,
             Pass::Starting,
@@ -87,16 +90,21 @@ fn each_pass_is_as_recorded() {
     }
 }
 
-/// Nine steps, two of which wait for the same as others.
-fn belt() -> String {
+/// Steps of which each waits for the same as others.
+fn belt(steps: usize) -> String {
     let mut text = "sfc Belt { input a, b: bool; output p: bool; ".to_owned();
-    for step in 0..9 {
+    for step in 0..steps {
         let initial = if step == 0 { "initial " } else { "" };
         let input = ["a", "!b"][usize::from(step % 4 == 2)];
         let action = if step % 3 == 1 { " { p; }" } else { ";" };
-        _ = write!(text, "{initial}step S{step}{action} S{step} -[{input}]-> S{}; ", (step + 1) % 9);
+        _ = write!(text, "{initial}step S{step}{action} S{step} -[{input}]-> S{}; ", (step + 1) % steps);
     }
     text + "}"
+}
+
+/// A belt of so many steps that a table says what there is to do in each.
+fn small_belt() -> String {
+    belt(24).replacen("sfc Belt {", "sfc Belt { optimize size;", 1)
 }
 
 /// Ten steps of a sequence by time, some of which wait for the same, one with two ways and one that stays beyond its time.
@@ -132,7 +140,7 @@ fn circle(more: &str) -> String {
 /// a table says what is next, also beside a step that goes on and stays.
 #[test]
 fn searches_of_one_region_end_where_they_have_to() {
-    let (belt, wash) = (belt().replacen("sfc", "grafcet", 1), wash().replacen("sfc", "grafcet", 1));
+    let (belt, wash) = (belt(9).replacen("sfc", "grafcet", 1), wash().replacen("sfc", "grafcet", 1));
     let turns = "grafcet Turns { input a, b: bool; output p: bool; initial step A { R p; } step B { S p; } A -[a]-> B -[b]-> A; }";
     let ends = "grafcet Ends { input a, b: bool; output p, q: bool; initial step A; step B { p; } step C { p; q; } A -[a]-> B -[b]-> C -[!a]-> A; }";
     let once = "grafcet Once { input a, b: bool; output p: bool; output n: u8 = 0; initial step A { P1 n = 1; } step B { p; P1 n = 2; } \
@@ -269,9 +277,15 @@ fn steps_that_wait_for_the_same_lead_elsewhere() {
 /// A table leads from each step to its next one, and nowhere while its condition does not hold.
 #[test]
 fn a_table_says_which_step_is_next() {
-    let model = read(&belt());
+    for (chart, table) in [(belt(9), "table("), (small_belt(), "kinds(")] {
+        goes_by_table(&chart, table);
+    }
+}
+
+fn goes_by_table(chart: &str, table: &str) {
+    let model = read(chart);
     let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
-    assert!(program.to_string().contains("table("), "{program}");
+    assert!(program.to_string().contains(table), "{program}");
     let mut text = "---\n---\n".to_owned();
     for cycle in 0..80_u32 {
         let inputs = ["", "a", "b", "a b", "a"][(cycle / 2 % 5) as usize];
