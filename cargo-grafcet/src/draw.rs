@@ -2,13 +2,46 @@
 
 use std::path::Path;
 
+use clap::{Args as Arguments, ValueEnum};
 use grafcet_compiler::describe::with_description;
 use grafcet_compiler::model::Model;
 
-use crate::args::{Draw, Picture};
+use crate::args::{Charts, Target};
 use crate::find::{self, Found};
 use crate::model::drawn;
 use crate::{Failure, Outcome, output};
+
+/// Draw charts: SVG, text for a terminal, Mermaid
+///
+/// The notation is that of IEC 60848. One chart goes to the output of the program or to a file, several to files in a folder.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet draw --chart Motor              in the terminal
+  cargo grafcet draw --chart Motor -o motor.svg
+  cargo grafcet draw --out drawings             all charts of the crate as drawings/NAME.svg")]
+pub(crate) struct Draw {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// What kind of drawing; else by the end of the file's name, SVG in a folder, and text
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub(crate) format: Option<Picture>,
+    #[command(flatten)]
+    pub(crate) target: Target,
+    /// Mark these steps as active
+    #[arg(long, value_name = "STEP,…", value_delimiter = ',')]
+    pub(crate) active: Vec<String>,
+    /// The widest text: what stands side by side stands one below the other where there is no room
+    #[arg(long, value_name = "COLUMNS")]
+    pub(crate) width: Option<u16>,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Picture {
+    Svg,
+    Text,
+    Mermaid,
+}
 
 pub(crate) fn run(options: &Draw) -> Result<Outcome, Failure> {
     let charts = find::charts(&options.charts)?;
