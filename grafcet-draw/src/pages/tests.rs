@@ -68,6 +68,13 @@ fn a_sequence_goes_on_from_a_transition_to_a_step_on_the_next_piece() {
     assert!(line(first, (below.at.0, below.at.1 - 1)) && line(second, (above.at.0, above.at.1 + 1)));
 }
 
+#[test]
+fn a_page_is_rather_left_empty_than_cut_behind_a_step() {
+    // With three rows for the connector there is room for 13: for the second step, whose frame ends in row 11, but not for its transition.
+    let pieces = pieces(sequence(3), (30, 16));
+    assert_eq!((pieces[0].drawing.places.len(), texts(&pieces[0].drawing)), (1, 3));
+}
+
 fn texts(drawing: &Drawing) -> usize {
     drawing.shapes.iter().filter(|shape| matches!(shape, Shape::Text { .. })).count()
 }
@@ -78,6 +85,17 @@ fn no_cut_goes_through_a_text_of_two_lines() {
     let held = super::held::held(&sequence(2).into(), Axis::Rows);
     assert!(held.iter().any(|(first, last)| *first < 6 && 6 <= *last), "{held:?}");
     assert!(!held.iter().any(|(first, last)| *first < 7 && 7 <= *last), "{held:?}");
+}
+
+#[test]
+fn no_cut_goes_between_a_bar_and_its_text_or_a_step_and_its_mark() {
+    let mut drawing = sequence(2);
+    drawing.text((6, 1), "*");
+    let held = super::held::held(&drawing.into(), Axis::Columns);
+    let is_free = |at: i32| held.iter().all(|(first, last)| at <= *first || *last < at);
+    // From the mark, column 6, over frame and bar to the end of the text, column 19.
+    assert!((6..=19).skip(1).all(|at| !is_free(at)), "{held:?}");
+    assert!(is_free(20), "{held:?}");
 }
 
 #[test]
