@@ -2,13 +2,58 @@
 
 use std::rc::Rc;
 
+use clap::{Args as Arguments, ValueEnum};
 use grafcet_compiler::analysis::Prover;
 use grafcet_compiler::{Wanted, diagnose};
 
-use crate::args::{Check, Format};
+use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::report::{Message, human, json, sarif};
 use crate::{Failure, Outcome, say, watch};
+
+/// Say what the compiler says about charts: rules and properties
+///
+/// It finds every `grafcet!` of a crate and shows its mistakes, warnings and properties that do not hold at their places in the file, as the
+/// build does, and it builds nothing. What `rustc` alone can know, as the types of your functions, only the build tells.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet check                          the crate in this folder
+  cargo grafcet check src/press.rs --chart Press
+  cargo grafcet check --watch                  beside the editor
+  cargo grafcet check --format sarif > charts.sarif    for code scanning in CI
+
+Exit code 1 says that a chart has errors, with --deny-warnings also that it has warnings.")]
+pub(crate) struct Check {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// For people, one JSON object a message, or SARIF 2.1.0
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    pub(crate) format: Format,
+    /// The same as --format json
+    #[arg(long, conflicts_with_all = ["format", "sarif"])]
+    pub(crate) json: bool,
+    /// The same as --format sarif
+    #[arg(long, conflicts_with = "format")]
+    pub(crate) sarif: bool,
+    /// Exit code 1 for warnings, too
+    #[arg(long)]
+    pub(crate) deny_warnings: bool,
+    /// Check again whenever one of the files has changed, until Ctrl-C
+    #[arg(long, conflicts_with_all = ["format", "json", "sarif"])]
+    pub(crate) watch: bool,
+    /// Let a solver decide the properties that the checker leaves open, as the feature `prove` of the crate `grafcet` does
+    #[arg(long)]
+    pub(crate) prove: bool,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum Format {
+    #[default]
+    Human,
+    Json,
+    Sarif,
+}
 
 pub(crate) fn run(options: &Check) -> Result<Outcome, Failure> {
     if options.watch { watch::run(&options.charts, || once(options)) } else { once(options) }

@@ -1,18 +1,51 @@
 //! `cargo grafcet coverage`
 
 use std::fs;
+use std::path::PathBuf;
 
-use grafcet_sim::{Coverage, script_of};
+use clap::Args as Arguments;
+use grafcet_sim::script_of;
 use serde_json::{Value, json};
 
-use crate::args;
+use crate::args::Charts;
 use crate::simulate::session::Session;
 use crate::{Failure, Outcome, complain, find, replay, say};
 
-pub(crate) fn run(options: &args::Coverage) -> Result<Outcome, Failure> {
+/// Say what scripts and records have covered of a chart
+///
+/// Steps, transitions, and of each condition the parts that have decided as true and as false (masking MC/DC). A script has one line a cycle with the inputs
+/// that are true.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet coverage --chart Motor --script motor.script
+  cargo grafcet coverage --chart Motor --script a.script --script b.script --lcov motor.info
+
+Exit code 1 says that something is not covered.")]
+pub(crate) struct Coverage {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Cycles as lines; more than once for several
+    #[arg(long, value_name = "FILE", required_unless_present = "record")]
+    pub(crate) script: Vec<PathBuf>,
+    /// A record of the flight recorder; more than once for several
+    #[arg(long, value_name = "FILE")]
+    pub(crate) record: Vec<PathBuf>,
+    /// What need not be covered: the beginning of a line of the output; more than once for several
+    #[arg(long, value_name = "WORDS")]
+    pub(crate) except: Vec<String>,
+    /// Write an LCOV file about the chart's source
+    #[arg(long, value_name = "FILE")]
+    pub(crate) lcov: Option<PathBuf>,
+    /// One JSON object instead of lines
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+pub(crate) fn run(options: &Coverage) -> Result<Outcome, Failure> {
     let found = find::one(&options.charts)?;
     let Some(chart) = replay::chart(&found) else { return Ok(Outcome::Wrong) };
-    let mut covered = Coverage::of(&chart);
+    let mut covered = grafcet_sim::Coverage::of(&chart);
     for file in &options.script {
         let wrong = |error: &dyn std::fmt::Display| Failure::Said(format!("{}: {error}", file.display()));
         let text = fs::read_to_string(file).map_err(|error| Failure::file(file, &error))?;
@@ -46,7 +79,7 @@ pub(crate) fn run(options: &args::Coverage) -> Result<Outcome, Failure> {
     Ok(Outcome::wrong_if(!open.is_empty()))
 }
 
-fn object(covered: &Coverage, open: &[&String]) -> Value {
+fn object(covered: &grafcet_sim::Coverage, open: &[&String]) -> Value {
     let count =
         |times: &[u64]| json!({ "covered": times.iter().filter(|times| **times > 0).count(), "all": times.len() });
     json!({ "steps": count(covered.entered()), "transitions": count(&covered.cleared()), "missing": open })

@@ -2,16 +2,39 @@
 
 use std::fs;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use annotate_snippets::Level;
+use clap::Args as Arguments;
 use grafcet_exchange::import::{Chart, Imported, import};
 use serde_json::{Value, json};
 
-use crate::args::Import;
 use crate::find::{self, Source};
 use crate::report::{Message, human};
 use crate::{Failure, Outcome, check, complain, say};
+
+/// Make Rust of charts of PLC tools: PLCopen XML and the textual form of SFC
+///
+/// Each SFC of the file becomes a chart, as a person would have written it: chains of transitions, names as Rust has them, comments kept. Conditions and actions in structured text
+/// are translated; what is not is a stub with its text, and said at its place. What was renamed stands at the top of the file.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet import plc.xml
+  cargo grafcet import motor.st -o src/motor.rs
+
+Exit code 1 says that something is to be looked at or to be written, or that the compiler refuses a chart.")]
+pub(crate) struct Import {
+    /// PLCopen XML (TC6), or `PROGRAM … END_PROGRAM` with steps and transitions
+    #[arg(value_name = "FILE")]
+    pub(crate) file: PathBuf,
+    /// Write to this file
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// One JSON object: the source, and of each chart what was renamed and what is to be looked at
+    #[arg(long, conflicts_with = "output")]
+    pub(crate) json: bool,
+}
 
 pub(crate) fn run(options: &Import) -> Result<Outcome, Failure> {
     let path = &options.file;

@@ -10,6 +10,8 @@ mod find;
 mod import;
 mod model;
 mod output;
+#[cfg(feature = "print")]
+mod print;
 mod prove;
 mod replay;
 mod report;

@@ -1,9 +1,10 @@
 //! `cargo grafcet prove`
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use clap::Args as Arguments;
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{Claim, Model, StepId};
 use grafcet_compiler::program::{Encoding, Program, counted};
@@ -11,10 +12,41 @@ use grafcet_prove::circuit::Circuit;
 use grafcet_prove::{Limit, Verdict, decide, decide_home, decide_live, export, table, vacuous, words};
 use serde_json::{Value, json};
 
-use crate::args::Prove;
+use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::model::with_plants;
 use crate::{Failure, Outcome, complain, say};
+
+/// Prove or refute what charts claim
+///
+/// Each property is proved for all inputs and all times, or broken by a way of cycles, which is shown.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet prove --chart Crossing
+  cargo grafcet prove --chart Crossing --why     what holds in every situation, from which each proof follows
+  cargo grafcet prove --chart Crossing --aiger crossing.aig
+
+Exit code 1 says that a property is broken, undecided, or not modelled.")]
+pub(crate) struct Prove {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// The longest time for each property
+    #[arg(long, default_value_t = 10, value_name = "SECONDS")]
+    pub(crate) seconds: u64,
+    /// What holds in every situation, from which each proof follows
+    #[arg(long)]
+    pub(crate) why: bool,
+    /// Write the circuit of the one chart as AIGER, as text where the name ends with .aag
+    #[arg(long, value_name = "FILE")]
+    pub(crate) aiger: Option<PathBuf>,
+    /// Write the circuit of the one chart as BTOR2
+    #[arg(long, value_name = "FILE")]
+    pub(crate) btor2: Option<PathBuf>,
+    /// One JSON object a property
+    #[arg(long)]
+    pub(crate) json: bool,
+}
 
 pub(crate) fn run(options: &Prove) -> Result<Outcome, Failure> {
     let charts = find::charts(&options.charts)?;

@@ -1,14 +1,44 @@
 //! `cargo grafcet replay`
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args as Arguments;
 use grafcet_sim::{Chart, Trace, chronogram, page, table, vcd};
 
-use crate::args::Replay;
+use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::model::drawn;
 use crate::{Failure, Outcome, complain, say};
+
+/// Run a record of the flight recorder again, from the chart's source
+///
+/// It shows cycle by cycle what the chart did and what it waited for. What is missing or differs from the recorded states is a warning.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet replay cell.record src/cell.rs --chart Cell
+  cargo grafcet replay cell.record --chart Cell --html cell.html
+
+Exit code 1 says that there are warnings, or that the record cannot be run.")]
+pub(crate) struct Replay {
+    /// The memory of a recorder, or what it has sent over a wire
+    pub(crate) record: PathBuf,
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Write a page with the chart and the chronogram to step through
+    #[arg(long, value_name = "FILE")]
+    pub(crate) html: Option<PathBuf>,
+    /// Write a waveform (VCD)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) vcd: Option<PathBuf>,
+    /// Write a chronogram (SVG)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
+    /// Also a record of another version of the chart, with the same inputs and parameters
+    #[arg(long)]
+    pub(crate) even_if_changed: bool,
+}
 
 pub(crate) fn run(options: &Replay) -> Result<Outcome, Failure> {
     let found = find::one(&options.charts)?;

@@ -90,3 +90,34 @@ fn names_and_numbers() {
     }
     assert_eq!(tool(folder.path(), &["export", "st", "press.rs", "--chart", "Press", "--by", "0"]).code, Some(2));
 }
+
+/// What could not be translated has its place, what is to be written its name.
+#[test]
+fn one_json_object_a_chart() {
+    const CALLS: &str = "grafcet! { sfc Calls { input level: i16; output lit: bool; initial step Off; step Lit { lit; } Off -[high(level)]-> Lit -[level < 3]-> Off; } }";
+    let folder = folder(&[("press.rs", PRESS), ("calls.rs", CALLS)]);
+    let objects = |arguments: &[&str], code: i32| -> Vec<serde_json::Value> {
+        let done = tool(folder.path(), &[&["export", "st", "--json"], arguments].concat());
+        assert_eq!(done.code, Some(code), "{done:?}");
+        done.out.lines().map(|line| serde_json::from_str(line).expect("an object")).collect()
+    };
+    let [calls] = &objects(&["calls.rs"], 0)[..] else { panic!("one chart") };
+    assert_eq!((calls["chart"].as_str(), calls["file"].as_str()), (Some("Calls"), Some("calls.rs")));
+    let said = tool(folder.path(), &["export", "st", "calls.rs"]);
+    assert_eq!(calls["text"], said.out);
+    assert_eq!(calls["to_write"].as_array().map(Vec::len), Some(1));
+    assert_eq!(calls["to_write"][0]["name"], "high");
+    assert_eq!(calls["refused"], serde_json::json!([]));
+    let [both, broken] = &objects(&["press.rs", "--chart", "Both", "--chart", "Broken"], 1)[..] else {
+        panic!("two charts")
+    };
+    assert!(both["text"].is_null());
+    let refused = &both["refused"][0];
+    // As it is shown to people: press.rs:22:14.
+    assert_eq!((&refused["start"]["line"], &refused["start"]["column"]), (&22.into(), &14.into()));
+    let bytes = |end: usize| usize::try_from(refused["bytes"][end].as_u64().expect("a place")).expect("a place");
+    assert_eq!(&PRESS[bytes(0)..bytes(1)], "B");
+    // What does not compile has no translation; why is said beside it.
+    assert_eq!((&broken["text"], &broken["refused"]), (&serde_json::Value::Null, &serde_json::json!([])));
+    assert_eq!(tool(folder.path(), &["export", "pnml", "press.rs", "--json", "--out", "nets"]).code, Some(2));
+}

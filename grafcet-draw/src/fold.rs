@@ -5,8 +5,8 @@ use crate::sheets::{Link, Node, Sheet, pieces};
 use crate::sorted::{List, Map, sort_by_key};
 use crate::wording::Wording;
 
-/// What has more rows than this is folded.
-const TALL: i32 = 120;
+/// What has more rows than this is folded where a screen shows it.
+pub(crate) const TALL: i32 = 120;
 /// About so many rows are a column: what a screen shows.
 const COLUMN: i32 = 60;
 
@@ -15,7 +15,7 @@ const COLUMN: i32 = 60;
 pub(crate) fn columns(wording: &Wording<'_>, net: Sheet) -> Vec<Sheet> {
     let graph = layered(wording, &net);
     let heights = heights(wording, &graph);
-    if heights.iter().sum::<i32>() <= TALL {
+    if heights.iter().sum::<i32>() <= wording.tall {
         return vec![net];
     }
     let layers = Layers::of(&graph);

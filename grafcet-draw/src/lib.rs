@@ -12,6 +12,8 @@ mod legend;
 mod mermaid;
 mod net;
 mod order;
+#[cfg(feature = "pages")]
+pub mod pages;
 mod place;
 mod route;
 mod search;
@@ -54,16 +56,21 @@ pub fn layout(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) 
 
 /// Lays a chart out in so many characters from left to right, or more where a net does.
 fn within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), width: i32) -> Drawing {
-    let sheets = sheets::sheets(chart);
     if is_large(chart) {
-        return overview(&sheets, legend::legend(chart), width);
+        return overview(&sheets::sheets(chart), legend::legend(chart), width);
     }
+    shape::pack(blocks(chart, situation, width, fold::TALL), width, (2, 1))
+}
+
+/// What stands beside each other: the sheets, in so many characters from left to right, and what names stand for. Nets of more rows than `tall` are folded.
+fn blocks(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), width: i32, tall: i32) -> Vec<Drawing> {
+    let sheets = sheets::sheets(chart);
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).list();
-    let wording = Wording { chart, active, density: Density::ROOMY };
+    let wording = Wording { chart, active, density: Density::ROOMY, tall };
     let drawn = sheets
         .iter()
         .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&wording, sheet), width - 4, (3, 1))));
-    shape::pack(drawn.chain(legend::legend(chart)).list(), width, (2, 1))
+    drawn.chain(legend::legend(chart)).list()
 }
 
 /// Whether a chart is too large to be drawn step by step: it has more than 150 steps or 600 transitions.

@@ -25,7 +25,8 @@ pub(crate) fn draw(wording: &Wording<'_>, sheet: &Sheet) -> Vec<Drawing> {
     });
     let graphs = graphs.list();
     let references = references(sheet, &graphs);
-    let dense = Wording { chart: wording.chart, active: wording.active.clone(), density: Density::DENSE };
+    let dense =
+        Wording { chart: wording.chart, active: wording.active.clone(), density: Density::DENSE, tall: wording.tall };
     let drawings = graphs.iter().map(|graph| {
         let drawing = drawn(wording, graph, &references);
         if drawing.width > WIDE { drawn(&dense, graph, &references) } else { drawing }

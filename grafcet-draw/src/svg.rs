@@ -9,13 +9,13 @@ use crate::sorted::{List, sort};
 use crate::wrap::width;
 
 /// A square in pixels.
-const SQUARE: (i32, i32) = (8, 16);
+pub(crate) const SQUARE: (i32, i32) = (8, 16);
 /// From the middle of a double line to each of its lines, in pixels.
 const APART: i32 = 2;
 /// From the middle of what crosses a double line to the ends of the latter, in pixels.
 const GAP: i32 = 5;
 /// Around the drawing.
-const MARGIN: i32 = 4;
+pub(crate) const MARGIN: i32 = 4;
 
 /// Where a picture is shown.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -69,7 +69,7 @@ fn steps(chart: &Description<'_>, of: Thing) -> String {
     all.join(" ")
 }
 
-fn write_upon(name: &str, drawing: &Drawing, style: Style, below: &str) -> String {
+pub(crate) fn write_upon(name: &str, drawing: &Drawing, style: Style, below: &str) -> String {
     let (wide, high) = (drawing.width * SQUARE.0 + 2 * MARGIN, drawing.height * SQUARE.1 + 2 * MARGIN);
     let size = match style {
         Style::Paper => format!("width=\"{wide}\" height=\"{high}\" style=\"color:#1f2328;background:#fff\""),
@@ -131,7 +131,7 @@ fn gaps(drawing: &Drawing, doubles: &[(i32, i32, i32)]) -> Vec<(i32, i32)> {
 }
 
 /// The middle of a square.
-fn middle(at: (i32, i32)) -> (i32, i32) {
+pub(crate) fn middle(at: (i32, i32)) -> (i32, i32) {
     (at.0 * SQUARE.0 + SQUARE.0 / 2, at.1 * SQUARE.1 + SQUARE.1 / 2)
 }
 

@@ -21,6 +21,8 @@ pub(crate) struct Wording<'a> {
     pub(crate) chart: &'a Description<'a>,
     pub(crate) active: Vec<bool>,
     pub(crate) density: Density,
+    /// What has more rows than this is folded.
+    pub(crate) tall: i32,
 }
 
 /// How closely a net is drawn.

@@ -8,16 +8,45 @@ mod changes;
 mod renamed;
 mod words;
 
+use std::path::PathBuf;
+
+use clap::Args as Arguments;
 use grafcet_compiler::describe::with_description;
 use grafcet_compiler::model::Model;
 use serde_json::json;
 
-use crate::args::Diff;
 use crate::find::{self, Found};
 use crate::model::drawn;
 use crate::{Failure, Outcome, say};
 use changes::Change;
 use words::Words;
+
+/// Say what has changed from one version of a chart to another
+///
+/// Steps, transitions, conditions, actions, what is declared and claimed, and the order where it counts: which transition has priority. What has another name and is
+/// otherwise the same is renamed. Blanks and comments do not count. Charts of two files belong together by their names; where there is one in each, these do.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet diff old/motor.rs src/motor.rs
+  git show HEAD~1:src/motor.rs > old.rs; cargo grafcet diff old.rs src/motor.rs --draw
+
+Exit code 1 says that something has changed.")]
+pub(crate) struct Diff {
+    /// A file with the old version
+    pub(crate) old: PathBuf,
+    /// A file with the new version
+    pub(crate) new: PathBuf,
+    /// Only the charts of this name
+    #[arg(long, value_name = "NAME")]
+    pub(crate) chart: Option<String>,
+    /// Draw the new version; a dot marks the steps with which something has changed
+    #[arg(long, conflicts_with = "json")]
+    pub(crate) draw: bool,
+    /// One JSON object a change
+    #[arg(long)]
+    pub(crate) json: bool,
+}
 
 pub(crate) fn run(options: &Diff) -> Result<Outcome, Failure> {
     let of = |file| -> Result<Vec<Found>, Failure> {

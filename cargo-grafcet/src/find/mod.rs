@@ -75,6 +75,12 @@ pub(crate) fn folders(options: &Charts) -> Result<Vec<Folder>, Failure> {
     Ok(folders)
 }
 
+/// The version of the crate in which a file lies, as cargo tells.
+#[cfg(feature = "print")]
+pub(crate) fn version(file: &Path) -> Option<String> {
+    package::version(file)
+}
+
 /// The one chart that is meant.
 ///
 /// # Errors

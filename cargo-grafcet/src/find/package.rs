@@ -17,7 +17,7 @@ pub(super) struct Targets {
 
 /// Asks cargo.
 pub(super) fn targets(options: &Charts) -> Result<Targets, Failure> {
-    let metadata = metadata(options.manifest_path.as_deref())?;
+    let metadata = metadata(options.manifest_path.as_deref(), Stdio::inherit())?;
     let packages: Vec<&Value> = list(&metadata["packages"]).collect();
     let meant = meant(options, &metadata, &packages)?;
     let mut files: Vec<PathBuf> = Vec::new();
@@ -47,7 +47,7 @@ fn meant<'m>(options: &Charts, metadata: &'m Value, packages: &[&'m Value]) -> R
     let root = metadata["workspace_root"].as_str().map(Path::new);
     let here = match &options.manifest_path {
         Some(manifest) => manifest.canonicalize().map_err(|error| Failure::file(manifest, &error))?,
-        None => nearest().unwrap_or_default(),
+        None => std::env::current_dir().ok().and_then(|here| nearest(&here)).unwrap_or_default(),
     };
     let is_here = |package: &&&Value| {
         let manifest = package["manifest_path"].as_str().map(Path::new);
@@ -64,18 +64,29 @@ fn meant<'m>(options: &Charts, metadata: &'m Value, packages: &[&'m Value]) -> R
     }
 }
 
+/// The version of the crate in whose folder a file lies; none where it lies in none, or cargo does not tell.
+#[cfg(feature = "print")]
+pub(super) fn version(file: &Path) -> Option<String> {
+    let manifest = nearest(file.canonicalize().ok()?.parent()?)?;
+    let metadata = metadata(Some(&manifest), Stdio::null()).ok()?;
+    let is_it = |package: &&Value| {
+        let path = package["manifest_path"].as_str().map(Path::new);
+        path.is_some_and(|path| path.canonicalize().is_ok_and(|path| path == manifest))
+    };
+    list(&metadata["packages"]).find(is_it)?["version"].as_str().map(str::to_owned)
+}
+
 /// The manifest in this folder or above it.
-fn nearest() -> Option<PathBuf> {
-    let here = std::env::current_dir().ok()?;
-    let manifests = here.ancestors().map(|folder| folder.join("Cargo.toml"));
+fn nearest(folder: &Path) -> Option<PathBuf> {
+    let manifests = folder.ancestors().map(|folder| folder.join("Cargo.toml"));
     manifests.into_iter().find(|manifest| manifest.is_file())?.canonicalize().ok()
 }
 
-fn metadata(manifest: Option<&Path>) -> Result<Value, Failure> {
+fn metadata(manifest: Option<&Path>, errors: Stdio) -> Result<Value, Failure> {
     // Cargo tells its plugins which cargo has called them.
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["metadata", "--no-deps", "--format-version", "1"]).stderr(Stdio::inherit());
+    command.args(["metadata", "--no-deps", "--format-version", "1"]).stderr(errors);
     if let Some(manifest) = manifest {
         command.arg("--manifest-path").arg(manifest);
     }

@@ -39,8 +39,7 @@ fn snippet<'s>(source: &'s Source, path: &'s str, note: &Note<'_>) -> Snippet<'s
 
 /// Why a chart has no translation, at its place or at the chart's call.
 pub(crate) fn refused(chart: &Found, refused: &Refused) -> String {
-    let mark = refused.mark.unwrap_or_else(|| chart.call.into());
-    let place = Place::of(mark, &chart.source).unwrap_or_else(|| Place::or_begin(chart.call, &chart.source));
+    let place = super::place(chart, refused);
     let path = chart.source.path.display().to_string();
     let note = Note { place, sentence: &refused.message, table: "" };
     let title = format!("{} has no translation: {}", chart.name, refused.message);

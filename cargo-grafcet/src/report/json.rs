@@ -1,12 +1,28 @@
 //! One object a message.
 
+use grafcet_exchange::Refused;
 use serde_json::{Value, json};
 
 use super::{At, Message};
+use crate::find::Found;
+
+fn at(at: At) -> Value {
+    json!({ "line": at.line, "column": at.column })
+}
+
+/// Why a chart has no translation, at its place or at the chart's call.
+pub(crate) fn refused(chart: &Found, refused: &Refused) -> Value {
+    let place = super::place(chart, refused);
+    json!({
+        "message": refused.message,
+        "start": at(place.from),
+        "end": at(place.to),
+        "bytes": [place.start, place.end],
+    })
+}
 
 /// A message; each `note` has its own place, the culprit's first.
 pub(crate) fn object(message: &Message) -> Value {
-    let at = |at: At| json!({ "line": at.line, "column": at.column });
     let notes = message.notes().map(|note| {
         let place = note.place;
         let mut value = json!({

@@ -7,10 +7,10 @@ pub(crate) mod sarif;
 use std::rc::Rc;
 
 use grafcet_compiler::diagnostic::{Diagnostic, Mark, Severity};
-
+use grafcet_exchange::Refused;
 use proc_macro2::Span;
 
-use crate::find::Source;
+use crate::find::{Found, Source};
 
 /// What is said of a chart.
 pub(crate) struct Message {
@@ -71,6 +71,12 @@ pub(crate) struct At {
     pub(crate) line: usize,
     /// In characters.
     pub(crate) column: usize,
+}
+
+/// Where what has no translation stands; else where the chart is called.
+fn place(chart: &Found, refused: &Refused) -> Place {
+    let mark = refused.mark.unwrap_or_else(|| chart.call.into());
+    Place::of(mark, &chart.source).unwrap_or_else(|| Place::or_begin(chart.call, &chart.source))
 }
 
 impl Place {

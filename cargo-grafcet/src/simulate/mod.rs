@@ -13,14 +13,15 @@ mod terminal;
 mod tests;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args as Arguments;
 use grafcet_sim::{Chart, Cycle, Signal, Trace, Value, happened, script_of, table};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use serde_json::{Map, json};
 
-use crate::args::Simulate;
+use crate::args::Charts;
 use crate::find;
 use crate::{Failure, Outcome, complain, replay, say};
 use screen::Screen;
@@ -28,6 +29,47 @@ use session::Session;
 
 /// The time from one cycle to the next where nobody says, in nanoseconds.
 const STEP: u64 = 100_000_000;
+
+/// Play with a chart in the terminal
+///
+/// The chart is drawn with its active steps. Each input has a key, which stands in front of its name: it turns a truth around, takes the next of a list of
+/// variants, or asks for a number. Enter makes one cycle, Space lets the chart run, Backspace takes a cycle back, `+` and `-` change the time from one cycle
+/// to the next, Ctrl-S saves the session as a script, Esc ends it. Functions and constants of the program around the chart are inputs under their own text;
+/// blocks of Rust that cannot be looked into write nothing.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet simulate --chart Motor
+  cargo grafcet simulate --chart Motor --save motor.script
+  cargo grafcet simulate --chart Motor --script motor.script    without a terminal
+
+Exit code 1 says that the chart has errors, or that a cycle of the script cannot be run.")]
+pub(crate) struct Simulate {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Run the cycles of this file without a terminal: one line a cycle with the inputs that are true
+    #[arg(long, value_name = "FILE")]
+    pub(crate) script: Option<PathBuf>,
+    /// Where Ctrl-S saves the session, also where the file is there already; else in NAME.script, which must be new
+    #[arg(long, value_name = "FILE", conflicts_with = "script")]
+    pub(crate) save: Option<PathBuf>,
+    /// The time from one cycle to the next at the beginning, in ticks of the chart's clock; else a tenth of a second
+    #[arg(long, value_name = "TICKS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) step: Option<u32>,
+    /// With --script: one JSON object a cycle
+    #[arg(long, requires = "script")]
+    pub(crate) json: bool,
+    /// With --script: what a terminal of this size shows after each cycle
+    #[arg(long, requires = "script", conflicts_with = "json", value_name = "COLUMNSxROWS", value_parser = size)]
+    pub(crate) frames: Option<(u16, u16)>,
+}
+
+/// `80x24`
+fn size(text: &str) -> Result<(u16, u16), String> {
+    let numbers = text.split_once('x').and_then(|(columns, rows)| Some((columns.parse().ok()?, rows.parse().ok()?)));
+    let fits = numbers.filter(|(columns, rows)| (40..=1000).contains(columns) && (12..=1000).contains(rows));
+    fits.ok_or_else(|| "columns and rows as in 80x24, from 40x12 on".to_owned())
+}
 
 pub(crate) fn run(options: &Simulate) -> Result<Outcome, Failure> {
     let found = find::one(&options.charts)?;

@@ -14,17 +14,60 @@ mod write;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args as Arguments;
 use grafcet_sim::{Beside, Chart};
 use serde_json::json;
 
-use crate::args::Tests;
+use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::{Failure, Outcome, check, complain, replay, say, simulate};
 use goals::Goal;
 use plan::Plan;
 use search::Search;
+
+/// Write a test suite out of a chart: as few cycles as show all of it
+///
+/// Sequences of cycles in which every transition clears, and in which each, its steps being active, does not clear once. What is expected of each cycle is what the chart does:
+/// somebody has to confirm that it is what is meant. The sequences are found by trying: in each cycle the values that conditions can tell apart.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet tests --chart Motor                      as scripts, to the output
+  cargo grafcet tests --chart Motor --out scripts --pairs
+  cargo grafcet tests --chart Motor --rust src/motor_tests.rs --path super
+  cargo grafcet tests --chart Motor --protocol motor.md  a page to tick off at the machine
+
+Exit code 1 says that something cannot be shown; it is listed with the reason.")]
+pub(crate) struct Tests {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    /// Each pair of transitions one behind the other, too
+    #[arg(long)]
+    pub(crate) pairs: bool,
+    /// Write the scripts to NAME-1.script and so on in this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) out: Option<PathBuf>,
+    /// Write a Rust file with a test for each sequence
+    #[arg(long, value_name = "FILE")]
+    pub(crate) rust: Option<PathBuf>,
+    /// Where the Rust file finds the chart's types
+    #[arg(long, value_name = "PATH", default_value = "super", requires = "rust")]
+    pub(crate) path: String,
+    /// Write a page (Markdown) to tick off at the machine
+    #[arg(long, value_name = "FILE")]
+    pub(crate) protocol: Option<PathBuf>,
+    /// The time from one cycle to the next where the chart waits for none, in ticks of its clock; else a tenth of a second
+    #[arg(long, value_name = "TICKS", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) step: Option<u32>,
+    /// So many cycles are tried on the way to each goal
+    #[arg(long, value_name = "CYCLES", default_value_t = 20_000)]
+    pub(crate) effort: usize,
+    /// One JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
+}
 
 pub(crate) fn run(options: &Tests) -> Result<Outcome, Failure> {
     let found = find::one(&options.charts)?;
