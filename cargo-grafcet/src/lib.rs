@@ -13,8 +13,10 @@ mod output;
 mod prove;
 mod replay;
 mod report;
+mod rerun;
 mod simulate;
 mod suite;
+#[cfg(feature = "watch")]
 mod watch;
 
 use std::ffi::OsString;
@@ -59,6 +61,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Coverage(options) => coverage::run(options),
         Command::Tests(options) => suite::run(options),
         Command::Prove(options) => prove::run(options),
+        #[cfg(feature = "watch")]
+        Command::Watch(options) => watch::run(options),
     };
     match done {
         Ok(Outcome::Well) | Err(Failure::Silent) => ExitCode::SUCCESS,
