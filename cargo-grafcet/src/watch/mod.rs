@@ -63,7 +63,9 @@ fn chosen<'w>(wanted: &'w Wanted, charts: &[Found]) -> Result<Option<&'w str>, F
     if charts.iter().any(|chart| chart.name == name) {
         return Ok(Some(name));
     }
-    Err(Failure::Said(format!("{name}={}: there is no chart `{name}`; {}", wanted.place, find::one_of(charts))))
+    let mut others: Vec<String> = charts.iter().map(|chart| format!("`{}`", chart.name)).collect();
+    others.truncate(8);
+    Err(Failure::Said(format!("{name}={}: there is no chart `{name}`, but {}", wanted.place, others.join(", "))))
 }
 
 /// What was written between the braces: another thread reads it anew, as tokens cannot be handed over.
