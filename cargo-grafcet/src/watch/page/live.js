@@ -40,6 +40,13 @@ class Seen {
   get step() { return Math.max(1, Math.round(1e7 / this.names.nanosPerTick)); }
   begins({ elapsed }) { return elapsed; }
 
+  // The last moment with none of its values.
+  without() {
+    const { names, moment } = this, none = list => list.map(() => "?");
+    const [values, outputs, variables, params] = [moment.values, moment.outputs, moment.variables, moment.params].map(none);
+    return { names, values, params, moment: { ...moment, values, outputs, variables, params } };
+  }
+
   take({ line, chart, missed, moments }) {
     this.line = line;
     this.heard = line.heard === null ? null : performance.now() - line.heard;
@@ -141,10 +148,11 @@ class View {
       return this.#drawing.clear();
     }
     this.#part(".clock").textContent = `${moment.time} · cycle ${moment.number}`;
-    this.#signals.show(this.seen);
     this.#chronogram.draw(this.seen);
-    // Where nothing is known of the present, nothing is marked as if it were.
-    if (unknown !== null && isLive) {
+    // Where nothing is known of the present, nothing is shown as if it were.
+    const isUnknown = unknown !== null && isLive;
+    this.#signals.show(isUnknown ? this.seen.without() : this.seen);
+    if (isUnknown) {
       list(this.#part(".waits"), ["not known now"]);
       this.#drawing.clear();
     } else {
