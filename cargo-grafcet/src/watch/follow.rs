@@ -37,10 +37,10 @@ struct Clock {
 }
 
 impl Clock {
-    /// Where the controller has started anew, so has its clock: how long that took nobody knows. On the page it is a second.
-    fn at(&mut self, reading: u32, second: u64) -> u64 {
+    /// Where the controller has started anew, so has its clock: how long that took nobody knows. On the page it is a tenth of a second.
+    fn at(&mut self, reading: u32, tenth: u64) -> u64 {
         let since = match self.last.replace(reading) {
-            Some(_) if self.begins => second,
+            Some(_) if self.begins => tenth,
             Some(last) => u64::from(reading.wrapping_sub(last)),
             None => 0,
         };
@@ -152,7 +152,7 @@ impl Controller<'_> {
     fn moment(&mut self, live: &Live<'_>, cycle: Cycle) -> Moment {
         let names = live.chart().names();
         let late: Vec<String> = live.late_steps().into_iter().map(str::to_owned).collect();
-        let elapsed = self.clock.at(cycle.now, 1_000_000_000 / names.nanos_per_tick.max(1));
+        let elapsed = self.clock.at(cycle.now, 100_000_000 / names.nanos_per_tick.max(1));
         let is_new = cycle.gap.is_some()
             || self.last.as_ref().is_none_or(|(last, was_late)| {
                 *was_late != late || last.inputs != cycle.inputs || cycle.shows_more_than(last)

@@ -149,7 +149,10 @@ impl Kept {
         let more = seen.next < inner.next;
         seen.version = (!more).then_some(inner.version);
         let line = line(&inner.line);
-        Some((format!("{{\"source\":{place},\"line\":{line}{chart},\"missed\":{missed},\"moments\":[{moments}]}}"), more))
+        Some((
+            format!("{{\"source\":{place},\"line\":{line}{chart},\"missed\":{missed},\"moments\":[{moments}]}}"),
+            more,
+        ))
     }
 }
 

@@ -56,7 +56,8 @@ impl FromStr for Place {
             return Ok(Self::Input);
         }
         if let Some(address) = text.strip_prefix("tcp:") {
-            let port = address.rsplit_once(':').filter(|(host, _)| !host.is_empty()).map(|(_, port)| port.parse::<u16>());
+            let port =
+                address.rsplit_once(':').filter(|(host, _)| !host.is_empty()).map(|(_, port)| port.parse::<u16>());
             return match port {
                 Some(Ok(_)) => Ok(Self::Tcp(address.to_owned())),
                 _ => Err("a host and a port, as in tcp:192.168.1.7:4000".to_owned()),

@@ -135,7 +135,7 @@ async function look(address, bytes, first, second) {
   const box = await controller(0).locator(".chronogram svg").boundingBox();
   await page.mouse.move(box.x + 130, box.y + 60);
   await page.mouse.down();
-  await page.mouse.move(box.x + box.width - 60, box.y + 60, { steps: 6 });
+  await page.mouse.move(box.x + 118 + (box.width - 130) * 0.3, box.y + 60, { steps: 6 });
   await page.mouse.up();
   assert.ok(await page.evaluate(() => live.views[0].seen.shown) > 3);
   await controller(0).locator(".now").click();
