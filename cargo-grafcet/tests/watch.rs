@@ -29,7 +29,7 @@ struct Watching {
     input: Option<ChildStdin>,
     port: u16,
     token: String,
-    _folder: TempDir,
+    folder: TempDir,
 }
 
 impl Watching {
@@ -45,7 +45,7 @@ impl Watching {
         let (port, token) =
             line.trim().strip_prefix("http://127.0.0.1:").and_then(|rest| rest.split_once('/')).expect(&line);
         let (port, token) = (port.parse().expect("a port"), token.trim_end_matches('/').to_owned());
-        Self { input: child.stdin.take(), child, port, token, _folder: folder }
+        Self { input: child.stdin.take(), child, port, token, folder }
     }
 
     /// The status and the text of an answer to a request with these lines in its head.
@@ -208,7 +208,7 @@ fn a_file_grows_and_a_pipe_ends() {
     // The first cycle of the pipe is the same as of the file: four moments of one and three of the other.
     let mut viewer = watching.view();
     viewer.until("the file", |viewer| viewer.moments.len() >= 4);
-    let file = watching._folder.path().join("motor.frames");
+    let file = watching.folder.path().join("motor.frames");
     let more = &frames(6, 100)[frames(4, 100).len()..];
     std::fs::OpenOptions::new().append(true).open(file).and_then(|mut file| file.write_all(more)).expect("a file");
     viewer.until("what was added", |viewer| viewer.last() == Some(6));
@@ -262,13 +262,13 @@ fn fifty_viewers_and_one_that_does_not_read() {
     let mut viewers: Vec<Viewer> = (0..49).map(|_| watching.view()).collect();
     let stuck = watching.view();
     let bytes = frames(FRAMES, 256);
-    let begun = bytes.len() / 10;
-    stream.write_all(&bytes[..begun]).expect("a connection");
+    let tenth = bytes.len() / 10;
+    stream.write_all(&bytes[..tenth]).expect("a connection");
     viewers[0].until("some moments", |viewer| viewer.moments.len() >= 50);
     let (before, begin) = (watching.memory(), Instant::now());
     let sender = thread::spawn(move || {
         // As 10,000 frames a second come: a hundredth of a second's at once.
-        for (number, piece) in bytes[begun..].chunks(bytes.len() * 100 / FRAMES as usize).enumerate() {
+        for (number, piece) in bytes[tenth..].chunks(bytes.len() * 100 / FRAMES as usize).enumerate() {
             let at = begin + Duration::from_millis(10) * u32::try_from(number).expect("a few");
             thread::sleep(at.saturating_duration_since(Instant::now()));
             stream.write_all(piece).expect("a connection");

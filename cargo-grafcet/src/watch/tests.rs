@@ -127,7 +127,7 @@ fn garbage_is_counted_and_forgotten() {
     let mut state = 1_u64;
     let noise: Vec<u8> = std::iter::repeat_with(|| {
         state = state * 48_271 % 0x7fff_ffff;
-        (state >> 8) as u8
+        state.to_le_bytes()[1]
     })
     .take(1 << 20)
     .collect();
