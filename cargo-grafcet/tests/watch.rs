@@ -50,11 +50,25 @@ impl Watching {
 
     /// The status and the text of an answer to a request with these lines in its head.
     fn ask(&self, path: &str, head: &str) -> (u16, String) {
-        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the server");
-        write!(stream, "GET {path} HTTP/1.1\r\nConnection: close\r\n{head}\r\n").expect("a request");
         let mut text = String::new();
+        let mut stream = self.send(path, &format!("Connection: close\r\n{head}"));
         stream.read_to_string(&mut text).expect("an answer");
         (text.get(9..12).and_then(|status| status.parse().ok()).expect(&text), text)
+    }
+
+    /// The status of an answer to a browser that would open a socket.
+    fn open(&self, path: &str, head: &str) -> u16 {
+        let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\
+                       Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+        let mut line = [0; 12];
+        self.send(path, &format!("{upgrade}{head}")).read_exact(&mut line).expect("an answer");
+        String::from_utf8_lossy(&line[9..]).parse().expect("a status")
+    }
+
+    fn send(&self, path: &str, head: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the server");
+        write!(stream, "GET {path} HTTP/1.1\r\n{head}\r\n").expect("a request");
+        stream
     }
 
     fn host(&self) -> String {
@@ -184,21 +198,24 @@ fn foreign_names_and_foreign_pages_are_refused() {
         assert!([400, 403].contains(&status), "{host}: {status}");
     }
     assert_eq!(watching.ask(&page, &format!("Host: localhost:{port}\r\n")).0, 200);
-    let upgrade = "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
-    let socket = format!("{page}socket");
-    for origin in [
-        "",
-        "Origin: null\r\n",
-        "Origin: http://evil.example\r\n",
-        "Origin: http://127.0.0.1\r\n",
-        &format!("Origin: https://127.0.0.1:{port}\r\n"),
-    ] {
-        let status = watching.ask(&socket, &format!("{}{upgrade}{origin}", watching.host())).0;
-        assert_eq!(status, 403, "{origin}");
+    let (host, socket) = (watching.host(), format!("{page}socket"));
+    let [null, foreign, portless, secure, own] = [
+        "null",
+        "http://evil.example",
+        "http://127.0.0.1",
+        &format!("https://127.0.0.1:{port}"),
+        &format!("http://127.0.0.1:{port}"),
+    ]
+    .map(|origin| format!("Origin: {origin}\r\n"));
+    for origin in ["", &null, &foreign, &portless, &secure] {
+        assert_eq!(watching.open(&socket, &format!("{host}{origin}")), 403, "{origin}");
     }
-    let own = format!("Origin: http://127.0.0.1:{port}\r\n");
-    assert_eq!(watching.ask(&socket, &format!("{}{own}", watching.host())).0, 403, "no upgrade");
-    assert_eq!(watching.ask("/x/socket", &format!("{}{upgrade}{own}", watching.host())).0, 404);
+    // The same request is right where the page itself makes it.
+    assert_eq!(watching.open(&socket, &format!("{host}{own}")), 101);
+    assert_eq!(watching.open(&socket, &format!("Host: evil.example:{port}\r\n{own}")), 403);
+    assert_eq!(watching.open("/x/socket", &format!("{host}{own}")), 404);
+    assert_eq!(watching.ask(&socket, &format!("{host}{own}")).0, 403, "no upgrade");
+    assert_eq!(watching.ask(&page, &format!("{host}{foreign}")).0, 403);
     watching.view().until("the moments", |viewer| viewer.moments.len() == 4);
 }
 
