@@ -47,6 +47,8 @@ pub(crate) enum Command {
     Coverage(Coverage),
     Tests(Tests),
     Prove(Prove),
+    #[cfg(feature = "watch")]
+    Watch(crate::watch::args::Watch),
 }
 
 /// Where the result goes.

@@ -9,7 +9,7 @@ use grafcet_compiler::{Wanted, diagnose};
 use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::report::{Message, human, json, sarif};
-use crate::{Failure, Outcome, say, watch};
+use crate::{Failure, Outcome, rerun, say};
 
 /// Say what the compiler says about charts: rules and properties
 ///
@@ -56,7 +56,7 @@ pub(crate) enum Format {
 }
 
 pub(crate) fn run(options: &Check) -> Result<Outcome, Failure> {
-    if options.watch { watch::run(&options.charts, || once(options)) } else { once(options) }
+    if options.watch { rerun::run(&options.charts, || once(options)) } else { once(options) }
 }
 
 fn once(options: &Check) -> Result<Outcome, Failure> {

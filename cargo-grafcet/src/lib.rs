@@ -15,8 +15,10 @@ mod print;
 mod prove;
 mod replay;
 mod report;
+mod rerun;
 mod simulate;
 mod suite;
+#[cfg(feature = "watch")]
 mod watch;
 
 use std::ffi::OsString;
@@ -61,6 +63,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Coverage(options) => coverage::run(options),
         Command::Tests(options) => suite::run(options),
         Command::Prove(options) => prove::run(options),
+        #[cfg(feature = "watch")]
+        Command::Watch(options) => watch::run(options),
     };
     match done {
         Ok(Outcome::Well) | Err(Failure::Silent) => ExitCode::SUCCESS,

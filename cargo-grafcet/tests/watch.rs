@@ -1,57 +1,104 @@
-//! `check --watch`, beside an editor that saves files.
+//! The live view: who may look at it, what comes of each kind of source, and what many viewers and many frames take.
+#![cfg(feature = "watch")]
 
 mod common;
+#[path = "common/motor.rs"]
+mod motor;
 
-use std::fs;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::sync::mpsc::{Receiver, channel};
+use std::process::{Child, ChildStdin, Command, Stdio};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use common::{MANIFEST, folder, tool};
+use serde_json::Value as Json;
+use tempfile::TempDir;
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket};
 
-const GOOD: &str = "grafcet! { sfc Press { input a: bool; initial step A; step B; A -[a]-> B -[!a]-> A; } }\n";
+use common::folder;
+use motor::{OTHER, SOURCE, frames};
 
 /// No machine takes as long as this.
 const LONG: Duration = Duration::from_secs(120);
 
-/// The tool as it watches, and the lines that it writes.
+/// The tool as it watches.
 struct Watching {
     child: Child,
-    lines: Receiver<String>,
+    input: Option<ChildStdin>,
+    port: u16,
+    token: String,
+    folder: TempDir,
 }
 
 impl Watching {
-    fn begin(folder: &Path, arguments: &[&str]) -> Self {
+    fn begin(source: &str, arguments: &[&str]) -> Self {
+        let folder = folder(&[("motor.rs", source)]);
+        std::fs::write(folder.path().join("motor.frames"), frames(4, 100)).expect("a file");
         let mut command = Command::new(env!("CARGO_BIN_EXE_cargo-grafcet"));
-        command.args(["grafcet", "check", "--watch"]).args(arguments).current_dir(folder);
-        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the tool");
-        let (sender, lines) = channel();
-        let streams: [Option<Box<dyn Read + Send>>; 2] =
-            [child.stdout.take().map(|out| Box::new(out) as _), child.stderr.take().map(|err| Box::new(err) as _)];
-        for stream in streams.into_iter().flatten() {
-            let sender = sender.clone();
-            thread::spawn(move || {
-                for line in BufReader::new(stream).lines().map_while(Result::ok) {
-                    _ = sender.send(line);
-                }
-            });
-        }
-        Self { child, lines }
+        command.args(["grafcet", "watch", "--file", "motor.rs"]).args(arguments).current_dir(folder.path());
+        let mut child =
+            command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("the tool");
+        let mut line = String::new();
+        BufReader::new(child.stdout.as_mut().expect("its output")).read_line(&mut line).expect("a line");
+        let (port, token) =
+            line.trim().strip_prefix("http://127.0.0.1:").and_then(|rest| rest.split_once('/')).expect(&line);
+        let (port, token) = (port.parse().expect("a port"), token.trim_end_matches('/').to_owned());
+        Self { input: child.stdin.take(), child, port, token, folder }
     }
 
-    /// Waits for a line with this in it.
-    fn says(&self, what: &str) {
-        let mut so_far = Vec::new();
-        loop {
-            match self.lines.recv_timeout(LONG) {
-                Ok(line) if line.contains(what) => return,
-                Ok(line) => so_far.push(line),
-                Err(error) => panic!("{error} for {what:?} after {so_far:#?}"),
-            }
+    /// The status and the text of an answer to a request with these lines in its head.
+    fn ask(&self, path: &str, head: &str) -> (u16, String) {
+        let mut text = String::new();
+        let mut stream = self.send(path, &format!("Connection: close\r\n{head}"));
+        stream.read_to_string(&mut text).expect("an answer");
+        (text.get(9..12).and_then(|status| status.parse().ok()).expect(&text), text)
+    }
+
+    /// The status of an answer to a browser that would open a socket.
+    fn open(&self, path: &str, head: &str) -> u16 {
+        let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\
+                       Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+        let mut line = [0; 12];
+        self.send(path, &format!("{upgrade}{head}")).read_exact(&mut line).expect("an answer");
+        String::from_utf8_lossy(&line[9..]).parse().expect("a status")
+    }
+
+    fn send(&self, path: &str, head: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the server");
+        write!(stream, "GET {path} HTTP/1.1\r\n{head}\r\n").expect("a request");
+        stream
+    }
+
+    fn host(&self) -> String {
+        format!("Host: 127.0.0.1:{}\r\n", self.port)
+    }
+
+    fn view(&self) -> Viewer {
+        self.viewer().expect("a socket")
+    }
+
+    fn viewer(&self) -> Result<Viewer, Box<tungstenite::Error>> {
+        let mut request =
+            format!("ws://127.0.0.1:{}/{}/socket", self.port, self.token).into_client_request().map_err(Box::new)?;
+        let origin = format!("http://127.0.0.1:{}", self.port).parse().expect("a header");
+        request.headers_mut().insert("Origin", origin);
+        let stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the server");
+        stream.set_read_timeout(Some(LONG)).expect("a timeout");
+        match tungstenite::client(request, stream) {
+            Ok((socket, _)) => Ok(Viewer { socket, moments: Vec::new(), line: Json::Null, missed: 0, charts: 0 }),
+            Err(tungstenite::HandshakeError::Failure(error)) => Err(Box::new(error)),
+            Err(error) => panic!("{error}"),
         }
+    }
+
+    /// Bytes of memory that it takes now, where the system tells.
+    fn memory(&self) -> Option<usize> {
+        let status =
+            std::fs::read_to_string(Path::new("/proc").join(self.child.id().to_string()).join("status")).ok()?;
+        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+        line.trim().strip_suffix(" kB")?.parse::<usize>().ok().map(|kilobytes| kilobytes * 1024)
     }
 }
 
@@ -62,52 +109,250 @@ impl Drop for Watching {
     }
 }
 
-#[test]
-fn a_file_is_checked_whenever_it_is_saved() {
-    let folder = folder(&[("press.rs", GOOD), ("other.rs", GOOD)]);
-    let file = folder.path().join("press.rs");
-    let watching = Watching::begin(folder.path(), &["press.rs"]);
-    watching.says("1 chart: nothing to say");
-    fs::write(folder.path().join("other.rs"), "no chart").expect("saved");
-    fs::write(&file, GOOD.replace("!a", "aa")).expect("saved");
-    // Nothing is said of a file beside it.
-    assert_eq!(watching.lines.recv_timeout(LONG).as_deref(), Ok(""));
-    assert_eq!(watching.lines.recv_timeout(LONG).as_deref(), Ok("press.rs has changed"));
-    watching.says("unknown_name");
-    watching.says("1 chart: 1 error");
-    // What is no Rust for a moment ends nothing.
-    fs::write(&file, "grafcet! { ").expect("saved");
-    watching.says("this is not Rust");
-    // Some editors write another file and give it the name.
-    let new = folder.path().join("new.tmp");
-    fs::write(&new, GOOD).expect("saved");
-    fs::rename(&new, &file).expect("renamed");
-    watching.says("1 chart: nothing to say");
-    // That the tool reads it is no change.
-    assert!(watching.lines.recv_timeout(Duration::from_secs(1)).is_err());
+/// A page that looks.
+struct Viewer {
+    socket: WebSocket<TcpStream>,
+    moments: Vec<Json>,
+    line: Json,
+    missed: u64,
+    charts: usize,
 }
 
-#[test]
-fn a_crate_is_checked_with_files_that_come() {
-    let folder = folder(&[MANIFEST, ("src/lib.rs", GOOD)]);
-    let watching = Watching::begin(folder.path(), &[]);
-    watching.says("1 chart: nothing to say");
-    fs::create_dir(folder.path().join("src/line")).expect("a folder");
-    fs::write(folder.path().join("src/line/mod.rs"), GOOD.replace("Press", "Line")).expect("saved");
-    fs::write(folder.path().join("src/lib.rs"), format!("mod line;\n{GOOD}")).expect("saved");
-    watching.says("2 charts: nothing to say");
-    fs::write(folder.path().join("src/line/mod.rs"), GOOD.replace("-> A", "-> C")).expect("saved");
-    watching.says("unknown_step");
-}
-
-#[test]
-fn it_is_for_people() {
-    let folder = folder(&[("press.rs", GOOD)]);
-    for format in [&["--json"][..], &["--sarif"], &["--format", "json"]] {
-        let done = tool(folder.path(), &[&["check", "--watch", "press.rs"], format].concat());
-        assert_eq!(done.code, Some(2), "{}", done.err);
+impl Viewer {
+    /// Reads on until this holds.
+    fn until(&mut self, what: &str, holds: impl Fn(&Self) -> bool) {
+        let end = Instant::now() + LONG;
+        while !holds(self) {
+            assert!(Instant::now() < end, "{what}: {} with {} moments", self.line, self.moments.len());
+            let Message::Text(text) = self.socket.read().expect(what) else { continue };
+            let news: Json = serde_json::from_str(&text).expect("JSON");
+            if news.get("sources").is_some() {
+                continue;
+            }
+            if news.get("chart").is_some_and(|chart| !chart.is_null()) {
+                self.charts += 1;
+                self.moments.clear();
+            }
+            self.line = news["line"].clone();
+            self.missed += news["missed"].as_u64().expect("a number");
+            self.moments.extend(news["moments"].as_array().expect("moments").iter().cloned());
+        }
     }
-    let done = tool(folder.path(), &["check", "--watch", "gone/press.rs"]);
-    assert!(done.err.contains("changes of files cannot be seen"), "{}", done.err);
+
+    fn last(&self) -> Option<u64> {
+        self.moments.last()?["number"].as_u64()
+    }
+}
+
+#[test]
+fn only_who_has_the_token_is_answered() {
+    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let (host, page) = (watching.host(), format!("/{}/", watching.token));
+    assert_eq!(watching.token.len(), 32);
+    let (status, text) = watching.ask(&page, &host);
+    assert_eq!(status, 200);
+    let text = text.to_lowercase();
+    for header in [
+        "content-security-policy: default-src 'none'; script-src 'self'",
+        "x-content-type-options: nosniff",
+        "referrer-policy: no-referrer",
+        "cache-control: no-store",
+    ] {
+        assert!(text.contains(header), "{header}");
+    }
+    for file in ["live.js", "chronogram.js", "drawing.js", "rich.js", "signals.js", "theme.js", "style.css", "icon.svg"]
+    {
+        assert_eq!(watching.ask(&format!("{page}{file}"), &host).0, 200, "{file}");
+    }
+    let last = if watching.token.ends_with('0') { '1' } else { '0' };
+    let wrong = format!("/{}{last}/", &watching.token[..31]);
+    for path in [
+        "/",
+        "/live.js",
+        &wrong,
+        &page[..33],
+        "/x/",
+        &format!("{page}Cargo.toml"),
+        &format!("{page}../motor.rs"),
+        &format!("{page}%2e%2e/motor.rs"),
+    ] {
+        let (status, text) = watching.ask(path, &host);
+        assert_eq!(status, 404, "{path}: {text}");
+    }
+    assert!(TcpStream::connect(("127.0.0.1", watching.port)).is_ok());
+}
+
+#[test]
+fn foreign_names_and_foreign_pages_are_refused() {
+    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let (page, port) = (format!("/{}/", watching.token), watching.port);
+    // A page whose name leads to this machine (DNS rebinding) says its own name here.
+    for host in [
+        "",
+        "Host: evil.example\r\n",
+        &format!("Host: evil.example:{port}\r\n"),
+        "Host: 127.0.0.1\r\n",
+        "Host: localhost:1\r\n",
+    ] {
+        let status = watching.ask(&page, host).0;
+        assert!([400, 403].contains(&status), "{host}: {status}");
+    }
+    assert_eq!(watching.ask(&page, &format!("Host: localhost:{port}\r\n")).0, 200);
+    let (host, socket) = (watching.host(), format!("{page}socket"));
+    let [null, foreign, portless, secure, own] = [
+        "null",
+        "http://evil.example",
+        "http://127.0.0.1",
+        &format!("https://127.0.0.1:{port}"),
+        &format!("http://127.0.0.1:{port}"),
+    ]
+    .map(|origin| format!("Origin: {origin}\r\n"));
+    for origin in ["", &null, &foreign, &portless, &secure] {
+        assert_eq!(watching.open(&socket, &format!("{host}{origin}")), 403, "{origin}");
+    }
+    // The same request is right where the page itself makes it.
+    assert_eq!(watching.open(&socket, &format!("{host}{own}")), 101);
+    assert_eq!(watching.open(&socket, &format!("Host: evil.example:{port}\r\n{own}")), 403);
+    assert_eq!(watching.open("/x/socket", &format!("{host}{own}")), 404);
+    assert_eq!(watching.ask(&socket, &format!("{host}{own}")).0, 403, "no upgrade");
+    assert_eq!(watching.ask(&page, &format!("{host}{foreign}")).0, 403);
+    watching.view().until("the moments", |viewer| viewer.moments.len() == 4);
+}
+
+#[test]
+fn a_file_grows_and_a_pipe_ends() {
+    let mut watching = Watching::begin(SOURCE, &["motor.frames", "Motor=-"]);
+    // The first cycle of the pipe is the same as of the file: four moments of one and three of the other.
+    let mut viewer = watching.view();
+    viewer.until("the file", |viewer| viewer.moments.len() >= 4);
+    let file = watching.folder.path().join("motor.frames");
+    let more = &frames(6, 100)[frames(4, 100).len()..];
+    std::fs::OpenOptions::new().append(true).open(file).and_then(|mut file| file.write_all(more)).expect("a file");
+    viewer.until("what was added", |viewer| viewer.last() == Some(6));
+    let mut input = watching.input.take().expect("its input");
+    input.write_all(&frames(3, 100)).expect("a pipe");
+    drop(input);
+    viewer.until("the end of the pipe", |viewer| viewer.line["state"] == "has ended");
+    assert_eq!((viewer.charts, viewer.last()), (2, Some(3)));
+    assert_eq!(viewer.line["unknown"], "the source has ended");
+}
+
+#[test]
+fn a_connection_is_made_again() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = listener.local_addr().expect("an address").to_string();
+    let watching = Watching::begin(SOURCE, &[&format!("tcp:{address}")]);
+    let mut viewer = watching.view();
+    let (mut stream, _) = listener.accept().expect("the tool");
+    let bytes = frames(20, 4);
+    // Half a frame, and nobody there any more.
+    stream.write_all(&bytes[..bytes.len() / 2]).expect("a connection");
+    viewer.until("the first half", |viewer| viewer.last().is_some_and(|last| last > 5));
+    drop(stream);
+    viewer.until("the loss", |viewer| {
+        viewer.line["unknown"].as_str().is_some_and(|why| why.contains("the source has ended"))
+    });
+    let (mut stream, _) = listener.accept().expect("the tool again");
+    stream.write_all(&bytes[bytes.len() / 2 + 1..]).expect("a connection");
+    viewer.until("the second half", |viewer| viewer.last() == Some(20));
+    let gaps: Vec<&Json> =
+        viewer.moments.iter().map(|moment| &moment["gap"]["reason"]).filter(|gap| !gap.is_null()).collect();
+    assert!(gaps.iter().any(|gap| gap.as_str().is_some_and(|gap| gap.starts_with("the source has ended"))), "{gaps:?}");
+}
+
+#[test]
+fn another_version_shows_nothing_but_that() {
+    let watching = Watching::begin(OTHER, &["motor.frames"]);
+    let mut viewer = watching.view();
+    viewer.until("the frames", |viewer| viewer.line["frames"].as_u64() > Some(0));
+    assert!(viewer.line["unknown"].as_str().is_some_and(|why| why.contains("another version")), "{}", viewer.line);
+    assert_eq!((viewer.moments.len(), viewer.charts), (0, 0));
+}
+
+#[test]
+fn fifty_viewers_and_one_that_does_not_read() {
+    const FRAMES: u32 = 20_000;
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = listener.local_addr().expect("an address").to_string();
+    let watching = Watching::begin(SOURCE, &["--keep", "500", &format!("tcp:{address}")]);
+    let (mut stream, _) = listener.accept().expect("the tool");
+    let mut viewers: Vec<Viewer> = (0..49).map(|_| watching.view()).collect();
+    let stuck = watching.view();
+    let bytes = frames(FRAMES, 256);
+    let tenth = bytes.len() / 10;
+    stream.write_all(&bytes[..tenth]).expect("a connection");
+    viewers[0].until("some moments", |viewer| viewer.moments.len() >= 50);
+    let (before, begin) = (watching.memory(), Instant::now());
+    let sender = thread::spawn(move || {
+        // As 10,000 frames a second come: a hundredth of a second's at once.
+        for (number, piece) in bytes[tenth..].chunks(bytes.len() * 100 / FRAMES as usize).enumerate() {
+            let at = begin + Duration::from_millis(10) * u32::try_from(number).expect("a few");
+            thread::sleep(at.saturating_duration_since(Instant::now()));
+            stream.write_all(piece).expect("a connection");
+        }
+        stream
+    });
+    thread::scope(|scope| {
+        for viewer in &mut viewers {
+            scope.spawn(move || viewer.until("the last moment", |viewer| viewer.last() == Some(u64::from(FRAMES))));
+        }
+    });
+    let after = watching.memory();
+    for viewer in &viewers {
+        let line = &viewer.line;
+        assert_eq!((&line["damaged"], &line["lost"], &line["unknown"]), (&Json::from(0), &Json::from(0), &Json::Null));
+        // Every moment is either shown or said to be missing.
+        assert!(viewer.moments.len() as u64 + viewer.missed <= u64::from(FRAMES));
+    }
+    // 500 moments of half a kilobyte, and for each viewer a message and what the library holds of it.
+    if let (Some(before), Some(after)) = (before, after) {
+        let seconds = begin.elapsed().as_secs_f32();
+        println!("50 viewers: {} KB, {} KB after {FRAMES} frames and {seconds:.1} s", before / 1024, after / 1024);
+        assert!(after < before + (32 << 20), "{before} bytes before, {after} after");
+    }
+    drop((sender.join(), stuck));
+}
+
+#[test]
+fn there_are_seats_for_64() {
+    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let mut viewers: Vec<Viewer> = (0..64).map(|_| watching.view()).collect();
+    let refused = watching.viewer().err().map(|error| error.to_string());
+    assert!(refused.as_ref().is_some_and(|error| error.contains("503")), "{refused:?}");
+    // Who goes leaves a seat.
+    viewers.pop();
+    let end = Instant::now() + LONG;
+    while watching.viewer().is_err() {
+        assert!(Instant::now() < end, "no seat is left");
+        thread::sleep(Duration::from_millis(50));
+    }
+}
+
+#[test]
+fn what_a_page_says_ends_it() {
+    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let mut viewer = watching.view();
+    viewer.until("the moments", |viewer| viewer.moments.len() == 4);
+    viewer.socket.send(Message::from("force")).expect("a socket");
+    let end = Instant::now() + LONG;
+    while viewer.socket.read().is_ok() {
+        assert!(Instant::now() < end, "it goes on");
+    }
+}
+
+#[test]
+fn what_cannot_be_watched_is_said() {
+    let folder = folder(&[("motor.rs", SOURCE)]);
+    let done = |arguments: &[&str]| common::tool(folder.path(), arguments);
+    let none = done(&["watch", "--file", "motor.rs", "Moter=-"]);
+    assert_eq!(none.code, Some(2));
+    assert_eq!(none.err, "error: Moter=standard input: there is no chart `Moter`, but `Motor`\n");
+    let two = done(&["watch", "--file", "motor.rs", "-", "Motor=-"]);
+    assert_eq!((two.code, &*two.err), (Some(2), "error: the input of the program can be one source alone\n"));
+    assert_eq!(done(&["watch", "--file", "motor.rs", "tcp:nowhere"]).code, Some(2));
+    let busy = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let port = busy.local_addr().expect("an address").port().to_string();
+    let done = done(&["watch", "--file", "motor.rs", "--port", &port, "-"]);
     assert_eq!(done.code, Some(2));
+    assert!(done.err.starts_with("error: the page cannot be served: "), "{}", done.err);
 }

@@ -84,6 +84,14 @@ pub struct Gap {
 }
 
 impl Cycle {
+    /// Whether it shows anything that the one before did not, its time and its inputs aside.
+    #[must_use]
+    pub fn shows_more_than(&self, before: &Self) -> bool {
+        let told = |cycle: &Self| (cycle.forced.clone(), cycle.calls.clone(), cycle.ran.clone(), cycle.is_stable);
+        let seen = (&self.steps, &self.outputs, &self.variables) != (&before.steps, &before.outputs, &before.variables);
+        seen || !self.evolutions.is_empty() || told(before) != told(self)
+    }
+
     /// The evolutions that cleared a transition.
     pub fn cleared(&self) -> impl Iterator<Item = usize> {
         self.evolutions.iter().flat_map(|evolution| evolution.cleared.iter().copied())

@@ -8,6 +8,8 @@ mod chart;
 mod coverage;
 mod cycle;
 pub mod interp;
+#[cfg(feature = "json")]
+pub mod json;
 mod names;
 mod outside;
 mod program;
@@ -28,7 +30,7 @@ pub use cycle::{Call, Cycle, Evolution, Forced, Gap, Phase, Ran};
 pub use names::{Kind, Names, Signal, Step, Transition};
 pub use program::{Asked, Program};
 pub use regression::{Changed, test_of_record};
-pub use replay::{Layout, Replay, ReplayError};
+pub use replay::{Layout, Live, Replay, ReplayError};
 pub use script::{BadLine, Scripted, script, script_line, script_of};
 pub use show::{chronogram, happened, page, table, vcd};
 pub use simulation::{Error, Simulation};

@@ -172,12 +172,18 @@ impl<'c> Simulation<'c> {
     /// # Errors
     /// As of [`Simulation::cycle`], or there are not as many values as inputs.
     pub fn cycle_with(&mut self, now: u32, inputs: &[Value]) -> Result<Cycle, Error> {
+        self.take(inputs)?;
+        self.run(now, None)
+    }
+
+    /// A value for every input.
+    fn take(&mut self, inputs: &[Value]) -> Result<(), Error> {
         let declared = &self.chart.model().inputs;
         if inputs.len() != declared.len() {
             return Err(interp::Error::Count { expected: declared.len(), found: inputs.len() }.into());
         }
         self.inputs = declared.values().zip(inputs).map(|(input, value)| inside(value, &input.ty)).collect();
-        self.run(now, None)
+        Ok(())
     }
 
     fn run(&mut self, now: u32, by_hand: Option<&interp::Situation>) -> Result<Cycle, Error> {
@@ -192,6 +198,20 @@ impl<'c> Simulation<'c> {
         let evolutions: Vec<Evolution> = evolutions.collect();
         let ran = done.ran.iter().filter_map(|id| ran(&model.associations[*id], model)).collect();
         let cycle = Cycle {
+            forced: forced(model, &done.active),
+            calls: done.calls.iter().map(|call| called(call, model)).collect(),
+            ran,
+            is_stable: done.stable,
+            evolutions,
+            ..self.seen(now)
+        };
+        self.coverage.get_mut().ran(&cycle);
+        Ok(cycle)
+    }
+
+    /// What the chart shows, with nothing that happens.
+    fn seen(&self, now: u32) -> Cycle {
+        Cycle {
             now,
             gap: None,
             skipped: 0,
@@ -199,15 +219,19 @@ impl<'c> Simulation<'c> {
             steps: self.steps(),
             outputs: self.outputs(),
             variables: self.variables(),
-            forced: forced(model, &done.active),
-            calls: done.calls.iter().map(|call| called(call, model)).collect(),
-            ran,
-            is_stable: done.stable,
+            evolutions: Vec::new(),
+            forced: forced(self.chart.model(), self.machine.situation()),
+            calls: Vec::new(),
+            ran: Vec::new(),
+            is_stable: true,
             blocked: self.blocked(),
-            evolutions,
-        };
-        self.coverage.get_mut().ran(&cycle);
-        Ok(cycle)
+        }
+    }
+
+    /// What the chart shows after a cycle at `now` with these inputs, which was made elsewhere.
+    pub(crate) fn stands(&mut self, now: u32, inputs: &[Value]) -> Result<Cycle, Error> {
+        self.take(inputs)?;
+        Ok(self.seen(now))
     }
 
     /// What the chart waits for at the end of the last cycle.

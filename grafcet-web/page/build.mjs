@@ -9,6 +9,8 @@ import * as esbuild from "esbuild";
 import { Marked } from "marked";
 
 const here = dirname(fileURLToPath(import.meta.url)), source = join(here, "src");
+// What the page shares with that of `cargo grafcet watch` lies with the tool, which is published and brings it along.
+const shared = join(here, "../../cargo-grafcet/src/watch/page");
 const [glue, gallery, crates, out] = process.argv.slice(2).map(path => resolve(path));
 if (!out) throw new Error("usage: node build.mjs GLUE GALLERY LICENCES OUT");
 
@@ -22,7 +24,8 @@ const built = await esbuild.build({
 });
 await cp(join(glue, "grafcet_bg.wasm"), join(out, "grafcet_bg.wasm"));
 await cp(gallery, join(out, "gallery.json"));
-for (const file of ["index.html", "style.css", "icon.svg"]) await cp(join(source, file), join(out, file));
+await cp(join(source, "index.html"), join(out, "index.html"));
+for (const file of ["style.css", "icon.svg"]) await cp(join(shared, file), join(out, file));
 await writeFile(join(out, "rules.html"), await rules());
 await writeFile(join(out, "LICENSES.txt"), await licences(built.metafile) + await readFile(crates, "utf8"));
 

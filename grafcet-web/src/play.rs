@@ -2,8 +2,8 @@
 
 use std::collections::VecDeque;
 
-use grafcet_sim::{Beside, Chart, Cycle, Kind, Names, Signal, Simulation, Value, happened};
-use serde_json::{Number, Value as Json, json};
+use grafcet_sim::{Beside, Chart, Cycle, Kind, Names, Signal, Simulation, Value, json};
+use serde_json::{Value as Json, json};
 
 use crate::text::Written;
 
@@ -61,19 +61,7 @@ impl Play {
     /// The names of everything, and what kind of value each has.
     #[must_use]
     pub fn names(&self) -> Json {
-        let names = self.all_names();
-        json!({
-            "chart": names.chart,
-            "isGrafcet": names.is_grafcet,
-            "nanosPerTick": names.nanos_per_tick,
-            "steps": names.steps.iter().map(|step| &step.name).collect::<Vec<_>>(),
-            "transitions": names.transitions.iter().map(|one| json!({ "name": one.name, "condition": one.condition })).collect::<Vec<_>>(),
-            "inputs": self.beside.inputs(),
-            "signals": signals(self.beside.signals()),
-            "outputs": signals(&names.outputs),
-            "variables": signals(&names.variables),
-            "params": signals(&names.params),
-        })
+        json::names(self.all_names(), self.beside.signals())
     }
 
     /// The present moment.
@@ -84,32 +72,26 @@ impl Play {
         let done = moment.cycle.as_ref();
         let simulation = self.simulation();
         let blocked = simulation.blocked();
-        let mut did = done.map_or_else(Vec::new, |cycle| happened(names, cycle));
-        let ran = done.iter().flat_map(|cycle| &cycle.ran);
-        did.extend(ran.map(|ran| format!("{}: {}", names.steps[ran.step].name, ran.text)));
-        let evolutions = done.iter().flat_map(|cycle| &cycle.evolutions);
+        let did = done.map_or_else(Vec::new, |cycle| json::did(names, cycle));
         let calls = done.iter().flat_map(|cycle| &cycle.calls);
-        let waiting = blocked.waiting.iter().map(|one| json!([one.transition, one.to_string()]));
         json!({
             "number": moment.number,
             "elapsed": moment.elapsed,
             "time": names.time(moment.elapsed),
             "now": done.map_or(0, |cycle| cycle.now),
             "steps": simulation.steps(),
-            "values": values(&moment.values),
-            "outputs": values(&simulation.outputs()),
-            "variables": values(&simulation.variables()),
-            "params": values(&simulation.params()),
-            "evolutions": evolutions.map(|one| json!({
-                "cleared": one.cleared, "left": one.deactivated, "entered": one.activated, "steps": one.steps,
-            })).collect::<Vec<_>>(),
+            "values": json::values(&moment.values),
+            "outputs": json::values(&simulation.outputs()),
+            "variables": json::values(&simulation.variables()),
+            "params": json::values(&simulation.params()),
+            "evolutions": done.map_or_else(Vec::new, json::evolutions),
             "calls": calls.map(|call| json!({
-                "action": call.action, "phase": format!("{:?}", call.phase).to_lowercase(), "args": values(&call.args),
+                "action": call.action, "phase": format!("{:?}", call.phase).to_lowercase(), "args": json::values(&call.args),
             })).collect::<Vec<_>>(),
             "did": did,
-            "waits": waiting.collect::<Vec<_>>(),
+            "waits": json::waits(&blocked),
             "isFirst": blocked.is_first,
-            "said": blocked.to_string().lines().collect::<Vec<_>>(),
+            "said": json::said(&blocked),
             "late": simulation.late_steps(),
             "isNew": moment.is_new,
             "stable": done.is_none_or(|cycle| cycle.is_stable),
@@ -263,7 +245,7 @@ impl Play {
         let since = before.cycle.as_ref().map_or(0, |before| cycle.now.wrapping_sub(before.now));
         let differs = |last: &Cycle| {
             let is_late = before.simulation.late_steps() != simulation.late_steps();
-            is_late || since != before.step || differs(last, &cycle)
+            is_late || since != before.step || cycle.shows_more_than(last)
         };
         // What was changed by hand is not there when that moment is run again.
         let by_hand = self.changed.take().is_some();
@@ -288,41 +270,6 @@ impl Play {
         if self.past.len() > MOST_BACK {
             self.past.pop_front();
         }
-    }
-}
-
-/// Whether a cycle shows anything that the one before did not.
-fn differs(before: &Cycle, cycle: &Cycle) -> bool {
-    let told = |cycle: &Cycle| (cycle.forced.clone(), cycle.calls.clone(), cycle.ran.clone(), cycle.is_stable);
-    let seen = (&cycle.steps, &cycle.outputs, &cycle.variables) != (&before.steps, &before.outputs, &before.variables);
-    seen || !cycle.evolutions.is_empty() || told(before) != told(cycle)
-}
-
-fn signals(signals: &[Signal]) -> Vec<Json> {
-    let kind = |kind: &Kind| match kind {
-        Kind::Bool => json!({ "is": "bool" }),
-        Kind::Int { signed, bits } => json!({ "is": "int", "signed": signed, "bits": bits }),
-        Kind::Float(_) => json!({ "is": "float" }),
-        Kind::Time => json!({ "is": "time" }),
-        Kind::Listed(_, list) => json!({ "is": "listed", "list": list }),
-        Kind::Other(ty) => json!({ "is": "other", "type": ty }),
-    };
-    signals.iter().map(|signal| json!({ "name": signal.name, "kind": kind(&signal.kind) })).collect()
-}
-
-fn values(values: &[Value]) -> Vec<Json> {
-    values.iter().map(value).collect()
-}
-
-fn value(value: &Value) -> Json {
-    /// Up to here JavaScript has every number.
-    const EXACT: i128 = 1 << 53;
-    match value {
-        Value::Bool(value) => json!(value),
-        Value::Int(value) if value.abs() <= EXACT => json!(i64::try_from(*value).unwrap_or_default()),
-        Value::Float(value) => Number::from_f64(*value).map_or_else(|| json!(value.to_string()), Json::Number),
-        Value::Ticks(value) => json!(value),
-        value => json!(value.to_string()),
     }
 }
 

@@ -88,6 +88,22 @@ pub(crate) fn run() -> Result {
 /// # Errors
 /// A toolchain or QEMU is missing, the build fails, or the image fails or hangs.
 pub(crate) fn recorded() -> Result<(String, PathBuf)> {
+    build_recorder()?;
+    let line = project::target(FOLDER).join("record.frames");
+    let lines = emulated("record", RUNNER, &["-serial", &format!("file:{}", line.display())])?;
+    Ok((lines, line))
+}
+
+/// The emulator with that image, to be told where its serial line leads.
+///
+/// # Errors
+/// A toolchain or QEMU is missing, or the build fails.
+pub(crate) fn recorder() -> Result<Command> {
+    build_recorder()?;
+    emulator("record", RUNNER)
+}
+
+fn build_recorder() -> Result {
     let mut command = BareMetal::find(BOARD)?.cargo("build", BOARD);
     command.args([
         "--quiet",
@@ -99,10 +115,7 @@ pub(crate) fn recorded() -> Result<(String, PathBuf)> {
         "--features",
         "record",
     ]);
-    run_command(command.arg("--target-dir").arg(project::target(FOLDER)))?;
-    let line = project::target(FOLDER).join("record.frames");
-    let lines = emulated("record", RUNNER, &["-serial", &format!("file:{}", line.display())])?;
-    Ok((lines, line))
+    run_command(command.arg("--target-dir").arg(project::target(FOLDER)))
 }
 
 /// The examples with interrupts, and as tasks.
@@ -186,14 +199,19 @@ fn board_lines(image: &str, folder: &str) -> Result<String> {
 
 /// The same with other words for the emulator.
 fn emulated(image: &str, folder: &str, more: &[&str]) -> Result<String> {
+    capture_within(emulator(image, folder)?.args(more), LIMIT)
+}
+
+/// The emulator with an image.
+fn emulator(image: &str, folder: &str) -> Result<Command> {
     let image = project::target(FOLDER).join(BOARD).join("release").join(image);
     let config = format!("{folder}/.cargo/config.toml");
     let text = read(&config)?;
     let mut words = runner(&text).ok_or_else(|| format!("{config} names no runner"))?;
     let emulator = words.next().ok_or_else(|| format!("{config} names an empty runner"))?;
     let mut command = Command::new(tool(emulator, emulator)?);
-    command.args(words).arg(image).args(more);
-    capture_within(&mut command, LIMIT)
+    command.args(words).arg(image);
+    Ok(command)
 }
 
 /// The words of the `runner` in a configuration of cargo.

@@ -81,6 +81,7 @@ Usage: cargo xtask <task>
   msrv      check the crates that ship with the oldest supported Rust
   web       the playground, as a folder that any web server can show: target/web (Node.js with npm)
   web test  builds it, plays the conformance corpus on its WebAssembly, and uses the page in headless Chromium
+  web live  the live view of the emulated board in headless Chromium, which `web test` does, too
   web show  builds it and shows it on this machine, until Ctrl-C
 ";
 
@@ -122,6 +123,7 @@ fn main() -> ExitCode {
         ["screenshots"] => screenshots::run(),
         ["web"] => web::run(),
         ["web", "test"] => web::test(),
+        ["web", "live"] => web::live(),
         ["web", "show"] => web::show(),
         [] | ["help" | "-h" | "--help"] => {
             print!("{USAGE}");

@@ -135,7 +135,7 @@ impl Recall<'_> {
         Ok(())
     }
 
-    /// Outputs and variables. What nobody reads and what is made anew in each cycle is as it begins.
+    /// Outputs and variables. What nobody reads and what is made anew in each cycle is unknown up to the next one.
     fn values(&mut self) -> Result<(), String> {
         let model = self.model;
         for id in model.vars.ids().filter(|id| !is_combinational(model, *id)) {
@@ -152,7 +152,8 @@ impl Recall<'_> {
                 None if is_kept(model, place) || is_read(model, Name::Output(id)) => {
                     return Err(format!("what `{}` was", output.name));
                 }
-                None => {}
+                // The next cycle says it.
+                None => self.state().outputs[id.index()] = Value::Unknown,
             }
         }
         Ok(())

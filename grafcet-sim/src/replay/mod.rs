@@ -1,6 +1,7 @@
 //! A record of the controller, run again from the chart's source alone.
 
 mod layout;
+mod live;
 mod wire;
 
 use std::fmt;
@@ -8,8 +9,9 @@ use std::fmt;
 use grafcet_core::record::{Block, Change, Damage, Happened, Key, Reader, Records};
 
 pub use self::layout::Layout;
+pub use self::live::Live;
 use crate::chart::Chart;
-use crate::cycle::Gap;
+use crate::cycle::{Cycle, Gap};
 use crate::names::{Kind, Signal};
 use crate::program::Program;
 use crate::simulation::{Error, Simulation};
@@ -132,18 +134,7 @@ impl<'p> Replay<'p> {
         }
         let layout = is_same.then(|| Layout::of(chart)).flatten();
         let is_other_layout = layout.as_ref().is_some_and(|layout| layout.number() != stored);
-        let mut run = Run {
-            chart,
-            program: &self.program,
-            layout: layout.filter(|_| !is_other_layout),
-            simulation: None,
-            trace: None,
-            inputs: Vec::new(),
-            cycle: 0,
-            shown: 0,
-            now: 0,
-            gap: None,
-        };
+        let mut run = Run::new(chart, self.program.clone(), layout.filter(|_| !is_other_layout));
         run_all(&mut run)?;
         let is_known = run.simulation.is_some();
         run.cover();
@@ -164,10 +155,13 @@ impl<'p> Replay<'p> {
     }
 }
 
+/// So many bytes tell why something is missing, and what else has happened until it is known again.
+const LONGEST_REASON: usize = 400;
+
 /// A record that is being run.
 struct Run<'r> {
     chart: &'r Chart,
-    program: &'r Program<'r>,
+    program: Program<'r>,
     layout: Option<Layout>,
     /// None where the state is not known.
     simulation: Option<Simulation<'r>>,
@@ -182,7 +176,12 @@ struct Run<'r> {
     gap: Option<Gap>,
 }
 
-impl Run<'_> {
+impl<'r> Run<'r> {
+    fn new(chart: &'r Chart, program: Program<'r>, layout: Option<Layout>) -> Self {
+        let (inputs, simulation, trace, gap) = (Vec::new(), None, None, None);
+        Self { chart, program, layout, simulation, trace, inputs, cycle: 0, shown: 0, now: 0, gap }
+    }
+
     fn all(&mut self, records: &Records<'_>) -> Result<(), ReplayError> {
         for block in records.blocks() {
             let block = match block {
@@ -244,7 +243,9 @@ impl Run<'_> {
 
     fn note(&mut self, reason: &str) {
         let before = self.gap.take();
-        if before.as_ref().is_some_and(|before| before.reason.ends_with(reason)) {
+        // Of a line that is nothing but noise, the beginning tells enough.
+        let is_told = |before: &Gap| before.reason.ends_with(reason) || before.reason.len() > LONGEST_REASON;
+        if before.as_ref().is_some_and(is_told) {
             self.gap = before;
             return;
         }
@@ -270,6 +271,26 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// The cycles that were made since this was asked last.
+    fn drain(&mut self) -> Vec<Cycle> {
+        let Some(trace) = &mut self.trace else { return Vec::new() };
+        // The gaps say it, too.
+        trace.warnings.clear();
+        std::mem::take(&mut trace.cycles)
+    }
+
+    /// The state that the chart is known to be in, though no cycle was seen that has led there.
+    fn stands(&mut self) -> Result<Option<Cycle>, ReplayError> {
+        let values = read(&self.chart.names().inputs, &self.inputs)?;
+        let Some(simulation) = &mut self.simulation else { return Ok(None) };
+        let mut cycle = simulation.stands(self.now, &values)?;
+        self.trace.get_or_insert_with(|| Trace::of(simulation));
+        let missing = self.cycle.checked_sub(self.shown).filter(|missing| *missing > 0).map(u64::from);
+        cycle.gap = self.gap.take().map(|gap| Gap { cycles: missing, ..gap });
+        self.shown = self.cycle;
+        Ok(Some(cycle))
+    }
+
     /// A state that is written down.
     fn key(&mut self, key: &Key<'_>) -> Result<(), ReplayError> {
         let params = read(&self.chart.names().params, key.params)?;
@@ -283,7 +304,7 @@ impl Run<'_> {
         (self.cycle, self.now) = (key.cycle, key.reading);
         // A chart that goes on can be in a state that is also its first one.
         if key.fresh && (key.replaced || self.simulation.is_none()) {
-            if self.trace.as_ref().is_some_and(|trace| !trace.cycles.is_empty()) {
+            if self.trace.is_some() {
                 let begun = if key.replaced { "the chart began anew here" } else { "here the chart is as it begins" };
                 self.note(begun);
             }

@@ -1,6 +1,6 @@
 //! What came over a wire.
 
-use grafcet_core::record::wire::{Decoder, Frame};
+use grafcet_core::record::wire::{Decoder, Frame, Received};
 use grafcet_core::record::{Damage, Happened};
 
 use super::{ReplayError, Run, said};
@@ -31,24 +31,39 @@ impl Run<'_> {
                 self.lose("a frame was damaged");
                 continue;
             };
-            if received.lost > 0 {
-                let frames = if received.lost == 1 { "a frame was" } else { &format!("{} frames were", received.lost) };
-                self.lose(&format!("{frames} lost"));
+            self.received(&received, recorded)?;
+        }
+        Ok(())
+    }
+
+    /// A frame; what is of another chart than `recorded`, or stored otherwise, is a gap.
+    pub(super) fn received(&mut self, received: &Received<'_>, recorded: (u32, u32)) -> Result<(), ReplayError> {
+        if received.lost > 0 {
+            let frames = if received.lost == 1 { "a frame was" } else { &format!("{} frames were", received.lost) };
+            self.lose(&format!("{frames} lost"));
+        }
+        // What was known is not what goes on.
+        if received.begins {
+            self.cover();
+        }
+        match received.frame {
+            Some(Frame::State { fingerprint, .. }) if fingerprint != recorded.0 => {
+                self.lose(&said(Damage::OtherChart { fingerprint }));
             }
-            match received.frame {
-                Some(Frame::State { fingerprint, .. }) if fingerprint != recorded.0 => {
-                    self.lose(&said(Damage::OtherChart { fingerprint }));
+            Some(Frame::State { layout, .. }) if layout != recorded.1 => self.lose(&said(Damage::OtherLayout)),
+            Some(Frame::State { key, .. }) => {
+                if received.begins && !key.fresh && self.trace.is_some() {
+                    self.note("the controller has started anew");
                 }
-                Some(Frame::State { layout, .. }) if layout != recorded.1 => self.lose(&said(Damage::OtherLayout)),
-                Some(Frame::State { key, .. }) => self.key(&key)?,
-                Some(Frame::Cycle(entry)) => {
-                    // Before the first state nothing is known of the inputs.
-                    if let (Happened::Cycle { elapsed, change }, true) = (entry.what, self.simulation.is_some()) {
-                        self.cycle(entry.skipped, elapsed, change)?;
-                    }
-                }
-                Some(Frame::Hash(_)) | None => {}
+                self.key(&key)?;
             }
+            Some(Frame::Cycle(entry)) => {
+                // Before the first state nothing is known of the inputs.
+                if let (Happened::Cycle { elapsed, change }, true) = (entry.what, self.simulation.is_some()) {
+                    self.cycle(entry.skipped, elapsed, change)?;
+                }
+            }
+            Some(Frame::Hash(_)) | None => {}
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 // The chart in other notations, a tab each.
 
-import { rich } from "./editor.js";
+import { rich } from "../../../cargo-grafcet/src/watch/page/rich.js";
 
 export class Forms {
   #tabs = [...document.querySelectorAll("[role=tab]")];

@@ -1,15 +1,16 @@
 // The page: what is typed is looked at and drawn; the chart that was drawn last and can run is run.
 
-import { Chronogram } from "./chronogram.js";
-import { Drawing } from "./drawing.js";
-import { Editor, rich, ruleLink } from "./editor.js";
+import { Chronogram } from "../../../cargo-grafcet/src/watch/page/chronogram.js";
+import { Drawing } from "../../../cargo-grafcet/src/watch/page/drawing.js";
+import { rich } from "../../../cargo-grafcet/src/watch/page/rich.js";
+import { Editor, ruleLink } from "./editor.js";
 import { Latest } from "./engine.js";
 import { Forms } from "./forms.js";
 import { Gallery, charts } from "./gallery.js";
 import { packed, unpacked } from "./share.js";
-import { Signals } from "./signals.js";
+import { Signals } from "../../../cargo-grafcet/src/watch/page/signals.js";
 import { Simulation } from "./simulation.js";
-import { keep, kept, theme } from "./theme.js";
+import { keep, kept, theme } from "../../../cargo-grafcet/src/watch/page/theme.js";
 
 const at = id => document.getElementById(id);
 

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::command::{Result, capture, find, run as run_command};
+use crate::firmware;
 use crate::project::{self, cargo, root};
 use crate::toolchain::BareMetal;
 
@@ -33,7 +34,23 @@ pub(crate) fn test() -> Result {
     let timelines = built.folder.join("timelines.json");
     write_example("timelines", &root().join("tests/conformance"), &timelines)?;
     run_command(node("test/corpus.mjs")?.arg(&built.glue).arg(&timelines))?;
-    run_command(node("test/page.mjs")?.arg(&built.page).arg(built.folder.join("screenshots")))
+    run_command(node("test/page.mjs")?.arg(&built.page).arg(built.folder.join("screenshots")))?;
+    live()
+}
+
+/// The live view of `cargo grafcet watch`, of the cell on the emulated board.
+///
+/// # Errors
+/// A tool is missing, something does not build, or the page shows anything else than what happened.
+pub(crate) fn live() -> Result {
+    packages()?;
+    run_command(&mut cargo(&["build", "--quiet", "--package", "cargo-grafcet"]))?;
+    let tool = project::target("debug").join(format!("cargo-grafcet{}", std::env::consts::EXE_SUFFIX));
+    let emulator = firmware::recorder()?;
+    let mut command = node("test/live.mjs")?;
+    command.arg(tool).args(["examples/charts/cell.rs", "tests/examples/cell.expected"].map(|file| root().join(file)));
+    command.arg(project::target("wasm").join("screenshots"));
+    run_command(command.arg(emulator.get_program()).args(emulator.get_args()))
 }
 
 /// Builds it and serves it on this machine.

@@ -31,6 +31,7 @@ export class Chronogram {
   #svg = element("svg", { "aria-hidden": "true", focusable: "false" });
   #from = 0;
   #ticksPerPixel = 1;
+  #first = 0;
   #simulation = null;
 
   // `looked` gets the number of the moment somebody points at.
@@ -73,9 +74,10 @@ export class Chronogram {
     this.#simulation = simulation;
     const { names, history, shown, step } = simulation;
     if (!names) return;
-    const first = Math.max(0, history.length - MOST), seen = history.slice(first);
+    if (history.length === 0) return this.#svg.replaceChildren();
+    const first = this.#first = this.#beginning(history.length, shown), seen = history.slice(first, first + MOST);
     const wide = Math.max(260, this.#place.clientWidth), length = wide - LEFT - RIGHT;
-    const from = simulation.begins(seen[0]), end = Math.max(history[history.length - 1].elapsed + step, from + 50 * step);
+    const from = simulation.begins(seen[0]), end = Math.max(seen[seen.length - 1].elapsed + step, from + 50 * step);
     this.#from = from;
     this.#ticksPerPixel = (end - from) / length;
     const x = elapsed => Math.round((LEFT + (elapsed - from) / this.#ticksPerPixel) * 10) / 10;
@@ -83,10 +85,13 @@ export class Chronogram {
     const high = HEAD + rows.length * ROW + 4;
     const parts = [];
     this.#axis(parts, { from, end, x, high, names });
-    const starts = seen.map(moment => x(simulation.begins(moment))), last = x(history[history.length - 1].elapsed + step);
-    rows.forEach((row, index) => this.#row(parts, row, HEAD + index * ROW, seen, starts, last));
-    if (shown >= first) {
-      const at = starts[shown - first], to = shown + 1 < history.length ? starts[shown - first + 1] : last;
+    const starts = seen.map(moment => x(simulation.begins(moment))), last = x(seen[seen.length - 1].elapsed + step);
+    // A moment lasts up to the next one; of the time before a gap nobody knows more than the moment itself.
+    const ends = seen.map((moment, index) => index + 1 === seen.length ? last : seen[index + 1].gap ? Math.min(x(moment.elapsed + step), starts[index + 1]) : starts[index + 1]);
+    rows.forEach((row, index) => this.#row(parts, row, HEAD + index * ROW, seen, starts, ends));
+    this.#gaps(parts, seen, starts, ends, high);
+    if (shown >= first && shown - first < starts.length) {
+      const at = starts[shown - first], to = ends[shown - first];
       parts.push(element("rect", { class: "span", x: at, y: HEAD - 4, width: Math.max(2, to - at), height: high - HEAD + 4 }));
     }
     this.#svg.setAttribute("viewBox", `0 0 ${wide} ${high}`);
@@ -96,6 +101,25 @@ export class Chronogram {
     this.#place.setAttribute("aria-valuemax", history.length - 1);
     this.#place.setAttribute("aria-valuenow", shown);
     this.#place.setAttribute("aria-valuetext", `${simulation.moment.time}, cycle ${simulation.moment.number}, in ${simulation.moment.steps.map(one => names.steps[one]).join(", ") || "no step"}`);
+  }
+
+  // The first moment that is shown: the last ones are, or those around the one that is looked at.
+  #beginning(length, shown) {
+    const latest = Math.max(0, length - MOST);
+    if (shown >= latest) return latest;
+    const is = shown >= this.#first && shown < this.#first + MOST;
+    return is ? Math.min(this.#first, latest) : Math.max(0, Math.min(latest, shown - MOST / 2));
+  }
+
+  // Where nobody knows what was.
+  #gaps(parts, seen, starts, ends, high) {
+    seen.forEach((moment, index) => {
+      if (!moment.gap) return;
+      const from = index > 0 ? ends[index - 1] : starts[0] - 3;
+      const gap = element("rect", { class: "gap", x: from, y: HEAD - 4, width: Math.max(3, starts[index] - from), height: high - HEAD + 4 });
+      gap.append(element("title", {}, moment.gap.reason));
+      parts.push(gap);
+    });
   }
 
   // Everything that has a value: a name, what kind of row it is, and how to read it of a moment.
@@ -112,7 +136,7 @@ export class Chronogram {
     }
   }
 
-  #row(parts, { name, kind, is, of }, top, seen, starts, last) {
+  #row(parts, { name, kind, is, of }, top, seen, starts, ends) {
     const text = element("text", { class: `name ${kind}`, x: 8, y: top + ROW / 2 + 1 }, name.length > 15 ? `${name.slice(0, 14)}…` : name);
     text.append(element("title", {}, name));
     parts.push(text);
@@ -121,8 +145,10 @@ export class Chronogram {
     if (is === "bool") {
       let path = "", area = "";
       values.forEach((value, index) => {
-        const end = index + 1 < starts.length ? starts[index + 1] : last, y = value ? highest : low;
-        path += index === 0 ? `M${starts[0]} ${y}` : value === values[index - 1] ? "" : `V${y}`;
+        const end = ends[index], y = value ? highest : low;
+        // After a gap a value may not be known yet.
+        if (value === "?") return;
+        path += index === 0 || seen[index].gap || values[index - 1] === "?" ? `M${starts[index]} ${y}` : value === values[index - 1] ? "" : `V${y}`;
         path += `H${end}`;
         if (value) area += `M${starts[index]} ${low}V${highest}H${end}V${low}Z`;
       });
@@ -131,8 +157,8 @@ export class Chronogram {
     }
     for (let index = 0; index < values.length;) {
       let next = index + 1;
-      while (next < values.length && values[next] === values[index]) next++;
-      const begin = starts[index], end = next < starts.length ? starts[next] : last;
+      while (next < values.length && values[next] === values[index] && !seen[next].gap) next++;
+      const begin = starts[index], end = ends[next - 1];
       parts.push(element("rect", { class: `band ${kind}`, x: begin, y: highest, width: Math.max(0.5, end - begin), height: SIGNAL }));
       const said = String(values[index]);
       if (end - begin > said.length * 7 + 6) parts.push(element("text", { class: "value", x: begin + 4, y: top + ROW / 2 + 1 }, said));

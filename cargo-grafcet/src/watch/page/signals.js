@@ -36,8 +36,8 @@ export class Signals {
   #params = [];
   #outputs = [];
 
-  // `set` and `setParam` get a place and a value.
-  constructor(place, { set, setParam }) {
+  // `set` and `setParam` get a place and a value; without them inputs and parameters are only read.
+  constructor(place, { set, setParam } = {}) {
     this.#place = place;
     this.set = set;
     this.setParam = setParam;
@@ -57,8 +57,8 @@ export class Signals {
     this.#params = [];
     this.#outputs = [];
     const group = (title, rows) => rows.length === 0 ? [] : [made("h3", { textContent: title }), made("div", { className: "group" }, ...rows)];
-    const controls = names.signals.map((signal, place) => this.#control(signal, value => this.set(place, value), this.#inputs));
-    const params = names.params.map((signal, place) => this.#control(signal, value => this.setParam(place, value), this.#params));
+    const controls = names.signals.map((signal, place) => this.#control(signal, this.set && (value => this.set(place, value)), this.#inputs));
+    const params = names.params.map((signal, place) => this.#control(signal, this.setParam && (value => this.setParam(place, value)), this.#params));
     const outputs = (list, field) => list.map((signal, place) => this.#output(signal, moment => moment[field][place]));
     this.#place.replaceChildren(
       ...group("Inputs", controls.slice(0, names.inputs)), ...group("Of the program", controls.slice(names.inputs)), ...group("Parameters", params),
@@ -66,6 +66,7 @@ export class Signals {
   }
 
   #control({ name, kind }, set, all) {
+    if (!set) return this.#row({ name, kind }, all);
     if (kind.is === "bool") {
       const lamp = made("span", { className: "lamp" });
       const button = made("button", { type: "button", className: "input" }, lamp, name);
@@ -87,13 +88,19 @@ export class Signals {
     return label;
   }
 
-  #output({ name, kind }, of) {
+  #output(signal, of) {
+    const shown = [], row = this.#row(signal, shown);
+    this.#outputs.push(moment => shown[0](of(moment)));
+    return row;
+  }
+
+  // A name with a value to read.
+  #row({ name, kind }, all) {
     const lamp = made("span", { className: "lamp" }), value = made("span", { className: "value" });
     const row = made("div", { className: "output" }, ...(kind.is === "bool" ? [lamp] : []), made("span", { textContent: name }), value);
-    this.#outputs.push(moment => {
-      const now = of(moment);
+    all.push(now => {
       row.classList.toggle("on", now === true);
-      value.textContent = kind.is === "bool" ? (now ? "on" : "off") : String(now);
+      value.textContent = typeof now === "boolean" ? (now ? "on" : "off") : String(now);
     });
     return row;
   }
