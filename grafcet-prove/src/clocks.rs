@@ -46,7 +46,8 @@ fn fields(circuit: &Circuit, bad: Lit) -> Vec<Field> {
     circuit.fields.iter().filter(is_relevant).cloned().collect()
 }
 
-fn is_clock(program: &Program<'_>, circuit: &Circuit, field: &Field) -> bool {
+/// Whether it counts time.
+pub(crate) fn is_clock(program: &Program<'_>, circuit: &Circuit, field: &Field) -> bool {
     match field.place.map(|place| &field.program(program).places[place.0]) {
         Some(place) => matches!(place.ty, Type::Ticks) && !matches!(place.role, Role::Output(_) | Role::Var(_)),
         None => circuit.timers.iter().any(|timer| timer.first == field.first),
