@@ -62,7 +62,8 @@ pub fn is_inductive(circuit: &Circuit, lemmas: &[Condition], limit: &Limit) -> R
     for lemma in lemmas {
         sat.clause(&[!goes_on, term(lemma.now)]);
     }
-    let after = after_cycle(&mut sat, circuit, lemmas, &nodes);
+    let wires: Vec<Lit> = lemmas.iter().map(|lemma| lemma.now).collect();
+    let after = after_cycle(&mut sat, circuit, &wires, &nodes);
     for (lemma, end) in lemmas.iter().zip(after) {
         if sat.solve(&[begins, !term(lemma.now)])? || sat.solve(&[goes_on, !end])? {
             return Ok(false);
@@ -71,12 +72,12 @@ pub fn is_inductive(circuit: &Circuit, lemmas: &[Condition], limit: &Limit) -> R
     Ok(true)
 }
 
-/// What the lemmas say once the cycle has led on: not as who found them says it, but the same gates over the latches as they then are.
-fn after_cycle(sat: &mut Sat, circuit: &Circuit, lemmas: &[Condition], nodes: &[Term]) -> Vec<Term> {
+/// What wires are once the cycle has led on: not as who found them says it, but the same gates over the latches as they then are.
+fn after_cycle(sat: &mut Sat, circuit: &Circuit, wires: &[Lit], nodes: &[Term]) -> Vec<Term> {
     let aig = &circuit.aig;
     let mut is_asked = vec![false; aig.len()];
-    for lemma in lemmas {
-        is_asked[lemma.now.node()] = true;
+    for wire in wires {
+        is_asked[wire.node()] = true;
     }
     for index in (0..aig.len()).rev() {
         if let (true, Node::And(a, b)) = (is_asked[index], aig.node(index)) {
@@ -103,7 +104,7 @@ fn after_cycle(sat: &mut Sat, circuit: &Circuit, lemmas: &[Condition], nodes: &[
             sat.clause(&[term, !x, !y]);
         }
     }
-    lemmas.iter().map(|lemma| at(&later, lemma.now)).collect()
+    wires.iter().map(|wire| at(&later, *wire)).collect()
 }
 
 /// What is wrong with ways; none where each cube of theirs leads on as it says, with the inputs that it names and whatever the others are.
@@ -127,7 +128,8 @@ pub fn fault_of_ways(
     sat.clause(&[term(known)]);
     // A cycle that does not count, or that arrives nowhere: that is asked for, and it must not be.
     let nowhere = sat.term();
-    sat.clause(&[!nowhere, !term(may), !term(ways.target.end)]);
+    let arrives = after_cycle(&mut sat, circuit, &[ways.target.now], &nodes);
+    sat.clause(&[!nowhere, !term(may), !arrives[0]]);
     let mut nearer = 0;
     for (number, lead) in ways.leads.iter().enumerate() {
         if number > 0 && lead.after < ways.leads[number - 1].after {
@@ -152,15 +154,16 @@ pub fn fault_of_ways(
     Ok(None)
 }
 
-/// Whether no cycle leads from where `now` does not hold to where `end` does.
+/// Whether no cycle leads from where this does not hold to where it does.
 ///
 /// # Errors
 /// The limit is reached.
-pub fn is_closed(circuit: &Circuit, now: Lit, end: Lit, limit: &Limit) -> Result<bool, Over> {
+pub fn is_closed(circuit: &Circuit, inside: Lit, limit: &Limit) -> Result<bool, Over> {
     let mut sat = Sat::new(limit);
     let nodes = nodes(&mut sat, &circuit.aig);
     let term = |lit: Lit| if lit.is_negated() { !nodes[lit.node()] } else { nodes[lit.node()] };
-    Ok(!sat.solve(&[term(circuit.constraint), !term(now), term(end)])?)
+    let after = after_cycle(&mut sat, circuit, &[inside], &nodes);
+    Ok(!sat.solve(&[term(circuit.constraint), !term(inside), after[0]])?)
 }
 
 fn of(code: u32, term: impl Fn(usize) -> Term) -> Term {

@@ -2,8 +2,8 @@
 //! value that one clock is never ahead of another.
 //!
 //! Sentences of a few kinds are candidates, each at the beginning of a cycle: what a clock counts is on or off in a step, or where something
-//! else is; one clock is no more than another there; one that tells how far a period is goes with the time of the step. What the others do
-//! not make certain of the next cycle goes, until nothing does (Houdini). What is left always holds, and is checked like any proof.
+//! else is; one clock is no more than another there. What the others do not make certain of the next cycle goes, until nothing does (Houdini).
+//! What is left always holds, and is checked like any proof. How far clocks are apart by more than nothing, `apart` finds out.
 
 use grafcet_compiler::model::{Id, StepId};
 use grafcet_compiler::program::{Program, Role, Type};
@@ -21,10 +21,6 @@ const MOST: usize = 3_000;
 
 /// So many steps of the solver may that take.
 const STEPS: u64 = 100_000;
-
-/// So many turns of a period are told apart, where times have no more bits than these: a solver hardly sees through a longer division.
-const TURNS: u32 = 16;
-const BITS: usize = 10;
 
 /// Something that is so at the beginning of a cycle, and at that of the next one.
 #[derive(Clone)]
@@ -46,7 +42,8 @@ fn fields(circuit: &Circuit, bad: Lit) -> Vec<Field> {
     circuit.fields.iter().filter(is_relevant).cloned().collect()
 }
 
-fn is_clock(program: &Program<'_>, circuit: &Circuit, field: &Field) -> bool {
+/// Whether it counts time.
+pub(crate) fn is_clock(program: &Program<'_>, circuit: &Circuit, field: &Field) -> bool {
     match field.place.map(|place| &field.program(program).places[place.0]) {
         Some(place) => matches!(place.ty, Type::Ticks) && !matches!(place.role, Role::Output(_) | Role::Var(_)),
         None => circuit.timers.iter().any(|timer| timer.first == field.first),
@@ -174,7 +171,6 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
 
     fn all(&mut self) {
         self.signals();
-        self.periods();
         self.limits();
         self.pairs();
     }
@@ -232,36 +228,6 @@ impl<'c, 'p, 'm> Candidates<'c, 'p, 'm> {
         let (aig, number) = (&mut self.circuit.aig, bits::constant(i128::from(limit)));
         let (now, next) = (bits::below(aig, &clock.now, &number), bits::below(aig, &clock.next, &number));
         Said { text: format!("{} < {limit} ticks", clock.text), now, next }
-    }
-
-    /// How far a period is, turn by turn of the step's time.
-    fn periods(&mut self) {
-        if self.circuit.time_bits > BITS {
-            return;
-        }
-        for (role, phase) in self.clocks.clone() {
-            let Some(Role::Phase { region, period }) = role else { continue };
-            let time = self.clocks.iter().find(|(role, _)| *role == Some(Role::Time(region))).cloned();
-            let Some((_, time)) = time else { continue };
-            for turn in 0..TURNS {
-                let (from, to) = (period.saturating_mul(turn), period.saturating_mul(turn + 1));
-                // What saturates tells no more.
-                if u64::from(to) >= 1 << self.circuit.time_bits {
-                    break;
-                }
-                let (early, late) = (self.below(&time, from), self.below(&time, to));
-                let mut at = |early: Lit, late: Lit, time: &Bits, phase: &Bits| {
-                    let aig = &mut self.circuit.aig;
-                    let so_far = bits::sub(aig, time, &bits::constant(i128::from(from)));
-                    let (same, inside) = (bits::equal(aig, &so_far, phase), aig.and(late, !early));
-                    !aig.and(inside, !same)
-                };
-                let now = at(early.now, late.now, &time.now, &phase.now);
-                let next = at(early.next, late.next, &time.next, &phase.next);
-                let text = format!("{from} ticks <= {} < {to} ticks => {} = {0} - {from} ticks", time.text, phase.text);
-                self.note(Said { text, now, next }, Vec::new());
-            }
-        }
     }
 
     /// One clock is no more than another, or it stands at its beginning: everywhere, in a step, where something is on, and in both.

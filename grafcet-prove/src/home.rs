@@ -185,7 +185,7 @@ fn lost(
     let ways = search.ways();
     let mut with = circuit.clone();
     let reached = reached(&mut with, &ways);
-    match certificate::is_closed(&with, reached.now, reached.end, limit) {
+    match certificate::is_closed(&with, reached.now, limit) {
         Ok(true) => {}
         Ok(false) => return Err(Internal("a state without a way home that has one".to_owned())),
         Err(_) => return over(),
@@ -196,7 +196,7 @@ fn lost(
         Err(Some(internal)) => Err(internal),
         Ok(Judged::Holds(_)) => Ok(Verdict::Undecided(relied_on(program, circuit, target))),
         Ok(Judged::Fails(way)) => {
-            let is_lost = |way: &Way, shown: &[Shown]| is_lost(program, &with, bad, way, shown);
+            let is_lost = |way: &Way, shown: &[Shown]| is_lost(program, &with, (bad, reached.now), way, shown);
             match simplest(program, circuit, &Goal::End(Tree::Bool(true)), &way, &is_lost) {
                 Ok(shown) => Ok(Verdict::Violated(shown)),
                 Err(Why::NotUnderstood(what)) => Ok(Verdict::Undecided(format!(
@@ -238,7 +238,13 @@ fn relied_on(program: &Program<'_>, circuit: &Circuit, target: Condition) -> Str
 }
 
 /// Whether the circuit, run on a way, ends where it is lost, and so does the interpreter.
-fn is_lost(program: &Program<'_>, circuit: &Circuit, bad: Lit, way: &Way, shown: &[Shown]) -> bool {
+fn is_lost(
+    program: &Program<'_>,
+    circuit: &Circuit,
+    (bad, leads_home): (Lit, Lit),
+    way: &Way,
+    shown: &[Shown],
+) -> bool {
     let mut player = Player::new(circuit);
     for on in &way.inputs {
         player.cycle_on(on);
@@ -247,7 +253,7 @@ fn is_lost(program: &Program<'_>, circuit: &Circuit, bad: Lit, way: &Way, shown:
         }
     }
     let Some(end) = shown.last() else { return false };
-    player.holds(bad)
+    let is_there = player.holds(bad)
         && circuit.fields.iter().filter(|field| field.plant.is_none()).all(|field| {
             let Some(place) = field.place else { return true };
             let held = player.field(field);
@@ -267,5 +273,8 @@ fn is_lost(program: &Program<'_>, circuit: &Circuit, bad: Lit, way: &Way, shown:
                 },
                 _ => true,
             }
-        })
+        });
+    // In the state as it then is, not as the circuit foretells it.
+    player.cycle_on(&[]);
+    is_there && !player.holds(leads_home)
 }

@@ -2,6 +2,7 @@
 #![allow(missing_docs, reason = "a name says what it holds; a doc is where that is not enough")]
 
 pub mod aig;
+mod apart;
 mod bits;
 mod bmc;
 pub mod certificate;

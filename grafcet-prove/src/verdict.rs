@@ -3,6 +3,7 @@
 use grafcet_compiler::program::Program;
 
 use crate::aig::Lit;
+use crate::apart;
 use crate::bmc;
 use crate::certificate;
 use crate::circuit::{Bad, Circuit, Deadline};
@@ -68,6 +69,9 @@ const FIRST_CYCLES: usize = 8;
 /// So many steps of the solver are taken before it is looked for how clocks go together.
 const ALONE: u64 = 10_000;
 
+/// So many before it is looked for how far they are apart, which takes longer.
+const BEFORE_SUMS: u64 = 100_000;
+
 /// What is said where the limit is reached.
 pub(crate) const OVER: &str = "the solver was stopped at its limit";
 
@@ -83,22 +87,69 @@ pub fn decide(program: &Program<'_>, circuit: &Circuit, bad: Bad, limit: &Limit)
     if let Some(deadline) = deadline {
         return in_time(program, circuit, (bad, *deadline), &goal, limit);
     }
-    // It may do without.
-    if clocks::are_several(program, circuit, bad.possible) {
-        match decide_on(program, circuit, bad, &goal, &limit.part(ALONE))? {
-            Verdict::Undecided(why) if why == OVER && !limit.is_over() => {}
-            verdict => return Ok(verdict),
-        }
-        if let Ok(Some((with, known))) = clocks::known(program, circuit, bad.possible, limit) {
-            return Ok(match decide_on(program, &with, bad, &goal, limit)? {
-                Verdict::Proved(Proof { invariant, .. }) => {
-                    Verdict::Proved(Proof { beside: Some(Box::new(with)), known, ..Proof::of(invariant) })
-                }
-                verdict => verdict,
-            });
-        }
+    if !clocks::are_several(program, circuit, bad.possible) {
+        return decide_on(program, circuit, bad, &goal, limit);
     }
-    decide_on(program, circuit, bad, &goal, limit)
+    // It may do without.
+    match decide_on(program, circuit, bad, &goal, &limit.part(ALONE))? {
+        Verdict::Undecided(why) if why == OVER && !limit.is_over() => {}
+        verdict => return Ok(verdict),
+    }
+    let mut known = Known::nothing(circuit);
+    if let Ok(Some((with, said))) = clocks::known(program, circuit, bad.possible, limit) {
+        known = Known { circuit: with, clocks: Vec::new(), said };
+    }
+    with_sums(program, known, bad, &goal, limit)
+}
+
+/// What is known of a circuit's clocks, and the circuit in which it is.
+struct Known {
+    circuit: Circuit,
+    clocks: Vec<About>,
+    said: Vec<String>,
+}
+
+impl Known {
+    fn nothing(circuit: &Circuit) -> Self {
+        Self { circuit: circuit.clone(), clocks: Vec::new(), said: Vec::new() }
+    }
+
+    fn decide(
+        self,
+        program: &Program<'_>,
+        bad: Bad,
+        goal: &Goal<'_>,
+        limit: &Limit,
+    ) -> Result<(Verdict, Self), Internal> {
+        let verdict = match decide_on(program, &self.circuit, bad, goal, limit)? {
+            Verdict::Proved(Proof { invariant, .. }) => {
+                let (clocks, known) = (self.clocks.clone(), self.said.clone());
+                let beside = Some(Box::new(self.circuit.clone()));
+                Verdict::Proved(Proof { beside, clocks, known, ..Proof::of(invariant) })
+            }
+            verdict => verdict,
+        };
+        Ok((verdict, self))
+    }
+}
+
+/// With what is known of its clocks; where that is not enough, with how far they are apart, too.
+fn with_sums(
+    program: &Program<'_>,
+    known: Known,
+    bad: Bad,
+    goal: &Goal<'_>,
+    limit: &Limit,
+) -> Result<Verdict, Internal> {
+    let mut known = match known.decide(program, bad, goal, &limit.part(BEFORE_SUMS))? {
+        (Verdict::Undecided(why), known) if why == OVER && !limit.is_over() => known,
+        (verdict, _) => return Ok(verdict),
+    };
+    if let Ok(Some((with, said))) = apart::known(program, &known.circuit, bad.possible, limit) {
+        known.circuit = with;
+        known.said.extend(said);
+    }
+    Ok(known.decide(program, bad, goal, limit)?.0)
 }
 
 /// Why what a property is about never happens; none where it does, or where that is not found out.
@@ -132,15 +183,7 @@ fn in_time(
     limit: &Limit,
 ) -> Result<Verdict, Internal> {
     match strengthened(program, circuit, deadline, limit) {
-        Ok((known, clocks)) => {
-            let verdict = decide_on(program, &known, bad, goal, limit)?;
-            Ok(match verdict {
-                Verdict::Proved(Proof { invariant, .. }) => {
-                    Verdict::Proved(Proof { beside: Some(Box::new(known)), clocks, ..Proof::of(invariant) })
-                }
-                verdict => verdict,
-            })
-        }
+        Ok((circuit, clocks)) => with_sums(program, Known { circuit, clocks, said: Vec::new() }, bad, goal, limit),
         Err(Over) => Ok(Verdict::Undecided(OVER.to_owned())),
     }
 }

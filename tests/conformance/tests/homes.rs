@@ -267,8 +267,12 @@ fn ways_that_are_none_are_refused() {
     };
     assert!((0..ways.leads.len()).any(|number| without(number).is_some()), "some need an input");
     // Everything but home is not closed: a cycle leads out of it.
-    assert!(!certificate::is_closed(circuit, ways.target.now, ways.target.end, &limit).expect("no limit"));
-    assert!(certificate::is_closed(circuit, Lit::TRUE, ways.target.end, &limit).expect("no limit"));
+    assert!(!certificate::is_closed(circuit, ways.target.now, &limit).expect("no limit"));
+    assert!(certificate::is_closed(circuit, Lit::TRUE, &limit).expect("no limit"));
+    // What is home at the end of a cycle is not what the ways say of it: with another home no input leads there.
+    let mut moved = ways.clone();
+    moved.target.now = Lit::FALSE;
+    assert!(fault(&moved).is_some());
 }
 
 /// An elevator of four floors that remembers its calls: `edge` is what a call takes, a level or `rising`, `up` where the car stops on its way up.

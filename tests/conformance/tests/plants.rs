@@ -218,3 +218,15 @@ fn the_circuit_does_what_the_closed_loop_does() {
     assert_eq!(visited.len(), model.plants.list[0].model.steps.len(), "every step of the plant is seen");
     assert!(strokes > 500, "{strokes}");
 }
+
+/// How long the cylinder goes is known of its own clock, how long it is waited for of the chart's: with ticks of any size.
+#[test]
+fn clocks_of_chart_and_plant_go_together_in_fine_ticks_too() {
+    let never = "assume never Cylinder::jammed || Cylinder::blind || Cylinder::choose_slipped;";
+    for (clock, within) in [("100ms", "6s"), ("1ms", "6s")] {
+        let text = press("top", &format!("{never} never alarm; Down leads_to Up.X || alarm within {within};"));
+        let text = text.replacen("clock 500ms", &format!("clock {clock}"), 1);
+        let said = verdicts(&read(&text));
+        assert!(said.iter().all(|verdict| matches!(verdict, Verdict::Proved(_))), "{clock}: {said:?}");
+    }
+}

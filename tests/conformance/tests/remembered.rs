@@ -128,3 +128,33 @@ fn stored_and_delayed_outputs_go_with_the_times_of_steps() {
         }
     }
 }
+
+/// Periods of 0.5 s and 0.7 s begin together every 3.5 s: for the first time after 12 s at 14 s, which one long cycle may bring. Times that are
+/// told apart only up to what they are compared with would show that a cycle later, or never.
+#[test]
+fn long_times_are_as_far_in_each_period() {
+    let both = "blink(100ms/400ms, Run) && blink(100ms/600ms, Run)";
+    for (property, expected) in [
+        (format!("never {both} && Run.T > 12s"), Some(3)),
+        (format!("never {both} && Run.T > 200ms && Run.T < 3500ms"), None),
+        (format!("never {both} && Run.T > 200ms && Run.T <= 3500ms"), Some(3)),
+    ] {
+        let text = format!(
+            "sfc C {{ clock 100ms; input start, stop: bool; initial step Rest; step Run; Rest -[start]-> Run -[stop]-> Rest; {property}; }}"
+        );
+        match (verdicts(&read(&text)).remove(0), expected) {
+            (Verdict::Proved(_), None) => {}
+            (Verdict::Violated(way), Some(length)) if way.len() == length => {}
+            (verdict, _) => panic!("{property}: {verdict:?}"),
+        }
+    }
+}
+
+#[test]
+fn what_blinks_goes_with_the_time_of_its_step_in_fine_ticks() {
+    let text = door("sfc", "never blink(500ms, Opening) && Opening.T > 600ms && Opening.T < 900ms;");
+    for clock in ["50ms", "10ms"] {
+        let verdict = verdicts(&read(&text.replacen("clock 100ms", &format!("clock {clock}"), 1))).remove(0);
+        assert!(matches!(verdict, Verdict::Proved(_)), "{clock}: {verdict:?}");
+    }
+}
