@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 
 use super::Cx;
 use super::branches::Branch;
-use super::segments::Item;
+use super::in_order::Item;
 use crate::list::List;
 use crate::model::{StepId, TransitionId};
 use crate::place::quote;

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::bind::Moment;
-use super::segments::Item;
+use super::in_order::Item;
 use super::{Cx, names};
 use crate::analysis::combinational;
 use crate::list::List;

@@ -1,7 +1,6 @@
 //! The generated code: one file per artefact. After the gates nothing can fail: model and plan in, tokens out.
 
 mod acting;
-mod apart;
 mod bind;
 mod branches;
 mod chart_impl;
@@ -16,11 +15,12 @@ mod evolution;
 mod force;
 mod grafcet;
 mod hierarchy;
+mod in_order;
+mod in_place;
 mod late;
 mod machine;
 mod meaning;
 mod names;
-mod nest;
 mod outputs;
 mod outside;
 mod program;
@@ -28,8 +28,8 @@ mod recipe;
 mod record;
 mod requirements;
 mod rust;
-mod segments;
 mod sfc;
+mod side_by_side;
 mod situation;
 mod state;
 mod stored;

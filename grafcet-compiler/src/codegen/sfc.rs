@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::bind::Moment;
-use super::segments::Item;
+use super::in_order::Item;
 use super::situation::At;
 use super::{Cx, names};
 use crate::list::{List, PushAll};

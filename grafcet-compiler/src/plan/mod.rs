@@ -4,8 +4,8 @@
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
 mod acting;
-mod below;
 mod control;
+mod descent;
 mod drive;
 mod evolution;
 mod left_over;
@@ -15,9 +15,9 @@ mod regions;
 mod shape;
 mod stored;
 
-pub use below::Descent;
-pub(crate) use below::{Below, directly, is_top};
 pub use control::{Control, Target, What, source_order};
+pub use descent::Descent;
+pub(crate) use descent::{Below, directly, is_top};
 pub use drive::Drive;
 pub use evolution::Evolution;
 pub use memory::{Counted, Memory, Phase};

@@ -7,39 +7,39 @@ impl Long {
         let mut outputs = LongOutputs { lamp: false };
         let mut after: __LongState = self.situation;
         'once: {
-            #[derive(Clone, Copy)]
-            enum Kind3 {
+            #[derive(core::clone::Clone, core::marker::Copy)]
+            enum __Kind3 {
                 K0,
                 K1,
                 K2,
             }
-            let kind: Kind3 = {
-                const KINDS: [Kind3; 25usize] = [
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K1,
-                    Kind3::K2,
-                    Kind3::K0,
+            let kind: __Kind3 = {
+                const KINDS: [__Kind3; 25usize] = [
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K1,
+                    __Kind3::K2,
+                    __Kind3::K0,
                 ];
                 match KINDS.get(self.situation as usize) {
                     Option::Some(found) => *found,
@@ -47,13 +47,13 @@ impl Long {
                 }
             };
             match kind {
-                Kind3::K0 => {}
-                Kind3::K1 => {
+                __Kind3::K0 => {}
+                __Kind3::K1 => {
                     if !inputs.a {
                         break 'once;
                     }
                 }
-                Kind3::K2 => {
+                __Kind3::K2 => {
                     if !inputs.b {
                         break 'once;
                     }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
 
 use crate::codegen::bind::Moment;
-use crate::codegen::segments::Item;
+use crate::codegen::in_order::Item;
 use crate::codegen::{Cx, names};
 use crate::model::{Association, AssociationId, Effect, Id, Qualifier, Trigger};
 use crate::place::quote;

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 
 use crate::codegen::bind::Moment;
-use crate::codegen::segments::Item;
+use crate::codegen::in_order::Item;
 use crate::codegen::situation::At;
 use crate::codegen::{Cx, names, types};
 use crate::list::List;

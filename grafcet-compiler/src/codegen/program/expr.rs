@@ -152,7 +152,7 @@ impl<'m> Printer<'_, 'm> {
         let variants = (0..count).map(kind_variant).list();
         let kinds = states.iter().map(|state| self.constant(kind_of(state), ty)).list();
         let declared = quote! {
-            #[derive(Clone, Copy)]
+            #[derive(#p::core::clone::Clone, #p::core::marker::Copy)]
             enum #name { #(#variants,)* }
         };
         let found = quote!({
@@ -248,10 +248,10 @@ impl<'m> Printer<'_, 'm> {
     }
 }
 
-/// The name of the type of some kinds.
+/// The name of the type of some kinds, which stands beside Rust of the user.
 pub(super) fn kind_type(ty: Type<'_>) -> Ident {
-    let Type::Kind { list, .. } = ty else { return names::local("Kind") };
-    names::local(&format!("Kind{list}"))
+    let Type::Kind { list, .. } = ty else { return names::local("__Kind") };
+    names::local(&format!("__Kind{list}"))
 }
 
 /// The name of one of them.

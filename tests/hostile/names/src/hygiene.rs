@@ -52,6 +52,24 @@ grafcet! {
 }
 
 grafcet! {
+    /// So long that tables say what there is to do in a step.
+    pub sfc Small {
+        optimize size;
+        input kind, found, once, table, after: bool;
+        output kinds: bool;
+
+        initial step S0; step S1 { N kinds; } step S2; step S3; step S4 { N kinds; } step S5; step S6; step S7 { N
+        kinds; } step S8; step S9; step S10 { N kinds; } step S11; step S12; step S13 { N kinds; } step S14; step S15;
+        step S16 { N kinds; } step S17; step S18; step S19 { N kinds; } step S20;
+
+        S0 -[kind]-> S1 -[found && !once]-> S2 -[kind]-> S3 -[found && !once]-> S4 -[kind]-> S5 -[found && !once]-> S6
+        -[kind]-> S7 -[found && !once]-> S8 -[kind]-> S9 -[found && !once]-> S10 -[kind]-> S11 -[found && !once]-> S12
+        -[kind]-> S13 -[found && !once]-> S14 -[kind]-> S15 -[found && !once]-> S16 -[kind]-> S17 -[found && !once]->
+        S18 -[table]-> S19 -[after]-> S20 -[kind]-> S0;
+    }
+}
+
+grafcet! {
     /// The same under the rules of IEC 60848.
     pub grafcet Search {
         #![allow(grafcet::stuck_join)]

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 
 use super::Cx;
-use super::segments::Item;
+use super::in_order::Item;
 use crate::model::StepId;
 use crate::place::quote;
 use crate::plan::Nest;
