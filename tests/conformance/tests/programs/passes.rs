@@ -107,6 +107,18 @@ fn small_belt() -> String {
     belt(24).replacen("sfc Belt {", "sfc Belt { optimize size;", 1)
 }
 
+/// A belt whose steps wait and act alike, but for one that acts as others do: what a table says of both has to tell it apart.
+fn crossed_belt() -> String {
+    let mut text = "sfc Belt { optimize size; input a, b: bool; output q0, q1, q2, q3, q4, q5: bool; ".to_owned();
+    for step in 0..24 {
+        let initial = if step == 0 { "initial " } else { "" };
+        let condition = ["a", "b", "a && b", "!a", "!b", "a || b"][step % 6];
+        let output = if step == 7 { 5 } else { step % 6 };
+        _ = write!(text, "{initial}step S{step} {{ q{output}; }} S{step} -[{condition}]-> S{}; ", (step + 1) % 24);
+    }
+    text + "}"
+}
+
 /// Ten steps of a sequence by time, some of which wait for the same, one with two ways and one that stays beyond its time.
 fn wash() -> String {
     let mut text = "sfc Wash { input a, b: bool; output p, q: bool; var n: bool; ".to_owned();
@@ -277,7 +289,7 @@ fn steps_that_wait_for_the_same_lead_elsewhere() {
 /// A table leads from each step to its next one, and nowhere while its condition does not hold.
 #[test]
 fn a_table_says_which_step_is_next() {
-    for (chart, table) in [(belt(9), "table("), (small_belt(), "kinds(")] {
+    for (chart, table) in [(belt(9), "table("), (small_belt(), "kinds("), (crossed_belt(), "kinds(")] {
         goes_by_table(&chart, table);
     }
 }
