@@ -7,7 +7,10 @@ impl Long {
         let mut outputs = LongOutputs { lamp: false };
         let mut after: __LongState = self.situation;
         'once: {
-            #[derive(core::clone::Clone, core::marker::Copy)]
+            #[derive(
+                core::clone::Clone,
+                core::marker::Copy
+            )]
             enum __Kind3 {
                 K0,
                 K1,
