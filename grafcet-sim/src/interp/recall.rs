@@ -152,8 +152,9 @@ impl Recall<'_> {
                 None if is_kept(model, place) || is_read(model, Name::Output(id)) => {
                     return Err(format!("what `{}` was", output.name));
                 }
-                // The next cycle says it.
-                None => self.state().outputs[id.index()] = Value::Unknown,
+                // The next cycle says it, unless nothing ever does.
+                None if is_driven(model, place) => self.state().outputs[id.index()] = Value::Unknown,
+                None => {}
             }
         }
         Ok(())
@@ -374,6 +375,11 @@ pub fn is_part(model: &Model, place: Place) -> bool {
         .associations
         .values()
         .any(|one| matches!(&one.effect, Effect::Control(at) if *at == place) && !one.qualifier.sets_or_resets())
+}
+
+/// Whether some action gives an output its value.
+fn is_driven(model: &Model, place: Place) -> bool {
+    model.effects().iter().any(|effect| effect.writes().contains(&place))
 }
 
 /// Whether an output keeps its value from one cycle to the next unless something writes it.
