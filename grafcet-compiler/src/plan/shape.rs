@@ -26,7 +26,7 @@ pub enum Form {
 pub enum Search {
     /// An `sfc` evolves once in a cycle; of a program, what that says.
     None,
-    /// Until nothing clears, and it is certain that this comes; at some steps it is known without another look.
+    /// Until nothing clears, and it is certain that this comes.
     Ends,
     /// Until nothing changes, or the bound is reached (A30).
     Bounded(Undo),

@@ -170,8 +170,7 @@ impl Layout {
         &self.slot(place).name
     }
 
-    /// The type of a number that is stored.
-    pub(super) fn number(&self, p: &TokenStream) -> TokenStream {
+    fn number(&self, p: &TokenStream) -> TokenStream {
         match self.highest {
             0..=0xff => quote!(#p::u8),
             0x100..=0xffff => quote!(#p::u16),
