@@ -179,7 +179,7 @@ pub mod __private {
     pub use grafcet_core::values::{copied, default_value, is_same};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, OutOfRange, Phase, Possible, ShortTime, Ticks,
-        description, phase, situation, sooner, until, until_change,
+        description, earlier, phase, situation, sooner, until, until_change,
     };
     pub use grafcet_macros::chart;
     pub use heapless;

@@ -27,4 +27,4 @@ pub use possible::Possible;
 pub use possible::{ForceError, Forceable};
 pub use range::OutOfRange;
 pub use ticks::Ticks;
-pub use time::{Delay, OnDelay, ShortTime, phase, sooner, until, until_change};
+pub use time::{Delay, OnDelay, ShortTime, earlier, phase, sooner, until, until_change};

@@ -176,9 +176,15 @@ pub fn sooner(a: Option<Ticks>, b: Option<Ticks>) -> Option<Ticks> {
     }
 }
 
+/// The earlier of two readings of the clock, which lie less than 2^31 ticks apart.
+#[must_use]
+pub fn earlier(a: Option<Ticks>, b: Ticks) -> Option<Ticks> {
+    Some(a.filter(|a| a.since(b).get() > u32::MAX / 2).unwrap_or(b))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Delay, OnDelay, ShortTime, phase, sooner, until_change};
+    use super::{Delay, OnDelay, ShortTime, earlier, phase, sooner, until_change};
     use crate::Ticks;
 
     const fn ticks(n: u32) -> Ticks {
@@ -242,6 +248,19 @@ mod tests {
     fn the_next_change_of_what_blinks() {
         let change = |reached| until_change(ticks(reached), ticks(700), ticks(1000));
         assert_eq!([change(0), change(699), change(700), change(999)], [ticks(700), ticks(1), ticks(300), ticks(1)]);
+    }
+
+    #[test]
+    fn the_earlier_of_two_readings_of_a_clock_that_may_wrap_around() {
+        let last = u32::MAX;
+        assert_eq!(earlier(None, ticks(5)), Some(ticks(5)));
+        assert_eq!(earlier(Some(ticks(4)), ticks(5)), Some(ticks(4)));
+        assert_eq!(earlier(Some(ticks(5)), ticks(4)), Some(ticks(4)));
+        assert_eq!(earlier(Some(ticks(5)), ticks(5)), Some(ticks(5)));
+        assert_eq!(earlier(Some(ticks(last)), ticks(1)), Some(ticks(last)));
+        assert_eq!(earlier(Some(ticks(1)), ticks(last)), Some(ticks(last)));
+        assert_eq!(earlier(Some(ticks(0)), ticks(last / 2)), Some(ticks(0)));
+        assert_eq!(earlier(Some(ticks(last / 2)), ticks(0)), Some(ticks(0)));
     }
 
     #[test]

@@ -33,6 +33,8 @@ Usage: cargo xtask <task>
             crates: writes docs/cost.md, the README's table and the figures that CI compares with
   bench charts, bench builds
             the first half of it alone, and the second: how long building takes
+  bench generated
+            the generated charts alone measured anew, beside what is recorded of all others; writes the same
   bench cost
             the costs on a controller and on the host, shown and not written
   bench host
@@ -92,6 +94,7 @@ fn main() -> ExitCode {
         ["bench"] => bench::run(),
         ["bench", "builds"] => bench::builds(),
         ["bench", "charts"] => bench::charts(),
+        ["bench", "generated"] => bench::generated(),
         ["bench", "cost"] => bench::cost(),
         ["bench", "host"] => bench::on_host(),
         ["bench", "pinned"] => bench::pinned(),

@@ -36,6 +36,15 @@ enum Clock {
 pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> {
     let (vis, p) = (&cx.model.vis, &cx.p);
     let Deadline { at_once, waits, reading, from } = machine.deadline.as_ref()?;
+    let soonest = match from {
+        None => quote!(soonest),
+        Some(from) => quote! {
+            match soonest {
+                #p::Option::Some(time) => #p::Option::Some(#from.after(time)),
+                #p::Option::None => #p::Option::None,
+            }
+        },
+    };
     Some(quote! {
         /// The reading of the clock before which nothing changes unless an input does (or the recipe): a controller
         /// that sleeps until then behaves like one that scans all the time. The reading of the last cycle means
@@ -47,10 +56,7 @@ pub(super) fn method(cx: &Cx<'_>, machine: &Machine<'_>) -> Option<TokenStream> 
             }
             let mut soonest = #p::Option::None;
             #waits
-            match soonest {
-                #p::Option::Some(time) => #p::Option::Some(#from.after(time)),
-                #p::Option::None => #p::Option::None,
-            }
+            #soonest
         }
     })
 }
@@ -106,7 +112,7 @@ impl Cx<'_> {
             at_once,
             waits: quote!(#(#steps)* #(#delays)* #timers),
             reading: quote!(self.now),
-            from: quote!(self.now),
+            from: Some(quote!(self.now)),
         })
     }
 

@@ -55,8 +55,8 @@ pub(super) struct Deadline {
     pub(super) waits: TokenStream,
     /// The reading of the clock in the last cycle, where the next one is due at once.
     pub(super) reading: TokenStream,
-    /// The reading from which the times count.
-    pub(super) from: TokenStream,
+    /// The reading from which the times count; none where what has been found is a reading itself.
+    pub(super) from: Option<TokenStream>,
 }
 
 impl<'m> Machine<'m> {

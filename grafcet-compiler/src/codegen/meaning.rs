@@ -92,7 +92,7 @@ pub(super) fn of_role(program: &Program<'_>, role: Role) -> Option<Held> {
     Some(match role {
         Role::State(region) => Held::Situation(steps(region)),
         Role::First => Held::First,
-        Role::Stable | Role::Settled | Role::Before | Role::Passed => Held::Deadline,
+        Role::Stable | Role::Settled | Role::Before | Role::Passed(_) => Held::Deadline,
         Role::Bit(_)
         | Role::Asked(_)
         | Role::Reading

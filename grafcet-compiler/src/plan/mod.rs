@@ -28,6 +28,7 @@ pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Facts, Races};
 use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
+use crate::program;
 use crate::sorted::Set;
 
 /// The plan for one chart.
@@ -120,6 +121,11 @@ impl Plan {
                 descent,
                 nests: nests.is_some(),
                 may_be_unstable,
+                is_lean: !model.is_grafcet()
+                    && !model.forceable
+                    && regions.all().len() > 1
+                    && !regions.are_flags()
+                    && program::is_lean(model, facts),
             },
         );
         let flags_left_over = left_over::has_flag(

@@ -11,7 +11,8 @@ const FEW_FIELDS: usize = 3;
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// The cycle is printed from a program (`program/`): one region, each transition from one step to one.
+    /// The cycle is printed from a program (`program/`): one region, each transition from one step to one; or parallel branches of an `sfc`
+    /// of which the program is not much longer than the chart.
     Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
     Flags,
@@ -53,6 +54,8 @@ pub(super) struct Known<'p> {
     /// Parallel branches lie within one another.
     pub(super) nests: bool,
     pub(super) may_be_unstable: bool,
+    /// The program of parallel branches is not much longer than the chart.
+    pub(super) is_lean: bool,
 }
 
 /// The shape of an evolution and what follows from it.
@@ -183,7 +186,7 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
     if plan.regions.are_flags() {
         return Form::Flags;
     }
-    if is_sequence(model, plan, only_situation) {
+    if is_sequence(model, plan, only_situation) || plan.is_lean {
         return Form::Program;
     }
     // Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an

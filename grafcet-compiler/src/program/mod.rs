@@ -29,6 +29,9 @@ use crate::sorted::{Set, sort_unstable};
 
 pub use lower::{Encoding, Refused, counted, naive};
 
+/// A program may have so many statements for each thing that is written in its chart.
+const LEAN: usize = 2;
+
 /// The program from which the macro prints the cycle of a chart; of one that is recorded it keeps the reading of the clock.
 ///
 /// # Errors
@@ -40,6 +43,17 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
     }
     passes::optimise(&mut program, &passes::Pass::ALL);
     Ok(program)
+}
+
+/// Whether what the passes leave of a chart with parallel branches is not much longer than the chart itself. It is where many transitions
+/// synchronise the same branches, as there is a way for each of their outcomes.
+pub(crate) fn is_lean(model: &Model, facts: &Facts<'_>) -> bool {
+    let Ok(program) = optimised(model, facts, false) else { return false };
+    let mut written = model.associations.len();
+    for transition in model.transitions.values() {
+        written += 1 + transition.sources.len() + transition.targets.len();
+    }
+    passes::weight(&program) <= LEAN * written
 }
 
 /// What a chart does in one cycle.
@@ -119,8 +133,8 @@ pub enum Role {
     Began(usize),
     /// The same of a macro-step.
     MacroBegan(MacroId),
-    /// A time of the active step is over that is not waited for any more.
-    Passed,
+    /// A time of the active step of a region is over that is not waited for any more.
+    Passed(usize),
     /// How far a period is since the activation of the active step of a region.
     Phase {
         region: usize,
@@ -334,14 +348,41 @@ pub struct User<'m> {
 pub struct Deadline<'m> {
     /// The next cycle is due at once.
     pub at_once: Expr<'m>,
-    /// Holds the reading of the last cycle, where that is so.
-    pub reading: PlaceId,
-    /// From which reading all others count.
-    pub from: PlaceId,
-    /// Where the first holds, something may change after the second. The soonest counts.
-    pub waits: Vec<(Expr<'m>, Expr<'m>)>,
+    /// The reading of the last cycle, where that is so.
+    pub reading: Expr<'m>,
+    /// What may come. The soonest counts.
+    pub waits: Vec<Wait<'m>>,
     /// Steps that have a time, and what tells behind a cycle that it is over, where they are active.
     pub late: Vec<(StepId, Expr<'m>)>,
+}
+
+/// Something may change after a time.
+pub struct Wait<'m> {
+    /// Where this holds.
+    pub condition: Expr<'m>,
+    /// The reading of the clock from which the time counts.
+    pub from: PlaceId,
+    pub time: Expr<'m>,
+}
+
+impl<'m> Deadline<'m> {
+    /// What it asks, but for what tells that a step is late.
+    pub(crate) fn asks(&self) -> impl Iterator<Item = &Expr<'m>> {
+        [&self.at_once, &self.reading]
+            .into_iter()
+            .chain(self.waits.iter().flat_map(|wait| [&wait.condition, &wait.time]))
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn asks_mut(&mut self) -> impl Iterator<Item = &mut Expr<'m>> {
+        let waits = self.waits.iter_mut().flat_map(|wait| [&mut wait.condition, &mut wait.time]);
+        [&mut self.at_once, &mut self.reading].into_iter().chain(waits)
+    }
+
+    /// Whether all times count from one reading.
+    pub(crate) fn has_one_clock(&self) -> bool {
+        self.waits.windows(2).all(|two| two[0].from == two[1].from)
+    }
 }
 
 impl<'m> Program<'m> {

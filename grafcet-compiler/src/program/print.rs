@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write as _};
 
-use super::{Comparison, Expr, Fence, Initial, Mark, Phase, PlaceId, Program, Statement, Type, User, Value};
+use super::{Comparison, Expr, Fence, Initial, Mark, Phase, PlaceId, Program, Statement, Type, User, Value, Wait};
 use crate::model::{Binary, Model, Read, Tree, Ty, Unary};
 
 /// No line of the list of locals is longer.
@@ -21,9 +21,9 @@ impl Display for Program<'_> {
         let Some(deadline) = &self.deadline else { return Ok(()) };
         writeln!(f, "\ndeadline")?;
         let name = |place: PlaceId| &self.places[place.0].name;
-        writeln!(f, "  at {} if {}", name(deadline.reading), self.expr(&deadline.at_once, 0))?;
-        for (condition, time) in &deadline.waits {
-            let (from, time) = (name(deadline.from), self.expr(time, 0));
+        writeln!(f, "  at {} if {}", self.expr(&deadline.reading, 0), self.expr(&deadline.at_once, 0))?;
+        for Wait { condition, from, time } in &deadline.waits {
+            let (from, time) = (name(*from), self.expr(time, 0));
             writeln!(f, "  {time} after {from} if {}", self.expr(condition, 0))?;
         }
         for (step, over) in &deadline.late {

@@ -102,6 +102,11 @@ impl Recorded {
         Ok(())
     }
 
+    /// Whether this compiler has made what is recorded for a target.
+    pub(super) fn is_by(&self, target: &str, compiler: &str) -> bool {
+        self.text.lines().any(|line| line == format!("{target} compiler {compiler}"))
+    }
+
     /// The recorded cost of a chart as an author wrote it.
     pub(super) fn find(&self, target: &str, name: &str, author: &str) -> Result<Option<Cost>> {
         let prefix = format!("{target} {name} {author} ");

@@ -257,12 +257,11 @@ impl Used {
             visit::block(forced, &mut note);
         }
         if let Some(deadline) = &program.deadline {
-            visit::expr(&deadline.at_once, &mut note);
-            note(Seen::Read(deadline.reading));
-            note(Seen::Read(deadline.from));
-            for (condition, time) in &deadline.waits {
-                visit::expr(condition, &mut note);
-                visit::expr(time, &mut note);
+            for wait in &deadline.waits {
+                note(Seen::Read(wait.from));
+            }
+            for expr in deadline.asks() {
+                visit::expr(expr, &mut note);
             }
             for (_, over) in &deadline.late {
                 visit::expr(over, &mut note);

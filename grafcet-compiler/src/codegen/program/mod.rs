@@ -24,7 +24,7 @@ use crate::held::Held;
 use crate::list::List;
 use crate::model::{StepId, Ty};
 use crate::place::quote;
-use crate::program::{self, PlaceId, Program, Role, Statement};
+use crate::program::{self, PlaceId, Program, Role, Statement, Wait};
 
 /// What the fields of a program's state hold, by their names.
 pub(super) fn meanings(cx: &Cx<'_>, program: &Program<'_>) -> Vec<(String, Held)> {
@@ -126,11 +126,17 @@ impl<'m> Printer<'_, 'm> {
     fn deadline(&self, deadline: &program::Deadline<'m>) -> Deadline {
         let p = &self.cx.p;
         let mut waits = TokenStream::new();
-        for (condition, time) in &deadline.waits {
-            let (condition, time) = (self.condition(condition), self.value(time));
-            waits.extend(quote!(if #condition { soonest = #p::sooner(soonest, #p::Option::Some(#time)); }));
+        let is_one = deadline.has_one_clock();
+        for Wait { condition, from, time } in &deadline.waits {
+            let (condition, from, time) = (self.condition(condition), self.get(*from), self.value(time));
+            waits.extend(if is_one {
+                quote!(if #condition { soonest = #p::sooner(soonest, #p::Option::Some(#time)); })
+            } else {
+                quote!(if #condition { soonest = #p::earlier(soonest, #from.after(#time)); })
+            });
         }
-        let (reading, from) = (self.get(deadline.reading), self.get(deadline.from));
+        let reading = self.value(&deadline.reading);
+        let from = is_one.then(|| deadline.waits.first().map_or(reading.clone(), |wait| self.get(wait.from)));
         Deadline { at_once: self.condition(&deadline.at_once), waits, reading, from }
     }
 

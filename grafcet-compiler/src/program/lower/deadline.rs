@@ -6,30 +6,34 @@ use super::clocks::{Clock, literal};
 use crate::list::{List, PushAll};
 use crate::model::{Blinker, Expr as Written, Qualifier, StepId};
 use crate::program::build::{all, any, at_least, below, choose, compare, not, sub, ticks};
-use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value};
+use crate::program::{Comparison, Deadline, Expr, Initial, PlaceId, Role, Type, Value, Wait};
+
+/// With more regions, what each of them keeps takes more than the reading of the last cycle.
+const FEW_REGIONS: usize = 4;
 
 impl<'m> Lower<'_, 'm> {
     /// Of a chart that uses time.
     pub(super) fn deadline(&self) -> Option<Deadline<'m>> {
         let settled = self.settled?;
         let mut waits = Vec::new();
-        let (reading, from) = (self.reading?, self.from());
+        let reading = self.reading?;
         for (of, change) in &changes(self.model) {
-            self.wait(*of, *change, from, &mut waits);
+            self.wait(*of, *change, &mut waits);
         }
+        let mut wait = |condition: Expr<'m>, time: Expr<'m>| waits.push(Wait { condition, from: reading, time });
         for id in self.model.delays.ids() {
             let (delay, places) = (&self.model.delays[id], self.delay(id));
             let differ = compare(Comparison::Differs, Expr::Place(places.input), Expr::Place(places.output));
             let time = choose(Expr::Place(places.input), self.time_of(delay.on), self.time_of(delay.off));
-            waits.push((differ, sub(time, Expr::Place(places.held))));
+            wait(differ, sub(time, Expr::Place(places.held)));
         }
         for (input, held, time) in &self.timers {
             let waiting = all(vec![Expr::Place(*input), below(Expr::Place(*held), time.clone())]);
-            waits.push((waiting, sub(time.clone(), Expr::Place(*held))));
+            wait(waiting, sub(time.clone(), Expr::Place(*held)));
         }
         let mut at_once = self.restless();
         at_once.insert(0, not(Expr::Place(settled)));
-        Some(Deadline { at_once: any(at_once), reading, from: from.unwrap_or(reading), waits, late: self.late() })
+        Some(Deadline { at_once: any(at_once), reading: Expr::Place(reading), waits, late: self.late() })
     }
 
     /// What tells at the reading of the last cycle that a step is late.
@@ -74,60 +78,84 @@ impl<'m> Lower<'_, 'm> {
     }
 
     /// What something changes after, from the reading of the last cycle or, where that is known, from the beginning of the time.
-    fn wait(&self, of: Blinker, change: Change, from: Option<PlaceId>, waits: &mut Vec<(Expr<'m>, Expr<'m>)>) {
+    fn wait(&self, of: Blinker, change: Change, waits: &mut Vec<Wait<'m>>) {
+        let Some(reading) = self.reading else { return };
+        let mut wait = |condition: Expr<'m>, from: PlaceId, time: Expr<'m>| waits.push(Wait { condition, from, time });
         let active = match of {
             Blinker::Step(step) => self.is(step),
             Blinker::Macro(id) => any(self.model.macros[id].steps.iter().map(|step| self.is(*step)).list()),
         };
         match change {
             Change::At(_) | Change::Behind(_) => {
-                let (Some(clock), Some(reading), Some(end)) = (self.clock(of), self.reading, self.end_of(change))
-                else {
-                    return;
-                };
-                if from.is_none() {
+                let (Some(clock), Some(end)) = (self.clock(of), self.end_of(change)) else { return };
+                if !self.counts_from_beginning() {
                     let passed = clock.passed(Expr::Place(reading));
-                    waits.push((all(vec![active, below(passed.clone(), end.clone())]), sub(end, passed)));
+                    wait(all(vec![active, below(passed.clone(), end.clone())]), reading, sub(end, passed));
                     return;
                 }
-                let passed =
-                    self.passed.filter(|_| literal(change).is_some_and(|end| self.outlasted.contains(&(of, end))));
-                let open = passed.map(|passed| not(Expr::Place(passed)));
+                let is_outlasted = literal(change).is_some_and(|end| self.outlasted.contains(&(of, end)));
+                let open = self.passed_of(of).filter(|_| is_outlasted).map(|passed| not(Expr::Place(passed)));
                 // What takes no time is never waited for.
                 if literal(change) != Some(0) {
-                    waits.push((all([active].into_iter().and(open).list()), end));
+                    wait(all([active].into_iter().and(open).list()), clock.place(), end);
                 }
             }
-            Change::Always => waits.push((active, ticks(1))),
+            Change::Always => wait(active, reading, ticks(1)),
             Change::Blink(on, period) => {
                 let role = self.phase_role(crate::model::Blink { of, on, off: period.saturating_sub(on) });
                 let Some(phases) = self.phases.iter().find(|phases| phases.role == role) else { return };
                 let phase = Expr::Place(phases.phase);
                 let end = choose(below(phase.clone(), ticks(on)), ticks(on), ticks(period));
-                waits.push((active, sub(end, phase)));
+                wait(active, reading, sub(end, phase));
             }
         }
     }
 
-    /// The time whose beginning all that is waited for counts from: that of the only region, where nothing else counts. Of each step one
-    /// time at most can be over while it stays active.
-    fn from(&self) -> Option<PlaceId> {
-        let [Some(Clock::Began(began))] = self.time[..] else { return None };
-        let others = self.macro_time.iter().any(Option::is_some)
+    /// Whether all that is waited for counts from the beginning of a step's time, so that nobody asks for the reading of the last cycle: with one region, and in an `sfc` with
+    /// few. Of each step one time at most can be over while it stays active.
+    fn counts_from_beginning(&self) -> bool {
+        let is_counted = |clock: &Clock| matches!(clock, Clock::Counted(_));
+        let others = self.time.iter().flatten().any(is_counted)
+            || self.macro_time.iter().any(Option::is_some)
             || !(self.phases.is_empty() && self.delays.is_empty() && self.timers.is_empty());
         let mut steps = Vec::new();
         for (of, _) in &self.outlasted {
             steps.push(*of);
         }
         let twice = steps.windows(2).any(|two| two[0] == two[1]);
-        (!others && !twice && !self.regions.are_flags()).then_some(began)
+        let few = match self.state.len() {
+            1 => self.time[0].is_some(),
+            regions => {
+                !self.model.is_grafcet() && !self.model.forceable && regions <= FEW_REGIONS && self.late().is_empty()
+            }
+        };
+        few && !others && !twice && !self.regions.are_flags()
     }
 
-    /// Whether a time of the active step is over has to be remembered where the reading of the last cycle does not tell.
+    /// Whether a time of the active step of a region is over has to be remembered where the reading of the last cycle does not tell.
     pub(super) fn remember_passed(&mut self) {
-        if self.settled.is_some() && self.from().is_some() && !self.outlasted.is_empty() {
-            let no = Initial::Value(Value::Bool(false));
-            self.passed = Some(self.field("passed".to_owned(), Role::Passed, Type::Bool, no));
+        self.passed = vec![None; self.state.len()];
+        if self.settled.is_none() || !self.counts_from_beginning() {
+            return;
+        }
+        for region in 0..self.state.len() {
+            let is_outlasted = self.outlasted.iter().any(|(of, _)| self.region_of(*of) == Some(region));
+            if is_outlasted {
+                let name = if self.state.len() == 1 { "passed".to_owned() } else { self.region_name("passed", region) };
+                let no = Initial::Value(Value::Bool(false));
+                self.passed[region] = Some(self.field(name, Role::Passed(region), Type::Bool, no));
+            }
+        }
+    }
+
+    fn passed_of(&self, of: Blinker) -> Option<PlaceId> {
+        self.region_of(of).and_then(|region| self.passed[region])
+    }
+
+    pub(super) fn region_of(&self, of: Blinker) -> Option<usize> {
+        match of {
+            Blinker::Step(step) => Some(self.regions.of_step(step)),
+            Blinker::Macro(_) => None,
         }
     }
 }

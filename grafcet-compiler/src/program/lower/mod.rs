@@ -167,8 +167,8 @@ struct Lower<'r, 'm> {
     longest: Vec<(Blinker, u32)>,
     /// The times that can be over while their step stays active.
     outlasted: Set<(Blinker, u32)>,
-    /// Whether such a time is over for the active step, where that is remembered.
-    passed: Option<PlaceId>,
+    /// By region, whether such a time is over for the active step, where that is remembered.
+    passed: Vec<Option<PlaceId>>,
     /// Since the cycle before, where something counts it.
     elapsed: Option<PlaceId>,
     reading: Option<PlaceId>,

@@ -55,7 +55,7 @@ impl<'r, 'm> Lower<'r, 'm> {
             phases: Vec::new(),
             longest: Vec::new(),
             outlasted: Set::new(),
-            passed: None,
+            passed: Vec::new(),
             elapsed: None,
             reading: None,
             settled: None,

@@ -97,9 +97,14 @@ impl<'m> Lower<'_, 'm> {
     }
 
     pub(super) fn note_passed(&self) -> Vec<Statement<'m>> {
-        let Some(passed) = self.passed else { return Vec::new() };
-        let over = self.outlasted.iter().map(|(of, end)| self.is_over(*of, *end));
-        vec![Statement::Set(passed, any(over.list()))]
+        let mut body = Vec::new();
+        for (region, passed) in self.passed.iter().enumerate() {
+            let Some(passed) = passed else { continue };
+            let of_region = self.outlasted.iter().filter(|(of, _)| self.region_of(*of) == Some(region));
+            let over = of_region.map(|(of, end)| self.is_over(*of, *end));
+            body.push(Statement::Set(*passed, any(over.list())));
+        }
+        body
     }
 
     pub(super) fn bound_time(&self, &(of, longest): &(Blinker, u32)) -> Vec<Statement<'m>> {

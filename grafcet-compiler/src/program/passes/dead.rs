@@ -53,13 +53,8 @@ fn waits_for(deadline: Option<&Deadline<'_>>, place: PlaceId) -> bool {
 
 fn each_of_deadline(deadline: Option<&Deadline<'_>>, each: &mut dyn FnMut(PlaceId)) {
     let Some(deadline) = deadline else { return };
-    each_read(&deadline.at_once, each);
-    each(deadline.reading);
-    each(deadline.from);
-    for (condition, time) in &deadline.waits {
-        each_read(condition, each);
-        each_read(time, each);
-    }
+    deadline.waits.iter().for_each(|wait| each(wait.from));
+    deadline.asks().for_each(|expr| each_read(expr, each));
     for (_, over) in &deadline.late {
         each_read(over, each);
     }
@@ -166,12 +161,11 @@ fn drop_places(program: &mut Program<'_>) {
         renumber(cycle, &new);
     }
     if let Some(deadline) = &mut program.deadline {
-        deadline.at_once = renumbered(&deadline.at_once, &new);
-        deadline.reading = new(deadline.reading);
-        deadline.from = new(deadline.from);
-        for (condition, time) in &mut deadline.waits {
-            *condition = renumbered(condition, &new);
-            *time = renumbered(time, &new);
+        for wait in &mut deadline.waits {
+            wait.from = new(wait.from);
+        }
+        for expr in deadline.asks_mut() {
+            *expr = renumbered(expr, &new);
         }
         for (_, over) in &mut deadline.late {
             *over = renumbered(over, &new);

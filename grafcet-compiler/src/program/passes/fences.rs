@@ -12,7 +12,7 @@
 //! - In a search it would load all inputs beforehand, and copy what few steps do into the ways to them.
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
 
-use super::super::{Fence, Program, Role, Statement, Type};
+use super::super::{Expr, Fence, Program, Role, Statement, Type};
 use super::tables::goes_by_table;
 
 /// With fewer steps the code is smaller where the inputs are found once for all evolutions.
@@ -76,10 +76,16 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>) {
             _ => false,
         };
         neighbours = if is_state(&statement) { neighbours + 1 } else { 0 };
-        let dispatches = matches!((all.last(), &statement), (Some(Statement::Match(one, ..)), Statement::Match(other, ..)) if one != other);
-        if dispatches || neighbours > NEIGHBOURS {
+        // Their time, known in front of the second one, is found between them.
+        let is_time = |one: &Statement<'m>| matches!(one, Statement::Set(_, Expr::Since(..)));
+        let times = all.iter().rev().take_while(|one| is_time(one)).count();
+        let front = all.len() - times;
+        let dispatches = matches!((all[..front].last(), &statement), (Some(Statement::Match(one, ..)), Statement::Match(other, ..)) if one != other);
+        if dispatches {
+            all.insert(front, Statement::Fence(Fence::Memory));
+        } else if neighbours > NEIGHBOURS {
             all.push(Statement::Fence(Fence::Memory));
-            neighbours = usize::from(neighbours > NEIGHBOURS);
+            neighbours = 1;
         }
         all.push(statement);
     }

@@ -6,16 +6,35 @@
 //! lamp = q.lamp
 //! ```
 //!
-//! Needs: it is read once after it, or costs nothing; nothing in between writes what it reads; it can be asked later as well. What is
+//! A truth that nothing sets is what it begins with. Needs, for all others: it is read once after it, or costs nothing; nothing in between writes what it reads; it can be asked later as well. What is
 //! then not read any more falls to `dead`.
 
-use super::super::{Expr, PlaceId, Program, Statement};
+use super::super::{Expr, PlaceId, Program, Statement, Type};
 use super::dead::is_seen;
+use super::fold::{Known, initial};
 use super::uses::{Effects, each_read, is_pure, replaced, rewrite};
 
 pub(super) fn pass(program: &mut Program<'_>) {
+    initials(program);
     let closed = closed(program);
     block(&closed, &mut program.cycle);
+}
+
+/// A truth of the cycle that nothing sets any more is what it begins with.
+fn initials(program: &mut Program<'_>) {
+    let mut cycle = std::mem::take(&mut program.cycle);
+    let effects = Effects::of_all(&cycle);
+    let places = &program.places;
+    let value = |place: PlaceId| {
+        let info = &places[place.0];
+        let is_local = !info.is_field && !is_seen(info) && matches!(info.ty, Type::Bool);
+        initial(info).filter(|_| is_local && !effects.writes.contains(&place))
+    };
+    if effects.reads.iter().any(|place| value(*place).is_some()) {
+        let known = Known { places, value: &value, copy: &|_| None, among: &|_| None, now: &|_| false };
+        rewrite(&mut cycle, &mut |expr| known.fold(expr));
+    }
+    program.cycle = cycle;
 }
 
 /// By place: a local, and all that reads it stands after a statement that has set it in the same cycle.

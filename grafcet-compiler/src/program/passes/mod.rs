@@ -17,6 +17,8 @@
 //! - `rounds`: of the search over several regions, what forces and encloses first, and one match for each region
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
+//! - `before`: the states that a cycle of several regions began with tell whether it has moved
+//! - `shown`: outputs that end each cycle with what a field holds
 //! - `dead`: what nobody looks at
 //! - `once`: nothing is asked of the inputs twice on a way
 //! - `store`: the next state is stored once
@@ -35,6 +37,7 @@
 mod alike;
 mod among;
 mod apart;
+mod before;
 mod branches;
 mod dead;
 mod early;
@@ -58,6 +61,7 @@ mod rounds;
 mod search;
 mod several;
 mod share;
+mod shown;
 mod sparse;
 mod split;
 mod starting;
@@ -92,6 +96,8 @@ pub enum Pass {
     Rounds,
     Hoist,
     Forward,
+    Before,
+    Shown,
     Dead,
     Once,
     Store,
@@ -106,7 +112,7 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 27] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -122,6 +128,8 @@ impl Pass {
         Self::Rounds,
         Self::Hoist,
         Self::Forward,
+        Self::Before,
+        Self::Shown,
         Self::Dead,
         Self::Once,
         Self::Store,
@@ -136,7 +144,7 @@ impl Pass {
 
     /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
     fn follows_cycles(self) -> bool {
-        matches!(self, Self::Known | Self::Told | Self::Moved | Self::Several | Self::Rounds)
+        matches!(self, Self::Known | Self::Told | Self::Moved | Self::Before | Self::Several | Self::Rounds)
     }
 }
 
@@ -185,6 +193,12 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Forward) {
         forward::pass(program);
     }
+    if wants(Pass::Before) {
+        before::pass(program);
+    }
+    if wants(Pass::Shown) {
+        shown::pass(program);
+    }
     if wants(Pass::Dead) {
         dead::pass(program);
     }
@@ -215,6 +229,11 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Fences) {
         fences::pass(program);
     }
+}
+
+/// How many statements there are.
+pub(crate) fn weight(program: &Program<'_>) -> usize {
+    several::weight(&program.cycle)
 }
 
 /// Nobody observes.

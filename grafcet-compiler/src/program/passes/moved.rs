@@ -40,7 +40,7 @@ pub(super) fn pass<'m>(program: &mut Program<'m>, ways: &mut Ways<'_, 'm>) -> Ar
     let (Some(settled), Some(since)) = (program.place(Role::Settled), program.place(Role::Began(0))) else {
         return nothing;
     };
-    let passed = program.place(Role::Passed);
+    let passed = program.place(Role::Passed(0));
     let Some(at) = ways.fields.iter().position(|field| *field == settled) else { return nothing };
     let mut moved = Moved {
         state: ways.state,
@@ -259,11 +259,11 @@ impl Moved {
         if begun
             && matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == self.settled))
         {
-            deadline.reading = self.since;
+            deadline.reading = Expr::Place(self.since);
         }
         deadline.at_once = replaced(&deadline.at_once, &leaf);
-        for (condition, _) in &mut deadline.waits {
-            *condition = replaced(condition, &leaf);
+        for wait in &mut deadline.waits {
+            wait.condition = replaced(&wait.condition, &leaf);
         }
     }
 }

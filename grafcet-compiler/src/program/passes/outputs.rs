@@ -14,11 +14,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let mut read_by_deadline = vec![false; program.places.len()];
     if let Some(deadline) = &program.deadline {
         let mut read = |place: PlaceId| read_by_deadline[place.0] = true;
-        each_read(&deadline.at_once, &mut read);
-        for (condition, time) in &deadline.waits {
-            each_read(condition, &mut read);
-            each_read(time, &mut read);
-        }
+        deadline.asks().for_each(|expr| each_read(expr, &mut read));
     }
     for place in found {
         program.places[place.0].is_field &= read_by_deadline[place.0];

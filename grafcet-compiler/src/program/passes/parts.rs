@@ -17,6 +17,7 @@ use super::uses::{Effects, each_read, is_pure, mentions};
 use crate::sorted::Set;
 
 /// Some statements, and the regions they concern.
+#[derive(Clone)]
 pub(super) struct Part<'m> {
     pub(super) statements: Vec<Statement<'m>>,
     pub(super) regions: Set<usize>,

@@ -14,28 +14,41 @@
 //! Needs: no arm asks for the time once it has begun it anew.
 
 use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
-use super::uses::{Effects, replaced, rewrite};
+use super::uses::{Effects, blocks_mut, replaced, rewrite};
 
 /// From so many arms on it pays.
 const ARMS: usize = 2;
+
+/// From so many in a match that other ways pass by.
+const INNER_ARMS: usize = 4;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     for index in 0..program.places.len() {
         if matches!(program.places[index].role, Role::Began(_)) {
             let (cycle, places) = (&mut program.cycle, &mut program.places);
-            for statement in cycle.iter_mut() {
-                if let Statement::Loop { body, .. } = statement {
-                    one(body, places, PlaceId(index));
-                }
-            }
-            one(cycle, places, PlaceId(index));
+            within(cycle, places, PlaceId(index));
+            one(cycle, places, PlaceId(index), ARMS);
         }
     }
 }
 
-fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, since: PlaceId) {
+/// From the innermost blocks outwards; in a search in front of its matches alone, as it comes to them again and again.
+fn within<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, since: PlaceId) {
+    for statement in block.iter_mut() {
+        if let Statement::Loop { body, .. } = statement {
+            one(body, places, since, ARMS);
+            continue;
+        }
+        for inner in blocks_mut(statement) {
+            within(inner, places, since);
+            one(inner, places, since, INNER_ARMS);
+        }
+    }
+}
+
+fn one<'m>(block: &mut Vec<Statement<'m>>, places: &mut Vec<PlaceInfo<'m>>, since: PlaceId, least: usize) {
     let asks = |statement: &Statement<'_>| match statement {
-        Statement::Match(_, arms, _) => count(arms, since) >= ARMS,
+        Statement::Match(_, arms, _) => count(arms, since) >= least,
         _ => false,
     };
     let Some(at) = block.iter().position(asks) else { return };

@@ -18,7 +18,7 @@
 //! Needs: the situation is the state of one region; no loop; on each way the next state is known, and it is no first cycle any more.
 
 use super::super::build::not;
-use super::super::{Arm, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
+use super::super::{Arm, Deadline, Expr, Initial, PlaceId, Program, Role, Statement, Type, Value};
 use super::alike;
 use super::dead::read_after;
 use super::engine::{End, Engine, Fact, Leaf, Lost, Tree};
@@ -83,13 +83,8 @@ impl Split {
         let (state, first) = (program.place(Role::State(0))?, program.place(Role::First)?);
         let Initial::Value(Value::Step(begin)) = program.places[state.0].initial else { return None };
         let points = States::of(begin, program.regions.first()?);
-        let asked = program.deadline.as_ref().is_some_and(|deadline| {
-            let mut found = mentions(&deadline.at_once, first);
-            for (condition, time) in &deadline.waits {
-                found |= mentions(condition, first) || mentions(time, first);
-            }
-            found
-        });
+        let asks = |deadline: &Deadline<'_>| deadline.asks().any(|expr| mentions(expr, first));
+        let asked = program.deadline.as_ref().is_some_and(asks);
         let mut fields = Vec::new();
         for (index, place) in program.places.iter().enumerate() {
             if place.is_field && ![state.0, first.0].contains(&index) {

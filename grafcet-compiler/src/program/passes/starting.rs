@@ -14,7 +14,7 @@
 //! Needs: the deadline does not ask whether the first cycle is still to come.
 
 use super::super::build::{all, compare, not, yes};
-use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
+use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value, Wait};
 use super::uses::{Effects, blocks, each_read, mentions, replaced, unset};
 use crate::model::StepId;
 
@@ -82,8 +82,7 @@ pub(super) fn as_state(program: &mut Program<'_>, state: PlaceId, first: PlaceId
 /// Whether the deadline asks for a place.
 fn is_asked(program: &Program<'_>, place: PlaceId) -> bool {
     let Some(deadline) = &program.deadline else { return false };
-    let waits = deadline.waits.iter().any(|(condition, time)| mentions(condition, place) || mentions(time, place));
-    mentions(&deadline.at_once, place) || waits || deadline.late.iter().any(|(_, over)| mentions(over, place))
+    deadline.asks().any(|expr| mentions(expr, place)) || deadline.late.iter().any(|(_, over)| mentions(over, place))
 }
 
 /// What is stored of whether the next cycle would do the same, if only fields tell that.
@@ -147,22 +146,22 @@ fn settle<'m>(program: &mut Program<'m>, is_start: &Expr<'m>) {
     let alone =
         matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == settled));
     // Both begin with the same reading.
-    if alone && matches!(value, Expr::Value(Value::Bool(true))) {
-        deadline.reading = deadline.from;
+    if let (true, Expr::Value(Value::Bool(true)), Some(wait)) = (alone, &value, deadline.waits.first()) {
+        deadline.reading = Expr::Place(wait.from);
     }
     deadline.at_once = replaced(&deadline.at_once, &leaf);
-    for (condition, _) in &mut deadline.waits {
-        *condition = replaced(condition, &leaf);
+    for wait in &mut deadline.waits {
+        wait.condition = replaced(&wait.condition, &leaf);
     }
     unset(&mut program.cycle, settled);
 }
 
 /// That a time of the active step is over is stored where the deadline asks for it.
 fn outlasted(program: &mut Program<'_>) {
-    let (Some(passed), Some(state)) = (program.place(Role::Passed), program.place(Role::State(0))) else { return };
+    let (Some(passed), Some(state)) = (program.place(Role::Passed(0)), program.place(Role::State(0))) else { return };
     let Some(deadline) = &program.deadline else { return };
     let mut asked = Vec::new();
-    for (condition, _) in &deadline.waits {
+    for Wait { condition, .. } in &deadline.waits {
         if !mentions(condition, passed) {
             continue;
         }

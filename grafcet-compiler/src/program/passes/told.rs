@@ -108,8 +108,7 @@ pub(super) fn no_fields(places: &mut [PlaceInfo<'_>], told: Told) {
 
 fn is_asked(program: &Program<'_>, field: PlaceId) -> bool {
     let Some(deadline) = &program.deadline else { return false };
-    let waits = deadline.waits.iter().any(|(condition, time)| mentions(condition, field) || mentions(time, field));
-    waits || mentions(&deadline.at_once, field) || deadline.late.iter().any(|(_, over)| mentions(over, field))
+    deadline.asks().any(|expr| mentions(expr, field)) || deadline.late.iter().any(|(_, over)| mentions(over, field))
 }
 
 /// With what each cycle begins needs no giving.

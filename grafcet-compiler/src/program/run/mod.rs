@@ -7,7 +7,7 @@ mod value;
 
 use std::fmt;
 
-use super::{Expr, Initial, Mark, Phase, PlaceId, Program, Role, Run, Statement, Type, Value};
+use super::{Expr, Initial, Mark, Phase, PlaceId, Program, Role, Run, Statement, Type, Value, Wait};
 use crate::model::{ActionId, Expr as Written, Place, Read, Statement as Code, StepId, Ty};
 pub use value::Error;
 use value::Term;
@@ -172,28 +172,34 @@ impl<'p, 'm> Machine<'p, 'm> {
             Value::Ticks(now) => Ok(now),
             other => Err(Error::Type(format!("{other:?} for a time"))),
         };
-        let (now, from) = (reading(deadline.reading)?, reading(deadline.from)?);
         let mut values = self.values.clone();
         let mut running = Running {
             program: self.program,
             values: &mut values,
             initial: &self.initial,
             inputs: &[],
-            now,
+            now: 0,
             foreign,
             done: Cycle::default(),
         };
         if running.holds(&deadline.at_once)? {
-            return Ok(Some(now));
+            return Ok(Some(running.ticks(&deadline.reading)?));
         }
-        let mut soonest = None;
-        for (condition, time) in &deadline.waits {
+        let (mut soonest, is_one) = (None::<(u32, u32)>, deadline.has_one_clock());
+        for Wait { condition, from, time } in &deadline.waits {
             if running.holds(condition)? {
                 let time = running.ticks(time)?;
-                soonest = Some(soonest.map_or(time, |other: u32| other.min(time)));
+                let end = reading(*from)?.wrapping_add(time);
+                // Times that count from different readings are all still to come, within half of the clock's range from the last cycle.
+                let is_sooner = |(other, other_end): (u32, u32)| {
+                    if is_one { time < other } else { end.wrapping_sub(other_end) > u32::MAX / 2 }
+                };
+                if soonest.is_none_or(is_sooner) {
+                    soonest = Some((time, end));
+                }
             }
         }
-        Ok(soonest.map(|time| from.wrapping_add(time)))
+        Ok(soonest.map(|(_, end)| end))
     }
 }
 

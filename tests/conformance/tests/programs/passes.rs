@@ -37,6 +37,9 @@ fn each_pass_is_as_recorded() {
                  Off -[on]-> On -[5ms/On || !on]-> Off; }";
     let signal = "grafcet Signal { input on: bool; output lamp, wait: bool; initial step Off; step Asked { S wait; } step On { lamp; R wait; } \
                   Off -[on && 3ms/Off]-> Asked -[5ms/Asked]-> On -[5ms/On]-> Off; }";
+    let kettle = kettle("");
+    let stored = "sfc Stored { input a, b: bool; output lamp, p: bool; initial step Idle { R lamp; } step A1 { S lamp; } step A2; step B1 { p; } step B2; \
+                  Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }";
     for (pass, chart) in [
         (Pass::Marks, lamp),
         (Pass::Apart, lamp),
@@ -53,6 +56,8 @@ fn each_pass_is_as_recorded() {
         (Pass::Rounds, PLANT),
         (Pass::Hoist, timed),
         (Pass::Forward, lamp),
+        (Pass::Before, &kettle),
+        (Pass::Shown, stored),
         (Pass::Dead, lamp),
         (Pass::Once, drum),
         (Pass::Store, lamp),
@@ -77,6 +82,8 @@ fn each_pass_is_as_recorded() {
             Pass::Several,
             Pass::Rounds,
             Pass::Hoist,
+            Pass::Before,
+            Pass::Shown,
         ]
         .contains(&pass);
         let tidy = if shaping { &[Pass::Dead][..] } else { &[] };
@@ -87,6 +94,68 @@ fn each_pass_is_as_recorded() {
             &root.join(format!("{pass:?}.txt").to_lowercase()),
             &format!("{before}\n\n---- {pass:?} ----\n\n{after}"),
         );
+    }
+}
+
+/// Two branches by time, of which one has a step that stays active beyond it.
+fn kettle(more: &str) -> String {
+    format!(
+        "sfc Kettle {{ input a, b, c: bool; output p, q: bool; output n: u8; initial step Idle; step A1 {{ p; }} step A2; step B1 {{ q; }} step B2; \
+         Idle -[a && 2ms/Idle]-> (A1, B1); A1 -[3ms/A1]-> A2; B1 -[b && 5ms/B1]-> B2; (A2, B2) -[c]-> Idle; {more} }}"
+    )
+}
+
+/// Whether branches have moved is told by the states that the cycle began with, also where a step is left and entered in other ways, where a time is over and where
+/// several regions move at once. Where no state is free to mark a time that is over, or a step is left and entered at once, the cycle stores it.
+#[test]
+fn branches_tell_by_their_states_whether_they_have_moved() {
+    for (more, told) in [
+        ("", true),
+        ("B2 -[a && 4ms/B2]-> B1;", false),
+        ("A2 -[b && 4ms/A2]-> A1;", false),
+        ("A1 -[a && b && c]-> A1;", false),
+        ("step B3 { P1 n = 1; } B1 -[a && !b && 7ms/B1]-> B3 -[9ms/B3 || c]-> B2;", false),
+        ("step B3 { P1 n = 1; } B1 -[a && !b]-> B3 -[9ms/B3 || c]-> B2;", true),
+        ("step D1; step D2; B2 -[a && b]-> (D1, D2); (D1, D2) -[!a]-> B2;", false),
+    ] {
+        let model = read(&kettle(more));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        assert_eq!(program.place(Role::Settled).is_none(), told, "{more}: {program}");
+        assert_eq!(program.place(Role::Reading).is_none(), told, "{more}: {program}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
+    }
+}
+
+/// Inputs at random, for some cycles each.
+fn storm(inputs: &[&str], cycles: u32) -> String {
+    let (mut text, mut seed) = ("---\n---\n".to_owned(), 7_u32);
+    for cycle in 0..cycles {
+        if cycle % 3 == 0 {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        }
+        for (bit, name) in inputs.iter().enumerate() {
+            if seed >> (20 + bit) & 1 == 1 {
+                _ = write!(text, "{name} ");
+            }
+        }
+        _ = writeln!(text, "@{} | |", cycle * 2 - cycle % 3);
+    }
+    text
+}
+
+/// An output that ends each cycle as its flip-flop is set behind the ways, but not one that something asks for.
+#[test]
+fn an_output_that_shows_a_field_is_set_once() {
+    for (lamp, once) in [("S lamp;", true), ("S lamp; p if lamp;", false)] {
+        let model = read(&format!(
+            "sfc Stored {{ input a, b: bool; output lamp, p: bool; initial step Idle {{ R lamp; }} step A1 {{ {lamp} }} step A2; step B1; step B2; \
+             Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }}"
+        ));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let output = program.place(Role::Output(OutputId::new(0))).expect("an output");
+        let last = matches!(program.cycle.last(), Some(Statement::Set(place, Expr::Place(_))) if *place == output);
+        assert_eq!(last, once, "{lamp}: {program}");
+        each_left_out(&model, &storm(&["a", "b"], 200), 0);
     }
 }
 

@@ -7,10 +7,13 @@ use super::super::share;
 use super::super::sparse::Index;
 use super::super::split::merged;
 use super::super::uses::{Effects, each_read};
-use super::{Env, Several};
+use super::{Env, Several, weight};
 use crate::program::build::not;
 use crate::program::{Expr, Statement, Type, Value};
 use crate::sorted::Set;
+
+/// Of so many conditions each is tried.
+const FEW: usize = 3;
 
 impl<'m> Several<'_, 'm> {
     /// A part of regions that depend on each other.
@@ -70,17 +73,35 @@ impl<'m> Several<'_, 'm> {
         Some(all)
     }
 
-    /// First a condition that looks at several regions.
+    /// First a condition that looks at several regions: the one that leaves the least to do, where these are few.
     fn by_condition(&self, part: Part<'m>, env: &Env) -> Vec<Statement<'m>> {
-        let found = part.statements.iter().position(|statement| {
-            let Statement::Set(place, value) = statement else { return false };
+        let mut found = Vec::new();
+        for (at, statement) in part.statements.iter().enumerate() {
+            let Statement::Set(place, value) = statement else { continue };
             let mut regions = Set::new();
             each_read(value, &mut |read| regions.extend(self.states.iter().position(|state| *state == read)));
-            regions.len() > 1 && matches!(self.places[place.0].ty, Type::Bool) && !self.places[place.0].is_field
-        });
-        let Some(at) = found else { return part.statements };
-        let Some(left) = self.conditions.get().checked_sub(1) else { return part.statements };
-        self.conditions.set(left);
+            if regions.len() > 1 && matches!(self.places[place.0].ty, Type::Bool) && !self.places[place.0].is_field {
+                found.push(at);
+            }
+        }
+        if found.len() > FEW {
+            found.truncate(1);
+        }
+        let mut best: Option<(usize, Vec<Statement<'m>>)> = None;
+        for at in found {
+            let Some(left) = self.conditions.get().checked_sub(1) else { break };
+            self.conditions.set(left);
+            let asked = self.asked_first(part.clone(), at, env);
+            let weight = weight(&asked);
+            if best.as_ref().is_none_or(|(least, _)| weight < *least) {
+                best = Some((weight, asked));
+            }
+        }
+        best.map_or(part.statements, |(_, best)| best)
+    }
+
+    /// The condition at a place is asked, and the rest done by what it says.
+    fn asked_first(&self, part: Part<'m>, at: usize, env: &Env) -> Vec<Statement<'m>> {
         let (mut before, mut rest) = (Vec::new(), Vec::new());
         let mut wanted = Effects::of(&part.statements[at]).reads;
         let mut list = part.statements;

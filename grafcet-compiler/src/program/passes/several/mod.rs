@@ -26,7 +26,7 @@ pub(super) use single::weight;
 
 use std::cell::Cell;
 
-use super::super::{Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Deadline, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::dead::read_after;
 use super::engine::{Among, Engine, Fact};
 use super::flat::flat;
@@ -101,13 +101,8 @@ pub(super) struct Tie {
 impl<'p, 'm> Several<'p, 'm> {
     fn of(program: &'p Program<'m>) -> Option<Self> {
         let first = program.place(Role::First)?;
-        let asked = program.deadline.as_ref().is_some_and(|deadline| {
-            let mut found = mentions(&deadline.at_once, first);
-            for (condition, time) in &deadline.waits {
-                found |= mentions(condition, first) || mentions(time, first);
-            }
-            found
-        });
+        let asks = |deadline: &Deadline<'_>| deadline.asks().any(|expr| mentions(expr, first));
+        let asked = program.deadline.as_ref().is_some_and(asks);
         let mut after = read_after(program);
         after.put(first, false);
         (!asked).then(|| Self::over(program, after)).flatten()

@@ -1,0 +1,297 @@
+//! What the ways through a cycle of several regions do with their states and times, all that can be: whether each of them tells rightly whether it has moved.
+
+use super::super::super::{Expr, PlaceId, Program, Role, Statement, Type, Value};
+use super::super::fold::initial;
+use super::super::uses::{Effects, blocks, each_read};
+use super::Before;
+use crate::model::Id;
+use crate::sorted::Set;
+
+/// What has happened on a way: a bit for each thing.
+type Done = u32;
+
+const MOVED: Done = 1;
+const SETTLED: Done = 2;
+
+/// More of what can have happened than this is not looked at.
+const MOST: usize = 256;
+
+/// What the ways of a cycle have in common.
+pub(super) struct Ways {
+    /// From which states, to which one.
+    pub(super) entries: Vec<(Vec<Value>, Value)>,
+}
+
+/// One way, or several that have met.
+#[derive(Clone)]
+struct Way {
+    done: Set<Done>,
+    /// By region: the states with which the cycle may have begun; none as soon as it has another one.
+    possible: Vec<Option<Vec<Value>>>,
+}
+
+struct Walk<'p, 'm> {
+    program: &'p Program<'m>,
+    before: &'p Before,
+    /// Truths by which a way says whether it has settled.
+    gathered: Vec<PlaceId>,
+    entries: Vec<(Vec<Value>, Value)>,
+}
+
+impl Ways {
+    /// None where a way does not tell whether it has moved, or does not begin the times of what it enters.
+    pub(super) fn of(program: &Program<'_>, before: &Before) -> Option<Self> {
+        let mut gathered = Vec::new();
+        let mut open = vec![before.settled];
+        while let Some(place) = open.pop() {
+            find_gathered(program, &program.cycle, place, &mut |of| {
+                if !gathered.contains(&of) {
+                    gathered.push(of);
+                    open.push(of);
+                }
+            });
+        }
+        let mut walk = Walk { program, before, gathered, entries: Vec::new() };
+        if 2 + 2 * before.regions.len() + walk.gathered.len() > 31 {
+            return None;
+        }
+        let mut way = Way { done: Set::new(), possible: Vec::new() };
+        // Whatever the last cycle has told.
+        way.done.extend([0, SETTLED]);
+        for region in &before.regions {
+            let start = initial(&program.places[region.state.0]);
+            let mut all: Vec<Value> = start.into_iter().filter(|value| matches!(value, Value::Start(_))).collect();
+            all.push(Value::Step(None));
+            all.extend(program.regions[region.number].iter().map(|step| Value::Step(Some(*step))));
+            way.possible.push(Some(all));
+        }
+        walk.block(&program.cycle, &mut way)?;
+        let told = way.done.iter().all(|done| walk.is_told(*done));
+        told.then_some(Self { entries: walk.entries })
+    }
+}
+
+impl<'m> Walk<'_, 'm> {
+    fn entered(region: usize) -> Done {
+        1 << (2 + 2 * region)
+    }
+
+    fn begun(region: usize) -> Done {
+        Self::entered(region) << 1
+    }
+
+    fn gathers(&self, place: PlaceId) -> Option<Done> {
+        let at = self.gathered.iter().position(|other| *other == place)?;
+        Some(1 << (2 + 2 * self.before.regions.len() + at))
+    }
+
+    /// Whether a way has told what has happened, and has begun what it has entered.
+    fn is_told(&self, done: Done) -> bool {
+        let (mut begins, mut some) = (true, false);
+        for region in 0..self.before.regions.len() {
+            let entered = done & Self::entered(region) != 0;
+            begins &= !entered || done & Self::begun(region) != 0;
+            some |= entered;
+        }
+        let moved = done & MOVED != 0;
+        moved != (done & SETTLED != 0) && begins && (some || !moved)
+    }
+
+    fn block(&mut self, statements: &[Statement<'m>], way: &mut Way) -> Option<()> {
+        for statement in statements {
+            match statement {
+                Statement::Part(_, body) => self.block(body, way)?,
+                Statement::Set(place, value) => self.set(*place, value, way)?,
+                Statement::If(condition, then, otherwise) => {
+                    let (mut one, mut other) = (way.clone(), way.clone());
+                    self.narrow(condition, true, &mut one);
+                    self.narrow(condition, false, &mut other);
+                    self.block(then, &mut one)?;
+                    self.block(otherwise, &mut other)?;
+                    *way = one.met(other);
+                }
+                Statement::Match(place, arms, otherwise) => {
+                    let (mut rest, mut met) = (way.clone(), None::<Way>);
+                    for (values, body) in arms {
+                        let mut arm = way.clone();
+                        self.keep(*place, &mut arm, &|value| values.contains(&value));
+                        self.keep(*place, &mut rest, &|value| !values.contains(&value));
+                        // What is told begins as "not settled".
+                        if values.iter().all(|value| matches!(value, Value::Start(_))) {
+                            arm.done.retain(|done| done & SETTLED == 0);
+                        }
+                        self.block(body, &mut arm)?;
+                        met = Some(met.map_or(arm.clone(), |met| met.met(arm)));
+                    }
+                    let has_rest = self.region(*place).is_none_or(|at| rest.possible[at].as_ref() != Some(&Vec::new()));
+                    if has_rest {
+                        self.block(otherwise, &mut rest)?;
+                        met = Some(met.map_or(rest.clone(), |met| met.met(rest)));
+                    }
+                    *way = met?;
+                }
+                Statement::Loop { .. } | Statement::Break => return None,
+                Statement::Run(_) | Statement::Call(..) | Statement::Mark(_) | Statement::Fence(_) => {
+                    let writes = Effects::of(statement).writes;
+                    let own = |place: &PlaceId| {
+                        !matches!(self.program.places[place.0].role, Role::State(_) | Role::Began(_) | Role::Settled)
+                    };
+                    writes.iter().all(own).then_some(())?;
+                }
+            }
+            if way.done.len() > MOST {
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    fn region(&self, state: PlaceId) -> Option<usize> {
+        self.before.regions.iter().position(|region| region.state == state)
+    }
+
+    fn keep(&self, place: PlaceId, way: &mut Way, is_kept: &dyn Fn(Value) -> bool) {
+        let Some(at) = self.region(place) else { return };
+        let Some(possible) = &mut way.possible[at] else { return };
+        possible.retain(|value| is_kept(*value));
+        let left = possible.clone();
+        for (other, region) in self.before.regions.iter().enumerate().filter(|(other, _)| *other != at) {
+            if let Some(possible) = &mut way.possible[other] {
+                let begins = initial(&self.program.places[region.state.0]);
+                possible.retain(|value| left.iter().any(|one| self.is_beside(*one, *value, begins)));
+            }
+        }
+    }
+
+    /// Whether one region can have this state while another one has that, which begins with the last.
+    fn is_beside(&self, one: Value, other: Value, begins: Option<Value>) -> bool {
+        match (one, other) {
+            (Value::Step(Some(one)), Value::Step(Some(other))) => self.program.beside[one.index()].contains(&other),
+            (Value::Start(_), other) => begins == Some(other),
+            (_, Value::Start(_)) => false,
+            _ => true,
+        }
+    }
+
+    /// What a condition says of states that no way has written yet.
+    fn narrow(&self, condition: &Expr<'m>, holds: bool, way: &mut Way) {
+        match condition {
+            Expr::Is(place, steps) => self
+                .keep(*place, way, &|value| matches!(value, Value::Step(Some(step)) if steps.contains(&step)) == holds),
+            Expr::Not(inner) => self.narrow(inner, !holds, way),
+            Expr::All(parts) if holds => parts.iter().for_each(|part| self.narrow(part, true, way)),
+            Expr::Any(parts) if !holds => parts.iter().for_each(|part| self.narrow(part, false, way)),
+            _ => {}
+        }
+    }
+
+    fn set(&mut self, place: PlaceId, value: &Expr<'m>, way: &mut Way) -> Option<()> {
+        if place == self.before.settled {
+            return self.tell(value, way);
+        }
+        if let Some(bit) = self.gathers(place) {
+            if way.done.iter().all(|done| self.truth(value, *done).is_some()) {
+                way.each(&|done| vec![with(done, bit, self.truth(value, done) == Some(true))]);
+            } else {
+                way.each(&|done| vec![done & !bit, done | bit]);
+            }
+            return Some(());
+        }
+        if let Some(at) = self.region(place) {
+            let Expr::Value(to @ Value::Step(step)) = value else { return None };
+            let from = way.possible[at].take()?;
+            if from.contains(to) {
+                return None;
+            }
+            let entered = if step.is_some() { Self::entered(at) } else { 0 };
+            way.each(&|done| vec![done | MOVED | entered]);
+            self.entries.push((from, *to));
+            return Some(());
+        }
+        let since = self.before.regions.iter().position(|region| region.since == place);
+        if let (Some(at), Expr::Now) = (since, value) {
+            way.each(&|done| vec![done | Self::begun(at)]);
+        }
+        Some(())
+    }
+
+    /// A way says whether it has settled.
+    fn tell(&self, value: &Expr<'m>, way: &mut Way) -> Option<()> {
+        way.done.iter().all(|done| self.truth(value, *done).is_some()).then_some(())?;
+        way.each(&|done| vec![with(done, SETTLED, self.truth(value, done) == Some(true))]);
+        Some(())
+    }
+
+    /// What an expression over gathered truths comes to.
+    fn truth(&self, expr: &Expr<'m>, done: Done) -> Option<bool> {
+        Some(match expr {
+            Expr::Value(Value::Bool(truth)) => *truth,
+            Expr::Place(place) => done & self.gathers(*place)? != 0,
+            Expr::Not(inner) => !self.truth(inner, done)?,
+            Expr::All(parts) | Expr::Any(parts) => {
+                let is_any = matches!(expr, Expr::Any(_));
+                let mut truth = !is_any;
+                for part in parts {
+                    let part = self.truth(part, done)?;
+                    truth = if is_any { truth || part } else { truth && part };
+                }
+                truth
+            }
+            _ => return None,
+        })
+    }
+}
+
+impl Way {
+    fn each(&mut self, new: &dyn Fn(Done) -> Vec<Done>) {
+        let mut all = Set::new();
+        for done in &*self.done {
+            all.extend(new(*done));
+        }
+        self.done = all;
+    }
+
+    fn met(mut self, other: Self) -> Self {
+        self.done.extend(other.done.iter().copied());
+        for (one, other) in self.possible.iter_mut().zip(other.possible) {
+            match (&mut *one, other) {
+                (Some(all), Some(more)) => {
+                    for value in more {
+                        if !all.contains(&value) {
+                            all.push(value);
+                        }
+                    }
+                }
+                _ => *one = None,
+            }
+        }
+        self
+    }
+}
+
+fn with(done: Done, bit: Done, truth: bool) -> Done {
+    if truth { done | bit } else { done & !bit }
+}
+
+/// The truths of the cycle by which a place is set.
+fn find_gathered<'m>(
+    program: &Program<'m>,
+    statements: &[Statement<'m>],
+    place: PlaceId,
+    found: &mut dyn FnMut(PlaceId),
+) {
+    for statement in statements {
+        match statement {
+            Statement::Set(to, value) if *to == place => each_read(value, &mut |of| {
+                let info = &program.places[of.0];
+                if !info.is_field && matches!(info.ty, Type::Bool) {
+                    found(of);
+                }
+            }),
+            _ => {}
+        }
+        for block in blocks(statement) {
+            find_gathered(program, block, place, found);
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! An output that ends each cycle with what a field holds is set from it behind the ways.
+//!
+//! ```text
+//! match state                      match state
+//!   A:                               A: memory = true
+//!     memory = true                  B: memory = false
+//!     lamp = true           ->     lamp = memory
+//!   B: memory = false
+//!   else: lamp = memory
+//! ```
+//!
+//! Needs: several regions (of one, `join` finds out by the state); nothing asks for the output within the cycle; on each way it ends with the value of the field.
+
+use super::super::{Expr, PlaceId, Program, Role, Statement, Value};
+use super::fold::initial;
+use super::uses::{Effects, blocks, mentions, unset};
+
+/// From so many places that set it on it pays.
+const PLACES: usize = 3;
+
+/// More ways than this are not told apart.
+const MOST: usize = 64;
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    if program.regions.len() < 2 || program.forced.is_some() {
+        return;
+    }
+    let mut pairs = Vec::new();
+    find(program, &program.cycle, &mut pairs);
+    for (output, field) in pairs {
+        let shown = Shown { program, output, field };
+        if count(&program.cycle, output) >= PLACES && shown.always() {
+            unset(&mut program.cycle, output);
+            program.cycle.push(Statement::Set(output, Expr::Place(field)));
+        }
+    }
+}
+
+/// Outputs, and the fields that they are set from.
+fn find(program: &Program<'_>, statements: &[Statement<'_>], pairs: &mut Vec<(PlaceId, PlaceId)>) {
+    for statement in statements {
+        if let Statement::Set(output, Expr::Place(field)) = statement {
+            let (local, from) = (&program.places[output.0], &program.places[field.0]);
+            let fits = !local.is_field && matches!(local.role, Role::Output(_)) && from.is_field;
+            if fits && !pairs.contains(&(*output, *field)) {
+                pairs.push((*output, *field));
+            }
+        }
+        for block in blocks(statement) {
+            find(program, block, pairs);
+        }
+    }
+}
+
+fn count(statements: &[Statement<'_>], output: PlaceId) -> usize {
+    let mut found = 0;
+    for statement in statements {
+        found += usize::from(matches!(statement, Statement::Set(place, _) if *place == output));
+        for block in blocks(statement) {
+            found += count(block, output);
+        }
+    }
+    found
+}
+
+/// What one of them holds.
+#[derive(Clone, Copy, PartialEq)]
+enum Holds {
+    Is(Value),
+    /// The output: what the field holds. The field: what it held when the cycle began.
+    Same,
+    Something,
+}
+
+/// What they hold on a way: the output, and the field.
+type Way = (Holds, Holds);
+
+/// States that cannot be there, as another arm is for them.
+type Out = Vec<(PlaceId, Value)>;
+
+struct Shown<'p, 'm> {
+    program: &'p Program<'m>,
+    output: PlaceId,
+    field: PlaceId,
+}
+
+impl<'m> Shown<'_, 'm> {
+    /// Whether each way ends with the value of the field.
+    fn always(&self) -> bool {
+        let Some(begins) = initial(&self.program.places[self.output.0]) else { return false };
+        let Some(ways) = self.block(&self.program.cycle, vec![(Holds::Is(begins), Holds::Same)], &Vec::new()) else {
+            return false;
+        };
+        ways.iter().all(|(output, field)| match output {
+            Holds::Is(_) => output == field,
+            Holds::Same => true,
+            Holds::Something => false,
+        })
+    }
+
+    /// None where something asks for the output, or too much can be. `out` are states that cannot be there.
+    fn block(&self, statements: &[Statement<'m>], mut ways: Vec<Way>, out: &Out) -> Option<Vec<Way>> {
+        let mut out = out.clone();
+        for statement in statements {
+            ways = self.after(statement, ways, &out)?;
+            let writes = Effects::of(statement).writes;
+            out.retain(|(place, _)| !writes.contains(place));
+            if ways.len() > MOST {
+                return None;
+            }
+        }
+        Some(ways)
+    }
+
+    fn after(&self, statement: &Statement<'m>, ways: Vec<Way>, out: &Out) -> Option<Vec<Way>> {
+        let asks = |expr: &Expr<'m>| mentions(expr, self.output);
+        Some(match statement {
+            Statement::Part(_, body) => self.block(body, ways, out)?,
+            Statement::Set(_, value) if asks(value) => return None,
+            Statement::Set(place, value) => each(ways, &|way| self.set(*place, value, way)),
+            Statement::If(condition, ..) if asks(condition) => return None,
+            Statement::If(_, then, otherwise) => {
+                let met = self.block(then, ways.clone(), out)?;
+                both(met, self.block(otherwise, ways, out)?)
+            }
+            Statement::Match(place, arms, otherwise) => {
+                let mut met = Vec::new();
+                let mut rest = out.clone();
+                for (values, _) in arms {
+                    rest.extend(values.iter().map(|value| (*place, *value)));
+                }
+                if !is_nothing_left(self.program, *place, &rest) {
+                    met = self.block(otherwise, ways.clone(), &rest)?;
+                }
+                for (values, body) in arms {
+                    let starts = values.iter().all(|value| matches!(value, Value::Start(_)));
+                    let begin = if starts { self.in_first(&ways) } else { ways.clone() };
+                    met = both(met, self.block(body, begin, out)?);
+                }
+                met
+            }
+            Statement::Loop { .. } | Statement::Break => return None,
+            other => {
+                let effects = Effects::of(other);
+                if effects.reads.contains(&self.output) {
+                    return None;
+                }
+                let changed = effects.writes.contains(&self.field);
+                each(ways, &|way| if changed { written(way, Holds::Something) } else { way })
+            }
+        })
+    }
+
+    fn set(&self, place: PlaceId, value: &Expr<'m>, (output, field): Way) -> Way {
+        if place == self.field {
+            let holds = if let Expr::Value(value) = value { Holds::Is(*value) } else { Holds::Something };
+            return written((output, field), holds);
+        }
+        if place != self.output {
+            return (output, field);
+        }
+        let holds = match value {
+            Expr::Value(value) => Holds::Is(*value),
+            Expr::Place(from) if *from == self.field => {
+                if let Holds::Is(_) = field {
+                    field
+                } else {
+                    Holds::Same
+                }
+            }
+            _ => Holds::Something,
+        };
+        (holds, field)
+    }
+
+    /// The first cycle begins with the field's initial value.
+    fn in_first(&self, ways: &[Way]) -> Vec<Way> {
+        let Some(begins) = initial(&self.program.places[self.field.0]) else { return ways.to_vec() };
+        let one = |(output, field): Way| (output, if field == Holds::Same { Holds::Is(begins) } else { field });
+        each(ways.to_vec(), &one)
+    }
+}
+
+/// Whether there is no state left that a region could have.
+fn is_nothing_left(program: &Program<'_>, place: PlaceId, out: &Out) -> bool {
+    let Role::State(region) = program.places[place.0].role else { return false };
+    let is_out = |value: Value| out.contains(&(place, value));
+    program.regions[region].iter().all(|step| is_out(Value::Step(Some(*step)))) && is_out(Value::Step(None))
+}
+
+/// The field has been written.
+fn written((output, _): Way, field: Holds) -> Way {
+    (if output == Holds::Same { Holds::Something } else { output }, field)
+}
+
+fn each(ways: Vec<Way>, new: &dyn Fn(Way) -> Way) -> Vec<Way> {
+    let mut all = Vec::with_capacity(ways.len());
+    for way in ways {
+        let way = new(way);
+        if !all.contains(&way) {
+            all.push(way);
+        }
+    }
+    all
+}
+
+fn both(mut one: Vec<Way>, other: Vec<Way>) -> Vec<Way> {
+    for way in other {
+        if !one.contains(&way) {
+            one.push(way);
+        }
+    }
+    one
+}
