@@ -1,0 +1,119 @@
+//! Commands out of bytes, on the controller.
+
+use core::marker::PhantomData;
+
+use super::{Answer, COMMAND, Command, FORCE, HEAD, INIT, MODE, Mode, PUSH, Refused, Wanted, raw_len};
+use crate::record::bits::bytes_for;
+use crate::record::chart::Recordable;
+use crate::record::wire::unpacked;
+
+/// How many bytes [`Commands`] needs for the commands of a chart.
+#[must_use]
+pub const fn command_len<C: Recordable>() -> usize {
+    cobs::max_encoding_length(raw_len(C::STEPS.len()))
+}
+
+/// Finds the commands for a chart in what comes over a line.
+///
+/// What is damaged, cut off or longer than a command is no command, and nobody hears of it. What is whole but must not be carried out is refused with an answer: for another chart
+/// or version, or with a number that is not above the last one, as where a line says something twice.
+#[derive(Clone, Debug)]
+pub struct Commands<C, B, S> {
+    buffer: B,
+    /// How much of the buffer is filled; more than it has where a frame is too long.
+    filled: usize,
+    /// Room for the steps of a situation.
+    steps: S,
+    /// The number of the last command.
+    last: u64,
+    chart: PhantomData<fn() -> C>,
+}
+
+impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<C, B, S> {
+    /// With a buffer of [`command_len`] bytes, and room for the steps of a situation: all steps of the chart, `[Press::STEPS[0]; Press::STEPS.len()]`; or none, `[]`, and
+    /// forcing is refused ([`Refused::NotOffered`]).
+    pub const fn new(buffer: B, steps: S) -> Self {
+        Self { buffer, filled: 0, steps, last: 0, chart: PhantomData }
+    }
+
+    /// Only commands with a number above this one are taken: that of [`last`](Self::last), where the program has stored it over a restart. Otherwise a line
+    /// that has kept a command back could still bring it then.
+    #[must_use]
+    pub fn after(mut self, last: u64) -> Self {
+        self.last = last;
+        self
+    }
+
+    /// The number of the last command.
+    pub const fn last(&self) -> u64 {
+        self.last
+    }
+
+    /// Takes a byte; where it is the last one of a command, that command, or the answer with which it is refused.
+    ///
+    /// Nothing happens to the chart: the program carries the command out, or does not, and answers.
+    pub fn push(&mut self, byte: u8) -> Option<Result<Command<'_, C::Step>, Answer>> {
+        if byte != 0 {
+            if let Some(to) = self.buffer.as_mut().get_mut(self.filled) {
+                *to = byte;
+            }
+            self.filled = self.filled.saturating_add(1);
+            return None;
+        }
+        let filled = core::mem::take(&mut self.filled);
+        if filled == 0 {
+            return None;
+        }
+        let content = self.buffer.as_mut().get_mut(..filled).and_then(unpacked)?;
+        let (&[kind, ref head @ ..], more) = content.split_first_chunk::<HEAD>()?;
+        if kind != COMMAND {
+            return None;
+        }
+        let (number, rest) = head.split_first_chunk()?;
+        let (fingerprint, what) = rest.split_first_chunk()?;
+        let number = u64::from_le_bytes(*number);
+        let refused = |why| Some(Err(Answer { number, outcome: Err(why) }));
+        // It may be for a neighbour on the same line: its number says nothing here.
+        if u32::from_le_bytes(*fingerprint) != C::FINGERPRINT {
+            return refused(Refused::OtherChart);
+        }
+        if number <= self.last {
+            return refused(Refused::Old { last: self.last });
+        }
+        self.last = number;
+        let wanted = match (*what.first()?, more) {
+            (INIT, []) => Wanted::Init,
+            (PUSH, []) => Wanted::Push,
+            (MODE, [place]) => match Mode::ALL.get(usize::from(*place)) {
+                Some(new) => Wanted::Mode(*new),
+                None => return refused(Refused::Unknown),
+            },
+            (FORCE, situation) => match steps::<C>(situation, self.steps.as_mut()) {
+                Ok(steps) => Wanted::Force(steps),
+                Err(why) => return refused(why),
+            },
+            _ => return refused(Refused::Unknown),
+        };
+        Some(Ok(Command { number, wanted, all: C::STEPS }))
+    }
+}
+
+/// The steps of a situation, which has a bit for each step.
+fn steps<'s, C: Recordable>(situation: &[u8], room: &'s mut [C::Step]) -> Result<&'s [C::Step], Refused> {
+    let has = |step: usize| situation.get(step / 8).is_some_and(|byte| byte >> (step % 8) & 1 != 0);
+    let is_known = situation.len() == bytes_for(C::STEPS.len());
+    if !is_known || (C::STEPS.len()..situation.len() * 8).any(has) {
+        return Err(Refused::Unknown);
+    }
+    if room.is_empty() {
+        return Err(Refused::NotOffered);
+    }
+    let mut filled = 0;
+    for (place, step) in C::STEPS.iter().enumerate() {
+        if has(place) {
+            *room.get_mut(filled).ok_or(Refused::NotOffered)? = *step;
+            filled += 1;
+        }
+    }
+    room.get(..filled).ok_or(Refused::NotOffered)
+}
