@@ -9,6 +9,7 @@ use grafcet_sim::{Chart, Cycle, Live, Names, Replay, json};
 use serde_json::json;
 
 use super::kept::{Kept, Line, Moment};
+use super::steer::Words;
 
 /// The longest frames that are taken: of a chart with some hundred kilobytes of state.
 const LONGEST: usize = 1 << 18;
@@ -70,7 +71,10 @@ impl<'c> Follower<'c> {
                     if self.controller.choose(&received) {
                         // Moments of another chart have nothing to do with what follows.
                         moments.clear();
-                        kept.chart(self.controller.live.as_ref().map(|live| about(live.chart())));
+                        self.controller.tell(kept);
+                    }
+                    if let (Some(Frame::Answer(answer)), Some(way)) = (received.frame, &kept.way) {
+                        way.answered(&answer);
                     }
                     moments.extend(self.controller.frame(&received));
                 }
@@ -81,6 +85,9 @@ impl<'c> Follower<'c> {
             }
         }
         kept.add(moments);
+        if let (Some(way), Some(live)) = (&kept.way, &self.controller.live) {
+            way.seen(live.number());
+        }
         let unknown = self.controller.unknown();
         kept.line(|line| {
             line.bytes += came.bytes;
@@ -114,6 +121,16 @@ impl Controller<'_> {
         self.live = chart.map(|chart| Replay::new().live(chart));
         (self.clock, self.last) = (Clock::default(), None);
         was_known || chart.is_some()
+    }
+
+    /// Tells which chart it is.
+    fn tell(&self, kept: &Kept) {
+        let chart = self.live.as_ref().map(Live::chart);
+        let words = kept.way.as_ref().and(chart).and_then(Words::of);
+        kept.chart(chart.map(|chart| about(chart, words.as_ref())));
+        if let Some(way) = &kept.way {
+            way.chart(words);
+        }
     }
 
     fn frame(&mut self, received: &Received<'_>) -> Vec<Moment> {
@@ -182,9 +199,10 @@ impl Controller<'_> {
     }
 }
 
-/// What the page has to know of a chart: its names and its picture.
-fn about(chart: &Chart) -> Arc<str> {
+/// What the page has to know of a chart: its names, its picture, and what it can be told.
+fn about(chart: &Chart, words: Option<&Words>) -> Arc<str> {
     let names: &Names = chart.names();
     let drawing = with_description(chart.model(), grafcet_draw::svg_live);
-    json!({ "names": json::names(names, &names.inputs), "drawing": drawing }).to_string().into()
+    let takes = words.map(Words::json);
+    json!({ "names": json::names(names, &names.inputs), "drawing": drawing, "takes": takes }).to_string().into()
 }

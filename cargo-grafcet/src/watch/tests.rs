@@ -17,7 +17,7 @@ fn chart(file: &str) -> Chart {
 }
 
 fn kept(most: usize) -> Kept {
-    Kept::new("test".to_owned(), most)
+    Kept::new("test".to_owned(), most, None)
 }
 
 /// What a viewer gets that looks only now.

@@ -154,6 +154,12 @@ impl<C: Recordable, K: Keep> Recorder<C, K> {
         self.keep.after(&self.chart);
     }
 
+    /// How many cycles there were.
+    #[cfg(feature = "steer")]
+    pub const fn cycles(&self) -> u32 {
+        self.cycles.wrapping_add(self.skipped)
+    }
+
     /// Tells the host what became of a command, in the stream of frames.
     #[cfg(feature = "steer")]
     pub fn answer(&mut self, answer: super::steer::Answer) {

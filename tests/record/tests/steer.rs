@@ -29,14 +29,18 @@ grafcet! {
     }
 }
 
+/// So many cycles there were, and so many old a command may be.
+const CYCLES: u32 = 1_000;
+const OLDEST: u32 = 300;
+
 type Reading = Commands<Press, [u8; command_len::<Press>()], [PressStep; 9]>;
 
 fn reading() -> Reading {
-    Commands::new([0xaa; command_len::<Press>()], [Press::STEPS[0]; Press::STEPS.len()])
+    Commands::new([0xaa; command_len::<Press>()], [Press::STEPS[0]; Press::STEPS.len()], OLDEST)
 }
 
 fn request(number: u64, wanted: Wanted<'_, usize>) -> Request<'_> {
-    Request { number, fingerprint: Press::FINGERPRINT, steps: Press::STEPS.len(), wanted }
+    Request { number, fingerprint: Press::FINGERPRINT, steps: Press::STEPS.len(), seen: CYCLES, wanted }
 }
 
 fn frame(request: &Request<'_>) -> Vec<u8> {
@@ -56,7 +60,7 @@ where
     S: AsMut<[C::Step]>,
 {
     let said = |command: Command<'_, C::Step>| (command.number, format!("{:?}", command.wanted));
-    bytes.iter().filter_map(|byte| commands.push(*byte).map(|found| found.map(said))).collect()
+    bytes.iter().filter_map(|byte| commands.push(*byte, CYCLES).map(|found| found.map(said))).collect()
 }
 
 fn whole(number: u64, wanted: &str) -> Result<(u64, String), Answer> {
@@ -159,6 +163,22 @@ fn a_command_for_another_chart_is_refused_and_its_number_is_free() {
     assert_eq!(heard(&mut commands, &asked(1, Wanted::Init)), [whole(1, "Init")]);
 }
 
+#[test]
+fn what_was_kept_back_comes_too_late() {
+    let sent = |number, seen| frame(&Request { seen, ..request(number, Wanted::Push) });
+    let mut commands = reading();
+    assert_eq!(heard(&mut commands, &sent(1, CYCLES - OLDEST)), [whole(1, "Push")]);
+    let late = |number, cycles| refused(number, Refused::Late { cycles });
+    assert_eq!(heard(&mut commands, &sent(2, CYCLES - OLDEST - 1)), [late(2, OLDEST + 1)]);
+    assert_eq!(heard(&mut commands, &sent(3, 0)), [late(3, CYCLES)]);
+    // A cycle that this start has not made yet: there was another one in between.
+    assert_eq!(heard(&mut commands, &sent(4, CYCLES + 1)), [late(4, u32::MAX)]);
+    assert_eq!(heard(&mut commands, &sent(4, CYCLES)), [refused(4, Refused::Old { last: 4 })]);
+    // The count of cycles begins anew.
+    let mut bytes = sent(5, u32::MAX - 4).into_iter();
+    assert!(bytes.any(|byte| commands.push(byte, 5).is_some_and(|found| found.is_ok())));
+}
+
 /// Bytes with a right check sum that were never written by a `Request`.
 fn forged(content: &[u8]) -> Vec<u8> {
     let check = crc(content);
@@ -196,7 +216,7 @@ fn crc(bytes: &[u8]) -> [u8; 4] {
 #[test]
 fn what_is_whole_and_means_nothing_is_refused() {
     let content = |kind: u8, number: u64, what: &[u8]| {
-        let bytes = [&[kind][..], &number.to_le_bytes(), &Press::FINGERPRINT.to_le_bytes(), what].concat();
+        let bytes = [&[kind][..], &number.to_le_bytes(), &Press::FINGERPRINT.to_le_bytes(), &CYCLES.to_le_bytes(), what].concat();
         forged(&bytes)
     };
     assert_eq!(content(0x15, 5, &[0]), asked(5, Wanted::Init), "as a request is written");
@@ -242,15 +262,15 @@ fn noise_is_never_a_command() {
 
 #[test]
 fn who_gives_no_room_for_steps_takes_no_situation() {
-    let mut none = Commands::<Press, _, _>::new([0; command_len::<Press>()], []);
+    let mut none = Commands::<Press, _, _>::new([0; command_len::<Press>()], [], OLDEST);
     assert_eq!(heard(&mut none, &asked(1, Wanted::Force(&[1]))), [refused(1, Refused::NotOffered)]);
     assert_eq!(heard(&mut none, &asked(2, Wanted::Force(&[]))), [refused(2, Refused::NotOffered)]);
     assert_eq!(heard(&mut none, &asked(3, Wanted::Init)), [whole(3, "Init")]);
-    let mut one = Commands::<Press, _, _>::new([0; command_len::<Press>()], [PressStep::Rest]);
+    let mut one = Commands::<Press, _, _>::new([0; command_len::<Press>()], [PressStep::Rest], OLDEST);
     assert_eq!(heard(&mut one, &asked(1, Wanted::Force(&[8]))), [whole(1, "Force([Done])")]);
     assert_eq!(heard(&mut one, &asked(2, Wanted::Force(&[1, 2]))), [refused(2, Refused::NotOffered)]);
     // A buffer that is too short hears nothing, and is in no danger.
-    let mut short = Commands::<Press, _, _>::new([0; 10], []);
+    let mut short = Commands::<Press, _, _>::new([0; 10], [], OLDEST);
     assert_eq!(heard(&mut short, &asked(1, Wanted::Init)), []);
 }
 
@@ -267,9 +287,9 @@ fn the_host_asks_for_no_step_that_there_is_not() {
 
 #[test]
 fn a_command_for_each_of_two_charts_on_one_line() {
-    let (mut press, mut motor) = (reading(), Commands::<Motor, _, _>::new([0; command_len::<Motor>()], []));
+    let (mut press, mut motor) = (reading(), Commands::<Motor, _, _>::new([0; command_len::<Motor>()], [], OLDEST));
     let steps = Motor::STEPS.len();
-    let for_motor = Request { number: 3, fingerprint: Motor::FINGERPRINT, steps, wanted: Wanted::Init };
+    let for_motor = Request { fingerprint: Motor::FINGERPRINT, steps, ..request(3, Wanted::Init) };
     let line = [asked(4, Wanted::Push), frame(&for_motor)].concat();
     assert_eq!(heard(&mut press, &line), [whole(4, "Push"), refused(3, Refused::OtherChart)]);
     assert_eq!(heard(&mut motor, &line), [refused(4, Refused::OtherChart), whole(3, "Init")]);
@@ -295,7 +315,7 @@ fn the_program_answers_in_the_stream() {
     let mut situations = Vec::new();
     for (now, (number, wanted)) in (1..).zip(asked) {
         for byte in self::asked(number, wanted) {
-            let answer = match commands.push(byte) {
+            let answer = match commands.push(byte, press.cycles() + CYCLES - 1) {
                 None => continue,
                 Some(Err(refused)) => refused,
                 Some(Ok(command)) => match command.wanted {

@@ -16,7 +16,7 @@ pub const fn command_len<C: Recordable>() -> usize {
 /// Finds the commands for a chart in what comes over a line.
 ///
 /// What is damaged, cut off or longer than a command is no command, and nobody hears of it. What is whole but must not be carried out is refused with an answer: for another chart
-/// or version, or with a number that is not above the last one, as where a line says something twice.
+/// or version, with a number that is not above the last one, as where a line says something twice, or too late, as where a line has kept it back.
 #[derive(Clone, Debug)]
 pub struct Commands<C, B, S> {
     buffer: B,
@@ -26,18 +26,22 @@ pub struct Commands<C, B, S> {
     steps: S,
     /// The number of the last command.
     last: u64,
+    /// So many cycles old a command is at most.
+    oldest: u32,
     chart: PhantomData<fn() -> C>,
 }
 
 impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<C, B, S> {
     /// With a buffer of [`command_len`] bytes, and room for the steps of a situation: all steps of the chart, `[Press::STEPS[0]; Press::STEPS.len()]`; or none, `[]`, and
     /// forcing is refused ([`Refused::NotOffered`]).
-    pub const fn new(buffer: B, steps: S) -> Self {
-        Self { buffer, filled: 0, steps, last: 0, chart: PhantomData }
+    ///
+    /// A command is taken as long as the controller has made no more than `oldest` cycles since the state that its sender saw: as many as lie in a few seconds, and more than lie
+    /// between two frames.
+    pub const fn new(buffer: B, steps: S, oldest: u32) -> Self {
+        Self { buffer, filled: 0, steps, last: 0, oldest, chart: PhantomData }
     }
 
-    /// Only commands with a number above this one are taken: that of [`last`](Self::last), where the program has stored it over a restart. Otherwise a line
-    /// that has kept a command back could still bring it then.
+    /// Only commands with a number above this one are taken: that of [`last`](Self::last), where the program has stored it over a restart.
     #[must_use]
     pub fn after(mut self, last: u64) -> Self {
         self.last = last;
@@ -49,10 +53,11 @@ impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<
         self.last
     }
 
-    /// Takes a byte; where it is the last one of a command, that command, or the answer with which it is refused.
+    /// Takes a byte, with the [cycles](crate::record::Recorder::cycles) that the chart has made; where it is the last one of a command, that command, or the answer with which it is
+    /// refused.
     ///
     /// Nothing happens to the chart: the program carries the command out, or does not, and answers.
-    pub fn push(&mut self, byte: u8) -> Option<Result<Command<'_, C::Step>, Answer>> {
+    pub fn push(&mut self, byte: u8, cycles: u32) -> Option<Result<Command<'_, C::Step>, Answer>> {
         if byte != 0 {
             if let Some(to) = self.buffer.as_mut().get_mut(self.filled) {
                 *to = byte;
@@ -70,7 +75,8 @@ impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<
             return None;
         }
         let (number, rest) = head.split_first_chunk()?;
-        let (fingerprint, what) = rest.split_first_chunk()?;
+        let (fingerprint, rest) = rest.split_first_chunk()?;
+        let (seen, what) = rest.split_first_chunk()?;
         let number = u64::from_le_bytes(*number);
         let refused = |why| Some(Err(Answer { number, outcome: Err(why) }));
         // It may be for a neighbour on the same line: its number says nothing here.
@@ -81,6 +87,11 @@ impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<
             return refused(Refused::Old { last: self.last });
         }
         self.last = number;
+        // A cycle that is still to come is one from before a restart.
+        let age = cycles.wrapping_sub(u32::from_le_bytes(*seen));
+        if age > self.oldest {
+            return refused(Refused::Late { cycles: age });
+        }
         let wanted = match (*what.first()?, more) {
             (INIT, []) => Wanted::Init,
             (PUSH, []) => Wanted::Push,

@@ -17,8 +17,8 @@ pub use request::{Request, request_len};
 
 /// The kind of the frame, with the version of the format above it.
 const COMMAND: u8 = 0x15;
-/// Kind, number, fingerprint, and what is wanted.
-const HEAD: usize = 1 + 8 + 4 + 1;
+/// Kind, number, fingerprint, the cycle that was seen, and what is wanted.
+const HEAD: usize = 1 + 8 + 4 + 4 + 1;
 /// The check sum behind it.
 const TAIL: usize = 4;
 /// What is wanted.
@@ -65,7 +65,7 @@ pub enum Wanted<'s, S> {
     Force(&'s [S]),
 }
 
-/// A command that is whole, new, and for this chart.
+/// A command that is whole, new, not too old, and for this chart.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Command<'s, S: 'static> {
     /// Its number.

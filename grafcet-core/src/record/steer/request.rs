@@ -20,6 +20,8 @@ pub struct Request<'s> {
     pub fingerprint: u32,
     /// How many steps this chart has.
     pub steps: usize,
+    /// How many cycles the chart had made, as far as the host has seen: the controller refuses what comes late.
+    pub seen: u32,
     /// What it wants; steps by their places in [`Chart::STEPS`](crate::Chart::STEPS).
     pub wanted: Wanted<'s, usize>,
 }
@@ -53,6 +55,8 @@ impl Request<'_> {
         *number = self.number.to_le_bytes();
         let (fingerprint, behind) = behind.split_first_chunk_mut()?;
         *fingerprint = self.fingerprint.to_le_bytes();
+        let (seen, behind) = behind.split_first_chunk_mut()?;
+        *seen = self.seen.to_le_bytes();
         *behind.first_mut()? = what;
         let end = HEAD + len;
         let check = CHECK.checksum(raw.get(..end)?).to_le_bytes();

@@ -21,6 +21,11 @@ pub enum Refused {
         /// The number of the last command.
         last: u64,
     },
+    /// It has come too late: what its sender saw has passed, or was before a restart.
+    Late {
+        /// So many cycles were made since.
+        cycles: u32,
+    },
     /// It is whole, and says nothing that this version knows.
     Unknown,
     /// The program takes no such command.
@@ -43,6 +48,7 @@ impl Display for Refused {
         f.write_str(match self {
             Self::OtherChart => "the controller runs another chart, or another version of it",
             Self::Old { .. } => "a command with a higher number came before",
+            Self::Late { .. } => "it has come too late",
             Self::Unknown => "the controller does not know such a command",
             Self::NotOffered => "the program on the controller takes no such command",
             Self::NotNow => "the program on the controller does not take it now",
@@ -72,6 +78,7 @@ impl Answer {
             Err(Refused::NotNow) => (5, 0),
             Err(Refused::NeverTogether { one, other }) => (6, pair(one, other)),
             Err(Refused::NoSituation) => (7, 0),
+            Err(Refused::Late { cycles }) => (8, u64::from(cycles)),
         };
         let (number, rest) = to.get_mut(..LEN)?.split_first_chunk_mut()?;
         *number = self.number.to_le_bytes();
@@ -98,6 +105,7 @@ impl Answer {
                 other: u32::try_from(more >> 32).ok()?,
             }),
             (7, 0) => Err(Refused::NoSituation),
+            (8, _) => Err(Refused::Late { cycles: u32::try_from(more).ok()? }),
             _ => return None,
         };
         Some(Self { number: u64::from_le_bytes(*number), outcome })
@@ -119,6 +127,7 @@ mod tests {
             Err(Refused::NotNow),
             Err(Refused::NeverTogether { one: 3, other: 0xdead_beef }),
             Err(Refused::NoSituation),
+            Err(Refused::Late { cycles: u32::MAX }),
         ] {
             let (answer, mut bytes) = (Answer { number: u64::MAX - 1, outcome }, [0xaa; LEN + 1]);
             assert_eq!(answer.write(&mut bytes), Some(LEN));
@@ -127,7 +136,7 @@ mod tests {
             assert_eq!(answer.write(&mut bytes[..LEN - 1]), None);
         }
         let mut bytes = [0; LEN];
-        bytes[8] = 8;
+        bytes[8] = 9;
         assert_eq!(Answer::read(&bytes), None, "there is no such reason");
         (bytes[8], bytes[16]) = (4, 1);
         assert_eq!(Answer::read(&bytes), None, "there is one way to write it");
