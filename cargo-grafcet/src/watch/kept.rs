@@ -170,7 +170,9 @@ impl Kept {
         let line = line(&inner.line);
         let steered = self.way.as_ref().map_or_else(String::new, |way| format!(",\"steered\":{}", way.shown()));
         Some((
-            format!("{{\"source\":{place},\"line\":{line}{chart}{steered},\"missed\":{missed},\"moments\":[{moments}]}}"),
+            format!(
+                "{{\"source\":{place},\"line\":{line}{chart}{steered},\"missed\":{missed},\"moments\":[{moments}]}}"
+            ),
             more,
         ))
     }

@@ -59,7 +59,8 @@ pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
         }
         let sources = options.sources.iter().zip(chosen).map(|(wanted, name)| {
             let meant = running.iter().filter(|chart| name.is_none_or(|name| chart.name == name));
-            let kept = Arc::new(Kept::new(wanted.place.to_string(), options.keep as usize, options.steer.then(Way::default)));
+            let kept =
+                Arc::new(Kept::new(wanted.place.to_string(), options.keep as usize, options.steer.then(Way::default)));
             source::begin(wanted.place.clone(), meant.map(|chart| text(chart)).collect(), Arc::clone(&kept));
             kept
         });

@@ -82,9 +82,14 @@ pub(crate) struct Words {
 
 impl Words {
     pub(crate) fn of(chart: &Chart) -> Option<Self> {
-        let (model, steps) = (chart.model(), chart.names().steps.iter().map(|step| step.name.clone()).collect());
-        let (modes, forceable) = (model.modes.is_some(), model.forceable);
-        Some(Self { fingerprint: chart.fingerprint()?, steps, modes, forceable })
+        let steps = chart.names().steps.iter().map(|step| step.name.clone()).collect();
+        let model = chart.model();
+        Some(Self {
+            fingerprint: chart.fingerprint()?,
+            steps,
+            modes: model.modes.is_some(),
+            forceable: model.forceable,
+        })
     }
 
     /// As the page reads them.
@@ -107,9 +112,7 @@ impl Words {
         match what {
             What::Init => "init".to_owned(),
             What::Push => "push".to_owned(),
-            What::Mode(mode) => {
-                MODES.iter().find(|(_, other)| other == mode).map_or("", |(name, _)| name).to_owned()
-            }
+            What::Mode(mode) => MODES.iter().find(|(_, other)| other == mode).map_or("", |(name, _)| name).to_owned(),
             What::Force(steps) if steps.is_empty() => "force no step".to_owned(),
             What::Force(steps) => {
                 let names: Vec<String> = steps.iter().map(|step| format!("`{}`", self.name(*step))).collect();
@@ -268,5 +271,101 @@ impl Inner {
             self.sent.pop_front();
         }
         Ok((number, frame))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{self, Write};
+    use std::sync::{Arc, Mutex};
+
+    use grafcet::record::Recordable;
+    use grafcet::record::steer::{Commands, command_len};
+    use grafcet_core::record::steer::{Answer, Refused};
+    use grafcet_sim::{Chart, calls};
+    use serde_json::json;
+
+    use super::super::tests::motor::{Motor, SOURCE};
+    use super::{Asked, Way, What, Words};
+
+    /// A line that keeps what is written to it, or breaks.
+    #[derive(Clone, Default)]
+    struct Line(Arc<Mutex<Vec<u8>>>, bool);
+
+    impl Write for Line {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            if self.1 {
+                return Err(io::ErrorKind::TimedOut.into());
+            }
+            self.0.lock().expect("the line").extend(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    impl Line {
+        /// The numbers of the commands that have come, as the controller reads them after so many cycles.
+        fn numbers(&self, cycles: u32) -> Vec<u64> {
+            let mut commands = Commands::<Motor, _, _>::new([0; command_len::<Motor>()], [], 0);
+            let bytes = self.0.lock().expect("the line").clone();
+            let read = |byte| commands.push(byte, cycles)?.ok().map(|command| command.number);
+            bytes.into_iter().filter_map(read).collect()
+        }
+    }
+
+    fn way(line: &Line) -> Way {
+        let (_, tokens) = calls(&SOURCE.parse().expect("Rust")).remove(0);
+        let way = Way::default();
+        way.chart(Words::of(&Chart::of_tokens(tokens).expect("a chart")));
+        way.open(Some(Box::new(line.clone())));
+        way.seen(70);
+        way
+    }
+
+    fn init() -> Asked {
+        Asked { source: 0, chart: Motor::FINGERPRINT, what: What::Init }
+    }
+
+    #[test]
+    fn the_next_number_is_above_all_that_were_heard_of() {
+        let line = Line::default();
+        let way = way(&line);
+        assert_eq!(way.send(&init()), Ok(()));
+        let first = line.numbers(70)[0];
+        assert!(first > 1_700_000_000_000, "the milliseconds of the clock: {first}");
+        assert_eq!(line.numbers(71), [], "the cycle that was seen goes with it");
+        let last = u64::MAX - 5;
+        way.answered(&Answer { number: first, outcome: Err(Refused::Old { last }) });
+        let why = way.shown()[0]["outcome"]["why"].as_str().map(str::to_owned).expect("a reason");
+        assert!(why.ends_with("the next one of this page is numbered above it, so try again"), "{why}");
+        assert_eq!(way.send(&init()), Ok(()));
+        assert_eq!(line.numbers(70), [first, last + 1]);
+        // What is said of it later, and of commands of others, changes nothing.
+        way.answered(&Answer { number: first, outcome: Ok(()) });
+        way.answered(&Answer { number: first + 1, outcome: Ok(()) });
+        assert_eq!((&way.shown()[0]["outcome"]["accepted"], &way.shown()[1]["outcome"]), (&json!(false), &json!(null)));
+        way.answered(&Answer { number: last + 1, outcome: Ok(()) });
+        assert_eq!(way.shown()[1]["outcome"], json!({ "accepted": true }));
+    }
+
+    #[test]
+    fn what_could_not_be_sent_waits_for_no_answer() {
+        let broken = Line(Arc::default(), true);
+        let way = way(&broken);
+        let error = way.send(&init()).expect_err("it breaks");
+        assert!(error.starts_with("it could not be sent: "), "{error}");
+        assert_eq!(way.shown(), json!([]));
+        way.close();
+        assert_eq!(way.send(&init()), Err("it could not be sent: the line is not connected".to_owned()));
+        let line = Line::default();
+        way.open(Some(Box::new(line.clone())));
+        assert_eq!((way.send(&init()), line.numbers(70).len()), (Ok(()), 1));
+        assert_eq!(way.send(&init()), Err("the last command was not answered yet".to_owned()));
+        // Without a chart, or another one, nothing is sent.
+        way.chart(None);
+        assert_eq!(way.send(&init()), Err("the controller runs another chart by now".to_owned()));
     }
 }

@@ -1,7 +1,7 @@
 //! What is shown of bytes that came whole, in pieces, damaged, and not at all.
 
 #[path = "../../tests/common/motor.rs"]
-mod motor;
+pub(super) mod motor;
 
 use grafcet_sim::{Chart, calls};
 use serde_json::{Value as Json, json};

@@ -216,7 +216,9 @@ fn crc(bytes: &[u8]) -> [u8; 4] {
 #[test]
 fn what_is_whole_and_means_nothing_is_refused() {
     let content = |kind: u8, number: u64, what: &[u8]| {
-        let bytes = [&[kind][..], &number.to_le_bytes(), &Press::FINGERPRINT.to_le_bytes(), &CYCLES.to_le_bytes(), what].concat();
+        let bytes =
+            [&[kind][..], &number.to_le_bytes(), &Press::FINGERPRINT.to_le_bytes(), &CYCLES.to_le_bytes(), what]
+                .concat();
         forged(&bytes)
     };
     assert_eq!(content(0x15, 5, &[0]), asked(5, Wanted::Init), "as a request is written");
