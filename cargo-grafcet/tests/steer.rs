@@ -148,19 +148,21 @@ impl Page {
 
     /// Says something, and waits for what comes of it: of the command, what the tool tells last; where it is not sent, why.
     fn say(&mut self, words: &Json) -> String {
-        let before = self.viewer.steered.as_array().map_or(0, Vec::len);
+        let last = |viewer: &Viewer| viewer.steered.as_array().and_then(|all| all.last()).cloned();
+        let before = last(&self.viewer).map(|last| last["number"].clone());
         self.viewer.socket.send(Message::from(words.to_string())).expect("a socket");
         let known = self.refusals;
         self.viewer.until("an outcome", |viewer| {
-            let all = viewer.steered.as_array().expect("commands");
-            let is_answered = all.last().is_some_and(|last| !last["outcome"].is_null());
-            viewer.refused.len() > known || is_answered && (all.len() > before || all.len() == 5)
+            let is_answered = last(viewer).is_some_and(|last| {
+                before.as_ref().is_none_or(|before| last["number"] != *before) && !last["outcome"].is_null()
+            });
+            viewer.refused.len() > known || is_answered
         });
         self.refusals = self.viewer.refused.len();
         if self.refusals > known {
             return format!("not sent: {}", self.viewer.refused[known]);
         }
-        let last = self.viewer.steered.as_array().and_then(|all| all.last()).expect("a command");
+        let last = last(&self.viewer).expect("a command");
         let why = last["outcome"]["why"].as_str().map_or_else(String::new, |why| format!(": {why}"));
         let is_accepted = last["outcome"]["accepted"] == true;
         format!("{}: {}{why}", last["what"].as_str().unwrap_or("?"), if is_accepted { "accepted" } else { "refused" })

@@ -43,8 +43,17 @@ fn only_who_has_the_token_is_answered() {
     ] {
         assert!(text.contains(header), "{header}");
     }
-    for file in ["live.js", "chronogram.js", "drawing.js", "rich.js", "signals.js", "theme.js", "style.css", "icon.svg"]
-    {
+    for file in [
+        "live.js",
+        "chronogram.js",
+        "drawing.js",
+        "rich.js",
+        "signals.js",
+        "steering.js",
+        "theme.js",
+        "style.css",
+        "icon.svg",
+    ] {
         assert_eq!(watching.ask(&format!("{page}{file}"), &host).0, 200, "{file}");
     }
     let last = if watching.token.ends_with('0') { '1' } else { '0' };

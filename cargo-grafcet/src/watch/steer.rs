@@ -233,7 +233,7 @@ impl Way {
                 Ok(()) => json!({ "accepted": true }),
                 Err(why) => json!({ "accepted": false, "why": why }),
             });
-            json!({ "what": sent.what, "ago": sent.at.elapsed().as_millis(), "outcome": outcome })
+            json!({ "number": sent.number, "what": sent.what, "ago": sent.at.elapsed().as_millis(), "outcome": outcome })
         };
         self.inner().sent.iter().map(one).collect()
     }
@@ -336,7 +336,7 @@ mod tests {
         assert_eq!(way.send(&init()), Ok(()));
         let first = line.numbers(70)[0];
         assert!(first > 1_700_000_000_000, "the milliseconds of the clock: {first}");
-        assert_eq!(line.numbers(71), [], "the cycle that was seen goes with it");
+        assert!(line.numbers(71).is_empty(), "the cycle that was seen goes with it");
         let last = u64::MAX - 5;
         way.answered(&Answer { number: first, outcome: Err(Refused::Old { last }) });
         let why = way.shown()[0]["outcome"]["why"].as_str().map(str::to_owned).expect("a reason");

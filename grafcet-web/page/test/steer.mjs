@@ -64,7 +64,7 @@ async function steer(address, way, toBoard) {
   });
   const until = async (what, holds) => {
     for (const end = Date.now() + 30_000; ;) {
-      const is = await now(), said = await steering.locator(".steered li").allInnerTexts();
+      const is = await now(), said = await steering.locator(".steered p").allInnerTexts();
       if (is && holds(is, said)) return is;
       if (Date.now() > end) throw new Error(`${what}: ${JSON.stringify({ is, said })}`);
       await new Promise(done => setTimeout(done, 30));

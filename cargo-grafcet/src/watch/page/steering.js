@@ -155,7 +155,7 @@ export class Steering {
     if (this.#part(".steered").dataset.text === text) return;
     this.#part(".steered").dataset.text = text;
     this.#part(".steered").replaceChildren(...lines.reverse().map(([kind, line]) => {
-      const item = document.createElement("li");
+      const item = document.createElement("p");
       if (kind) item.className = kind;
       item.append(...rich(line));
       return item;
