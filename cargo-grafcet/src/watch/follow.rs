@@ -35,11 +35,17 @@ struct Clock {
     last: Option<u32>,
     elapsed: u64,
     begins: bool,
+    /// The chart has begun anew (*Init*), and its clock has not.
+    stands: bool,
 }
 
 impl Clock {
     /// Where the controller has started anew, so has its clock: how long that took nobody knows. On the page it is a tenth of a second.
+    /// A chart after *Init* has no reading yet: that is no time of the clock.
     fn at(&mut self, reading: u32, tenth: u64) -> u64 {
+        if std::mem::take(&mut self.stands) && reading == 0 && self.last.is_some() {
+            return self.elapsed;
+        }
         let since = match self.last.replace(reading) {
             Some(_) if self.begins => tenth,
             Some(last) => u64::from(reading.wrapping_sub(last)),
@@ -135,6 +141,8 @@ impl Controller<'_> {
 
     fn frame(&mut self, received: &Received<'_>) -> Vec<Moment> {
         self.clock.begins |= received.begins;
+        let is_init = matches!(received.frame, Some(Frame::State { key, .. }) if key.replaced && key.fresh);
+        self.clock.stands |= is_init && !received.begins;
         let Some(mut live) = self.live.take() else { return Vec::new() };
         let cycles = live.frame(received);
         let moments = cycles.into_iter().map(|cycle| self.moment(&live, cycle)).collect();

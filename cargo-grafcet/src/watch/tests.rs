@@ -175,6 +175,24 @@ fn a_controller_that_starts_anew_shows_a_gap() {
 }
 
 #[test]
+fn after_init_the_time_goes_on() {
+    let mut motor = motor::motor(100);
+    let inputs = motor::MotorInputs { on: true, off: false };
+    for now in [0, 10, 20] {
+        motor.cycle(&inputs, 5_000 + now, &mut ());
+    }
+    motor.change(motor::Motor::init);
+    for now in [30, 40] {
+        motor.cycle(&inputs, 5_000 + now, &mut ());
+    }
+    let moments = all(&follow(&[motor.keep().writer()], SOURCE));
+    let elapsed: Vec<u64> = moments.iter().filter_map(|moment| moment["elapsed"].as_u64()).collect();
+    // The state after *Init* is a moment of its own.
+    assert_eq!(elapsed, [0, 10, 20, 20, 30, 40]);
+    assert_eq!(moments[3]["gap"]["reason"], "the chart began anew here");
+}
+
+#[test]
 fn a_chart_that_rests_is_shown_by_its_state() {
     let mut motor = motor::motor(100);
     motor.cycle(&motor::MotorInputs { on: true, off: false }, 0, &mut ());

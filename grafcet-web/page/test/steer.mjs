@@ -113,10 +113,14 @@ async function steer(address, way, toBoard) {
   const { steps } = await until("it is paused", is => is.mode === "paused");
   await stays(steps);
   assert.equal(await steering.locator("[data-mode=paused]").getAttribute("aria-pressed"), "true");
-  await choose(["Heat"]);
-  await dialog.getByRole("button", { name: "Force", exact: true }).click();
-  await said("force Heat: accepted");
-  await until("it is forced", is => is.steps === "Heat" && is.outputs === "heater");
+  // From whatever it was paused in, one of the two changes the situation; and the page says that it was not the chart itself.
+  for (const [step, output] of [["Drain", "outlet"], ["Heat", "heater"]]) {
+    await choose([step]);
+    await dialog.getByRole("button", { name: "Force", exact: true }).click();
+    await said(`force ${step}: accepted`);
+    await until("it is forced", is => is.steps === step && is.outputs === output);
+  }
+  assert.ok(await page.evaluate(() => live.views[0].seen.history.some(one => one.gap?.reason.startsWith("the chart was changed from outside"))));
   await choose(["Fill", "Drain"]);
   await dialog.getByRole("button", { name: "Force", exact: true }).click();
   await said("force Fill, Drain: refused: Fill and Drain are never active together");
@@ -148,6 +152,8 @@ async function steer(address, way, toBoard) {
   await dialog.getByRole("button", { name: "Init", exact: true }).click();
   await said("init: accepted");
   await until("it begins anew", is => is.steps === "Ready");
+  const times = await page.evaluate(() => live.views[0].seen.history.map(one => one.elapsed));
+  assert.ok(times.every((time, at) => at === 0 || time - times[at - 1] < 10_000), "the time goes on");
 
   // The line says the push button again, and half of it, with a wrong bit, and noise: nothing happens.
   const wrong = Buffer.from(push);
