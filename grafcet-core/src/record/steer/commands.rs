@@ -2,23 +2,28 @@
 
 use core::marker::PhantomData;
 
+use cobs::{DecodeResult, DecoderState};
+
 use super::{Answer, COMMAND, Command, FORCE, HEAD, INIT, MODE, Mode, PUSH, Refused, Wanted, raw_len};
 use crate::record::bits::bytes_for;
 use crate::record::chart::Recordable;
-use crate::record::wire::unpacked;
+use crate::record::wire::checked;
 
 /// How many bytes [`Commands`] needs for the commands of a chart.
 #[must_use]
 pub const fn command_len<C: Recordable>() -> usize {
-    cobs::max_encoding_length(raw_len(C::STEPS.len()))
+    raw_len(C::STEPS.len())
 }
 
 /// Finds the commands for a chart in what comes over a line.
 ///
 /// What is damaged, cut off or longer than a command is no command, and nobody hears of it. What is whole but must not be carried out is refused with an answer: for another chart
 /// or version, with a number that is not above the last one, as where a line says something twice, or too late, as where a line has kept it back.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Commands<C, B, S> {
+    /// Decodes byte by byte: decoding a whole frame where it stands cannot be shown to reach no panic.
+    state: DecoderState,
+    /// What is decoded of a frame.
     buffer: B,
     /// How much of the buffer is filled; more than it has where a frame is too long.
     filled: usize,
@@ -38,7 +43,7 @@ impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<
     /// A command is taken as long as the controller has made no more than `oldest` cycles since the state that its sender saw: as many as lie in a few seconds, and more than lie
     /// between two frames.
     pub const fn new(buffer: B, steps: S, oldest: u32) -> Self {
-        Self { buffer, filled: 0, steps, last: 0, oldest, chart: PhantomData }
+        Self { state: DecoderState::Idle, buffer, filled: 0, steps, last: 0, oldest, chart: PhantomData }
     }
 
     /// Only commands with a number above this one are taken: that of [`last`](Self::last), where the program has stored it over a restart.
@@ -58,18 +63,22 @@ impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>, S: AsMut<[C::Step]>> Commands<
     ///
     /// Nothing happens to the chart: the program carries the command out, or does not, and answers.
     pub fn push(&mut self, byte: u8, cycles: u32) -> Option<Result<Command<'_, C::Step>, Answer>> {
-        if byte != 0 {
-            if let Some(to) = self.buffer.as_mut().get_mut(self.filled) {
-                *to = byte;
+        match self.state.feed(byte) {
+            Ok(DecodeResult::DataComplete) => {}
+            Ok(DecodeResult::DataStart) => {
+                self.filled = 0;
+                return None;
             }
-            self.filled = self.filled.saturating_add(1);
-            return None;
+            Ok(DecodeResult::DataContinue(decoded)) => {
+                if let Some(to) = self.buffer.as_mut().get_mut(self.filled) {
+                    *to = decoded;
+                }
+                self.filled = self.filled.saturating_add(1);
+                return None;
+            }
+            Ok(DecodeResult::NoData) | Err(_) => return None,
         }
-        let filled = core::mem::take(&mut self.filled);
-        if filled == 0 {
-            return None;
-        }
-        let content = self.buffer.as_mut().get_mut(..filled).and_then(unpacked)?;
+        let content = checked(self.buffer.as_ref().get(..self.filled)?)?;
         let (&[kind, ref head @ ..], more) = content.split_first_chunk::<HEAD>()?;
         if kind != COMMAND {
             return None;

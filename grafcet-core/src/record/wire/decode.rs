@@ -86,9 +86,14 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Decoder<B> {
 }
 
 /// What was encoded, without its check sum; `None` if that is wrong.
-pub(in crate::record) fn unpacked(bytes: &mut [u8]) -> Option<&[u8]> {
+fn unpacked(bytes: &mut [u8]) -> Option<&[u8]> {
     let len = cobs::decode_in_place(bytes).ok()?;
-    let (content, check) = bytes.get(..len)?.split_last_chunk::<TAIL>()?;
+    checked(bytes.get(..len)?)
+}
+
+/// The same of what is decoded.
+pub(in crate::record) fn checked(bytes: &[u8]) -> Option<&[u8]> {
+    let (content, check) = bytes.split_last_chunk::<TAIL>()?;
     (CHECK.checksum(content).to_le_bytes() == *check).then_some(content)
 }
 

@@ -14,7 +14,7 @@ use super::snapshot::CHECK;
 
 pub use answer::{Answer, Refused};
 #[cfg(feature = "steer")]
-pub(super) use decode::unpacked;
+pub(super) use decode::checked;
 pub use decode::{Decoder, Frame, Received};
 pub use follow::{Follow, Seen, Trouble};
 pub use send::{Wire, wire_len};
