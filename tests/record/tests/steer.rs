@@ -5,6 +5,7 @@ use grafcet::record::wire::{Decoder, Frame, Wire, frame_len, wire_len};
 use grafcet::record::{Recordable, Recorder};
 use grafcet::{Chart, grafcet};
 use grafcet_record::motor::Motor;
+use grafcet_record::{Chance, wrong};
 
 grafcet! {
     /// Two branches, so that a situation can be one that never is; nine steps, so that a situation takes two bytes.
@@ -179,49 +180,15 @@ fn what_was_kept_back_comes_too_late() {
     assert!(bytes.any(|byte| commands.push(byte, 5).is_some_and(|found| found.is_ok())));
 }
 
-/// Bytes with a right check sum that were never written by a `Request`.
-fn forged(content: &[u8]) -> Vec<u8> {
-    let check = crc(content);
-    let raw = [content, &check].concat();
-    let mut encoded = vec![0; raw.len() + raw.len() / 254 + 3];
-    // COBS, written down once more.
-    let (mut at, mut code, mut len) = (1, 1_u8, 2);
-    for byte in raw {
-        if byte == 0 {
-            (encoded[at], at, code) = (code, len, 1);
-        } else {
-            encoded[len] = byte;
-            code += 1;
-        }
-        len += 1;
-    }
-    encoded[at] = code;
-    encoded.truncate(len);
-    encoded.push(0);
-    encoded
-}
-
-/// CRC-32C, bit by bit.
-fn crc(bytes: &[u8]) -> [u8; 4] {
-    let mut sum = u32::MAX;
-    for byte in bytes {
-        sum ^= u32::from(*byte);
-        for _ in 0..8 {
-            sum = if sum & 1 == 0 { sum >> 1 } else { sum >> 1 ^ 0x82f6_3b78 };
-        }
-    }
-    (!sum).to_le_bytes()
-}
-
 #[test]
 fn what_is_whole_and_means_nothing_is_refused() {
     let content = |kind: u8, number: u64, what: &[u8]| {
         let bytes =
             [&[kind][..], &number.to_le_bytes(), &Press::FINGERPRINT.to_le_bytes(), &CYCLES.to_le_bytes(), what]
                 .concat();
-        forged(&bytes)
+        wrong::frame(&bytes)
     };
-    assert_eq!(content(0x15, 5, &[0]), asked(5, Wanted::Init), "as a request is written");
+    assert_eq!(content(0x15, 5, &[0]), asked(5, Wanted::Init)[1..], "as a request is written");
     for (what, why) in [
         (&[0, 0][..], "init with more behind it"),
         (&[1], "no mode"),
@@ -242,8 +209,39 @@ fn what_is_whole_and_means_nothing_is_refused() {
     for kind in (0..=255).filter(|kind| *kind != 0x15) {
         assert_eq!(heard(&mut reading(), &content(kind, 5, &[0])), []);
     }
-    assert_eq!(heard(&mut reading(), &forged(&[0x15, 1, 2, 3])), []);
-    assert_eq!(heard(&mut reading(), &forged(&[])), []);
+    assert_eq!(heard(&mut reading(), &wrong::frame(&[0x15, 1, 2, 3])), []);
+    assert_eq!(heard(&mut reading(), &wrong::frame(&[])), []);
+}
+
+/// Other bits behind a check sum that is right: nothing panics, and what is taken is what a request writes.
+#[test]
+fn there_is_one_way_to_write_a_command() {
+    let (mut chance, mut taken) = (Chance::new(11), 0);
+    for (wanted, _) in ALL.iter().cycle().take(20_000) {
+        let content = wrong::content(&asked(1, *wanted)[1..]).expect("a frame");
+        let spoilt = wrong::spoilt(&content, &mut chance);
+        let sent = wrong::frame(&spoilt);
+        let mut commands = reading();
+        for byte in &sent {
+            let Some(Ok(command)) = commands.push(*byte, CYCLES) else { continue };
+            taken += 1;
+            let place = |step: &PressStep| Press::STEPS.iter().position(|other| other == step);
+            let steps: Vec<usize> = match command.wanted {
+                Wanted::Force(steps) => steps.iter().filter_map(place).collect(),
+                _ => Vec::new(),
+            };
+            let wanted = match command.wanted {
+                Wanted::Init => Wanted::Init,
+                Wanted::Push => Wanted::Push,
+                Wanted::Mode(mode) => Wanted::Mode(mode),
+                Wanted::Force(_) => Wanted::Force(&steps),
+            };
+            let seen = u32::from_le_bytes(spoilt[13..17].try_into().expect("four bytes"));
+            assert!(CYCLES - seen <= OLDEST);
+            assert_eq!(frame(&Request { seen, ..request(command.number, wanted) })[1..], sent);
+        }
+    }
+    assert!(taken > 1_000, "{taken}");
 }
 
 #[test]
