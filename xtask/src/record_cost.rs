@@ -133,7 +133,7 @@ fn commands(toolchain: &BareMetal, target: &str, library: &std::path::Path) -> R
     let before = EXAMPLES.iter().map(recorded).collect::<Result<Vec<_>>>()?;
     build(toolchain, target, &["--lib", "--crate-type", "staticlib", "--features", "roots,steer"])?;
     for (name, before) in EXAMPLES.iter().zip(before) {
-        if recorded(&name)? != before {
+        if recorded(name)? != before {
             return Err(format!(
                 "{target}: the image that records {name} is another one where it could be steered and is not"
             ));
