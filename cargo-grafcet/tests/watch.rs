@@ -4,149 +4,32 @@
 mod common;
 #[path = "common/motor.rs"]
 mod motor;
+#[path = "common/watching.rs"]
+mod watching;
 
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::Write;
 use std::net::{TcpListener, TcpStream};
-use std::path::Path;
-use std::process::{Child, ChildStdin, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use grafcet::record::Recordable;
 use serde_json::Value as Json;
-use tempfile::TempDir;
-use tungstenite::client::IntoClientRequest;
-use tungstenite::{Message, WebSocket};
+use tungstenite::Message;
 
 use common::folder;
-use motor::{OTHER, SOURCE, frames};
+use motor::{Motor, OTHER, SOURCE, frames};
+use watching::{LONG, Viewer, Watching};
 
-/// No machine takes as long as this.
-const LONG: Duration = Duration::from_secs(120);
-
-/// The tool as it watches.
-struct Watching {
-    child: Child,
-    input: Option<ChildStdin>,
-    port: u16,
-    token: String,
-    folder: TempDir,
-}
-
-impl Watching {
-    fn begin(source: &str, arguments: &[&str]) -> Self {
-        let folder = folder(&[("motor.rs", source)]);
-        std::fs::write(folder.path().join("motor.frames"), frames(4, 100)).expect("a file");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_cargo-grafcet"));
-        command.args(["grafcet", "watch", "--file", "motor.rs"]).args(arguments).current_dir(folder.path());
-        let mut child =
-            command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("the tool");
-        let mut line = String::new();
-        BufReader::new(child.stdout.as_mut().expect("its output")).read_line(&mut line).expect("a line");
-        let (port, token) =
-            line.trim().strip_prefix("http://127.0.0.1:").and_then(|rest| rest.split_once('/')).expect(&line);
-        let (port, token) = (port.parse().expect("a port"), token.trim_end_matches('/').to_owned());
-        Self { input: child.stdin.take(), child, port, token, folder }
-    }
-
-    /// The status and the text of an answer to a request with these lines in its head.
-    fn ask(&self, path: &str, head: &str) -> (u16, String) {
-        let mut text = String::new();
-        let mut stream = self.send(path, &format!("Connection: close\r\n{head}"));
-        stream.read_to_string(&mut text).expect("an answer");
-        (text.get(9..12).and_then(|status| status.parse().ok()).expect(&text), text)
-    }
-
-    /// The status of an answer to a browser that would open a socket.
-    fn open(&self, path: &str, head: &str) -> u16 {
-        let upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\
-                       Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
-        let mut line = [0; 12];
-        self.send(path, &format!("{upgrade}{head}")).read_exact(&mut line).expect("an answer");
-        String::from_utf8_lossy(&line[9..]).parse().expect("a status")
-    }
-
-    fn send(&self, path: &str, head: &str) -> TcpStream {
-        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the server");
-        write!(stream, "GET {path} HTTP/1.1\r\n{head}\r\n").expect("a request");
-        stream
-    }
-
-    fn host(&self) -> String {
-        format!("Host: 127.0.0.1:{}\r\n", self.port)
-    }
-
-    fn view(&self) -> Viewer {
-        self.viewer().expect("a socket")
-    }
-
-    fn viewer(&self) -> Result<Viewer, Box<tungstenite::Error>> {
-        let mut request =
-            format!("ws://127.0.0.1:{}/{}/socket", self.port, self.token).into_client_request().map_err(Box::new)?;
-        let origin = format!("http://127.0.0.1:{}", self.port).parse().expect("a header");
-        request.headers_mut().insert("Origin", origin);
-        let stream = TcpStream::connect(("127.0.0.1", self.port)).expect("the server");
-        stream.set_read_timeout(Some(LONG)).expect("a timeout");
-        match tungstenite::client(request, stream) {
-            Ok((socket, _)) => Ok(Viewer { socket, moments: Vec::new(), line: Json::Null, missed: 0, charts: 0 }),
-            Err(tungstenite::HandshakeError::Failure(error)) => Err(Box::new(error)),
-            Err(error) => panic!("{error}"),
-        }
-    }
-
-    /// Bytes of memory that it takes now, where the system tells.
-    fn memory(&self) -> Option<usize> {
-        let status =
-            std::fs::read_to_string(Path::new("/proc").join(self.child.id().to_string()).join("status")).ok()?;
-        let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
-        line.trim().strip_suffix(" kB")?.parse::<usize>().ok().map(|kilobytes| kilobytes * 1024)
-    }
-}
-
-impl Drop for Watching {
-    fn drop(&mut self) {
-        _ = self.child.kill();
-        _ = self.child.wait();
-    }
-}
-
-/// A page that looks.
-struct Viewer {
-    socket: WebSocket<TcpStream>,
-    moments: Vec<Json>,
-    line: Json,
-    missed: u64,
-    charts: usize,
-}
-
-impl Viewer {
-    /// Reads on until this holds.
-    fn until(&mut self, what: &str, holds: impl Fn(&Self) -> bool) {
-        let end = Instant::now() + LONG;
-        while !holds(self) {
-            assert!(Instant::now() < end, "{what}: {} with {} moments", self.line, self.moments.len());
-            let Message::Text(text) = self.socket.read().expect(what) else { continue };
-            let news: Json = serde_json::from_str(&text).expect("JSON");
-            if news.get("sources").is_some() {
-                continue;
-            }
-            if news.get("chart").is_some_and(|chart| !chart.is_null()) {
-                self.charts += 1;
-                self.moments.clear();
-            }
-            self.line = news["line"].clone();
-            self.missed += news["missed"].as_u64().expect("a number");
-            self.moments.extend(news["moments"].as_array().expect("moments").iter().cloned());
-        }
-    }
-
-    fn last(&self) -> Option<u64> {
-        self.moments.last()?["number"].as_u64()
-    }
+/// The tool as it watches a motor, with some of its frames in a file.
+fn begin(source: &str, arguments: &[&str]) -> Watching {
+    let folder = folder(&[("chart.rs", source)]);
+    std::fs::write(folder.path().join("motor.frames"), frames(4, 100)).expect("a file");
+    Watching::begin(folder, arguments)
 }
 
 #[test]
 fn only_who_has_the_token_is_answered() {
-    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let watching = begin(SOURCE, &["motor.frames"]);
     let (host, page) = (watching.host(), format!("/{}/", watching.token));
     assert_eq!(watching.token.len(), 32);
     let (status, text) = watching.ask(&page, &host);
@@ -160,8 +43,17 @@ fn only_who_has_the_token_is_answered() {
     ] {
         assert!(text.contains(header), "{header}");
     }
-    for file in ["live.js", "chronogram.js", "drawing.js", "rich.js", "signals.js", "theme.js", "style.css", "icon.svg"]
-    {
+    for file in [
+        "live.js",
+        "chronogram.js",
+        "drawing.js",
+        "rich.js",
+        "signals.js",
+        "steering.js",
+        "theme.js",
+        "style.css",
+        "icon.svg",
+    ] {
         assert_eq!(watching.ask(&format!("{page}{file}"), &host).0, 200, "{file}");
     }
     let last = if watching.token.ends_with('0') { '1' } else { '0' };
@@ -184,7 +76,7 @@ fn only_who_has_the_token_is_answered() {
 
 #[test]
 fn foreign_names_and_foreign_pages_are_refused() {
-    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let watching = begin(SOURCE, &["motor.frames"]);
     let (page, port) = (format!("/{}/", watching.token), watching.port);
     // A page whose name leads to this machine (DNS rebinding) says its own name here.
     for host in [
@@ -221,7 +113,7 @@ fn foreign_names_and_foreign_pages_are_refused() {
 
 #[test]
 fn a_file_grows_and_a_pipe_ends() {
-    let mut watching = Watching::begin(SOURCE, &["motor.frames", "Motor=-"]);
+    let mut watching = begin(SOURCE, &["motor.frames", "Motor=-"]);
     // The first cycle of the pipe is the same as of the file: four moments of one and three of the other.
     let mut viewer = watching.view();
     viewer.until("the file", |viewer| viewer.moments.len() >= 4);
@@ -241,7 +133,7 @@ fn a_file_grows_and_a_pipe_ends() {
 fn a_connection_is_made_again() {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
     let address = listener.local_addr().expect("an address").to_string();
-    let watching = Watching::begin(SOURCE, &[&format!("tcp:{address}")]);
+    let watching = begin(SOURCE, &[&format!("tcp:{address}")]);
     let mut viewer = watching.view();
     let (mut stream, _) = listener.accept().expect("the tool");
     let bytes = frames(20, 4);
@@ -262,7 +154,7 @@ fn a_connection_is_made_again() {
 
 #[test]
 fn another_version_shows_nothing_but_that() {
-    let watching = Watching::begin(OTHER, &["motor.frames"]);
+    let watching = begin(OTHER, &["motor.frames"]);
     let mut viewer = watching.view();
     viewer.until("the frames", |viewer| viewer.line["frames"].as_u64() > Some(0));
     assert!(viewer.line["unknown"].as_str().is_some_and(|why| why.contains("another version")), "{}", viewer.line);
@@ -274,7 +166,7 @@ fn fifty_viewers_and_one_that_does_not_read() {
     const FRAMES: u32 = 20_000;
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
     let address = listener.local_addr().expect("an address").to_string();
-    let watching = Watching::begin(SOURCE, &["--keep", "500", &format!("tcp:{address}")]);
+    let watching = begin(SOURCE, &["--keep", "500", &format!("tcp:{address}")]);
     let (mut stream, _) = listener.accept().expect("the tool");
     let mut viewers: Vec<Viewer> = (0..49).map(|_| watching.view()).collect();
     let stuck = watching.view();
@@ -315,7 +207,7 @@ fn fifty_viewers_and_one_that_does_not_read() {
 
 #[test]
 fn there_are_seats_for_64() {
-    let watching = Watching::begin(SOURCE, &["motor.frames"]);
+    let watching = begin(SOURCE, &["motor.frames"]);
     let mut viewers: Vec<Viewer> = (0..64).map(|_| watching.view()).collect();
     let refused = watching.viewer().err().map(|error| error.to_string());
     assert!(refused.as_ref().is_some_and(|error| error.contains("503")), "{refused:?}");
@@ -330,14 +222,18 @@ fn there_are_seats_for_64() {
 
 #[test]
 fn what_a_page_says_ends_it() {
-    let watching = Watching::begin(SOURCE, &["motor.frames"]);
-    let mut viewer = watching.view();
-    viewer.until("the moments", |viewer| viewer.moments.len() == 4);
-    viewer.socket.send(Message::from("force")).expect("a socket");
-    let end = Instant::now() + LONG;
-    while viewer.socket.read().is_ok() {
-        assert!(Instant::now() < end, "it goes on");
+    let watching = begin(SOURCE, &["motor.frames"]);
+    let fingerprint = Motor::FINGERPRINT;
+    let command = format!(r#"{{"source":0,"chart":{fingerprint},"do":"init"}}"#);
+    for said in ["force".to_owned(), String::new(), command] {
+        let mut viewer = watching.view();
+        viewer.until("the moments", |viewer| viewer.moments.len() == 4);
+        assert!(viewer.steered.is_null());
+        let end = viewer.ends_by(Message::from(said.clone()));
+        assert!(end.contains("this page only looks"), "{said}: {end}");
     }
+    let end = watching.view().ends_by(Message::from(vec![0_u8; 10]));
+    assert!(!end.is_empty());
 }
 
 #[test]

@@ -88,7 +88,7 @@ pub(crate) fn run() -> Result {
 /// # Errors
 /// A toolchain or QEMU is missing, the build fails, or the image fails or hangs.
 pub(crate) fn recorded() -> Result<(String, PathBuf)> {
-    build_recorder()?;
+    build_with("record", "record")?;
     let line = project::target(FOLDER).join("record.frames");
     let lines = emulated("record", RUNNER, &["-serial", &format!("file:{}", line.display())])?;
     Ok((lines, line))
@@ -99,22 +99,34 @@ pub(crate) fn recorded() -> Result<(String, PathBuf)> {
 /// # Errors
 /// A toolchain or QEMU is missing, or the build fails.
 pub(crate) fn recorder() -> Result<Command> {
-    build_recorder()?;
+    build_with("record", "record")?;
     emulator("record", RUNNER)
 }
 
-fn build_recorder() -> Result {
+/// The emulator with the image that is steered over its serial line, in our time.
+///
+/// # Errors
+/// As [`recorder`].
+pub(crate) fn steered() -> Result<Command> {
+    build_with("steered", "steer")?;
+    let emulator = emulator("steered", RUNNER)?;
+    let mut words = emulator.get_args();
+    let mut command = Command::new(emulator.get_program());
+    while let Some(word) = words.next() {
+        // How long an instruction takes, and that sleeping takes no time, are two words.
+        if word == "-icount" {
+            _ = words.next();
+        } else {
+            command.arg(word);
+        }
+    }
+    Ok(command)
+}
+
+/// Builds an image that needs a feature.
+fn build_with(image: &str, feature: &str) -> Result {
     let mut command = BareMetal::find(BOARD)?.cargo("build", BOARD);
-    command.args([
-        "--quiet",
-        "--release",
-        "--manifest-path",
-        EXAMPLES_CRATE,
-        "--bin",
-        "record",
-        "--features",
-        "record",
-    ]);
+    command.args(["--quiet", "--release", "--manifest-path", EXAMPLES_CRATE, "--bin", image, "--features", feature]);
     run_command(command.arg("--target-dir").arg(project::target(FOLDER)))
 }
 

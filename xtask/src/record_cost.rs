@@ -112,6 +112,7 @@ fn costs(target: &str) -> Result<Vec<Cost>> {
         let bytes = linker.link(&format!("recorded_{name}"))?.flash()?;
         flash.push(bytes.saturating_sub(linker.link(&root(name))?.flash()?));
     }
+    commands(&toolchain, target, &library)?;
     build(&toolchain, target, &["--bin", "record_cost", "--features", "record"])?;
     let mut qemu = Command::new(tool("qemu-system-arm", "qemu-system-arm")?);
     // Without counters of time, every instruction takes the same time.
@@ -124,6 +125,28 @@ fn costs(target: &str) -> Result<Vec<Cost>> {
         .map(|(name, flash)| counted(lines.lines().find_map(|line| line.strip_prefix(name))?, flash))
         .collect();
     costs.ok_or_else(|| format!("{target}: the board says\n{lines}"))
+}
+
+/// Images that record are the same where commands could be taken and are not; and what takes them cannot panic.
+fn commands(toolchain: &BareMetal, target: &str, library: &std::path::Path) -> Result {
+    let recorded = |name: &&str| code(library, &format!("recorded_{name}"));
+    let before = EXAMPLES.iter().map(recorded).collect::<Result<Vec<_>>>()?;
+    build(toolchain, target, &["--lib", "--crate-type", "staticlib", "--features", "roots,steer"])?;
+    for (name, before) in EXAMPLES.iter().zip(before) {
+        if recorded(name)? != before {
+            return Err(format!(
+                "{target}: the image that records {name} is another one where it could be steered and is not"
+            ));
+        }
+    }
+    let image = Linker::new(library.to_owned())?.link("steered_cell")?;
+    match image.panics()? {
+        Some(symbol) => Err(format!("{target}: what takes commands for the cell can panic: {symbol}")),
+        None => {
+            println!("record: what takes commands for the cell has {} bytes ({target}) and no panic", image.flash()?);
+            Ok(())
+        }
+    }
 }
 
 /// The cycle alone.

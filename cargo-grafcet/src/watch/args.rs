@@ -24,6 +24,7 @@ Examples:
   cargo grafcet watch tcp:192.168.1.7:4000
   cargo grafcet watch --file src/cell.rs serial:/dev/ttyUSB0 serial:/dev/ttyUSB1
   probe-rs run --chip STM32G071 press.elf | cargo grafcet watch Press=-
+  cargo grafcet watch --steer serial:/dev/ttyUSB0
 
 Ctrl-C ends it.")]
 pub(crate) struct Watch {
@@ -51,6 +52,9 @@ pub(crate) struct Watch {
     /// The port of the page; else one that is free
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub(crate) port: u16,
+    /// Let the page steer: modes, forcing, Init, where the program on the controller takes commands. For commissioning, with somebody beside the machine
+    #[arg(long)]
+    pub(crate) steer: bool,
 }
 
 impl Watch {

@@ -9,6 +9,7 @@ use grafcet_sim::{Chart, Cycle, Live, Names, Replay, json};
 use serde_json::json;
 
 use super::kept::{Kept, Line, Moment};
+use super::steer::Words;
 
 /// The longest frames that are taken: of a chart with some hundred kilobytes of state.
 const LONGEST: usize = 1 << 18;
@@ -34,11 +35,17 @@ struct Clock {
     last: Option<u32>,
     elapsed: u64,
     begins: bool,
+    /// The chart has begun anew (*Init*), and its clock has not.
+    stands: bool,
 }
 
 impl Clock {
     /// Where the controller has started anew, so has its clock: how long that took nobody knows. On the page it is a tenth of a second.
+    /// A chart after *Init* has no reading yet: that is no time of the clock.
     fn at(&mut self, reading: u32, tenth: u64) -> u64 {
+        if std::mem::take(&mut self.stands) && reading == 0 && self.last.is_some() {
+            return self.elapsed;
+        }
         let since = match self.last.replace(reading) {
             Some(_) if self.begins => tenth,
             Some(last) => u64::from(reading.wrapping_sub(last)),
@@ -70,7 +77,10 @@ impl<'c> Follower<'c> {
                     if self.controller.choose(&received) {
                         // Moments of another chart have nothing to do with what follows.
                         moments.clear();
-                        kept.chart(self.controller.live.as_ref().map(|live| about(live.chart())));
+                        self.controller.tell(kept);
+                    }
+                    if let (Some(Frame::Answer(answer)), Some(way)) = (received.frame, &kept.way) {
+                        way.answered(&answer);
                     }
                     moments.extend(self.controller.frame(&received));
                 }
@@ -81,6 +91,9 @@ impl<'c> Follower<'c> {
             }
         }
         kept.add(moments);
+        if let (Some(way), Some(live)) = (&kept.way, &self.controller.live) {
+            way.seen(live.number());
+        }
         let unknown = self.controller.unknown();
         kept.line(|line| {
             line.bytes += came.bytes;
@@ -116,8 +129,20 @@ impl Controller<'_> {
         was_known || chart.is_some()
     }
 
+    /// Tells which chart it is.
+    fn tell(&self, kept: &Kept) {
+        let chart = self.live.as_ref().map(Live::chart);
+        let words = kept.way.as_ref().and(chart).and_then(Words::of);
+        kept.chart(chart.map(|chart| about(chart, words.as_ref())));
+        if let Some(way) = &kept.way {
+            way.chart(words);
+        }
+    }
+
     fn frame(&mut self, received: &Received<'_>) -> Vec<Moment> {
         self.clock.begins |= received.begins;
+        let is_init = matches!(received.frame, Some(Frame::State { key, .. }) if key.replaced && key.fresh);
+        self.clock.stands |= is_init && !received.begins;
         let Some(mut live) = self.live.take() else { return Vec::new() };
         let cycles = live.frame(received);
         let moments = cycles.into_iter().map(|cycle| self.moment(&live, cycle)).collect();
@@ -182,9 +207,10 @@ impl Controller<'_> {
     }
 }
 
-/// What the page has to know of a chart: its names and its picture.
-fn about(chart: &Chart) -> Arc<str> {
+/// What the page has to know of a chart: its names, its picture, and what it can be told.
+fn about(chart: &Chart, words: Option<&Words>) -> Arc<str> {
     let names: &Names = chart.names();
     let drawing = with_description(chart.model(), grafcet_draw::svg_live);
-    json!({ "names": json::names(names, &names.inputs), "drawing": drawing }).to_string().into()
+    let takes = words.map(Words::json);
+    json!({ "names": json::names(names, &names.inputs), "drawing": drawing, "takes": takes }).to_string().into()
 }

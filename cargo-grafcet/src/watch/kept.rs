@@ -6,6 +6,8 @@ use std::time::Instant;
 
 use serde_json::{Value as Json, json};
 
+use super::steer::{Asked, Way};
+
 /// So much memory the moments of a source take at most, however many are to be kept.
 pub(crate) const MOST_BYTES: usize = 32 << 20;
 
@@ -13,6 +15,8 @@ pub(crate) const MOST_BYTES: usize = 32 << 20;
 pub(crate) struct Kept {
     /// What it is called on the page.
     pub(crate) label: String,
+    /// The way back, where the tool was started with `--steer`.
+    pub(crate) way: Option<Way>,
     most: usize,
     inner: Mutex<Inner>,
 }
@@ -73,8 +77,8 @@ const MANY: usize = 500;
 pub(crate) const FEW: usize = 50;
 
 impl Kept {
-    pub(crate) fn new(label: String, most: usize) -> Self {
-        Self { label, most, inner: Mutex::default() }
+    pub(crate) fn new(label: String, most: usize, way: Option<Way>) -> Self {
+        Self { label, way, most, inner: Mutex::default() }
     }
 
     fn inner(&self) -> MutexGuard<'_, Inner> {
@@ -117,6 +121,21 @@ impl Kept {
         inner.version += 1;
     }
 
+    /// Sends a command to the controller.
+    ///
+    /// # Errors
+    /// Why it was not sent.
+    pub(crate) fn steer(&self, asked: &Asked) -> Result<(), String> {
+        let way = self.way.as_ref().ok_or("the tool was started without `--steer`")?;
+        // Who does not see what happens does not steer.
+        if self.inner().line.unknown.is_some() {
+            return Err("what the chart does now is not known".to_owned());
+        }
+        let sent = way.send(asked);
+        self.line(|_| {});
+        sent
+    }
+
     /// How many moments are kept, and how many bytes they take.
     #[cfg(test)]
     pub(crate) fn size(&self) -> (usize, usize) {
@@ -149,8 +168,11 @@ impl Kept {
         let more = seen.next < inner.next;
         seen.version = (!more).then_some(inner.version);
         let line = line(&inner.line);
+        let steered = self.way.as_ref().map_or_else(String::new, |way| format!(",\"steered\":{}", way.shown()));
         Some((
-            format!("{{\"source\":{place},\"line\":{line}{chart},\"missed\":{missed},\"moments\":[{moments}]}}"),
+            format!(
+                "{{\"source\":{place},\"line\":{line}{chart}{steered},\"missed\":{missed},\"moments\":[{moments}]}}"
+            ),
             more,
         ))
     }

@@ -3,6 +3,7 @@
 //! - `place`, `source`: where bytes come from; each source is read in a thread of its own
 //! - `follow`: from bytes to moments, by the decoder of the runtime and the interpreter
 //! - `kept`: the last moments of a source, in bounded memory
+//! - `steer`: the way back to the controller, with `--steer`
 //! - `server`, `viewer`: the page on 127.0.0.1, and what each of those who look at it gets
 //! - `page/`: the page, plain modules of JavaScript without a build; what it shares with the playground lies here, as an installed tool brings it along
 
@@ -12,6 +13,7 @@ mod kept;
 mod place;
 mod server;
 mod source;
+mod steer;
 #[cfg(test)]
 mod tests;
 mod viewer;
@@ -20,16 +22,23 @@ use std::net::Ipv4Addr;
 use std::sync::Arc;
 
 use crate::find::{self, Found};
-use crate::{Failure, Outcome, replay, say};
+use crate::{Failure, Outcome, complain, replay, say};
 
 use args::Watch;
 use kept::Kept;
 use place::{Place, Wanted};
 use server::Site;
+use steer::Way;
 
 pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
     if options.sources.iter().filter(|wanted| wanted.place == Place::Input).count() > 1 {
         return Err(Failure::Said("the input of the program can be one source alone".to_owned()));
+    }
+    if let Some(wanted) = options.sources.iter().find(|wanted| options.steer && !wanted.place.leads_back()) {
+        return Err(Failure::Said(format!(
+            "--steer needs a line that leads back to the controller, and {} does not: give tcp:HOST:PORT or serial:PORT",
+            wanted.place
+        )));
     }
     let found = find::charts(&options.charts())?;
     let chosen = options.sources.iter().map(|wanted| chosen(wanted, &found)).collect::<Result<Vec<_>, _>>()?;
@@ -45,13 +54,17 @@ pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
         let listener = tokio::net::TcpListener::bind((Ipv4Addr::LOCALHOST, options.port)).await.map_err(failed)?;
         let port = listener.local_addr().map_err(failed)?.port();
         say(&format!("http://127.0.0.1:{port}/{token}/\n"))?;
+        if options.steer {
+            complain("steering: whoever has this address can move the machine");
+        }
         let sources = options.sources.iter().zip(chosen).map(|(wanted, name)| {
             let meant = running.iter().filter(|chart| name.is_none_or(|name| chart.name == name));
-            let kept = Arc::new(Kept::new(wanted.place.to_string(), options.keep as usize));
+            let kept =
+                Arc::new(Kept::new(wanted.place.to_string(), options.keep as usize, options.steer.then(Way::default)));
             source::begin(wanted.place.clone(), meant.map(|chart| text(chart)).collect(), Arc::clone(&kept));
             kept
         });
-        let site = Site::new(sources.collect(), token, port);
+        let site = Site::new(sources.collect(), token, port, options.steer);
         server::serve(listener, Arc::new(site)).await.map_err(failed)
     })?;
     Ok(Outcome::Well)

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::net::{TcpStream, ToSocketAddrs};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -16,6 +16,15 @@ const GROWS: Duration = Duration::from_millis(200);
 /// A serial port that is silent is asked again after this time.
 const SILENT: Duration = Duration::from_secs(1);
 const BAUD: u32 = 115_200;
+/// A line that takes nothing in this time is not written to.
+const TAKES: Duration = Duration::from_secs(1);
+
+/// A source that is open.
+pub(crate) struct Opened {
+    pub(crate) read: Box<dyn Read>,
+    /// The way back, where there is one.
+    pub(crate) write: Option<Box<dyn Write + Send>>,
+}
 
 /// A source of the command line.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -94,16 +103,32 @@ impl Place {
         matches!(self, Self::Tcp(_) | Self::Serial(..))
     }
 
+    /// Whether what is written to it gets to the controller.
+    pub(crate) fn leads_back(&self) -> bool {
+        matches!(self, Self::Tcp(_) | Self::Serial(..))
+    }
+
     /// Opens it.
     ///
     /// # Errors
     /// As the system says; whoever listens may not be there yet.
-    pub(crate) fn open(&self) -> io::Result<Box<dyn Read>> {
+    pub(crate) fn open(&self) -> io::Result<Opened> {
         Ok(match self {
-            Self::Input => Box::new(io::stdin()),
-            Self::Tcp(address) => Box::new(connect(address)?),
-            Self::Serial(port, baud) => Box::new(Serial::open(port, *baud)?),
-            Self::File(path) => Box::new(Growing { file: File::open(path)?, at: 0 }),
+            Self::Input => Opened { read: Box::new(io::stdin()), write: None },
+            Self::Tcp(address) => {
+                let stream = connect(address)?;
+                stream.set_write_timeout(Some(TAKES))?;
+                stream.set_nodelay(true)?;
+                let back = stream.try_clone()?;
+                Opened { read: Box::new(stream), write: Some(Box::new(back)) }
+            }
+            Self::Serial(port, baud) => {
+                let port = Serial::open(port, *baud)?;
+                let mut back = port.0.try_clone()?;
+                back.set_write_timeout(TAKES)?;
+                Opened { read: Box::new(port), write: Some(Box::new(back)) }
+            }
+            Self::File(path) => Opened { read: Box::new(Growing { file: File::open(path)?, at: 0 }), write: None },
         })
     }
 }

@@ -20,13 +20,14 @@ use super::viewer;
 /// So many viewers at once.
 pub(crate) const VIEWERS: usize = 64;
 /// The page and its files, with what they are.
-const FILES: [(&str, &str, &str); 9] = [
+const FILES: [(&str, &str, &str); 10] = [
     ("", "text/html; charset=utf-8", include_str!("page/index.html")),
     ("live.js", JAVASCRIPT, include_str!("page/live.js")),
     ("chronogram.js", JAVASCRIPT, include_str!("page/chronogram.js")),
     ("drawing.js", JAVASCRIPT, include_str!("page/drawing.js")),
     ("rich.js", JAVASCRIPT, include_str!("page/rich.js")),
     ("signals.js", JAVASCRIPT, include_str!("page/signals.js")),
+    ("steering.js", JAVASCRIPT, include_str!("page/steering.js")),
     ("theme.js", JAVASCRIPT, include_str!("page/theme.js")),
     ("style.css", "text/css; charset=utf-8", include_str!("page/style.css")),
     ("icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
@@ -50,12 +51,14 @@ pub(crate) struct Site {
     pub(crate) sources: Vec<Arc<Kept>>,
     pub(crate) token: String,
     pub(crate) port: u16,
+    /// Whether a page may steer.
+    pub(crate) steers: bool,
     pub(crate) seats: Arc<Semaphore>,
 }
 
 impl Site {
-    pub(crate) fn new(sources: Vec<Arc<Kept>>, token: String, port: u16) -> Self {
-        Self { sources, token, port, seats: Arc::new(Semaphore::new(VIEWERS)) }
+    pub(crate) fn new(sources: Vec<Arc<Kept>>, token: String, port: u16, steers: bool) -> Self {
+        Self { sources, token, port, steers, seats: Arc::new(Semaphore::new(VIEWERS)) }
     }
 
     /// Whether this is how the browser calls this server: any other name is a foreign page's, which has let it lead here.

@@ -26,12 +26,18 @@ pub(crate) fn begin(place: Place, charts: Vec<String>, kept: Arc<Kept>) {
         let mut pause = PAUSE[0];
         loop {
             let ended = match place.open() {
-                Ok(mut source) => {
+                Ok(mut opened) => {
+                    if let Some(way) = &kept.way {
+                        way.open(opened.write.take());
+                    }
                     say(&kept, "connected");
-                    read(&mut *source, &mut follower, &kept, || pause = PAUSE[0])
+                    read(&mut *opened.read, &mut follower, &kept, || pause = PAUSE[0])
                 }
                 Err(error) => format!("cannot be opened: {error}"),
             };
+            if let Some(way) = &kept.way {
+                way.close();
+            }
             follower.interrupted(&format!("the source {ended}"), &kept);
             if !place.comes_again() {
                 return say(&kept, &ended);

@@ -1,7 +1,7 @@
 //! What is shown of bytes that came whole, in pieces, damaged, and not at all.
 
 #[path = "../../tests/common/motor.rs"]
-mod motor;
+pub(super) mod motor;
 
 use grafcet_sim::{Chart, calls};
 use serde_json::{Value as Json, json};
@@ -17,7 +17,7 @@ fn chart(file: &str) -> Chart {
 }
 
 fn kept(most: usize) -> Kept {
-    Kept::new("test".to_owned(), most)
+    Kept::new("test".to_owned(), most, None)
 }
 
 /// What a viewer gets that looks only now.
@@ -172,6 +172,24 @@ fn a_controller_that_starts_anew_shows_a_gap() {
     assert!(gaps.iter().enumerate().all(|(index, gap)| index == 5 || gap.is_null()));
     // Its clock begins anew; on the page a tenth of a second lies between.
     assert_eq!([&moments[4]["elapsed"], &moments[5]["elapsed"], &moments[6]["elapsed"]], [40, 140, 150]);
+}
+
+#[test]
+fn after_init_the_time_goes_on() {
+    let mut motor = motor::motor(100);
+    let inputs = motor::MotorInputs { on: true, off: false };
+    for now in [0, 10, 20] {
+        motor.cycle(&inputs, 5_000 + now, &mut ());
+    }
+    motor.change(motor::Motor::init);
+    for now in [30, 40] {
+        motor.cycle(&inputs, 5_000 + now, &mut ());
+    }
+    let moments = all(&follow(&[motor.keep().writer()], SOURCE));
+    let elapsed: Vec<u64> = moments.iter().filter_map(|moment| moment["elapsed"].as_u64()).collect();
+    // The state after *Init* is a moment of its own.
+    assert_eq!(elapsed, [0, 10, 20, 20, 30, 40]);
+    assert_eq!(moments[3]["gap"]["reason"], "the chart began anew here");
 }
 
 #[test]

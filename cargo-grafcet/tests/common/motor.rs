@@ -1,4 +1,5 @@
 //! A chart that runs here and sends frames.
+#![allow(dead_code, reason = "each test needs a part of it")]
 
 use grafcet::grafcet;
 use grafcet::record::Recorder;

@@ -93,6 +93,21 @@ mod recorded {
     }
 }
 
+/// What finds commands in bytes.
+#[cfg(feature = "steer")]
+mod steered {
+    use grafcet::Chart;
+    use grafcet::record::steer::{Answer, Command, Commands, command_len};
+
+    use crate::cell::{Cell, CellStep};
+
+    type Reading = Commands<Cell, [u8; command_len::<Cell>()], [CellStep; Cell::STEPS.len()]>;
+
+    roots! {
+        steered_cell: fn(&mut Reading, u8, u32) -> Option<Result<Command<'_, CellStep>, Answer>> = Reading::push;
+    }
+}
+
 #[cfg(feature = "roots")]
 #[panic_handler]
 fn panicked(_: &PanicInfo<'_>) -> ! {

@@ -2,6 +2,8 @@
 
 use super::chart::Recordable;
 use super::encode::{Cycle, State};
+#[cfg(feature = "wire")]
+use super::wire::Answer;
 
 /// Where a recorder writes: [`Memory`](super::Memory), a wire, or a pair of both.
 pub trait Keep {
@@ -21,6 +23,13 @@ pub trait Keep {
     #[doc(hidden)]
     fn after<C: Recordable>(&mut self, chart: &C) {
         _ = chart;
+    }
+
+    /// Tells the host what became of a command, where there is one.
+    #[cfg(feature = "wire")]
+    #[doc(hidden)]
+    fn answer<C: Recordable>(&mut self, answer: &Answer) {
+        _ = answer;
     }
 }
 
@@ -44,5 +53,11 @@ impl<A: Keep, B: Keep> Keep for (A, B) {
     fn after<C: Recordable>(&mut self, chart: &C) {
         self.0.after(chart);
         self.1.after(chart);
+    }
+
+    #[cfg(feature = "wire")]
+    fn answer<C: Recordable>(&mut self, answer: &Answer) {
+        self.0.answer::<C>(answer);
+        self.1.answer::<C>(answer);
     }
 }

@@ -19,6 +19,8 @@ mod recorder;
 mod replay;
 mod ring;
 mod snapshot;
+#[cfg(feature = "steer")]
+pub mod steer;
 #[cfg(feature = "serde")]
 mod stored;
 mod value;

@@ -154,6 +154,18 @@ impl<C: Recordable, K: Keep> Recorder<C, K> {
         self.keep.after(&self.chart);
     }
 
+    /// How many cycles there were.
+    #[cfg(feature = "steer")]
+    pub const fn cycles(&self) -> u32 {
+        self.cycles.wrapping_add(self.skipped)
+    }
+
+    /// Tells the host what became of a command, in the stream of frames.
+    #[cfg(feature = "steer")]
+    pub fn answer(&mut self, answer: super::steer::Answer) {
+        self.keep.answer::<C>(&answer);
+    }
+
     /// The state as it is. The cycles that were only counted have been, as far as an entry is concerned.
     pub(crate) fn write_state(&mut self, flags: u8) {
         let skipped = core::mem::take(&mut self.skipped);

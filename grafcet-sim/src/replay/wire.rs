@@ -63,7 +63,7 @@ impl Run<'_> {
                     self.cycle(entry.skipped, elapsed, change)?;
                 }
             }
-            Some(Frame::Hash(_)) | None => {}
+            Some(Frame::Hash(_) | Frame::Answer(_)) | None => {}
         }
         Ok(())
     }

@@ -100,6 +100,7 @@ async function look(address, bytes, first, second) {
   right(await seen(0));
   assert.ok(await marked(0) > 0);
   assert.equal(await controller(0).locator("h2").innerText(), "Cell");
+  assert.ok(await controller(0).locator(".steering").isHidden(), "nobody has allowed it");
 
   // One line goes on, of the other a byte is wrong.
   first.write(bytes.subarray(half));

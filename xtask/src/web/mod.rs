@@ -38,7 +38,7 @@ pub(crate) fn test() -> Result {
     live()
 }
 
-/// The live view of `cargo grafcet watch`, of the cell on the emulated board.
+/// The live view of `cargo grafcet watch`: of the cell on the emulated board, and of a tank there that is steered.
 ///
 /// # Errors
 /// A tool is missing, something does not build, or the page shows anything else than what happened.
@@ -49,7 +49,12 @@ pub(crate) fn live() -> Result {
     let emulator = firmware::recorder()?;
     let mut command = node("test/live.mjs")?;
     command.arg(tool).args(["examples/charts/cell.rs", "tests/examples/cell.expected"].map(|file| root().join(file)));
-    command.arg(project::target("wasm").join("screenshots"));
+    let pictures = project::target("wasm").join("screenshots");
+    run_command(command.arg(&pictures).arg(emulator.get_program()).args(emulator.get_args()))?;
+    let emulator = firmware::steered()?;
+    let mut command = node("test/steer.mjs")?;
+    command.arg(project::target("debug").join(format!("cargo-grafcet{}", std::env::consts::EXE_SUFFIX)));
+    command.arg(root().join("examples/firmware/src/bin/steered.rs")).arg(pictures);
     run_command(command.arg(emulator.get_program()).args(emulator.get_args()))
 }
 

@@ -8,7 +8,7 @@ export class Drawing {
   #svg = null;
   #shown = "";
 
-  // `pointed` gets the number of a transition and says what to show there; `chosen` gets "step" or "transition" and its number.
+  // `pointed` gets the number of a transition and says what to show there; `chosen` gets "step" or "transition", its number, and whether it is that alone: a macro-step is all of its steps.
   constructor(place, hint, { pointed, chosen }) {
     this.#place = place;
     this.#hint = hint;
@@ -24,7 +24,10 @@ export class Drawing {
       if (mark) {
         this.#tell(mark, pointed(Number(mark.dataset.transition)));
         chosen("transition", Number(mark.dataset.transition));
-      } else if (step) chosen("step", Number(step.dataset.steps.split(" ")[0]));
+      } else if (step) {
+        const steps = step.dataset.steps.split(" ");
+        chosen("step", Number(steps[0]), steps.length === 1);
+      }
     });
   }
 
@@ -59,6 +62,11 @@ export class Drawing {
       mark.classList.toggle("cleared", cleared.has(of));
       mark.classList.toggle("enabled", enabled.has(of));
     }
+  }
+
+  // The steps that are chosen, for something that is still to happen.
+  choose(steps) {
+    for (const { mark, of } of this.#steps) mark.classList.toggle("chosen", of.length === 1 && steps.has(of[0]));
   }
 
   clear() { this.mark({ steps: new Set(), entered: new Set(), cleared: new Set(), enabled: new Set() }); }

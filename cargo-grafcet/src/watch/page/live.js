@@ -4,6 +4,7 @@ import { Chronogram } from "./chronogram.js";
 import { Drawing } from "./drawing.js";
 import { rich } from "./rich.js";
 import { Signals } from "./signals.js";
+import { Steering } from "./steering.js";
 import { theme } from "./theme.js";
 
 // So many moments a page keeps of each; the tool may keep more.
@@ -25,6 +26,8 @@ function list(place, lines) {
 class Seen {
   names = null;
   drawing = null;
+  // What the chart can be told, where that is allowed.
+  takes = null;
   history = [];
   shown = 0;
   line = null;
@@ -53,6 +56,7 @@ class Seen {
     if (chart !== undefined) {
       this.names = chart?.names ?? null;
       this.drawing = chart?.drawing ?? null;
+      this.takes = chart?.takes ?? null;
       this.history = [];
       this.shown = 0;
     }
@@ -86,18 +90,24 @@ class View {
   #drawing;
   #chronogram;
   #signals;
+  #steering;
   #drawn = null;
   #due = false;
 
-  constructor(label) {
+  // `ask` says something to the tool.
+  constructor(label, ask) {
     this.#label = label;
     this.#root = at("controller").content.firstElementChild.cloneNode(true);
     at("controllers").append(this.#root);
     this.#part(".place").textContent = label;
     this.#root.setAttribute("aria-label", label);
-    this.#drawing = new Drawing(this.#part(".drawing"), at("hint"), { pointed: transition => this.#told(transition), chosen: () => {} });
+    this.#drawing = new Drawing(this.#part(".drawing"), at("hint"), {
+      pointed: transition => this.#told(transition),
+      chosen: (kind, number, isAlone) => { if (kind === "step" && isAlone) this.#steering.toggle(number); },
+    });
     this.#chronogram = new Chronogram(this.#part(".chronogram"), moment => this.look(moment));
     this.#signals = new Signals(this.#part(".signals"));
+    this.#steering = new Steering(this.#part(".steering"), { ask, mark: steps => this.#drawing.choose(steps) });
     this.#part(".now").addEventListener("click", () => this.look(this.seen.history.length - 1));
     this.show();
   }
@@ -106,8 +116,11 @@ class View {
 
   take(news) {
     this.seen.take(news);
+    if (news.steered) this.#steering.take(news.steered);
     this.show();
   }
+
+  refuse(why) { this.#steering.refuse(why); }
 
   look(moment) {
     this.seen.shown = moment;
@@ -140,6 +153,7 @@ class View {
       if (names) this.#drawing.draw(this.seen.drawing);
       else this.#part(".drawing").replaceChildren();
     }
+    this.#steering.show(this.seen, this.seen.takes, Boolean(moment) && unknown === null && isOpen);
     this.#part(".now").hidden = !moment || isLive;
     this.#part(".past output").textContent = !moment || isLive ? "" : `The past, ${moment.time} after the first moment.`;
     if (!moment) {
@@ -174,6 +188,7 @@ class View {
   // How the line does.
   tick() {
     const { line, heard } = this.seen;
+    this.#steering.tick();
     if (!line) return;
     const count = (number, one, many) => number === 0 ? [] : [`${number} ${number === 1 ? one : many}`];
     const ago = heard === null ? [] : [`the last one ${Math.max(0, Math.round((performance.now() - heard) / 1000))} s ago`];
@@ -210,21 +225,29 @@ class View {
 }
 
 const views = [];
+// Whether the tool hears what is said.
+let isOpen = false;
 
 function open() {
   const address = new URL("socket", location.href);
   address.protocol = "ws:";
   const socket = new WebSocket(address);
-  socket.addEventListener("open", () => { at("severed").hidden = true; });
+  socket.addEventListener("open", () => {
+    at("severed").hidden = true;
+    isOpen = true;
+  });
   socket.addEventListener("message", ({ data }) => {
     const news = JSON.parse(data);
     if (news.sources) {
       views.length = 0;
       at("controllers").replaceChildren();
-      views.push(...news.sources.map(label => new View(label)));
-    } else views[news.source].take(news);
+      views.push(...news.sources.map((label, source) => new View(label, words => socket.send(JSON.stringify({ ...words, source })))));
+    } else if (news.refused) views[news.source].refuse(news.refused);
+    else views[news.source].take(news);
   });
   socket.addEventListener("close", () => {
+    isOpen = false;
+    views.forEach(view => view.show());
     at("severed").textContent = "The tool does not answer: what is shown is the past. Trying again.";
     at("severed").hidden = false;
     setTimeout(open, AGAIN);

@@ -1,6 +1,7 @@
 //! Frames out of bytes, without the chart.
 
-use super::{CYCLE, HASH, HEAD, STATE, TAIL};
+use super::answer::Answer;
+use super::{ANSWER, CYCLE, HASH, HEAD, STATE, TAIL};
 use crate::record::decode::{Entry, Happened, Key, entry};
 use crate::record::snapshot::CHECK;
 
@@ -45,6 +46,8 @@ pub enum Frame<'b> {
     Cycle(Entry<'b>),
     /// After the last cycle, recipe and state have this CRC-32C.
     Hash(u32),
+    /// What became of a command.
+    Answer(Answer),
 }
 
 /// A frame was damaged: something else came than was sent.
@@ -85,7 +88,12 @@ impl<B: AsRef<[u8]> + AsMut<[u8]>> Decoder<B> {
 /// What was encoded, without its check sum; `None` if that is wrong.
 fn unpacked(bytes: &mut [u8]) -> Option<&[u8]> {
     let len = cobs::decode_in_place(bytes).ok()?;
-    let (content, check) = bytes.get(..len)?.split_last_chunk::<TAIL>()?;
+    checked(bytes.get(..len)?)
+}
+
+/// The same of what is decoded.
+pub(in crate::record) fn checked(bytes: &[u8]) -> Option<&[u8]> {
+    let (content, check) = bytes.split_last_chunk::<TAIL>()?;
     (CHECK.checksum(content).to_le_bytes() == *check).then_some(content)
 }
 
@@ -95,6 +103,7 @@ fn received<'b>(bytes: &'b [u8], next: &mut Option<u16>, inputs: &mut Option<usi
     let frame = match kind {
         STATE => Some(state(rest)?),
         HASH => Some(Frame::Hash(u32::from_le_bytes(rest.try_into().ok()?))),
+        ANSWER => Some(Frame::Answer(Answer::read(rest)?)),
         CYCLE => None,
         _ => return None,
     };
@@ -113,6 +122,8 @@ fn received<'b>(bytes: &'b [u8], next: &mut Option<u16>, inputs: &mut Option<usi
             Some(inputs) => Some(cycle(rest, inputs)?),
             None => None,
         },
+        // It says nothing of the chart's state.
+        Some(Frame::Answer(_)) => frame,
         hash => hash.filter(|_| inputs.is_some()),
     };
     Some(Received { lost, begins, frame })

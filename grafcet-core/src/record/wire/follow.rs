@@ -99,7 +99,8 @@ impl<C: Recordable, B: AsRef<[u8]> + AsMut<[u8]>> Follow<C, B> {
                 return;
             }
             Some(Frame::Hash(expected)) => expected,
-            None => return,
+            // Who steers reads the answers by a `Decoder`.
+            Some(Frame::Answer(_)) | None => return,
         };
         let Some(replay) = &self.replay else { return };
         let (cycle, chart) = replay.shown();

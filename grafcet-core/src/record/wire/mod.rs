@@ -2,6 +2,7 @@
 //!
 //! A frame is COBS-encoded and ends with a zero. It holds its kind, its number, and a CRC-32C of all of it.
 
+mod answer;
 mod decode;
 mod follow;
 mod send;
@@ -11,6 +12,9 @@ use super::chart::Recordable;
 use super::encode::{cycle_len, key_entry_len, params_len, state_len};
 use super::snapshot::CHECK;
 
+pub use answer::{Answer, Refused};
+#[cfg(feature = "steer")]
+pub(super) use decode::checked;
 pub use decode::{Decoder, Frame, Received};
 pub use follow::{Follow, Seen, Trouble};
 pub use send::{Wire, wire_len};
@@ -20,6 +24,7 @@ const VERSION: u8 = 0x10;
 const STATE: u8 = VERSION | 1;
 const CYCLE: u8 = VERSION | 2;
 const HASH: u8 = VERSION | 3;
+const ANSWER: u8 = VERSION | 4;
 /// In front of what a frame says: its kind and its number.
 const HEAD: usize = 3;
 /// The check sum behind it.

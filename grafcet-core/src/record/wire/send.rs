@@ -2,7 +2,8 @@
 
 use embedded_io::Write;
 
-use super::{CYCLE, HASH, HEAD, STATE, TAIL, frame_len, hash, raw_len};
+use super::answer::Answer;
+use super::{ANSWER, CYCLE, HASH, HEAD, STATE, TAIL, frame_len, hash, raw_len};
 use crate::record::chart::Recordable;
 use crate::record::encode::{Cycle, State};
 use crate::record::keep::Keep;
@@ -130,6 +131,10 @@ impl<W: Write, B: AsMut<[u8]>> Keep for Wire<W, B> {
             to.get_mut(..hash.len())?.copy_from_slice(&hash);
             Some(hash.len())
         });
+    }
+
+    fn answer<C: Recordable>(&mut self, answer: &Answer) {
+        self.send::<C>(ANSWER, |to| answer.write(to));
     }
 }
 
