@@ -130,7 +130,7 @@ impl<'m> Claims<'m> {
                 Answer::Never => {}
                 // The way may be one that does not happen.
                 Answer::Possible(_) if !model.orders.is_empty() => {
-                    open.push((*property, Answer::Unknown(Doubt::Cycles)))
+                    open.push((*property, Answer::Unknown(Doubt::Cycles)));
                 }
                 Answer::Possible(_) if !by_time(model, violation).is_empty() => {
                     open.push((*property, Answer::Unknown(Doubt::Unfollowed(by_time(model, violation)))));

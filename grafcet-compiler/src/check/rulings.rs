@@ -57,7 +57,8 @@ fn questions(model: &Model, claims: &Claims<'_>) -> Vec<Question> {
             }
         }
     }
-    if !all.is_empty() && !(model.assumptions.is_empty() && model.orders.is_empty()) {
+    let assumes = !model.assumptions.is_empty() || !model.orders.is_empty();
+    if !all.is_empty() && assumes {
         all.push(Question::NoCycle);
     }
     if !all.is_empty() {

@@ -78,7 +78,7 @@ fn compare((model, judged): (&Model, &Model), closed: &Closed, number: u64, coun
                 (true, true) => return Err(format!("property {property} says something by brute force")),
                 // Nothing is said where it is not found in time.
                 (false, false) => {
-                    counts.undecided.push((number, format!("property {property}: whether it says something")))
+                    counts.undecided.push((number, format!("property {property}: whether it says something")));
                 }
                 _ => {}
             }

@@ -152,7 +152,7 @@ fn choices(model: &Model, start: &ClosedLoop<'_>, most: usize) -> Option<Vec<Cho
         let with = |choice: &Choice| -> Vec<Choice> {
             let one = |value: &Value| {
                 let mut choice = choice.clone();
-                put(&mut choice, value.clone());
+                put(&mut choice, *value);
                 choice
             };
             values.iter().map(one).collect()

@@ -1,6 +1,8 @@
 //! Random charts with random plants, once in the words of plants (`either`, `1s..3s/Step`) and once with these written out by hand, which brute
 //! force takes.
 
+use std::fmt::Write as _;
+
 use super::make;
 use crate::random::Rng;
 
@@ -133,18 +135,20 @@ impl Maker {
             0 if *choices > 0 && other != to => {
                 *choices -= 1;
                 let pick = format!("pick{choices}");
-                self.asked += &format!("either {from} -[{condition}]-> ({to} or {other});\n");
-                self.plain += &format!(
-                    "choice {pick};\n{from} -[!{pick} && ({condition})]-> {to};\n{from} -[{pick} && ({condition})]-> {other};\n"
+                _ = writeln!(self.asked, "either {from} -[{condition}]-> ({to} or {other});");
+                _ = writeln!(
+                    self.plain,
+                    "choice {pick};\n{from} -[!{pick} && ({condition})]-> {to};\n{from} -[{pick} && ({condition})]-> {other};"
                 );
             }
             1 | 2 if *choices > 0 => {
                 *choices -= 1;
                 let soon = format!("soon{choices}");
                 let (low, high) = *self.rng.pick(&[(1, 2), (1, 3), (2, 3), (1, 1)]);
-                self.asked += &format!("{from} -[{low}s..{high}s/{from} && ({condition})]-> {to};\n");
-                self.plain += &format!(
-                    "choice {soon};\n{from} -[({soon} && {from}.T >= {low}s || {from}.T >= {high}s) && ({condition})]-> {to};\n"
+                _ = writeln!(self.asked, "{from} -[{low}s..{high}s/{from} && ({condition})]-> {to};");
+                _ = writeln!(
+                    self.plain,
+                    "choice {soon};\n{from} -[({soon} && {from}.T >= {low}s || {from}.T >= {high}s) && ({condition})]-> {to};"
                 );
             }
             3 => {
