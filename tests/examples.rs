@@ -22,6 +22,9 @@ pub mod line24v_example;
 #[path = "../examples/motor.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod motor_example;
+#[path = "../examples/pick_and_place.rs"]
+#[allow(dead_code, reason = "`main` is for the process")]
+pub mod pick_and_place_example;
 #[path = "../examples/recipe.rs"]
 #[allow(dead_code, reason = "`main` is for the process")]
 pub mod recipe_example;
@@ -80,6 +83,13 @@ fn the_press_answers_its_script_as_worked_out_by_hand() {
     let (printed, result) = run!(stroke_example, "--script", file("examples/charts/stroke.script"));
     assert_eq!(result, Ok(()));
     assert_eq!(printed, include_str!("examples/stroke.expected"));
+}
+
+#[test]
+fn the_arm_answers_its_script_as_worked_out_by_hand() {
+    let (printed, result) = run!(pick_and_place_example, "--script", file("examples/charts/pick_and_place.script"));
+    assert_eq!(result, Ok(()));
+    assert_eq!(printed, include_str!("examples/pick_and_place.expected"));
 }
 
 #[test]
@@ -164,7 +174,7 @@ fn everything() -> Vec<(&'static str, &'static str, String)> {
     }
     every!(
         "branch_on_result": branch_on_result_example, "cell": cell_example, "controller": controller_example,
-        "line24v": line24v_example, "motor": motor_example, "stroke": stroke_example, "recipe": recipe_example, "tickless": tickless_example
+        "line24v": line24v_example, "motor": motor_example, "pick_and_place": pick_and_place_example, "stroke": stroke_example, "recipe": recipe_example, "tickless": tickless_example
     );
     all
 }
@@ -293,6 +303,25 @@ fn the_press_makes_a_stroke_in_each_mode() {
     let whole = [&["Rest lamp"][..], &down, &up, &["Rest lamp"]].concat();
     let by_hand = ["Lower lower", "Hold", "Lift lift", "Rest lamp"];
     assert_eq!(story(&printed, &words), [&whole[..], &by_hand].concat());
+}
+
+/// A part is placed; the lift is jammed, and nothing is gripped: two alarms; the lift is jammed half way, and the part is placed all the same.
+#[test]
+fn the_arm_answers_each_question_of_its_line() {
+    let (printed, result) = run!(pick_and_place_example,);
+    assert_eq!(result, Ok(()));
+    let fetch = ["Ready", "Feed belt", "Dip dip"];
+    let lift = ["Grip dip grip", "Lift grip", "Carry push grip", "Place dip push grip"];
+    let place = ["Drop dip push", "Rise push", "Done done"];
+    let expected = [
+        &[&fetch[..], &lift, &place].concat()[..],
+        &[&fetch[..], &["Lost alarm"]].concat(),
+        &[&fetch[..], &["Grip dip grip", "Lost alarm"]].concat(),
+        &[&fetch[..], &lift, &["Jam push grip alarm", "Carry push grip", "Place dip push grip"], &place, &["Ready"]]
+            .concat(),
+    ]
+    .concat();
+    assert_eq!(story(&printed, &["belt", "dip", "push", "grip", "done", "alarm"]), expected);
 }
 
 /// A round that begins with a button that is pressed and let go has 15 scans: six steps entered, each scanned once more,

@@ -22,10 +22,10 @@ good! {
     abort_branches alternating_pumps batch_recipe bottle_filling buffer busy car_wash carton_line commissioning
     debounce drill_station elevator emergency_stop garage_gate handshake hierarchy interlocked jumps
     latched_requests light_switch machining_cell macro_steps modes mutual_interlock nested operating_modes overlapping_parts
-    packaging_line parking pick_and_place pipeline press protocol qualifiers qualifiers_grafcet rendezvous retry
+    packaging_line parking pipeline press protocol qualifiers qualifiers_grafcet rendezvous retry
     reversing_drive rotary_plant selections_of_rust shared_crane shared_crane_grafcet sorting_line star_delta stop_anywhere supervised_tank
     tank_levels
-    thirty_programmes token_ring traffic_light two_hand_press washing_machine watchdog
+    thirty_programmes token_ring traffic_light two_boxes two_hand_press washing_machine watchdog
 }
 
 /// The same without rustc, for the message.

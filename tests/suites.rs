@@ -15,6 +15,8 @@ mod cell;
 mod line24v;
 #[path = "../examples/charts/motor.rs"]
 mod motor;
+#[path = "../examples/charts/pick_and_place.rs"]
+mod pick_and_place;
 #[path = "../examples/charts/recipe.rs"]
 mod recipe;
 #[path = "../examples/charts/script.rs"]
@@ -36,6 +38,9 @@ mod suite_of_line24v;
 #[rustfmt::skip]
 #[path = "suites/motor.rs"]
 mod suite_of_motor;
+#[rustfmt::skip]
+#[path = "suites/pick_and_place.rs"]
+mod suite_of_pick_and_place;
 #[rustfmt::skip]
 #[path = "suites/recipe.rs"]
 mod suite_of_recipe;

@@ -163,7 +163,7 @@ fn scripts_protocol_and_what_has_no_rust() {
 fn suites_of_the_examples() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folder = folder(&[]);
-    for name in ["branch_on_result", "cell", "line24v", "motor", "recipe", "stroke", "tickless"] {
+    for name in ["branch_on_result", "cell", "line24v", "motor", "pick_and_place", "recipe", "stroke", "tickless"] {
         let (source, path) = (format!("examples/charts/{name}.rs"), format!("super::{name}"));
         let written = folder.path().join(name).display().to_string();
         let done = tool(&root, &["tests", &source, "--rust", &written, "--path", &path]);

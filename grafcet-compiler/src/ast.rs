@@ -210,6 +210,8 @@ pub enum Setting {
     AssumeCycle { keyword: Span, longest: Time },
     /// `assume often door_closed;`
     AssumeOften { keyword: Span, condition: Expr },
+    /// `assume valve leads_to full within 10s;` `assume lower before bottom;`
+    AssumeOrder { keyword: Span, order: Property },
     /// `assume pure level_ok, sensors::valid;`
     AssumePure { keyword: Span, paths: Vec<Path> },
     /// `forceable;`

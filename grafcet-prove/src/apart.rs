@@ -12,8 +12,8 @@ mod growth;
 use grafcet_compiler::program::Program;
 
 use crate::aig::Lit;
-use crate::certificate;
 use crate::circuit::{Circuit, Condition};
+use crate::lemmas::assume;
 use crate::sat::{Limit, Over};
 use domain::Domain;
 use growth::Growth;
@@ -37,12 +37,6 @@ pub(crate) fn known(
     let mut growth = Growth::new(domain, &mut circuit, bad, limit);
     growth.run()?;
     let (kept, said): (Vec<Condition>, Vec<String>) = growth.needed()?.into_iter().unzip();
-    // The same once more, by the checker of proofs: what is wrong here would be a false proof.
-    if kept.is_empty() || !certificate::is_inductive(&circuit, &kept, limit)? {
-        return Ok(None);
-    }
-    for condition in &kept {
-        circuit.constraint = circuit.aig.and(circuit.constraint, condition.now);
-    }
-    Ok(Some((circuit, said)))
+    let is_known = !kept.is_empty() && assume(&mut circuit, &kept, limit)?;
+    Ok(is_known.then_some((circuit, said)))
 }

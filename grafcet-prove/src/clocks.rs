@@ -10,9 +10,8 @@ use grafcet_compiler::program::{Program, Role, Type};
 
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
-use crate::certificate;
 use crate::circuit::{Circuit, Condition, Field, Latch};
-use crate::lemmas::{always, limits};
+use crate::lemmas::{always, assume, limits};
 use crate::sat::{Limit, Over};
 use crate::task::Task;
 
@@ -72,14 +71,9 @@ pub(crate) fn known(
     let left = always(&circuit, &conditions, limit)?;
     let left = without_repeats(&all, &left);
     let kept: Vec<Condition> = left.iter().map(|index| conditions[*index]).collect();
-    // The same once more, by the checker of proofs: what is wrong here would be a false proof.
-    if kept.is_empty() || !certificate::is_inductive(&circuit, &kept, limit)? {
-        return Ok(None);
-    }
-    for condition in &kept {
-        circuit.constraint = circuit.aig.and(circuit.constraint, condition.now);
-    }
-    Ok(Some((circuit, left.into_iter().map(|index| all[index].said.text.clone()).collect())))
+    let is_known = !kept.is_empty() && assume(&mut circuit, &kept, limit)?;
+    let said = left.into_iter().map(|index| all[index].said.text.clone()).collect();
+    Ok(is_known.then_some((circuit, said)))
 }
 
 /// Those of which none says more that is left, too.

@@ -11,9 +11,19 @@ pub(crate) enum Goal<'m> {
     Answer(&'m Tree, &'m Tree, Option<u32>),
     /// The second holds, and the first has not held yet.
     Order(&'m Tree, &'m Tree),
+    /// Any end, of a chart alone.
+    Anywhere,
 }
 
 impl<'m> Goal<'m> {
+    /// What breaks each of the assumptions over several cycles; a matter of the chart alone has none.
+    pub(crate) fn assumed(&self, model: &'m Model) -> Vec<Self> {
+        match self {
+            Self::Anywhere => Vec::new(),
+            _ => model.orders.iter().filter_map(|order| Self::of(&order.claim)).collect(),
+        }
+    }
+
     /// None for a home situation.
     pub(crate) fn of(claim: &'m Claim) -> Option<Self> {
         match claim {
@@ -61,6 +71,7 @@ impl<'g> Watch<'g> {
                 let late = |ticks: u32| self.since.is_some_and(|(_, since)| now.wrapping_sub(since) >= ticks);
                 self.is_broken = within.is_some_and(late);
             }
+            Goal::Anywhere => self.is_broken = true,
             Goal::Order(first, then) => {
                 self.seen |= holds(first)?;
                 self.is_broken = holds(then)? && !self.seen;

@@ -5,7 +5,6 @@
 //!   the ways of one need not know where all the others are.
 //! - A counterexample: a way to where none is found, though no more are to be found at all: no cycle leads out of such states.
 
-use grafcet_compiler::model::Tree;
 use grafcet_compiler::program::{Program, Role};
 use grafcet_sim::interp::Value;
 
@@ -38,6 +37,8 @@ const ANYWHERE: Condition = Condition { now: Lit::TRUE, end: Lit::TRUE };
 /// A verdict that fails its check.
 pub fn decide_home(program: &Program<'_>, circuit: &Circuit, home: &Home, limit: &Limit) -> Result<Verdict, Internal> {
     let mut circuit = circuit.clone();
+    // It is a matter of the chart alone.
+    circuit.constraint = circuit.without_orders;
     let roots = home.parts.iter().flat_map(|part| [part.now, part.end]).chain([circuit.constraint]);
     let relevant = cone(&circuit, roots.collect());
     let mays = [may(&mut circuit, Trust::Certain), circuit.constraint];
@@ -197,7 +198,7 @@ fn lost(
         Ok(Judged::Holds(_)) => Ok(Verdict::Undecided(relied_on(program, circuit, target))),
         Ok(Judged::Fails(way)) => {
             let is_lost = |way: &Way, shown: &[Shown]| is_lost(program, &with, (bad, reached.now), way, shown);
-            match simplest(program, circuit, &Goal::End(Tree::Bool(true)), &way, &is_lost) {
+            match simplest(program, circuit, &Goal::Anywhere, &way, &is_lost) {
                 Ok(shown) => Ok(Verdict::Violated(shown)),
                 Err(Why::NotUnderstood(what)) => Ok(Verdict::Undecided(format!(
                     "a way to where it may be lost depends on what is not looked into: {what}"

@@ -52,13 +52,9 @@ pub(crate) fn strengthened(
     let of = |lemma: &Lemma| Condition { now: lemma.now, end: lemma.next };
     let left = always(&circuit, &lemmas.iter().map(of).collect::<Vec<_>>(), limit)?;
     let mut lemmas: Vec<Lemma> = left.into_iter().map(|index| lemmas[index]).collect();
-    // The same once more, by the checker of proofs: what is wrong here would be a false proof.
     let both: Vec<Condition> = lemmas.iter().map(of).collect();
-    if !certificate::is_inductive(&circuit, &both, limit)? {
+    if !assume(&mut circuit, &both, limit)? {
         lemmas.clear();
-    }
-    for lemma in &lemmas {
-        circuit.constraint = circuit.aig.and(circuit.constraint, lemma.now);
     }
     Ok((circuit, lemmas.iter().map(|lemma| lemma.about).collect()))
 }
@@ -195,6 +191,19 @@ fn wrong(aig: &mut Aig, relation: Relation, (waits, first): (Lit, Lit), timer: &
             aig.and(waits, behind)
         }
     }
+}
+
+/// From here on assumes these of each cycle, if they always hold; whether they do, by the checker of proofs once more: what is wrong here would be a
+/// false proof.
+///
+/// # Errors
+/// The limit is reached.
+pub(crate) fn assume(circuit: &mut Circuit, all: &[Condition], limit: &Limit) -> Result<bool, Over> {
+    let holds = certificate::is_inductive(circuit, all, limit)?;
+    for condition in all.iter().filter(|_| holds) {
+        circuit.constraint = circuit.aig.and(circuit.constraint, condition.now);
+    }
+    Ok(holds)
 }
 
 /// Those of some conditions that hold wherever a chart begins, and that together go on to hold, by their numbers.

@@ -33,4 +33,4 @@ pub use live::decide_live;
 pub use ruling::rule;
 pub use sat::{Limit, Over};
 pub use table::table;
-pub use verdict::{Internal, Proof, Verdict, decide, never, vacuous};
+pub use verdict::{Internal, Proof, Verdict, decide, never, says_nothing, vacuous};

@@ -50,7 +50,9 @@ pub enum Why {
 /// It does not lead to where the property is broken.
 pub(crate) fn replay(program: &Program<'_>, circuit: &Circuit, goal: &Goal<'_>, way: &Way) -> Result<Vec<Shown>, Why> {
     let mut watch = Watch::new(program.model, goal);
-    let shown = goes(program, circuit, &mut watch, way, 0..way.inputs.len())?;
+    let orders = goal.assumed(program.model);
+    let mut orders: Vec<Watch<'_>> = orders.iter().map(|order| Watch::new(program.model, order)).collect();
+    let shown = goes(program, circuit, (&mut watch, &mut orders), way, 0..way.inputs.len())?;
     if watch.is_broken() {
         Ok(shown)
     } else {
@@ -73,9 +75,15 @@ pub(crate) fn endless(
     again: usize,
 ) -> Result<Vec<Shown>, Why> {
     let (mut watch, length) = (Watch::new(program.model, goal), way.inputs.len());
+    let orders = goal.assumed(program.model);
+    let mut orders: Vec<Watch<'_>> = orders.iter().map(|order| Watch::new(program.model, order)).collect();
     let turns = (1..AGAIN).flat_map(|_| again..length);
-    let mut shown = goes(program, circuit, &mut watch, way, (0..length).chain(turns))?;
+    let mut shown = goes(program, circuit, (&mut watch, &mut orders), way, (0..length).chain(turns))?;
     let turn = length - again;
+    // Whatever else is waited for has come in each of the turns.
+    if orders.iter().any(|order| order.waits_since_before(shown.len() - 2 * turn)) {
+        return Err(Why::Differs("what is assumed to come some time never does".to_owned()));
+    }
     let same = |one: &Shown, other: &Shown| {
         (&one.active, &one.cleared, &one.outputs, &one.plants)
             == (&other.active, &other.cleared, &other.outputs, &other.plants)
@@ -95,7 +103,7 @@ pub(crate) fn endless(
 fn goes(
     program: &Program<'_>,
     circuit: &Circuit,
-    watch: &mut Watch<'_>,
+    (watch, orders): (&mut Watch<'_>, &mut [Watch<'_>]),
     way: &Way,
     cycles: impl Iterator<Item = usize>,
 ) -> Result<Vec<Shown>, Why> {
@@ -126,6 +134,14 @@ fn goes(
         };
         if !is_assumed(&machine, model, &given.inputs, &round.given).map_err(not_understood)? {
             return Err(Why::Differs(format!("an assumption does not hold in cycle {cycle_number}")));
+        }
+        for order in &mut *orders {
+            order.cycle(&machine, &given.inputs, now).map_err(not_understood)?;
+            if order.is_broken() {
+                return Err(Why::Differs(format!(
+                    "what is assumed to come one behind the other does not in cycle {cycle_number}"
+                )));
+            }
         }
         watch.cycle(&machine, &given.inputs, now).map_err(not_understood)?;
         let name = |ident: &dyn std::fmt::Display| ident.to_string().trim_start_matches("r#").to_owned();

@@ -12,7 +12,7 @@ use crate::replay::Shown;
 use crate::sat::Limit;
 use crate::table::table;
 use crate::task::Invariant;
-use crate::verdict::{Internal, Verdict, decide, never, vacuous};
+use crate::verdict::{Internal, Verdict, decide, never, says_nothing, vacuous};
 
 /// So many gates and no more: a macro is built without optimisation.
 const GATES: usize = 400_000;
@@ -42,9 +42,20 @@ pub fn rule(model: &Model, facts: &Facts<'_>, asked: &[Question]) -> Vec<Ruling>
         Question::Holds(property) => holds(&program, &circuit, property, &limit()),
         Question::NeverHappens(property) => proved(vacuous(&circuit, property, &limit())),
         Question::NoCycle => proved(never(&circuit, Lit::TRUE, &limit())),
+        Question::SaysNothing(number) => proved(says_nothing(&circuit, number, &limit())),
+        Question::Apart(one, other) => {
+            let (with, met) = circuit.meeting(one, other);
+            proved(never(&alone(&with), met, &limit()))
+        }
+        Question::Settles => proved(never(&alone(&circuit), circuit.unsettled, &limit())),
         Question::NeverComes(number) => proved(never(&circuit, circuit.often[number], &limit())),
     };
     asked.iter().map(answer).collect()
+}
+
+/// The rules of a chart do not rely on what is assumed to come one behind the other.
+fn alone(circuit: &Circuit) -> Circuit {
+    Circuit { constraint: circuit.without_orders, ..circuit.clone() }
 }
 
 /// Of what is only said where it is proved.

@@ -6,7 +6,7 @@ use crate::aig::Lit;
 use crate::apart;
 use crate::bmc;
 use crate::certificate;
-use crate::circuit::{Bad, Circuit, Deadline};
+use crate::circuit::{Bad, Circuit, Deadline, Timer};
 use crate::clocks;
 use crate::goal::Goal;
 use crate::lemmas::{About, strengthened};
@@ -161,6 +161,15 @@ pub fn vacuous(circuit: &Circuit, property: usize, limit: &Limit) -> Result<Opti
     trigger.map_or(Ok(None), |(_, happens)| never(circuit, *happens, limit))
 }
 
+/// Why what is assumed to come one behind the other, with this number, is asked for at no time, though nothing of that is assumed.
+///
+/// # Errors
+/// A proof that fails its check.
+pub fn says_nothing(circuit: &Circuit, order: usize, limit: &Limit) -> Result<Option<Invariant>, Internal> {
+    let free = Circuit { constraint: circuit.without_orders, ..circuit.clone() };
+    never(&free, circuit.orders[order], limit)
+}
+
 /// Why a wire is never true; none where it can be, or where that is not found out.
 ///
 /// # Errors
@@ -182,10 +191,19 @@ fn in_time(
     goal: &Goal<'_>,
     limit: &Limit,
 ) -> Result<Verdict, Internal> {
-    match strengthened(program, circuit, deadline, limit) {
-        Ok((circuit, clocks)) => with_sums(program, Known { circuit, clocks, said: Vec::new() }, bad, goal, limit),
-        Err(Over) => Ok(Verdict::Undecided(OVER.to_owned())),
+    let Ok((circuit, clocks)) = strengthened(program, circuit, deadline, limit) else {
+        return Ok(Verdict::Undecided(OVER.to_owned()));
+    };
+    let mut known = Known { circuit, clocks, said: Vec::new() };
+    if !program.model.orders.is_empty() {
+        // How its clock goes with those of what is assumed.
+        let mut all = known.circuit.clone();
+        all.timers.push(Timer { of: deadline.waits, first: deadline.waits + 1, width: deadline.width });
+        if let Ok(Some((with, said))) = clocks::known(program, &all, bad.possible, limit) {
+            known = Known { circuit: with, said, ..known };
+        }
     }
+    with_sums(program, known, bad, goal, limit)
 }
 
 fn decide_on(

@@ -46,4 +46,5 @@ replays! {
     cell: "cell", "Cell";
     tickless: "tickless", "Crossing";
     stroke: "stroke", "Press";
+    pick_and_place: "pick_and_place", "PickAndPlace";
 }

@@ -58,8 +58,8 @@ const CHECKED: [(&str, &str); 2] = [("thumbv7em-none-eabihf", "--bins"), ("riscv
 const IMAGE: &str = "lm3s6965evb";
 
 /// The examples in the order in which the firmware plays their scripts.
-pub(crate) const EXAMPLES: [&str; 8] =
-    ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "stroke", "controller"];
+pub(crate) const EXAMPLES: [&str; 9] =
+    ["motor", "line24v", "recipe", "branch_on_result", "cell", "tickless", "stroke", "pick_and_place", "controller"];
 
 /// An emulated board ends within a fraction of a second; one that has not by then hangs.
 const LIMIT: Duration = Duration::from_secs(60);

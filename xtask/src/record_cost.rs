@@ -26,7 +26,7 @@ const LIMIT: Duration = Duration::from_secs(60);
 const PAGE: &str = "docs/record.md";
 
 /// An `sfc` of one region by time that keeps the reading of the clock for a recorder alone: with the feature on its image is another one.
-const KEEPS_READING: [&str; 1] = ["stroke"];
+const KEEPS_READING: [&str; 2] = ["stroke", "pick_and_place"];
 
 /// The table in the page stands between this line and the next blank one.
 const TABLE: &str = "| chart | quiet M3 | M0 |";

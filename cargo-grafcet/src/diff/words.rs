@@ -118,6 +118,7 @@ impl Words {
         let assumed = model.assumptions.iter().filter(|one| one.of_range.is_none());
         let mut said: Vec<(&str, Text)> = assumed.map(|one| ("assumption", source(one.mark))).collect();
         said.extend(model.often.iter().map(|one| ("assumption", Text::of(&format!("assume often {}", one.text)))));
+        said.extend(model.orders.iter().map(|one| ("assumption", source(one.mark))));
         said.extend(claims);
         with_description(model, |chart| Self {
             name: chart.name.to_owned(),

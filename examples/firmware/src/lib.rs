@@ -15,6 +15,8 @@ pub mod controller;
 pub mod line24v;
 #[path = "../../charts/motor.rs"]
 pub mod motor;
+#[path = "../../charts/pick_and_place.rs"]
+pub mod pick_and_place;
 #[path = "../../charts/recipe.rs"]
 pub mod recipe;
 #[cfg(any(feature = "roots", feature = "record"))]
@@ -39,7 +41,7 @@ pub fn play_all(out: &mut dyn Write) -> Result<(), PlayError<'static>> {
             $example::play(include_str!(concat!("../../charts/", stringify!($example), ".script")), out)?;
         )+};
     }
-    play!(motor, line24v, recipe, branch_on_result, cell, tickless, stroke);
+    play!(motor, line24v, recipe, branch_on_result, cell, tickless, stroke, pick_and_place);
     #[cfg(not(target_arch = "riscv32"))]
     play!(controller);
     Ok(())

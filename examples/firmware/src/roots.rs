@@ -6,7 +6,7 @@ use core::panic::PanicInfo;
 
 use grafcet::Phase;
 
-use crate::{branch_on_result, cell, controller, line24v, motor, recipe, stroke, tickless};
+use crate::{branch_on_result, cell, controller, line24v, motor, pick_and_place, recipe, stroke, tickless};
 
 /// Carries out nothing.
 pub struct Idle;
@@ -46,6 +46,11 @@ roots! {
     root_of_tickless: fn(&mut tickless::Crossing, &tickless::CrossingInputs, u32) -> tickless::CrossingOutputs =
         tickless::Crossing::cycle;
     root_of_stroke: fn(&mut stroke::Press, &stroke::PressInputs, u32) -> stroke::PressOutputs = stroke::Press::cycle;
+    root_of_pick_and_place: fn(
+        &mut pick_and_place::PickAndPlace,
+        &pick_and_place::PickAndPlaceInputs,
+        u32,
+    ) -> pick_and_place::PickAndPlaceOutputs = pick_and_place::PickAndPlace::cycle;
     root_of_controller: (
         fn(&mut controller::Called, &controller::CalledInputs, &mut Idle) -> controller::CalledOutputs,
         fn(&mut controller::Remote, &controller::RemoteInputs, &mut Idle) -> controller::RemoteOutputs,
@@ -61,7 +66,7 @@ mod recorded {
     use grafcet::Ticks;
     use grafcet::record::{Memory, Recordable, Recorder};
 
-    use super::{Idle, branch_on_result, cell, controller, line24v, motor, recipe, stroke, tickless};
+    use super::{Idle, branch_on_result, cell, controller, line24v, motor, pick_and_place, recipe, stroke, tickless};
 
     type Recorded<C> = Recorder<C, Memory<&'static mut [u8]>>;
 
@@ -86,6 +91,7 @@ mod recorded {
         recorded_cell: Both<cell::Cell, ()> = both();
         recorded_tickless: Both<tickless::Crossing, ()> = both();
         recorded_stroke: Both<stroke::Press, ()> = both();
+        recorded_pick_and_place: Both<pick_and_place::PickAndPlace, ()> = both();
         recorded_recipe: Both<recipe::Dyer, Idle> =
             (begin, |recorder, inputs, now, actions| recorder.cycle(inputs, Ticks::new(now), actions));
         recorded_controller: Both<controller::Called, Idle> =

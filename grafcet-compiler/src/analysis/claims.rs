@@ -6,7 +6,7 @@ use super::combinational::written_out;
 use super::explore::{Answer, Doubt, Exploration, Limits, Stay, alone};
 use super::{Facts, Logic, Nesting, visible};
 use crate::list::List;
-use crate::model::{Claim, Effect, Expr, Model, Name, Place, Property, Read, StepId, Tree, Ty};
+use crate::model::{Claim, Effect, Expr, Model, Name, Place, Property, Read, StepId, TransitionId, Tree, Ty};
 use crate::sorted::Set;
 
 /// Who decides what the exploration leaves open, such as a solver: an answer for each question.
@@ -23,6 +23,23 @@ pub enum Question {
     NoCycle,
     /// Whether what is assumed to come again and again, with this number, never comes.
     NeverComes(usize),
+    /// Whether what is assumed to come one behind the other, with this number, is asked for at no time.
+    SaysNothing(usize),
+    /// `grafcet`: whether these two never happen in one evolution, but for the activation of the initial situation.
+    Apart(Change, Change),
+    /// `grafcet`: whether every search for stability comes to its end.
+    Settles,
+}
+
+/// What an evolution does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Change {
+    /// A transition clears.
+    Clears(TransitionId),
+    /// A step is active behind it and was not before.
+    Activates(StepId),
+    /// It is the other way round.
+    Deactivates(StepId),
 }
 
 /// What it says.
@@ -111,6 +128,10 @@ impl<'m> Claims<'m> {
             let asked = matches!(answer, Answer::Unknown(_)).then(|| alone(violation));
             match asked.flatten().unwrap_or(answer) {
                 Answer::Never => {}
+                // The way may be one that does not happen.
+                Answer::Possible(_) if !model.orders.is_empty() => {
+                    open.push((*property, Answer::Unknown(Doubt::Cycles)));
+                }
                 Answer::Possible(_) if !by_time(model, violation).is_empty() => {
                     open.push((*property, Answer::Unknown(Doubt::Unfollowed(by_time(model, violation)))));
                 }

@@ -31,7 +31,7 @@ pub mod visible;
 
 pub(crate) use branches::{Branches, Overlap, Rivalry, Shadowed};
 pub(crate) use claims::Claims;
-pub use claims::{Prover, Question, Ruling};
+pub use claims::{Change, Prover, Question, Ruling};
 pub use concurrency::Concurrency;
 pub(crate) use constant::{Constant, Constants, apart, constant, has_edge, holds_without_edge};
 pub(crate) use dead::{Dead, Explained};

@@ -13,6 +13,7 @@ mod modes;
 mod properties;
 mod race;
 mod reach;
+mod refuted;
 mod rivals;
 mod rulings;
 mod safety;
@@ -95,7 +96,8 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     properties::homes(model, &claims, limits, &known, sink);
     silent::check(model, exploration, &dead, told, sink);
     vacuous::check(model, &claims, &rulings, sink);
-    race::check(model, &races, &mixed, sink);
+    let asked = prover.map(|prover| (prover, facts));
+    race::check(model, &refuted::left(model, &races, &mixed, asked), &mixed, sink);
     contention::check(model, &seen, never, sink);
     if !sink.broke(&rules::WRONG_TARGET) {
         set_reset::check(model, &concurrency, &mixed, sink);
@@ -103,7 +105,7 @@ pub fn evolution(model: &Model, facts: &Facts<'_>, prover: Option<&Prover>, sink
     }
     if model.is_grafcet() {
         structure::two_masters(model, &seen, sink);
-        unstable::check(model, &concurrency, never, exploration, sink);
+        unstable::check(model, (&concurrency, exploration), never, asked, sink);
     }
     races
 }

@@ -57,11 +57,13 @@ fn questions(model: &Model, claims: &Claims<'_>) -> Vec<Question> {
             }
         }
     }
-    if !all.is_empty() && !model.assumptions.is_empty() {
+    let assumes = !model.assumptions.is_empty() || !model.orders.is_empty();
+    if !all.is_empty() && assumes {
         all.push(Question::NoCycle);
     }
     if !all.is_empty() {
         all.push_all((0..model.often.len()).map(Question::NeverComes));
+        all.push_all((0..model.orders.len()).map(Question::SaysNothing));
     }
     all
 }

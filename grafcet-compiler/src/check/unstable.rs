@@ -1,5 +1,6 @@
 //! `unstable`, `possible_instability`: circles that turn without end in one cycle (A30).
 
+use super::refuted::{self, Asked};
 use crate::analysis::circles::{Circle, Circles};
 use crate::analysis::explore::Exploration;
 use crate::analysis::{Concurrency, Logic};
@@ -11,9 +12,9 @@ use crate::sorted::Set;
 /// `never` is what the plant excludes.
 pub(super) fn check(
     model: &Model,
-    concurrency: &Concurrency,
+    (concurrency, exploration): (&Concurrency, &Exploration),
     never: &[&Tree],
-    exploration: &Exploration,
+    asked: Asked<'_, '_>,
     sink: &mut Sink,
 ) {
     if exploration.settles() {
@@ -29,6 +30,10 @@ pub(super) fn check(
             Circles::new(model, concurrency, &logic).certain()
         }
     };
+    // A circle that turns whenever it is entered may never be.
+    if !certain.is_empty() && refuted::settles(model, asked) {
+        return;
+    }
     for circle in &through_the_same(model, certain.clone(), &[]) {
         let message = format!(
             "the circle {} never comes to rest: once one of its transitions clears, it turns again and again in the same \

@@ -93,6 +93,7 @@ impl Usage {
         model.lets.values().for_each(|named| usage.read.extend(&named.mentions));
         model.assumptions.iter().for_each(|assumption| usage.expr(&assumption.never));
         model.often.iter().for_each(|often| usage.expr(often));
+        model.orders.iter().flat(|order| order.claim.expressions()).for_each(|expr| usage.expr(expr));
         model.properties.iter().flat(|property| property.claim.expressions()).for_each(|expr| usage.expr(expr));
         for effect in model.effects() {
             match effect {

@@ -12,9 +12,12 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, told: &Rulings<'_>, sink
     if told.is_so(Question::NoCycle) {
         // Where the conditions alone tell that, it is an error.
         let message = "these assumptions exclude every cycle, so that every property holds; correct one of them";
-        let notes = model.assumptions.iter().map(|assumption| (assumption.mark, message.to_owned())).list();
+        let marks = model.assumptions.iter().map(|assumption| assumption.mark);
+        let marks = marks.chain(model.orders.iter().map(|order| order.mark));
+        let notes = marks.map(|mark| (mark, message.to_owned())).list();
         return sink.rule(&rules::VACUOUS_ASSUMPTION, &[&model.levels], notes);
     }
+    orders(model, told, sink);
     if !model.assumptions.is_empty() || !model.often.is_empty() {
         assumptions(model, told, sink);
     }
@@ -27,6 +30,20 @@ pub(super) fn check(model: &Model, claims: &Claims<'_>, told: &Rulings<'_>, sink
         if never && !told_already(claims, property, sink) {
             never_happens(model, property, sink);
         }
+    }
+}
+
+/// What nothing leads to, or comes before.
+fn orders(model: &Model, told: &Rulings<'_>, sink: &mut Sink) {
+    for (number, order) in model.orders.iter().enumerate() {
+        let Some(trigger) = order.claim.trigger().filter(|_| told.is_so(Question::SaysNothing(number))) else {
+            continue;
+        };
+        let message = format!(
+            "`{}` holds at the end of no cycle, so this assumption excludes nothing; correct it, or leave it out",
+            trigger.text
+        );
+        assumed(model, order.mark, message, sink);
     }
 }
 

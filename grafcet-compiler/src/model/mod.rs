@@ -82,6 +82,8 @@ pub struct Model {
     pub assumptions: Vec<Assumption>,
     /// `assume often door_closed;`: what comes again and again, in source order.
     pub often: Vec<Expr>,
+    /// `assume valve leads_to full within 10s;`: what happens one behind the other outside of the chart, in source order.
+    pub orders: Vec<Order>,
     /// `assume cycle within 100ms;`: the longest time between two cycles, in ticks.
     pub longest_cycle: Option<u32>,
     /// What the checker shall prove, in source order.
@@ -146,6 +148,14 @@ pub struct Assumption {
     pub mark: Mark,
     /// The param whose range it is: the generated code sees to that itself.
     pub of_range: Option<ParamId>,
+}
+
+/// `assume valve leads_to full within 10s;` What is not so of what has happened up to the end of a cycle does not happen.
+pub struct Order {
+    /// That something leads to something else, or comes before it. What comes behind is a condition over inputs.
+    pub claim: Claim,
+    /// The whole line without its `;`.
+    pub mark: Mark,
 }
 
 /// Something about the ends of cycles that the checker shall prove.

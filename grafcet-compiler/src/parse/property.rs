@@ -60,21 +60,26 @@ pub(super) fn relates(input: &Input) -> bool {
 
 /// `a leads_to b;` `a leads_to b within 5s;` `a before b;`
 pub(super) fn relation(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<Property> {
+    let property = order(input, attrs, sink)?;
+    recover::semicolon(input, Items::OfChart, sink);
+    Ok(property)
+}
+
+/// The same without its end.
+pub(super) fn order(input: &mut Input, attrs: Attrs, sink: &mut Sink) -> Result<Property> {
     let first = condition::parse(input, "what holds first")?;
     let leads = input.eat_word("leads_to");
     if !leads && !input.eat_word("before") {
         return Err(input.error(format!("expected `leads_to` or `before`, found {}", input.found())));
     }
     let keyword = input.last();
-    let property = if leads {
+    if leads {
         let to = condition::parse(input, "what it leads to")?;
         let within = within(input, sink)?;
-        Property::LeadsTo { attrs, keyword, from: first, to, within }
+        Ok(Property::LeadsTo { attrs, keyword, from: first, to, within })
     } else {
-        Property::Before { attrs, keyword, first, then: condition::parse(input, "what comes after it")? }
-    };
-    recover::semicolon(input, Items::OfChart, sink);
-    Ok(property)
+        Ok(Property::Before { attrs, keyword, first, then: condition::parse(input, "what comes after it")? })
+    }
 }
 
 fn within(input: &mut Input, sink: &mut Sink) -> Result<Option<Time>> {

@@ -5,8 +5,8 @@ use syn::punctuated::Punctuated;
 use syn::{LitInt, Path, Token};
 
 use super::recover::{self, Items};
-use super::{Error, Input, Result, condition, time};
-use crate::ast::{Setting, Time};
+use super::{Error, Input, Result, condition, property, time};
+use crate::ast::{Attrs, Setting, Time};
 use crate::diagnostic::Sink;
 use crate::list::List;
 
@@ -87,8 +87,12 @@ fn assume(input: &mut Input, keyword: Span, sink: &mut Sink) -> Result<Setting> 
     if input.at_word("cycle") && input.next().at_word("within") {
         return cycle(input, keyword, sink);
     }
+    if !input.at_word("never") && property::relates(input) {
+        return Ok(Setting::AssumeOrder { keyword, order: property::order(input, Attrs::default(), sink)? });
+    }
     if !input.eat_word("never") {
-        let message = "what the plant excludes is written `assume never b1 && b3;`, what comes again and again \
+        let message = "what the plant excludes is written `assume never b1 && b3;`, what it answers `assume valve leads_to full \
+                       within 10s;`, what comes first `assume lower before bottom;`, what comes again and again \
                        `assume often door_closed;`, how far cycles are apart `assume cycle within 100ms;`, which calls have no \
                        state `assume pure level_ok;`";
         return Err(Error::new(input.span(), message));

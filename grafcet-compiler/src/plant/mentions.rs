@@ -96,8 +96,9 @@ impl Mentions {
                 expr.text = expr.text.replace(&mention.name.to_string(), &mention.text);
             }
         };
-        for property in &mut system.properties {
-            match &mut property.claim {
+        let properties = system.properties.iter_mut().map(|property| &mut property.claim);
+        for claim in properties.chain(system.orders.iter_mut().map(|order| &mut order.claim)) {
+            match claim {
                 Claim::Never(one) => rename(one),
                 Claim::Always { premise, condition } => {
                     premise.iter_mut().for_each(rename);

@@ -129,6 +129,8 @@ pub(crate) fn leave_out(chart: &mut Chart, plants: Vec<String>) {
         Item::Setting(Setting::AssumeNever { condition, .. } | Setting::AssumeOften { condition, .. }) => {
             !mentions::any(condition, &plants)
         }
+        // They are about what a solver alone looks at.
+        Item::Setting(Setting::AssumeOrder { .. }) => false,
         _ => true,
     };
     let Body { items, .. } = &mut chart.body;

@@ -57,10 +57,14 @@ pub(super) fn refuse(body: &Body, sink: &mut Sink) {
                                `never Cylinder::Out.X && …;`";
                 sink.notation(keyword, message);
             }
-            Item::Setting(Setting::AssumeCycle { keyword, .. } | Setting::AssumeOften { keyword, .. }) => {
+            Item::Setting(
+                Setting::AssumeCycle { keyword, .. }
+                | Setting::AssumeOften { keyword, .. }
+                | Setting::AssumeOrder { keyword, .. },
+            ) => {
                 sink.notation(
                     *keyword,
-                    "how often a plant is looked at, and what comes again and again, stands in the chart",
+                    "how often a plant is looked at, what comes again and again, and what behind what, stands in the chart",
                 );
             }
             Item::Decl(decl) if matches!(decl.kind, DeclKind::Param) => {

@@ -86,6 +86,7 @@ fn setting(setting: &Setting) -> String {
         Setting::AssumePure { paths, .. } => format!("assume pure {}", list(paths, tokens)),
         Setting::AssumeCycle { longest, .. } => format!("assume cycle within {}", time(longest)),
         Setting::AssumeOften { condition, .. } => format!("assume often {}", tokens(condition)),
+        Setting::AssumeOrder { order, .. } => format!("assume {}", property(order)),
         Setting::AssumeNever { condition, .. } => format!("assume never {}", tokens(condition)),
     }
 }

@@ -26,8 +26,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::rc::Rc;
 
+use grafcet_compiler::analysis::Change;
 use grafcet_compiler::model::{InputId, Name, ParamId, Ty, Variants};
-use grafcet_compiler::program::{PlaceId, Program, Role, Type};
+use grafcet_compiler::program::{Mark, PlaceId, Program, Role, Type};
 
 use crate::aig::{Aig, Lit};
 use crate::bits::{self, Bits};
@@ -161,6 +162,8 @@ pub struct Circuit {
     pub fields: Vec<Field>,
     /// Holds in every cycle: what is assumed, and that nothing panics.
     pub constraint: Lit,
+    /// The same without what is assumed to come one behind the other.
+    pub without_orders: Lit,
     /// In this cycle arithmetic leaves its type.
     pub overflow: Lit,
     pub bad: Vec<Bad>,
@@ -169,12 +172,19 @@ pub struct Circuit {
     pub homes: Vec<Home>,
     /// By property, where that is something: what it is about happens.
     pub triggers: Vec<(usize, Lit)>,
-    /// What is taken to come again and again: what is assumed so, in the order of the chart, and that time passes.
+    /// What is taken to come again and again: what is assumed so, in the order of the chart, that time passes, and that nothing is waited for which
+    /// is assumed to come some time.
     pub often: Vec<Lit>,
+    /// By what is assumed to come one behind the other: it is asked for in this cycle.
+    pub orders: Vec<Lit>,
     /// By property: what in it is not modelled.
     pub refused: Vec<(usize, Refused)>,
     /// A search for stability gets to its first evolution, to its second one and so on.
     pub rounds: Vec<Lit>,
+    /// By evolution of a cycle: what it does, and where.
+    pub evolutions: Vec<Vec<(Mark, Lit)>>,
+    /// A search for stability has not come to its end.
+    pub unsettled: Lit,
     /// The clocks of delays in properties.
     pub timers: Vec<Timer>,
     /// The bits of a time.
@@ -207,6 +217,7 @@ pub(crate) struct Lowering<'p, 'm> {
     panics: Lit,
     constraint: Lit,
     rounds: Vec<Lit>,
+    evolutions: Vec<Vec<(Mark, Lit)>>,
     memories: Memories,
     origins: Vec<Origin>,
     by_text: BTreeMap<(String, Vec<Sym>), FreeId>,
@@ -244,6 +255,33 @@ impl Circuit {
     }
 }
 
+/// What an evolution does, as a program tells its observers.
+fn mark_of(change: Change) -> Mark {
+    match change {
+        Change::Clears(id) => Mark::Cleared(id),
+        Change::Activates(step) => Mark::Activated(step),
+        Change::Deactivates(step) => Mark::Deactivated(step),
+    }
+}
+
+impl Circuit {
+    /// The circuit with a wire that says whether two things happen in one evolution of a cycle.
+    #[must_use]
+    pub fn meeting(&self, one: Change, other: Change) -> (Self, Lit) {
+        let (mut circuit, mut met) = (self.clone(), Lit::FALSE);
+        for marks in &self.evolutions {
+            let of = |aig: &mut Aig, change| {
+                let is_it = marks.iter().filter(|(mark, _)| *mark == mark_of(change));
+                is_it.fold(Lit::FALSE, |any, (_, path)| aig.or(any, *path))
+            };
+            let (one, other) = (of(&mut circuit.aig, one), of(&mut circuit.aig, other));
+            let both = circuit.aig.and(one, other);
+            met = circuit.aig.or(met, both);
+        }
+        (circuit, met)
+    }
+}
+
 impl Field {
     /// The program whose place it is.
     #[must_use]
@@ -269,6 +307,7 @@ impl<'p, 'm> Lowering<'p, 'm> {
             panics: Lit::FALSE,
             constraint: Lit::TRUE,
             rounds: Vec::new(),
+            evolutions: vec![Vec::new()],
             memories: Memories::default(),
             origins: Vec::new(),
             by_text: BTreeMap::new(),
@@ -285,6 +324,8 @@ struct Asked {
     homes: Vec<Home>,
     triggers: Vec<(usize, Lit)>,
     often: Vec<Lit>,
+    orders: Vec<Lit>,
+    without_orders: Lit,
 }
 
 /// A field under construction.
@@ -320,11 +361,16 @@ impl<'p, 'm> Lowering<'p, 'm> {
         let mut claims = self.claims(&end, broken);
         let (homes, refused) = self.homes(&env, &end);
         claims.refused.extend(refused);
-        let monitors = self.monitors(&end, broken);
+        let mut monitors = self.monitors(&end, broken);
+        let orders = self.orders(&mut monitors, &end)?;
         let triggers = self.triggers(&end);
-        let often = self.recurring()?;
-        self.constraint = self.aig.and(self.constraint, !self.panics);
-        self.finish((kept, plants), &end, (so_far, broken), Asked { claims, monitors, homes, triggers, often })
+        let mut often = self.recurring()?;
+        often.extend(orders.often);
+        let without_orders = self.aig.and(self.constraint, !self.panics);
+        self.constraint = self.aig.and(without_orders, orders.hold);
+        let orders = orders.triggers;
+        let asked = Asked { claims, monitors, homes, triggers, often, orders, without_orders };
+        self.finish((kept, plants), &end, (so_far, broken), asked)
     }
 
     fn finish(
@@ -360,17 +406,19 @@ impl<'p, 'm> Lowering<'p, 'm> {
             signed: false,
         });
         latches.push(Latch { now: so_far, next: broken, initial: Some(false) });
-        let timers = std::mem::take(&mut self.memories).finish(&mut latches, &mut fields);
-        let Asked { mut claims, mut monitors, homes, triggers, often } = asked;
+        let mut timers = std::mem::take(&mut self.memories).finish(&mut latches, &mut fields);
+        let Asked { mut claims, mut monitors, homes, triggers, often, orders, without_orders } = asked;
         claims.refused.append(&mut monitors.refused);
         let ended = monitors.finish(&mut latches, &mut fields);
         claims.bad.extend(ended.bad);
+        timers.extend(ended.timers);
         Ok(Circuit {
             aig: self.aig,
             inputs: self.inputs,
             latches,
             fields,
             constraint: self.constraint,
+            without_orders,
             overflow: self.overflow,
             bad: claims.bad,
             live: ended.live,
@@ -378,8 +426,14 @@ impl<'p, 'm> Lowering<'p, 'm> {
             homes,
             triggers,
             often,
+            orders,
             refused: claims.refused,
             rounds: self.rounds,
+            evolutions: self.evolutions,
+            unsettled: match self.program.place(Role::Stable).map(|place| &end[place.0]) {
+                Some(Sym::Bool(stable)) => !*stable,
+                _ => Lit::FALSE,
+            },
             timers,
             time_bits: self.clock.width,
             period: self.clock.period,

@@ -1,10 +1,10 @@
-//! Properties over more than one cycle: what has been seen so far is latches beside those of the chart.
+//! Properties over more than one cycle, and what is assumed to come one behind the other: what has been seen so far is latches beside those of the chart.
 
 use grafcet_compiler::analysis::combinational::written_out;
 use grafcet_compiler::model::{Claim, Expr, Model, Remembers, TimeRef};
 use grafcet_compiler::program::Role;
 
-use super::{Bad, Deadline, Env, Field, Latch, Live, Lowering, Refused};
+use super::{Bad, Deadline, Env, Field, Latch, Live, Lowering, Refused, Timer};
 use crate::aig::Lit;
 use crate::bits;
 
@@ -14,9 +14,19 @@ pub(super) struct Monitors {
     fields: Vec<(String, Vec<Latch>)>,
     pub(super) bad: Vec<Bad>,
     pub(super) live: Vec<Live>,
-    /// By property, with the number of its first field.
-    timers: Vec<(usize, usize)>,
+    /// By property, with the number of its first field; of an assumption without one.
+    timers: Vec<(Option<usize>, usize)>,
     pub(super) refused: Vec<(usize, Refused)>,
+}
+
+/// What is assumed to come one behind the other.
+pub(super) struct Orders {
+    /// It is so up to the end of this cycle.
+    pub(super) hold: Lit,
+    /// Nothing is waited for: that comes again and again.
+    pub(super) often: Vec<Lit>,
+    /// By assumption: it says something.
+    pub(super) triggers: Vec<Lit>,
 }
 
 /// The same, once the latches have their numbers.
@@ -24,32 +34,50 @@ pub(super) struct Ended {
     pub(super) bad: Vec<Bad>,
     pub(super) live: Vec<Live>,
     pub(super) deadlines: Vec<Deadline>,
+    /// The clocks of assumptions.
+    pub(super) timers: Vec<Timer>,
+}
+
+/// Whose latches they are.
+#[derive(Clone, Copy)]
+enum Owner {
+    Property(usize),
+    Order(usize),
 }
 
 impl Monitors {
-    fn field(&mut self, property: usize, what: &str, latches: Vec<Latch>) {
-        self.fields.push((format!("property {}: {what}", property + 1), latches));
+    fn field(&mut self, owner: Owner, what: &str, latches: Vec<Latch>) {
+        let name = match owner {
+            Owner::Property(number) => format!("property {}: {what}", number + 1),
+            Owner::Order(number) => format!("assumption {}: {what}", number + 1),
+        };
+        self.fields.push((name, latches));
     }
 
     /// The latches, behind those that are there.
     pub(super) fn finish(self, latches: &mut Vec<Latch>, fields: &mut Vec<Field>) -> Ended {
-        let mut deadlines = Vec::new();
+        let (mut deadlines, mut timers) = (Vec::new(), Vec::new());
         for (number, (name, new)) in self.fields.into_iter().enumerate() {
             let first = latches.len();
-            if let Some((property, _)) = self.timers.iter().find(|(_, field)| field + 1 == number) {
-                deadlines.push(Deadline { property: *property, waits: first - 1, width: new.len() });
+            match self.timers.iter().find(|(_, field)| field + 1 == number) {
+                Some((Some(property), _)) => {
+                    deadlines.push(Deadline { property: *property, waits: first - 1, width: new.len() });
+                }
+                Some((None, _)) => timers.push(Timer { of: first - 1, first, width: new.len() }),
+                None => {}
             }
             fields.push(Field { place: None, plant: None, name, first, width: new.len(), signed: false });
             latches.extend(new);
         }
-        Ended { bad: self.bad, live: self.live, deadlines }
+        Ended { bad: self.bad, live: self.live, deadlines, timers }
     }
 }
 
 /// The longest time after which something has to have come.
 fn deadline(model: &Model) -> Option<u32> {
     let within = |claim: &Claim| if let Claim::LeadsTo { within, .. } = claim { *within } else { None };
-    model.properties.iter().filter_map(|property| within(&property.claim)).max()
+    let claims = model.properties.iter().map(|property| &property.claim);
+    claims.chain(model.orders.iter().map(|order| &order.claim)).filter_map(within).max()
 }
 
 /// The longest time that a property remembers.
@@ -128,7 +156,13 @@ impl Lowering<'_, '_> {
     }
 
     /// `from leads_to to within ticks`: at the end of the first cycle so much later `to` has held.
-    fn in_time(&mut self, monitors: &mut Monitors, property: usize, (from, to): (Lit, Lit), ticks: u32, broken: Lit) {
+    fn in_time(&mut self, monitors: &mut Monitors, property: usize, sides: (Lit, Lit), ticks: u32, broken: Lit) {
+        let bad = self.late(monitors, Owner::Property(property), sides, ticks);
+        self.bad(monitors, property, bad, broken);
+    }
+
+    /// Where it has not held in time.
+    fn late(&mut self, monitors: &mut Monitors, owner: Owner, (from, to): (Lit, Lit), ticks: u32) -> Lit {
         let waits = self.waits(from, to);
         let width = self.clock.width;
         let now: Vec<Lit> = (0..width).map(|_| self.aig.free()).collect();
@@ -143,26 +177,62 @@ impl Lowering<'_, '_> {
         let next = bits::mux(&mut self.aig, waits.now, &passed, &bits::constant(0));
         let next = bits::low(&next, width);
         let timer = now.into_iter().zip(next).map(|(now, next)| Latch { now, next, initial: Some(false) });
+        let property = if let Owner::Property(property) = owner { Some(property) } else { None };
         monitors.timers.push((property, monitors.fields.len()));
-        monitors.field(property, "waits", vec![waits]);
-        monitors.field(property, "time", timer.collect());
-        self.bad(monitors, property, bad, broken);
+        monitors.field(owner, "waits", vec![waits]);
+        monitors.field(owner, "time", timer.collect());
+        bad
     }
 
     /// `from leads_to to`, some time.
     fn at_last(&mut self, monitors: &mut Monitors, property: usize, (from, to): (Lit, Lit), broken: Lit) {
         let waits = self.waits(from, to);
         monitors.live.push(Live { property, waits, broken });
-        monitors.field(property, "waits", vec![waits]);
+        monitors.field(Owner::Property(property), "waits", vec![waits]);
     }
 
     /// `first before then`: as long as `first` has not held, `then` does not.
-    fn precedes(&mut self, monitors: &mut Monitors, property: usize, (first, then): (Lit, Lit), broken: Lit) {
+    fn precedes(&mut self, monitors: &mut Monitors, property: usize, sides: (Lit, Lit), broken: Lit) {
+        let bad = self.early(monitors, Owner::Property(property), sides);
+        self.bad(monitors, property, bad, broken);
+    }
+
+    fn early(&mut self, monitors: &mut Monitors, owner: Owner, (first, then): (Lit, Lit)) -> Lit {
         let now = self.aig.free();
         let next = self.aig.or(now, first);
-        let bad = self.aig.and(then, !next);
-        monitors.field(property, "seen", vec![Latch { now, next, initial: Some(false) }]);
-        self.bad(monitors, property, bad, broken);
+        monitors.field(owner, "seen", vec![Latch { now, next, initial: Some(false) }]);
+        self.aig.and(then, !next)
+    }
+
+    /// What is assumed to come one behind the other.
+    pub(super) fn orders(&mut self, monitors: &mut Monitors, end: &Env) -> Result<Orders, Refused> {
+        let mut orders = Orders { hold: Lit::TRUE, often: Vec::new(), triggers: Vec::new() };
+        for (number, order) in self.program.model.orders.iter().enumerate() {
+            let owner = Owner::Order(number);
+            let wrong = match &order.claim {
+                Claim::LeadsTo { from, to, within } => {
+                    let (from, to) = self.both(from, to, end)?;
+                    orders.triggers.push(from);
+                    match within {
+                        Some(ticks) => self.late(monitors, owner, (from, to), *ticks),
+                        None => {
+                            let waits = self.waits(from, to);
+                            orders.often.push(!waits.next);
+                            monitors.field(owner, "waits", vec![waits]);
+                            Lit::FALSE
+                        }
+                    }
+                }
+                Claim::Before { first, then } => {
+                    let (first, then) = self.both(first, then, end)?;
+                    orders.triggers.push(then);
+                    self.early(monitors, owner, (first, then))
+                }
+                Claim::Never(_) | Claim::Always { .. } | Claim::Home(..) => continue,
+            };
+            orders.hold = self.aig.and(orders.hold, !wrong);
+        }
+        Ok(orders)
     }
 
     /// What comes again and again, by assumption; time that passes is one of it.

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use grafcet_compiler::model::{Place, Statement as Code, Ty};
-use grafcet_compiler::program::{Expr, PlaceId, Role, Run, Statement, Type, Value};
+use grafcet_compiler::program::{Expr, Mark, PlaceId, Role, Run, Statement, Type, Value};
 
 use super::sym::Sym;
 use super::{Env, Lowering, Refused};
@@ -60,7 +60,12 @@ impl<'m> Lowering<'_, 'm> {
                     self.placed(value, Type::User(ty))?;
                 }
             }
-            Statement::Mark(_) | Statement::Fence(_) => {}
+            Statement::Mark(Mark::Evolved) => self.evolutions.push(Vec::new()),
+            Statement::Mark(mark) => {
+                let path = self.path;
+                self.evolutions.last_mut().into_iter().for_each(|marks| marks.push((*mark, path)));
+            }
+            Statement::Fence(_) => {}
         }
         Ok((env, Lit::FALSE))
     }

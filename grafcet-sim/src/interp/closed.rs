@@ -4,7 +4,7 @@
 use grafcet_compiler::model::{Model, Name, Seen, Tree, Wire};
 
 use super::value::default;
-use super::{Cycle, Error, Interpreter, Value};
+use super::{Cycle, Error, Interpreter, Memory, Value};
 
 /// A chart and its plants, which have made their first cycle, on outputs that are off, before the chart makes its own.
 #[derive(Clone)]
@@ -94,6 +94,17 @@ impl<'m> ClosedLoop<'m> {
             };
         }
         Ok(Round { chart, plants, given })
+    }
+
+    /// What chart and plants remember, after [`Memory::settled`] and the same from here on: with equal memories they do the same for ever.
+    pub fn settle(&mut self, longest: u32) -> Vec<Memory> {
+        let all = std::iter::once(&mut self.chart).chain(&mut self.plants);
+        let settled = |machine: &mut Interpreter<'m>| {
+            let memory = machine.memory().settled(longest);
+            machine.resume(memory.clone());
+            memory
+        };
+        all.map(settled).collect()
     }
 
     /// Whether a condition of the chart holds at the end of the last cycle, whose inputs are given as it left them.

@@ -131,9 +131,9 @@ impl ActionControl {
         }
     }
 
-    /// Timers that stand still.
-    pub(super) fn forget_times(&mut self) {
-        self.timers.values_mut().for_each(Stopwatch::forget_time);
+    /// Timers are no longer than this.
+    pub(super) fn settle(&mut self, longest: u32) {
+        self.timers.values_mut().for_each(|timer| timer.settle(longest));
     }
 
     /// One scan.

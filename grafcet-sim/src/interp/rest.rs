@@ -37,19 +37,26 @@ impl Interpreter<'_> {
 impl Memory {
     /// All but how much time has passed.
     fn without_times(&self) -> Self {
+        self.settled(0)
+    }
+
+    /// The same where times are no longer than this and the clock reads zero: who compares no time with anything that is longer, and counts how much
+    /// passes from there, finds no difference. So a chart comes to a few states only, however long it runs.
+    #[must_use]
+    pub fn settled(&self, longest: u32) -> Self {
         let mut memory = self.clone();
-        memory.state.forget_times();
+        memory.state.settle(longest);
         match &mut memory.machine {
-            Machine::Sfc(sfc) => sfc.forget_times(),
+            Machine::Sfc(sfc) => sfc.settle(longest),
             Machine::Grafcet(_) => {}
         }
         memory
     }
 }
 
-/// Stands still.
-pub(super) fn still<K: Ord>(times: &mut BTreeMap<K, u64>) {
+/// No longer than this.
+pub(super) fn cap<K: Ord>(times: &mut BTreeMap<K, u64>, longest: u32) {
     for time in times.values_mut() {
-        *time = 0;
+        *time = (*time).min(u64::from(longest));
     }
 }

@@ -106,9 +106,9 @@ impl Sfc {
         Ok(Done { calls, stirred, ran, evolution })
     }
 
-    /// Timers that stand still.
-    pub(super) fn forget_times(&mut self) {
-        self.controls.values_mut().for_each(ActionControl::forget_times);
+    /// Timers are no longer than this.
+    pub(super) fn settle(&mut self, longest: u32) {
+        self.controls.values_mut().for_each(|control| control.settle(longest));
     }
 
     /// Rule 4 and 5: every action control is scanned, then the actions run in their order (A29).

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::hierarchy;
-use super::rest::still;
+use super::rest::cap;
 use super::time::{self, Delayed};
 use super::value::{Error, Value, default};
 use super::view::{Edges, Situation, Times, View};
@@ -64,12 +64,12 @@ impl State {
         elapsed
     }
 
-    /// How much time has passed does not matter.
-    pub(super) fn forget_times(&mut self) {
+    /// Times are no longer than this, and the clock reads zero.
+    pub(super) fn settle(&mut self, longest: u32) {
         self.now = 0;
-        still(&mut self.times.steps);
-        still(&mut self.times.macros);
-        self.delays.values_mut().for_each(Delayed::forget_times);
+        cap(&mut self.times.steps, longest);
+        cap(&mut self.times.macros, longest);
+        self.delays.values_mut().for_each(|delay| delay.settle(longest));
     }
 
     /// The snapshot of the present state. Edges are evaluated against the memory; in a first cycle there are none (A26).

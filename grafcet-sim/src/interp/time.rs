@@ -25,9 +25,9 @@ impl Stopwatch {
         self.running = signal;
     }
 
-    /// How long does not matter.
-    pub(super) fn forget_time(&mut self) {
-        self.elapsed = 0;
+    /// No longer than this.
+    pub(super) fn settle(&mut self, longest: u32) {
+        self.elapsed = self.elapsed.min(longest);
     }
 
     /// Whether the signal has been there for `time`; a time of zero counts as elapsed at once (A35).
@@ -52,10 +52,10 @@ impl Delayed {
         Self { on, off, output }
     }
 
-    /// How long does not matter.
-    pub(super) fn forget_times(&mut self) {
-        self.on.forget_time();
-        self.off.forget_time();
+    /// No longer than this.
+    pub(super) fn settle(&mut self, longest: u32) {
+        self.on.settle(longest);
+        self.off.settle(longest);
     }
 
     /// The signal of the last cycle, and how long it has been so.

@@ -6,6 +6,7 @@
 //! - [`recorded`]: some of these in a recorder, and with a loss of power now and then
 //! - [`program`]: the naive programs of both beside the interpreter, without rustc; [`programs`]: of random charts
 //! - [`circuit`]: the circuits made of these, beside them
+//! - [`prove`]: the verdicts of the prover beside a naive exploration; [`with_plants`]: of charts with plants
 #![allow(clippy::format_collect, reason = "texts of a few lines; clearer than a loop that writes")]
 
 pub mod asleep;
@@ -28,5 +29,6 @@ pub mod reader;
 pub mod recorded;
 pub mod simpler;
 mod subject;
+pub mod with_plants;
 
 pub use subject::{Entry, Rest, Shown, Subject, Values};

@@ -48,6 +48,8 @@ pub struct Counts {
     pub undecided: Vec<(u64, String)>,
     /// Charts without a circuit.
     pub refused: usize,
+    /// Of brute force, of charts with plants.
+    pub states: usize,
     /// Answers of `abc` that were compared.
     pub asked: usize,
 }

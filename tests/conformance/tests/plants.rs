@@ -8,6 +8,8 @@ use grafcet_compiler::model::{Id, Model, Wire};
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Role, counted};
 use grafcet_compiler::{Wanted, compile_with};
+use grafcet_conformance::prove::Counts;
+use grafcet_conformance::with_plants;
 use grafcet_prove::circuit::{Circuit, Source};
 use grafcet_prove::play::Player;
 use grafcet_prove::{Limit, Verdict, decide, decide_live};
@@ -217,6 +219,17 @@ fn the_circuit_does_what_the_closed_loop_does() {
     }
     assert_eq!(visited.len(), model.plants.list[0].model.steps.len(), "every step of the plant is seen");
     assert!(strokes > 500, "{strokes}");
+}
+
+/// Random charts with random plants, faults, choices, times between two bounds and assumptions over several cycles: every verdict and every length as
+/// brute force finds them, which takes the same written out by hand.
+#[test]
+fn random_plants_are_judged_as_brute_force_finds_them() {
+    let mut counts = Counts::default();
+    for chart in 0..40 {
+        with_plants::number(chart, chart % 2 == 1, 4_000, &mut counts).expect("no difference");
+    }
+    assert!(counts.charts > 8 && counts.proved > 25 && counts.broken > 8 && counts.undecided.is_empty(), "{counts:?}");
 }
 
 /// How long the cylinder goes is known of its own clock, how long it is waited for of the chart's: with ticks of any size.

@@ -6,6 +6,7 @@ use grafcet_record::cell::Cell;
 use grafcet_record::controller::{Called, Remote};
 use grafcet_record::line24v::Line24V;
 use grafcet_record::motor::Motor;
+use grafcet_record::pick_and_place::PickAndPlace;
 use grafcet_record::recipe::Dyer;
 use grafcet_record::stroke::Press;
 use grafcet_record::tickless::Crossing;
@@ -53,6 +54,7 @@ fn main() {
     measure(Cell::new(), &mut ());
     measure(Crossing::new(), &mut ());
     measure(Press::new(), &mut ());
+    measure(PickAndPlace::new(), &mut ());
     measure(Dyer::new(), &mut Nobody);
     measure(Called::new(), &mut Nobody);
     measure(Remote::new(), &mut Nobody);

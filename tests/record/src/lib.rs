@@ -10,6 +10,8 @@ pub mod controller;
 pub mod line24v;
 #[path = "../../../examples/charts/motor.rs"]
 pub mod motor;
+#[path = "../../../examples/charts/pick_and_place.rs"]
+pub mod pick_and_place;
 #[path = "../../../examples/charts/recipe.rs"]
 pub mod recipe;
 #[path = "../../../examples/charts/script.rs"]

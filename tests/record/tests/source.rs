@@ -9,6 +9,7 @@ use grafcet_record::branch_on_result::Sorter;
 use grafcet_record::cell::{Cell, CellInputs};
 use grafcet_record::line24v::Line24V;
 use grafcet_record::motor::Motor;
+use grafcet_record::pick_and_place::PickAndPlace;
 use grafcet_record::recipe::{self, Dyer};
 use grafcet_record::stroke::Press;
 use grafcet_record::tickless::Crossing;
@@ -100,6 +101,7 @@ fn what_the_source_shows_is_what_the_compiled_chart_shows() {
     agree(&Works::new(), none, include_str!("source.rs"));
     agree(&Batch::new(), none, include_str!("source.rs"));
     agree(&Press::new(), none, include_str!("../../../examples/charts/stroke.rs"));
+    agree(&PickAndPlace::new(), none, include_str!("../../../examples/charts/pick_and_place.rs"));
     let file = include_str!("../../../examples/charts/recipe.rs");
     agree(&Dyer::with_params(recipe::WOOL), || Box::leak(Box::new(Nobody)), file);
 }

@@ -16,7 +16,7 @@ use grafcet::Ticks;
 use grafcet::record::wire::Wire;
 use grafcet::record::{Keep, Memory, Reader, Record, Recordable, Recorder, Writer};
 use grafcet_firmware::roots::Idle;
-use grafcet_firmware::{branch_on_result, cell, controller, line24v, motor, recipe, stroke, tickless};
+use grafcet_firmware::{branch_on_result, cell, controller, line24v, motor, pick_and_place, recipe, stroke, tickless};
 
 /// Cycles per count.
 const CYCLES: u32 = 1000;
@@ -47,6 +47,7 @@ fn run() -> Option<()> {
     measure(&mut console, "cell", &cell::Cell::new(), &mut ())?;
     measure(&mut console, "tickless", &tickless::Crossing::new(), &mut ())?;
     measure(&mut console, "stroke", &stroke::Press::new(), &mut ())?;
+    measure(&mut console, "pick_and_place", &pick_and_place::PickAndPlace::new(), &mut ())?;
     measure(&mut console, "recipe", &recipe::Dyer::new(), &mut Idle)?;
     measure(&mut console, "controller", &controller::Called::new(), &mut Idle)
 }

@@ -16,6 +16,7 @@ impl Resolver<'_> {
             Setting::AssumeNever { keyword, .. }
             | Setting::AssumeOften { keyword, .. }
             | Setting::AssumeCycle { keyword, .. }
+            | Setting::AssumeOrder { keyword, .. }
             | Setting::AssumePure { keyword, .. } => ("assume", *keyword),
             Setting::OptimizeSize { keyword } => ("optimize", *keyword),
             Setting::EncodingFlags { keyword } => ("encoding", *keyword),
@@ -68,6 +69,7 @@ impl Resolver<'_> {
             Setting::AssumeNever { .. }
             | Setting::AssumeOften { .. }
             | Setting::AssumeCycle { .. }
+            | Setting::AssumeOrder { .. }
             | Setting::Modes { .. } => {}
             Setting::AssumePure { paths, .. } => self.assume_pure(paths, place),
         }

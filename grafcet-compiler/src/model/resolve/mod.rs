@@ -168,6 +168,7 @@ fn empty(chart: &ast::Chart) -> Model {
         budget: None,
         assumptions: Vec::new(),
         often: Vec::new(),
+        orders: Vec::new(),
         longest_cycle: None,
         properties: Vec::new(),
         memories: Arena::default(),
@@ -204,6 +205,7 @@ impl Resolver<'_> {
                 ast::Item::Setting(ast::Setting::AssumeCycle { keyword, longest }) => {
                     self.cycle_time(*keyword, longest);
                 }
+                ast::Item::Setting(ast::Setting::AssumeOrder { keyword, order }) => self.order(*keyword, order),
                 ast::Item::Setting(ast::Setting::AssumeNever { keyword, condition }) => {
                     self.assumption(*keyword, condition);
                 }

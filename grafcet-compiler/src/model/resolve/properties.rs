@@ -7,20 +7,69 @@ use super::scope::Meaning;
 use super::{Resolver, expr, remembered};
 use crate::ast;
 use crate::diagnostic::Mark;
-use crate::model::{Assumption, Claim, Expr, LetId, Name, Property, Read, StepId};
+use crate::model::{Assumption, Claim, Expr, LetId, Name, Order, Property, Read, StepId};
+
+/// What a condition of an assumption is about.
+#[derive(Clone, Copy)]
+struct About {
+    why: &'static str,
+    /// It may read them.
+    params: bool,
+    /// What to do about a step.
+    of_steps: &'static str,
+}
+
+const IN_ONE: About = About {
+    why: "an assumption is about the inputs of one cycle",
+    params: true,
+    of_steps: "; what the chart shall never do is a property: `never …;` without `assume`",
+};
+const OFTEN: About = About { params: false, ..IN_ONE };
+const BEHIND: About = About {
+    why: "what comes behind is the machine's doing, a condition over inputs",
+    params: false,
+    of_steps: "; what the chart does behind something else is a property, without `assume`",
+};
 
 impl Resolver<'_> {
     /// `assume never b1 && b3;` It is about one snapshot of the inputs and the recipe: nothing else can be excluded by the plant, and
     /// nothing else is there when the program asks whether the assumptions hold.
     pub(super) fn assumption(&mut self, keyword: Span, condition: &syn::Expr) {
-        let never = self.assumed(condition, true);
+        let never = self.assumed(condition, IN_ONE);
         let mark = Mark::from(keyword).to(never.mark);
         self.model.assumptions.push(Assumption { never, mark, of_range: None });
     }
 
+    /// `assume valve leads_to full within 10s;` `assume lower before bottom;` What comes first may be the chart's doing, what comes behind is the plant's.
+    pub(super) fn order(&mut self, keyword: Span, order: &ast::Property) {
+        let (claim, end) = match order {
+            ast::Property::LeadsTo { from, to, within, .. } => {
+                let (from, to) = (self.side(from), self.assumed(to, BEHIND));
+                let end = within.as_ref().map_or(to.mark, |within| within.span.into());
+                if let Some(at_once) = within.as_ref().filter(|within| within.nanos == 0) {
+                    let message = format!(
+                        "nothing is answered in the cycle in which it is asked; what never comes together is \
+                         `assume never {} && !({});`",
+                        from.text, to.text
+                    );
+                    self.sink.notation(at_once.span, message);
+                }
+                let within = within.as_ref().map(|within| self.ticks(within));
+                (Claim::LeadsTo { from, to, within }, end)
+            }
+            ast::Property::Before { first, then, .. } => {
+                let (first, then) = (self.side(first), self.assumed(then, BEHIND));
+                let end = then.mark;
+                (Claim::Before { first, then }, end)
+            }
+            _ => return,
+        };
+        self.model.orders.push(Order { claim, mark: Mark::from(keyword).to(end) });
+    }
+
     /// `assume often door_closed;` It is about snapshots of the inputs, too.
     pub(super) fn recurrence(&mut self, condition: &syn::Expr) {
-        let often = self.assumed(condition, false);
+        let often = self.assumed(condition, OFTEN);
         self.model.often.push(often);
     }
 
@@ -31,9 +80,9 @@ impl Resolver<'_> {
         }
     }
 
-    fn assumed(&mut self, condition: &syn::Expr, params: bool) -> Expr {
+    fn assumed(&mut self, condition: &syn::Expr, about: About) -> Expr {
         let (condition, places) = expr::resolve_with_places(condition, self);
-        let why = "an assumption is about the inputs of one cycle";
+        let About { why, params, of_steps } = about;
         for Seen { read, mark, within } in places {
             let this = self.subject(within);
             let name = |resolver: &Self, name| {
@@ -44,10 +93,7 @@ impl Resolver<'_> {
                 Read::Name(Name::Input(_)) | Read::Ticks(_) => continue,
                 Read::Name(Name::Param(_)) if params => continue,
                 Read::Active(_) | Read::MacroActive(_) => {
-                    let message = format!(
-                        "{why}, and {this} a step; what the chart shall never do is a property: `never …;` without `assume`"
-                    );
-                    self.sink.notation(mark, message);
+                    self.sink.notation(mark, format!("{why}, and {this} a step{of_steps}"));
                     continue;
                 }
                 Read::Rising(_) | Read::Falling(_) => {

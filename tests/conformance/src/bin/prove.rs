@@ -9,6 +9,7 @@ use grafcet_compiler::model::Model;
 use grafcet_compiler::plant;
 use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_conformance::prove::{Counts, Kind};
+use grafcet_conformance::with_plants;
 use grafcet_prove::aig::Lit;
 use grafcet_prove::circuit::Circuit;
 use grafcet_prove::task::Invariant;
@@ -17,7 +18,7 @@ use proc_macro2::{TokenStream, TokenTree};
 
 const USAGE: &str = "\
 Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE]
-       cargo xtask prove --random N [--first N] [--cycles N] [--abc]
+       cargo xtask prove --random N [--first N] [--cycles N] [--plants] [--abc]
 
   FILE       a chart, a file of Rust with calls of `grafcet!`, or a chart of the corpus
   --why      what holds in every situation, from which each proof follows
@@ -26,6 +27,7 @@ Usage: cargo xtask prove FILE [--why] [--seconds N] [--aiger FILE] [--btor2 FILE
   --btor2    the same as BTOR2
 
   --random   small random charts, so many of each kind, beside a naive exploration
+  --plants   of these, those with plants alone
   --first    the number of the first (default 1)
   --cycles   the most cycles of the exploration (default 20000)
   --abc      and beside `berkeley-abc`";
@@ -38,6 +40,7 @@ struct Options {
     random: Option<u64>,
     first: u64,
     cycles: usize,
+    plants: bool,
     abc: bool,
 }
 
@@ -63,6 +66,7 @@ fn run() -> Result<bool, String> {
         random: None,
         first: 1,
         cycles: 20_000,
+        plants: false,
         abc: false,
     };
     let mut rest = std::env::args().skip(1);
@@ -78,6 +82,7 @@ fn run() -> Result<bool, String> {
             "--random" => options.random = Some(count(rest.next())?),
             "--first" => options.first = count(rest.next())?,
             "--cycles" => options.cycles = usize::try_from(count(rest.next())?).unwrap_or(usize::MAX),
+            "--plants" => options.plants = true,
             "--abc" => options.abc = true,
             _ if file.is_none() && !word.starts_with("--") => file = Some(word),
             _ => return Err(USAGE.to_owned()),
@@ -105,7 +110,8 @@ fn count(word: Option<String>) -> Result<u64, String> {
 
 /// So many charts of each kind.
 fn random(charts: u64, options: &Options) -> Result<bool, String> {
-    for (grafcet, timed) in [(false, false), (true, false), (false, true), (true, true)] {
+    let kinds = [(false, false), (true, false), (false, true), (true, true)];
+    for (grafcet, timed) in kinds.into_iter().filter(|_| !options.plants) {
         let kind = Kind { grafcet, timed, several: true, cycles: options.cycles, abc: options.abc };
         let (start, mut counts, mut number) = (Instant::now(), Counts::default(), options.first);
         while (counts.charts as u64) < charts {
@@ -124,6 +130,15 @@ fn random(charts: u64, options: &Options) -> Result<bool, String> {
         let times = if timed { " with times" } else { "" };
         let seconds = start.elapsed().as_secs_f64();
         println!("{name}{times}: {counts:?}; {seconds:.0} s");
+    }
+    for grafcet in [false, true] {
+        let (start, mut counts, mut number) = (Instant::now(), Counts::default(), options.first);
+        while (counts.charts as u64) < charts {
+            with_plants::number(number, grafcet, options.cycles, &mut counts)?;
+            number += 1;
+        }
+        let (name, seconds) = (if grafcet { "grafcet" } else { "sfc" }, start.elapsed().as_secs_f64());
+        println!("{name} with plants: {counts:?}; {seconds:.0} s");
     }
     Ok(true)
 }

@@ -258,7 +258,7 @@ fn excluded(model: &Model, machine: &Interpreter<'_>, valuations: &[Vec<Value>])
     valuations.iter().map(excluded).collect()
 }
 
-fn representatives(model: &Model, signed: bool, bits: u32) -> Vec<Value> {
+pub(super) fn representatives(model: &Model, signed: bool, bits: u32) -> Vec<Value> {
     let (first, last) = if signed { (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) } else { (0, (1_i128 << bits) - 1) };
     let mut values = BTreeSet::from([first, last]);
     let conditions = model.transitions.values().map(|transition| &transition.condition.tree);

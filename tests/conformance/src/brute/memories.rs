@@ -49,7 +49,7 @@ pub(crate) fn broken(model: &Model, graph: &Graph, claim: &Claim, over: Over) ->
         let (after, holds) = step(over, seen, of, elapsed);
         (Some(after), holds && other)
     };
-    Ok(edges.shortest(graph, None, next))
+    Ok(edges.shortest(None, next))
 }
 
 fn step(over: Over, seen: Option<Seen>, of: bool, elapsed: u32) -> (Seen, bool) {

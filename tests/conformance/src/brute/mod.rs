@@ -8,16 +8,19 @@
 //! - `rules`: what is reported beside what happens
 //! - `nested`: what is decided by reduction
 //! - `claims`: the properties that stand in the chart; `responses`: those over more than one cycle; `memories`: their edges and delays
+//! - `closed`: charts with their plants; `machines`: random ones
 //! - `make`: small random charts, broken ones included
 //! - `run`: one after the other, and the smallest form of one that differs
 
 mod circles;
 pub(crate) mod claims;
+pub(crate) mod closed;
 pub mod compare;
 mod draw;
 mod facts;
 pub mod graph;
 mod hierarchy;
+pub(crate) mod machines;
 pub mod make;
 pub(crate) mod memories;
 mod nested;

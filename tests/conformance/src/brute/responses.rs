@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use grafcet_compiler::model::{Claim, Expr, Model, Tree};
+use grafcet_compiler::model::{Claim, Model, Tree};
 
 use super::graph::{Edge, Graph, LEAP, passes};
 
 /// Whether a property over more than one cycle is broken.
+#[derive(Debug)]
 pub(crate) enum Broken {
     /// After so many cycles at least.
     In(usize),
@@ -14,36 +15,35 @@ pub(crate) enum Broken {
     Endless,
 }
 
-/// How a property is broken, if it is; none for one about single cycles.
+/// How a property over several cycles is broken, if it is; none for one about single cycles.
 ///
 /// # Errors
 /// The interpreter does not understand it.
 pub(crate) fn broken(model: &Model, graph: &Graph, claim: &Claim) -> Result<Option<Broken>, String> {
-    match claim {
-        Claim::LeadsTo { from, to, within: None } => {
-            let edges = Edges::of(model, graph, &from.tree, &to.tree)?;
-            Ok(edges.endless(model, graph)?.then_some(Broken::Endless))
-        }
-        Claim::LeadsTo { from, to, within: Some(ticks) } => {
-            let edges = Edges::of(model, graph, &from.tree, &to.tree)?;
-            let late = |since: Option<u32>, from: bool, to: bool, elapsed: u32| {
-                let passed = since.map(|since| since.saturating_add(elapsed).min(*ticks));
-                let next = if to { None } else { passed.or(from.then_some(0)) };
-                (next, !to && passed == Some(*ticks))
-            };
-            Ok(edges.shortest(graph, None, late).map(Broken::In))
-        }
-        Claim::Before { first, then } => {
-            let edges = Edges::of(model, graph, &first.tree, &then.tree)?;
-            let early = |seen: bool, first: bool, then: bool, _| (seen || first, then && !seen && !first);
-            Ok(edges.shortest(graph, false, early).map(Broken::In))
-        }
-        Claim::Never(_) | Claim::Always { .. } | Claim::Home(..) => Ok(None),
-    }
+    let (one, other) = match claim {
+        Claim::LeadsTo { from, to, .. } => (from, to),
+        Claim::Before { first, then } => (first, then),
+        Claim::Never(_) | Claim::Always { .. } | Claim::Home(..) => return Ok(None),
+    };
+    Ok(Edges::of(model, graph, &one.tree, &other.tree)?.broken(claim))
 }
 
-/// By state and cycle, two conditions at its end.
-pub(super) struct Edges(Vec<Vec<(bool, bool)>>);
+/// By state, its cycles; the first state is what is before the first cycle.
+pub(crate) struct Edges(pub(crate) Vec<Vec<Step>>);
+
+/// A cycle, as far as a property is concerned.
+#[derive(Clone)]
+pub(crate) struct Step {
+    /// The state after it.
+    pub(crate) to: usize,
+    /// So much time has passed before it.
+    pub(crate) elapsed: u32,
+    /// Two conditions at its end.
+    pub(crate) one: bool,
+    pub(crate) other: bool,
+    /// Of what is taken to come again and again, what comes.
+    pub(crate) comes: Vec<bool>,
+}
 
 /// How much time passes before a cycle: the graph has each valuation without time first, then with a leap.
 fn elapsed(graph: &Graph, index: usize) -> u32 {
@@ -52,15 +52,46 @@ fn elapsed(graph: &Graph, index: usize) -> u32 {
 
 impl Edges {
     pub(super) fn of(model: &Model, graph: &Graph, one: &Tree, other: &Tree) -> Result<Self, String> {
-        let both = |edge: &Edge| Ok((graph.holds(model, edge, one)?, graph.holds(model, edge, other)?));
-        let of_state = |edges: &Vec<Edge>| edges.iter().map(both).collect::<Result<_, String>>();
+        let passes = passes(model);
+        let step = |(index, edge): (usize, &Edge)| {
+            let often = model.often.iter().map(|often| graph.holds(model, edge, &often.tree));
+            let elapsed = elapsed(graph, index);
+            Ok(Step {
+                to: edge.to,
+                elapsed,
+                one: graph.holds(model, edge, one)?,
+                other: graph.holds(model, edge, other)?,
+                comes: often.chain(passes.then_some(Ok(elapsed > 0))).collect::<Result<_, String>>()?,
+            })
+        };
+        let of_state = |edges: &Vec<Edge>| edges.iter().enumerate().map(step).collect::<Result<_, String>>();
         Ok(Self(graph.states.iter().map(|state| of_state(&state.cycles)).collect::<Result<_, _>>()?))
+    }
+
+    /// How a property of these two conditions is broken, if it is; of one about single cycles the first says where.
+    pub(crate) fn broken(&self, claim: &Claim) -> Option<Broken> {
+        match claim {
+            Claim::LeadsTo { within: None, .. } => self.endless().then_some(Broken::Endless),
+            Claim::LeadsTo { within: Some(ticks), .. } => {
+                let late = |since: Option<u32>, from: bool, to: bool, elapsed: u32| {
+                    let passed = since.map(|since| since.saturating_add(elapsed).min(*ticks));
+                    let next = if to { None } else { passed.or(from.then_some(0)) };
+                    (next, !to && passed.or(from.then_some(0)) == Some(*ticks))
+                };
+                self.shortest(None, late).map(Broken::In)
+            }
+            Claim::Before { .. } => {
+                let early = |seen: bool, first: bool, then: bool, _| (seen || first, then && !seen && !first);
+                self.shortest(false, early).map(Broken::In)
+            }
+            Claim::Never(_) | Claim::Always { .. } => self.shortest((), |(), one, _, _| ((), one)).map(Broken::In),
+            Claim::Home(..) => None,
+        }
     }
 
     /// After how many cycles `next` says first that it is broken.
     pub(super) fn shortest<S: Ord + Copy>(
         &self,
-        graph: &Graph,
         start: S,
         next: impl Fn(S, bool, bool, u32) -> (S, bool),
     ) -> Option<usize> {
@@ -68,9 +99,8 @@ impl Edges {
         let mut queue = VecDeque::from([(0, start)]);
         while let Some((state, seen)) = queue.pop_front() {
             let depth = known[&(state, seen)] + 1;
-            for (index, edge) in graph.states[state].cycles.iter().enumerate() {
-                let (one, other) = self.0[state][index];
-                let (after, broken) = next(seen, one, other, elapsed(graph, index));
+            for edge in &self.0[state] {
+                let (after, broken) = next(seen, edge.one, edge.other, edge.elapsed);
                 if broken {
                     return Some(depth);
                 }
@@ -84,64 +114,71 @@ impl Edges {
     }
 
     /// Whether cycles lead back to where they began, in which what is asked for never comes, and all comes that is assumed to.
-    fn endless(&self, model: &Model, graph: &Graph) -> Result<bool, String> {
-        let often: Vec<&Expr> = model.often.iter().collect();
-        let goals = often.len() + usize::from(passes(model));
+    fn endless(&self) -> bool {
         // Nodes where the chart waits; before the first cycle it does not.
-        let mut waiting = vec![false; graph.states.len()];
-        let mut reached = vec![[false; 2]; graph.states.len()];
+        let mut waiting = vec![false; self.0.len()];
+        let mut reached = vec![[false; 2]; self.0.len()];
         let mut queue = vec![(0, false)];
         reached[0][0] = true;
         while let Some((state, waits)) = queue.pop() {
             waiting[state] |= waits;
-            for (index, edge) in graph.states[state].cycles.iter().enumerate() {
-                let (from, to) = self.0[state][index];
-                let next = (waits || from) && !to;
+            for edge in &self.0[state] {
+                let next = (waits || edge.one) && !edge.other;
                 if !std::mem::replace(&mut reached[edge.to][usize::from(next)], true) {
                     queue.push((edge.to, next));
                 }
             }
         }
-        let component = self.components(graph, &waiting);
+        let component = self.components(&waiting);
         let mut comes = BTreeMap::<usize, Vec<bool>>::new();
-        for (state, cycles) in graph.states.iter().enumerate() {
-            for (index, edge) in cycles.cycles.iter().enumerate() {
-                let inside = waiting[state] && waiting[edge.to] && !self.0[state][index].1;
+        for (state, cycles) in self.0.iter().enumerate().filter(|(state, _)| waiting[*state]) {
+            for edge in cycles {
+                let inside = waiting[edge.to] && !edge.other;
                 if !inside || component[state] != component[edge.to] {
                     continue;
                 }
-                let come = comes.entry(component[state]).or_insert_with(|| vec![false; goals]);
-                for (goal, often) in often.iter().enumerate() {
-                    come[goal] |= graph.holds(model, edge, &often.tree)?;
-                }
-                if let Some(time) = come.get_mut(often.len()) {
-                    *time |= elapsed(graph, index) > 0;
+                let come = comes.entry(component[state]).or_insert_with(|| vec![false; edge.comes.len()]);
+                come.iter_mut().zip(&edge.comes).for_each(|(come, comes)| *come |= comes);
+            }
+        }
+        comes.values().any(|come| come.iter().all(|one| *one))
+    }
+
+    /// By state, a number that those have in common which lead to each other while the chart waits (Kosaraju).
+    fn components(&self, waiting: &[bool]) -> Vec<usize> {
+        let goes_on = |edge: &Step| waiting[edge.to] && !edge.other;
+        let mut back = vec![Vec::new(); self.0.len()];
+        for (state, cycles) in self.0.iter().enumerate().filter(|(state, _)| waiting[*state]) {
+            cycles.iter().filter(|edge| goes_on(edge)).for_each(|edge| back[edge.to].push(state));
+        }
+        let (mut seen, mut order) = (vec![false; self.0.len()], Vec::new());
+        for start in (0..self.0.len()).filter(|state| waiting[*state]) {
+            if std::mem::replace(&mut seen[start], true) {
+                continue;
+            }
+            let mut open = vec![(start, 0)];
+            while let Some((state, index)) = open.last_mut() {
+                let Some(edge) = self.0[*state].get(*index) else {
+                    order.push(*state);
+                    open.pop();
+                    continue;
+                };
+                *index += 1;
+                if goes_on(edge) && !std::mem::replace(&mut seen[edge.to], true) {
+                    open.push((edge.to, 0));
                 }
             }
         }
-        Ok(comes.values().any(|come| come.iter().all(|one| *one)))
-    }
-
-    /// By state, the least state that it can reach and be reached from while the chart waits.
-    fn components(&self, graph: &Graph, waiting: &[bool]) -> Vec<usize> {
-        let reach = |start: usize| {
-            let mut seen = vec![false; graph.states.len()];
+        let mut component = vec![usize::MAX; self.0.len()];
+        for start in order.into_iter().rev() {
             let mut open = vec![start];
             while let Some(state) = open.pop() {
-                for (index, edge) in graph.states[state].cycles.iter().enumerate() {
-                    let goes_on = waiting[edge.to] && !self.0[state][index].1;
-                    if goes_on && !std::mem::replace(&mut seen[edge.to], true) {
-                        open.push(edge.to);
-                    }
+                if component[state] == usize::MAX {
+                    component[state] = start;
+                    open.extend(&back[state]);
                 }
             }
-            seen
-        };
-        let all: Vec<Vec<bool>> =
-            (0..graph.states.len()).map(|state| if waiting[state] { reach(state) } else { Vec::new() }).collect();
-        let together = |one: usize, other: usize| {
-            waiting[one] && waiting[other] && all[one].get(other) == Some(&true) && all[other].get(one) == Some(&true)
-        };
-        (0..graph.states.len()).map(|state| (0..state).find(|other| together(*other, state)).unwrap_or(state)).collect()
+        }
+        component
     }
 }
