@@ -6,8 +6,8 @@ mod common;
 mod machine;
 
 use common::model;
-use grafcet_exchange::st::{Form, Options, structured_text};
-use machine::{Machine, Statement, Value, statements, units};
+use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use machine::{Dialect, Machine, Statement, Value, statements, units};
 
 fn program(chart: &str, form: Form) -> String {
     match structured_text(&model(chart), &Options { form, ..Options::default() }) {
@@ -26,11 +26,77 @@ const LINE: &str = "grafcet Line24V { input b1, b2, b3, b4, b5: bool; output q1,
 fn bild_15() {
     let options = Options { numbers: (1, 1), step: "schrittnummer".to_owned(), ..Options::default() };
     let text = structured_text(&model(LINE), &options).expect("a translation").text;
-    let mut body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let mut body = units(&text, Dialect::Iec).expect("structured text").pop().expect("a function block").body;
     let Some(Statement::If(branches, _)) = body.first_mut() else { panic!("{body:?}") };
     let resets = branches[0].1.split_off(1);
     assert_eq!(resets, statements("q1 := FALSE; q2 := FALSE; q3 := FALSE;").expect("statements"));
     assert_eq!(body, statements(include_str!("bild15.st")).expect("the listing"));
+}
+
+/// In each flavour these are the same statements.
+#[test]
+fn bild_15_for_each_tool() {
+    for (flavour, dialect) in FLAVOURS {
+        let options = Options { flavour, numbers: (1, 1), step: "schrittnummer".to_owned(), ..Options::default() };
+        let text = structured_text(&model(LINE), &options).expect("a translation").text;
+        let mut body = units(&text, dialect).expect("structured text").pop().expect("a function block").body;
+        let Some(Statement::If(branches, _)) = body.first_mut() else { panic!("{body:?}") };
+        branches[0].1.truncate(1);
+        assert_eq!(body, statements(include_str!("bild15.st")).expect("the listing"), "{text}");
+    }
+}
+
+const FLAVOURS: [(Flavour, Dialect); 3] =
+    [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
+
+/// What CODESYS and TIA Portal want otherwise, to the letter.
+#[test]
+fn what_a_tool_wants() {
+    let chart =
+        "sfc Oven { input level: u16; input wide: u64; output hot: bool; var n: u8 = 0; action heat(limit: i16);
+        initial step Off; step On { N heat(80); hot; P1 n = n + 1; P0 n = 3; }
+        Off -[limits::valid(level) && level > 5 && n < 9 && wide > 1]-> On -[5s/On]-> Off; }";
+    let of = |flavour| {
+        structured_text(&model(chart), &Options { flavour, ..Options::default() }).expect("a translation").text
+    };
+    let has = |text: &str, lines: &[&str]| {
+        for line in lines {
+            assert!(text.lines().any(|other| other.trim() == *line), "{line}\n{text}");
+        }
+    };
+    let codesys = [
+        "// The chart `Oven` (sfc) as structured text for CODESYS 3.5: one CASE for the active step. Written by cargo grafcet.",
+        "FUNCTION valid : BOOL",
+        "{warning 'valid is to be written'}",
+        "FUNCTION_BLOCK Oven",
+        "{region \"Back to the beginning\"}",
+        "n := TO_USINT(n + 1);",
+        "n := 3;",
+        "IF valid(level := level) AND level > 5 AND n < 9 AND wide > 1 THEN",
+        "{endregion}",
+    ];
+    has(&of(Flavour::Codesys), &codesys);
+    let tia = [
+        "// The chart `Oven` (sfc) as structured text for TIA Portal (SCL): one CASE for the active step. Written by cargo grafcet.",
+        "// Numbers of 64 bits: an S7-1500 has them, an S7-1200 has not.",
+        "FUNCTION \"valid\" : BOOL",
+        "#valid := FALSE;",
+        "FUNCTION_BLOCK \"FB_heat\"",
+        "FUNCTION_BLOCK \"Oven\"",
+        "{ S7_Optimized_Access := 'TRUE' }",
+        "heat : \"FB_heat\";",
+        "T_On {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME; // how long On is active",
+        "BEGIN",
+        "REGION Back to the beginning",
+        "#T_On(IN := #StepNo = 20, PT := T#24d20h31m23s647ms);",
+        "IF \"valid\"(level := #level) AND #level > 5 AND #n < 9 AND #wide > 1 THEN",
+        "IF #T_On.ET >= T#5s THEN",
+        "#n := #n + 1;",
+        "END_REGION",
+    ];
+    has(&of(Flavour::Tia), &tia);
+    let iec = of(Flavour::Iec);
+    assert!(!iec.contains(['{', '#', '"']) || iec.contains("T#"), "{iec}");
 }
 
 /// Bild 5 to 8: a flip-flop for each step and for the stored action, assignments for the continuous ones. A step is reset by the transition to its
@@ -38,7 +104,7 @@ fn bild_15() {
 #[test]
 fn bild_5_to_8() {
     let text = program(LINE, Form::FlipFlops);
-    let body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let body = units(&text, Dialect::Iec).expect("structured text").pop().expect("a function block").body;
     let expected = "
         IF Init THEN
             SR_S1 := TRUE; SR_S2 := FALSE; SR_S3 := FALSE; SR_S4 := FALSE; Started := FALSE;

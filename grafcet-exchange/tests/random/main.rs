@@ -28,10 +28,16 @@ use std::collections::BTreeMap;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::{check, parse};
-use grafcet_exchange::st::{Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use machine::Dialect;
 
 /// So many charts of each dialect and form.
 const CHARTS: usize = 200;
+
+/// As each tool takes a program, and by which grammar it is read here.
+pub(crate) const FLAVOURS: [(Flavour, Dialect); 3] =
+    [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
+
 pub(crate) const CYCLES: usize = 120;
 
 #[test]
@@ -88,9 +94,11 @@ fn compare(grafcet: bool, form: Form) {
             continue;
         }
         let Ok(model) = chart::resolve(&made.chart) else { continue };
-        let program = structured_text(&model, &options).expect("it had a translation");
+        // By turns as each tool takes it.
+        let (flavour, dialect) = FLAVOURS[done % FLAVOURS.len()];
+        let program = structured_text(&model, &Options { flavour, ..options }).expect("it had a translation");
         let lines = reader::read(&format!("{}\n---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
-        match play::compare(&model, form, &program, &lines) {
+        match play::compare(&model, form, (&program, dialect), &lines) {
             Ok(0) => {}
             Ok(compared) => {
                 done += 1;

@@ -6,13 +6,18 @@ use grafcet_compiler::model::{Id, Model, Name, Ty, VarId};
 use grafcet_exchange::st::{Form, StructuredText};
 use grafcet_sim::interp::{self, Interpreter};
 
-use crate::machine::{Machine, Value};
+use crate::machine::{Dialect, Machine, Value};
 use crate::reader::{Kind, Line};
 use crate::shifted::Shifted;
 
 /// How many cycles were compared: none where the chart shows nothing that can be.
-pub(crate) fn compare(model: &Model, form: Form, program: &StructuredText, lines: &[Line]) -> Result<usize, String> {
-    let mut machine = Machine::new(&program.text).map_err(|error| format!("not understood: {error}"))?;
+pub(crate) fn compare(
+    model: &Model,
+    form: Form,
+    (program, dialect): (&StructuredText, Dialect),
+    lines: &[Line],
+) -> Result<usize, String> {
+    let mut machine = Machine::of(&program.text, dialect).map_err(|error| format!("not understood: {error}"))?;
     machine.world = written;
     let Ok(oracle) = Interpreter::new(model) else { return Ok(0) };
     let names = program.renamed.iter().cloned().collect();
