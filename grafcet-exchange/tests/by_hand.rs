@@ -6,7 +6,7 @@ mod common;
 mod machine;
 
 use common::model;
-use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use machine::{Dialect, Machine, Statement, Value, statements, units};
 
 fn program(chart: &str, form: Form) -> String {
@@ -162,6 +162,39 @@ fn a_timeline_of_the_case_form() {
     assert_eq!(scan(4_004, true, false), [20, 0, 0, 0, 0, 0]);
     assert_eq!(scan(7_003, false, false), [20, 1, 1, 1, 1, 0]);
     assert_eq!(scan(7_004, false, false), [10, 0, 1, 1, 3, 1]);
+}
+
+/// The same chart where the CASE form evolves first: a step acts in the scan in which it is entered, its final scan is the one in which it is left, and the first
+/// scan only enters the initial step.
+#[test]
+fn a_timeline_of_the_case_form_that_evolves_first() {
+    let chart = "sfc Mixer { input go: bool; output run: bool; output lit: bool; var starts: u8 = 0; var turns: u8 = 0; var ends: u8 = 0;
+        initial step Idle { R lit; }
+        step Mix { N run; S lit; P1 starts = starts + 1; N turns = turns + 1; P0 ends = ends + 1; }
+        Idle -[go && ends < 200 && turns < 200 && starts < 200]-> Mix -[3s/Mix]-> Idle; }";
+    let options = Options { order: Some(Order::EvolveFirst), ..Options::default() };
+    let text = structured_text(&model(chart), &options).expect("a translation").text;
+    let mut machine = Machine::new(&text).expect("understood");
+    let names = ["StepNo", "run", "lit", "starts", "turns", "ends"];
+    let mut scan = |now, go, init| scan(&mut machine, now, &[("go", go), ("Init", init)], &names);
+    assert_eq!(scan(0, true, false), [10, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(1_000, true, false), [20, 1, 1, 1, 1, 0]);
+    assert_eq!(scan(2_000, false, false), [20, 1, 1, 1, 2, 0]);
+    assert_eq!(scan(3_999, false, false), [20, 1, 1, 1, 3, 0]);
+    assert_eq!(scan(4_000, false, false), [10, 0, 0, 1, 4, 1]);
+    assert_eq!(scan(4_001, true, true), [10, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(4_002, true, false), [20, 1, 1, 1, 1, 0]);
+}
+
+/// Flip-flops have one order.
+#[test]
+fn flip_flops_evolve_first() {
+    let of = |order| structured_text(&model(LINE), &Options { form: Form::FlipFlops, order, ..Options::default() });
+    let text = |order| of(order).expect("a translation").text;
+    assert_eq!(text(Some(Order::EvolveFirst)), text(None));
+    let refused = of(Some(Order::ActFirst)).expect_err("an order that there is not");
+    assert_eq!(refused.len(), 1);
+    assert!(refused[0].to_string().starts_with("flip-flops evolve first: "), "{refused:?}");
 }
 
 /// The form of flip-flops evolves, then acts: a reset dominates a set of the same scan, SD counts on beyond its condition, a limit ends, P1 and P0 run once, and

@@ -31,6 +31,8 @@ use crate::Refused;
 pub struct Options {
     /// One of the two forms.
     pub form: Form,
+    /// What comes first in a scan; none for what the form does by itself. Flip-flops evolve first.
+    pub order: Option<Order>,
     /// For which tool.
     pub flavour: Flavour,
     /// [`Form::Case`]: the number of the first step, and how far the next one is from it.
@@ -46,6 +48,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             form: Form::Case,
+            order: None,
             flavour: Flavour::Iec,
             numbers: (10, 10),
             step: "StepNo".to_owned(),
@@ -63,6 +66,15 @@ pub enum Form {
     /// A flip-flop for each step, set by its predecessor and the condition, reset by the transition that leaves it; then the actions. Parallel
     /// branches are possible.
     FlipFlops,
+}
+
+/// What comes first in a scan.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Order {
+    /// The actions of the active step, then its transitions: what a step does shows one scan after it is entered.
+    ActFirst,
+    /// The transitions, then the actions of the step that has been reached, as in a cycle of the chart.
+    EvolveFirst,
 }
 
 /// For which tool the program is.
@@ -95,6 +107,10 @@ pub struct StructuredText {
 /// # Errors
 /// All that has no translation, each with its place: there is never a program that does something else.
 pub fn structured_text(model: &Model, options: &Options) -> Result<StructuredText, Vec<Refused>> {
+    if (options.form, options.order) == (Form::FlipFlops, Some(Order::ActFirst)) {
+        let why = "flip-flops evolve first: their actions ask what the transitions of the same scan have set and reset; the CASE form has both orders";
+        return Err(vec![Refused::whole(why)]);
+    }
     let refused = fits::refused(model, options.form);
     if !refused.is_empty() {
         return Err(refused);

@@ -29,7 +29,7 @@ fn charts_of_the_examples() {
                 for (flavour, dialect) in FLAVOURS {
                     let options = Options { form, flavour, ..Options::default() };
                     let Ok(program) = structured_text(chart.model(), &options) else { continue };
-                    match play::compare(chart.model(), form, (&program, dialect), &lines) {
+                    match play::compare(chart.model(), (form, None), (&program, dialect), &lines) {
                         Ok(0) => {}
                         Ok(_) if flavour != Flavour::Iec => {}
                         Ok(_) => compared

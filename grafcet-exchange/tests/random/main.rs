@@ -2,6 +2,7 @@
 //!
 //! - `flags`, `sfc`: each scan shows what a cycle shows: steps, outputs, variables, calls
 //! - `case`, `sfc`: the number of the step is that of the cycle; what the step does shows one scan later (`shifted`)
+//! - `case` that evolves first, `sfc`: each scan shows what a cycle shows
 //! - `grafcet`: the program is scanned with the same inputs at the same time until nothing changes; then it shows what the cycle shows
 
 #[path = "../../../tests/conformance/src/chart.rs"]
@@ -28,7 +29,7 @@ use std::collections::BTreeMap;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::{check, parse};
-use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use machine::Dialect;
 
 /// So many charts of each dialect and form.
@@ -42,22 +43,32 @@ pub(crate) const CYCLES: usize = 120;
 
 #[test]
 fn case_sfc() {
-    compare(false, Form::Case);
+    compare(false, Form::Case, None);
 }
 
 #[test]
 fn case_grafcet() {
-    compare(true, Form::Case);
+    compare(true, Form::Case, None);
+}
+
+#[test]
+fn case_evolving_sfc() {
+    compare(false, Form::Case, Some(Order::EvolveFirst));
+}
+
+#[test]
+fn case_evolving_grafcet() {
+    compare(true, Form::Case, Some(Order::EvolveFirst));
 }
 
 #[test]
 fn flip_flops_sfc() {
-    compare(false, Form::FlipFlops);
+    compare(false, Form::FlipFlops, None);
 }
 
 #[test]
 fn flip_flops_grafcet() {
-    compare(true, Form::FlipFlops);
+    compare(true, Form::FlipFlops, None);
 }
 
 /// A chart whose drawing is in order.
@@ -73,7 +84,7 @@ pub(crate) fn resolved(text: &str) -> Option<Model> {
     model.filter(|model| !wrong && !model.incomplete)
 }
 
-fn compare(grafcet: bool, form: Form) {
+fn compare(grafcet: bool, form: Form, order: Option<Order>) {
     let wanted = std::env::var("ST_CHARTS").ok().and_then(|charts| charts.parse().ok()).unwrap_or(CHARTS);
     let first: u64 = std::env::var("ST_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
     let (mut done, mut cycles, mut differing) = (0, 0, Vec::new());
@@ -85,7 +96,7 @@ fn compare(grafcet: bool, form: Form) {
         assert!(seed - first < 400_000, "only {done} charts have a translation: {refusals:#?}");
         // Most have none: whether the compiler accepts the chart, which takes longer, is asked of the others.
         let Some(model) = resolved(&made.chart) else { continue };
-        let options = Options { form, ..Options::default() };
+        let options = Options { form, order, ..Options::default() };
         if let Err(refused) = structured_text(&model, &options) {
             let first = refused.first().map(ToString::to_string).unwrap_or_default();
             // Without names.
@@ -98,7 +109,7 @@ fn compare(grafcet: bool, form: Form) {
         let (flavour, dialect) = FLAVOURS[done % FLAVOURS.len()];
         let program = structured_text(&model, &Options { flavour, ..options }).expect("it had a translation");
         let lines = reader::read(&format!("{}\n---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
-        match play::compare(&model, form, (&program, dialect), &lines) {
+        match play::compare(&model, (form, order), (&program, dialect), &lines) {
             Ok(0) => {}
             Ok(compared) => {
                 done += 1;
@@ -111,7 +122,7 @@ fn compare(grafcet: bool, form: Form) {
         }
     }
     println!(
-        "{form:?}, {}: {done} charts of {}, {cycles} cycles, {} differ; refused: {refusals:#?}",
+        "{form:?}, {order:?}, {}: {done} charts of {}, {cycles} cycles, {} differ; refused: {refusals:#?}",
         if grafcet { "grafcet" } else { "sfc" },
         seed - first,
         differing.len()
