@@ -20,6 +20,7 @@ use serde_json::{Value, json};
 use crate::args::Charts;
 use crate::find::{self, Found};
 use crate::model::with_plants;
+use crate::time::duration;
 use crate::{Failure, Outcome, complain, say};
 use progress::Progress;
 use with::Checker;
@@ -43,7 +44,7 @@ pub(crate) struct Prove {
     #[command(flatten)]
     pub(crate) charts: Charts,
     /// The longest time for each property, as `60s`, `500ms`, `5min` or `1h`
-    #[arg(long, default_value = "10s", value_name = "TIME", value_parser = time)]
+    #[arg(long, default_value = "10s", value_name = "TIME", value_parser = duration)]
     pub(crate) limit: Duration,
     /// What holds in every situation, from which each proof follows
     #[arg(long)]
@@ -61,21 +62,6 @@ pub(crate) struct Prove {
     /// One JSON object a property
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-/// A time with its unit; seconds without one.
-fn time(text: &str) -> Result<Duration, String> {
-    let digits = text.len() - text.trim_start_matches(|letter: char| letter.is_ascii_digit()).len();
-    let (number, unit) = text.split_at(digits);
-    let number: u64 = number.parse().map_err(|_| "that is no number with a unit, as `60s`".to_owned())?;
-    let seconds = match unit {
-        "ms" => return Ok(Duration::from_millis(number)),
-        "" | "s" => Some(number),
-        "min" => number.checked_mul(60),
-        "h" => number.checked_mul(3600),
-        _ => return Err(format!("`{unit}` is none of `ms`, `s`, `min` and `h`")),
-    };
-    seconds.map(Duration::from_secs).ok_or_else(|| "that is longer than can be waited".to_owned())
 }
 
 pub(crate) fn run(options: &Prove) -> Result<Outcome, Failure> {

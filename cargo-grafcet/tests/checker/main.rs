@@ -193,9 +193,11 @@ fn what_cannot_be_asked() {
         "{done:?}"
     );
     // What is no time.
-    for (limit, said) in
-        [("soon", "that is no number with a unit"), ("5days", "`days` is none of `ms`, `s`, `min` and `h`")]
-    {
+    for (limit, said) in [
+        ("soon", "`soon` is none of `ms`, `s`, `min` and `h`"),
+        ("10", "there is no unit"),
+        ("5days", "`days` is none of `ms`, `s`, `min` and `h`"),
+    ] {
         let done = prove(&["--limit", limit]);
         assert!(done.code == Some(2) && done.err.contains(said), "{done:?}");
     }
