@@ -98,7 +98,7 @@ fn what_is_no_sarif() {
         |log| log["runs"][0]["results"][0]["message"] = json!({}),
         |log| log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"]["startLine"] = 0.into(),
         |log| {
-            log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] = "a b".into()
+            log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] = "a b".into();
         },
     ];
     for (number, change) in changes.iter().enumerate() {

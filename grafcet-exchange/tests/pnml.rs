@@ -83,7 +83,7 @@ fn what_is_no_net() {
 
 /// What the grammar of nets of places and transitions (`ptnet.pntd` and the core model it builds on) asks of an element: its attributes, and its children
 /// with how many of each there may be. The grammar is in RELAX NG, and no validator of that for Rust is known to be well kept.
-const GRAMMAR: [(&str, &[&str], &[(&str, usize, usize)]); 9] = [
+const GRAMMAR: [Element; 9] = [
     ("pnml", &[], &[("net", 1, MANY)]),
     ("net", &["id", "type"], &[("name", 0, 1), ("page", 1, MANY)]),
     ("page", &["id"], &[("name", 0, 1), ("place", 0, MANY), ("transition", 0, MANY), ("arc", 0, MANY)]),
@@ -94,6 +94,8 @@ const GRAMMAR: [(&str, &[&str], &[(&str, usize, usize)]); 9] = [
     ("initialMarking", &[], &[("text", 1, 1)]),
     ("text", &[], &[]),
 ];
+/// Its name, its attributes, and its children with the least and the highest number of each.
+type Element = (&'static str, &'static [&'static str], &'static [(&'static str, usize, usize)]);
 const MANY: usize = usize::MAX;
 
 /// What a net breaks of that.
@@ -180,7 +182,7 @@ fn nets_keep_to_the_grammar() {
 fn what_the_grammar_does_not_allow_is_found() {
     let chart = "sfc Cell { input go: bool; initial step A; step B; A -[go]-> B -[!go]-> A; }";
     let written = pnml(&model(chart)).expect("a net");
-    let changes = [
+    let faults = [
         (" type=\"", " kind=\""),
         ("<initialMarking><text>1<", "<initialMarking><text>one<"),
         ("id=\"t1\"", "id=\"s1\""),
@@ -189,9 +191,9 @@ fn what_the_grammar_does_not_allow_is_found() {
         ("id=\"page\"", "id=\"1\""),
         ("<page id=\"page\">", "<page id=\"page\"><marking/>"),
     ];
-    for (from, to) in changes {
-        let changed = written.replacen(from, to, 1);
-        assert_ne!(changed, written, "{from}");
-        assert!(!broken(&Document::parse(&changed).expect("XML")).is_empty(), "{to}");
+    for (from, to) in faults {
+        let other = written.replacen(from, to, 1);
+        assert_ne!(other, written, "{from}");
+        assert!(!broken(&Document::parse(&other).expect("XML")).is_empty(), "{to}");
     }
 }
