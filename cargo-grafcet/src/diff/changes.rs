@@ -244,7 +244,7 @@ impl Changes {
                 }
                 continue;
             };
-            if other.level != level.level {
+            if other.word != level.word {
                 let (before, after) = (level.attribute(), other.attribute());
                 let sentence = format!("{} has `{after}` instead of `{before}`", other.owner());
                 self.level(other, sentence, Some(&before), Some(&after));

@@ -15,7 +15,7 @@ pub(crate) struct Level {
     pub(crate) of: Text,
     pub(crate) rule: String,
     /// `allow`
-    pub(crate) level: &'static str,
+    pub(crate) word: &'static str,
 }
 
 impl Level {
@@ -31,7 +31,7 @@ impl Level {
 
     /// `` allow(grafcet::deadlock) ``
     pub(crate) fn attribute(&self) -> String {
-        format!("{}(grafcet::{})", self.level, self.rule)
+        format!("{}(grafcet::{})", self.word, self.rule)
     }
 }
 
@@ -43,7 +43,7 @@ pub(super) fn of(model: &Model, chart: &Description<'_>, claims: &[Text]) -> Vec
             kind,
             of: of.clone(),
             rule: level.rule.to_string(),
-            level: match level.severity {
+            word: match level.severity {
                 Severity::Allow => "allow",
                 Severity::Warn => "warn",
                 Severity::Deny => "deny",

@@ -53,14 +53,14 @@ pub(super) fn words(text: &str) -> Vec<Word<'_>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Word, words};
+    use super::Word::{self, Called, Name, Operator, Part};
+    use super::words;
 
     #[test]
     fn words_of_expressions() {
         let named = |text| -> Vec<Word<'_>> {
             words(text).into_iter().filter(|word| !matches!(word, Word::Other(_))).collect()
         };
-        use Word::{Called, Name, Operator, Part};
         assert_eq!(
             named("T_Heat(IN := StepNo = 10, PT := T#1h30m)"),
             [Called("T_Heat"), Part("IN"), Name("StepNo"), Part("PT")]
