@@ -160,3 +160,29 @@ pub(crate) fn of_record(chart: &Chart, file: &Path, even_if_changed: bool) -> Re
     }
     Ok(replay.run_any(chart, &bytes).map_err(|error| format!("error: {}: {error}", file.display())))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use grafcet_sim::{Chart, Simulation, Trace, script};
+
+    use super::draw;
+
+    /// A cycle that leads back to where it began is a moment, too; one in which nothing clears is none.
+    #[test]
+    fn moments_of_a_record() {
+        let source =
+            "sfc Turn { input again, out: bool; initial step A; step B; A -[again]-> A; A -[out]-> B -[!out]-> A; }";
+        let chart = Chart::parse(source).unwrap_or_else(|error| panic!("{error}"));
+        let cycles = script(chart.names(), "-\n-\nagain\n-\nout\nout\n-").unwrap_or_else(|error| panic!("{error}"));
+        let mut simulation = Simulation::new(&chart).unwrap_or_else(|error| panic!("{error}"));
+        let trace = Trace::play(&mut simulation, &cycles).unwrap_or_else(|error| panic!("{error}"));
+        let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
+        draw(&chart, &trace, None, folder.path()).unwrap_or_else(|error| panic!("{error}"));
+        let files = fs::read_dir(folder.path()).into_iter().flatten().flatten();
+        let mut names: Vec<String> = files.map(|file| file.file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        assert_eq!(names, ["Turn-0.svg", "Turn-2.svg", "Turn-4.svg", "Turn-6.svg"]);
+    }
+}

@@ -1,10 +1,14 @@
 //! How far a proof is, for somebody who waits at a terminal.
 
 use std::cell::RefCell;
-use std::io::{IsTerminal, Write};
+use std::io::{IsTerminal, stderr};
 use std::time::{Duration, Instant};
 
 use grafcet_prove::At;
+use ratatui::crossterm::cursor::MoveToColumn;
+use ratatui::crossterm::execute;
+use ratatui::crossterm::style::Print;
+use ratatui::crossterm::terminal::{self, Clear, ClearType};
 
 /// Nobody waits for what is over sooner.
 const SOON: Duration = Duration::from_millis(300);
@@ -15,7 +19,7 @@ const PACE: Duration = Duration::from_millis(100);
 /// The columns of a terminal that does not say how wide it is.
 const COLUMNS: u16 = 80;
 
-/// A line beside the output, which is written again and again, and taken away in the end.
+/// A line beside the output, which is written again and again, and taken away in the end; without colours, but what moves on a terminal it needs in any case.
 pub(crate) struct Progress {
     /// The chart and its property.
     about: String,
@@ -32,7 +36,7 @@ impl Progress {
     /// None where there is no terminal.
     pub(crate) fn new(about: String) -> Option<Self> {
         let line = RefCell::new(Line { stage: String::new(), last: None });
-        std::io::stderr().is_terminal().then(|| Self { about, start: Instant::now(), line })
+        stderr().is_terminal().then(|| Self { about, start: Instant::now(), line })
     }
 
     /// The search is there, or goes on.
@@ -55,19 +59,17 @@ impl Progress {
             return;
         }
         line.last = Some(Instant::now());
-        let columns = ratatui::crossterm::terminal::size().map_or(COLUMNS, |(columns, _)| columns);
+        let columns = terminal::size().map_or(COLUMNS, |(columns, _)| columns);
         let text = text(&line.stage, elapsed, &self.about, usize::from(columns));
         // Where nobody reads, nothing can be said.
-        let mut out = anstream::stderr();
-        _ = write!(out, "\r{text}\x1b[K").and_then(|()| out.flush());
+        _ = execute!(stderr(), MoveToColumn(0), Print(text), Clear(ClearType::UntilNewLine));
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
         if self.line.borrow().last.is_some() {
-            let mut out = anstream::stderr();
-            _ = write!(out, "\r\x1b[K").and_then(|()| out.flush());
+            _ = execute!(stderr(), MoveToColumn(0), Clear(ClearType::UntilNewLine));
         }
     }
 }
