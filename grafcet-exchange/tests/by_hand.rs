@@ -186,6 +186,17 @@ fn a_timeline_of_the_case_form_that_evolves_first() {
     assert_eq!(scan(4_002, true, false), [20, 1, 1, 1, 1, 0]);
 }
 
+/// The condition of what is continuous sees what was there before the scan, which a CASE that evolves first does not keep.
+#[test]
+fn what_a_case_that_evolves_first_cannot() {
+    let chart = "sfc Count { input go: bool; output lit: bool; var n: u8 = 0; initial step A;
+        step B { P1 n = n + 1; N lit if n > 0; } A -[go && n < 200]-> B -[!go]-> A; }";
+    let of = |order| structured_text(&model(chart), &Options { order, ..Options::default() });
+    assert!(of(None).is_ok() && of(Some(Order::ActFirst)).is_ok());
+    let refused = of(Some(Order::EvolveFirst)).expect_err("a value from before the scan");
+    assert!(refused[0].to_string().starts_with("it reads `n` as it was before"), "{refused:?}");
+}
+
 /// Flip-flops have one order.
 #[test]
 fn flip_flops_evolve_first() {

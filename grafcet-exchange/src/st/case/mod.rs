@@ -21,6 +21,9 @@ use crate::Refused;
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = fits::refused(model, &written);
+    if refused.is_empty() && options.order == Some(Order::EvolveFirst) {
+        order::evolving(model, &mut refused);
+    }
     let steps = u64::try_from(model.steps.len()).unwrap_or(u64::MAX);
     if u64::from(options.numbers.0).saturating_add(steps.saturating_mul(options.numbers.1.into())) > 1 << 31 {
         refused.push(Refused::whole("the numbers of the steps do not fit into 32 bits: choose smaller ones"));
