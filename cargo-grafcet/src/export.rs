@@ -4,7 +4,7 @@ use clap::{Args as Arguments, Subcommand, ValueEnum};
 use grafcet_compiler::model::Model;
 use grafcet_exchange::plcopen::{self, plcopen};
 use grafcet_exchange::sfc::{Exported, textual};
-use grafcet_exchange::st::{Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use grafcet_exchange::{Refused, pnml};
 use serde_json::json;
 
@@ -98,6 +98,8 @@ pub(crate) struct Plcopen {
 Examples:
   cargo grafcet export st --chart Motor
   cargo grafcet export st --chart Motor --form flip-flops -o motor.st
+  cargo grafcet export st --chart Motor --order evolve-first
+  cargo grafcet export st --chart Motor --for tia -o motor.scl
   cargo grafcet export st --out st              all charts of the crate as st/NAME.st
 
 Exit code 1 says that a chart has errors or no translation.")]
@@ -106,9 +108,15 @@ pub(crate) struct StructuredText {
     pub(crate) charts: Charts,
     #[command(flatten)]
     pub(crate) result: Written,
-    /// One CASE for the active step, which acts and then evolves; or a flip-flop for each step, which evolves and then acts
+    /// A CASE for the active step, or a flip-flop for each step
     #[arg(long, value_enum, default_value_t, value_name = "FORM")]
     pub(crate) form: StForm,
+    /// What comes first in a scan: a CASE acts first where nothing is said, flip-flops always evolve first
+    #[arg(long, value_enum, value_name = "ORDER")]
+    pub(crate) order: Option<StOrder>,
+    /// For which tool: as the standard has it; for CODESYS 3.5; for TIA Portal, as an external source (SCL)
+    #[arg(long = "for", value_enum, default_value_t, value_name = "TOOL")]
+    pub(crate) tool: StFor,
     /// The number of the first step of a CASE
     #[arg(long, default_value_t = 10, value_name = "NUMBER")]
     pub(crate) first: u32,
@@ -128,6 +136,20 @@ pub(crate) enum StForm {
     #[default]
     Case,
     FlipFlops,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum StOrder {
+    ActFirst,
+    EvolveFirst,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum StFor {
+    #[default]
+    Iec,
+    Codesys,
+    Tia,
 }
 
 pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
@@ -152,11 +174,22 @@ fn st(options: &StructuredText) -> Result<Outcome, Failure> {
             StForm::Case => Form::Case,
             StForm::FlipFlops => Form::FlipFlops,
         },
+        order: options.order.map(|order| match order {
+            StOrder::ActFirst => Order::ActFirst,
+            StOrder::EvolveFirst => Order::EvolveFirst,
+        }),
+        flavour: match options.tool {
+            StFor::Iec => Flavour::Iec,
+            StFor::Codesys => Flavour::Codesys,
+            StFor::Tia => Flavour::Tia,
+        },
         numbers: (options.first, options.by),
         step: options.step.clone(),
         init: options.init.clone(),
     };
-    each(&options.charts, &options.result, "st", |model| {
+    // By which TIA Portal knows what it is.
+    let ending = if options.tool == StFor::Tia { "scl" } else { "st" };
+    each(&options.charts, &options.result, ending, |model| {
         structured_text(model, &wanted).map(|done| Translation { text: done.text, to_write: done.to_write })
     })
 }

@@ -18,6 +18,7 @@ mod report;
 mod rerun;
 mod simulate;
 mod suite;
+mod time;
 #[cfg(feature = "watch")]
 mod watch;
 

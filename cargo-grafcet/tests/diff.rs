@@ -216,3 +216,62 @@ fn every_chart_is_the_same_as_itself() {
         }
     }
 }
+
+/// Of the parameters of a code action the types count, too.
+#[test]
+fn types_of_parameters() {
+    let declared = ("output relay, lamp: bool;", "output relay, lamp: bool; action tell(count: u8, late: bool);");
+    assert_eq!(said(&[declared]), ["there is a new code action `tell`: `(count: u8, late: bool)`"]);
+    let old = BASE.replace(declared.0, declared.1);
+    let done = diff(&old, &old.replace("count: u8", "count: u16"), &[]);
+    let sentence = "the code action `tell` is `(count: u16, late: bool)` instead of `(count: u8, late: bool)`";
+    assert_eq!(done.out, format!("Motor: 1 change\n  {sentence}\n"));
+    assert_eq!(diff(&old, &old, &[]).code, Some(0));
+}
+
+#[test]
+fn levels_of_rules() {
+    let all = [
+        ("sfc Motor {", "sfc Motor { #![warn(grafcet::deadlock)]"),
+        ("step On {", "#[allow(grafcet::unreachable_step)] step On {"),
+        ("input level: u8;", "#[allow(grafcet::unused_input)] input level: u8;"),
+        ("On -[hot]->", "#[deny(grafcet::always_true)] On -[hot]->"),
+        ("never relay", "#[allow(grafcet::property_undecided)] never relay"),
+    ];
+    let new = all.iter().fold(BASE.replace("hot: bool; input", "hot: bool;\n    input"), |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    });
+    let done = diff(BASE, &new, &[]);
+    let expected = [
+        "Motor: 6 changes",
+        "  the chart now has `warn(grafcet::deadlock)`",
+        "  the input `level` now has `allow(grafcet::unused_input)`",
+        "  the step `On` now has `allow(grafcet::unreachable_step)`",
+        "  the transition `On → Cool` now has `deny(grafcet::always_true)`",
+        "  the transition `Cool → Off` now has `deny(grafcet::always_true)`",
+        "  the property `never relay && lamp` now has `allow(grafcet::property_undecided)`",
+    ];
+    assert_eq!(done.out.lines().collect::<Vec<_>>(), expected, "{done:?}");
+    let done = diff(&new, BASE, &["--json"]);
+    let changes: Vec<Value> = done.out.lines().map(|line| serde_json::from_str(line).expect(line)).collect();
+    assert_eq!(changes.len(), 6);
+    assert_eq!((&changes[2]["kind"], &changes[2]["steps"][0]), (&"level".into(), &"On".into()));
+    assert_eq!(changes[2]["sentence"], "the step `On` no longer has `allow(grafcet::unreachable_step)`");
+    // Another level of the same rule, at a step that has another name now.
+    let other =
+        new.replace("allow(grafcet::unreachable_step)", "warn(grafcet::unreachable_step)").replace("On", "Runs");
+    let done = diff(&new, &other, &[]);
+    let expected = [
+        "Motor: 2 changes",
+        "  the step `On` is now called `Runs`",
+        "  the step `Runs` has `warn(grafcet::unreachable_step)` instead of `allow(grafcet::unreachable_step)`",
+    ];
+    assert_eq!(done.out.lines().collect::<Vec<_>>(), expected, "{done:?}");
+    // What goes with its step needs no word of its own.
+    let with = BASE.replace("step Cool", "#[allow(grafcet::unreachable_step)] step Cool");
+    let without = [("step Cool within 9s { N lamp; }", ""), ("On -[hot]-> Cool -[5s/Cool && level < 10]-> Off;", "")];
+    let without = without.iter().fold(BASE.to_owned(), |text, (from, to)| text.replace(from, to));
+    let done = diff(&with, &without, &[]);
+    assert!(done.out.contains("the step `Cool` is gone") && !done.out.contains("grafcet::"), "{done:?}");
+}

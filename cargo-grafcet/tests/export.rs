@@ -121,3 +121,23 @@ fn one_json_object_a_chart() {
     assert_eq!((&broken["text"], &broken["refused"]), (&serde_json::Value::Null, &serde_json::json!([])));
     assert_eq!(tool(folder.path(), &["export", "pnml", "press.rs", "--json", "--out", "nets"]).code, Some(2));
 }
+
+#[test]
+fn for_a_tool_and_in_an_order() {
+    let folder = folder(&[("press.rs", PRESS)]);
+    let export =
+        |more: &[&str]| tool(folder.path(), &[&["export", "st", "press.rs", "--chart", "Press"], more].concat());
+    let done = export(&["--for", "tia", "--out", "scl"]);
+    assert_eq!((done.code, done.out.as_str()), (Some(0), "scl/Press.scl\n"), "{done:?}");
+    let text = fs::read_to_string(folder.path().join("scl/Press.scl")).expect("a file");
+    assert!(text.contains("FUNCTION_BLOCK \"Press\"\n") && text.contains("IF #go AND #top THEN"), "{text}");
+    let done = export(&["--for", "codesys"]);
+    assert!(done.out.contains("{region \"The sequence\"}\nCASE StepNo OF"), "{}", done.out);
+    let done = export(&["--order", "evolve-first"]);
+    let [first, act] = ["// Transitions, but in the first scan", "// Actions\nCASE"].map(|part| done.out.find(part));
+    assert!(first.is_some() && first < act, "{}", done.out);
+    assert_eq!(export(&["--order", "act-first"]).out, export(&[]).out);
+    let done = export(&["--form", "flip-flops", "--order", "act-first"]);
+    let said = "error: Press has no translation: flip-flops evolve first: ";
+    assert!(done.code == Some(1) && done.err.contains(said), "{done:?}");
+}

@@ -64,8 +64,8 @@ fn run(folder: &Path, body: &str, commands: &mut Vec<String>) -> String {
     let mut shown = String::new();
     for line in body.lines().filter_map(|line| line.strip_prefix("$ cargo grafcet ")) {
         let (command, code) = line.strip_suffix("; echo $?").map_or((line, false), |command| (command, true));
-        let words: Vec<&str> = command.split_whitespace().collect();
-        let done = tool(folder, &words);
+        let words = shlex::split(command).expect("words of a shell");
+        let done = tool(folder, &words.iter().map(String::as_str).collect::<Vec<_>>());
         commands.push(command.to_owned());
         assert!(code || done.code == Some(0), "{command}: {done:?}");
         _ = write!(shown, "$ cargo grafcet {line}\n{}{}", done.out, done.err);

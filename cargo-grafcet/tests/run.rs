@@ -91,6 +91,7 @@ fn what_a_record_shows() {
     for (file, part) in [("cell.html", "<svg"), ("cell.vcd", "$enddefinitions"), ("cell.svg", "<svg")] {
         assert!(fs::read_to_string(folder.path().join(file)).is_ok_and(|text| text.contains(part)), "{file}");
     }
+    a_record_is_drawn(folder.path());
     let done = replay(&["cell.record", "charts.rs", "--chart", "Motor"]);
     assert_eq!((done.code, done.out.as_str()), (Some(1), ""));
     assert!(done.err.starts_with("error: cell.record: the record is of another chart or version"), "{}", done.err);
@@ -103,4 +104,46 @@ fn what_a_record_shows() {
     let done = tool(folder.path(), &["coverage", "cell.rs", "--chart", "Cell", "--record", "cell.record"]);
     assert_eq!(done.code, Some(1), "{done:?}");
     assert!(done.out.starts_with("Cell: "), "{}", done.out);
+}
+
+/// A drawing for each cycle in which the situation has changed, and the one of a moment.
+fn a_record_is_drawn(folder: &Path) {
+    let replay = |arguments: &[&str]| {
+        tool(folder, &[&["replay", "cell.record", "cell.rs", "--chart", "Cell"], arguments].concat())
+    };
+    let files = |name: &str| -> Vec<String> {
+        let entries = fs::read_dir(folder.join(name)).expect("a folder").flatten();
+        let mut names: Vec<String> = entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    };
+    let done = replay(&["--draw", "moments"]);
+    assert_eq!((done.code, &done.out), (Some(0), &replay(&[]).out));
+    // In the others the rows of the table show no other steps, and nothing that cleared.
+    let drawn = [0, 2, 4, 6, 7, 9, 10, 11, 12, 13, 14].map(|cycle| format!("Cell-{cycle:02}.svg"));
+    assert_eq!(files("moments"), drawn);
+    let active = |name: &str| -> Vec<String> {
+        let steps = ["--chart", "Cell", "--format", "svg", "--active", name];
+        vec![tool(folder, &[&["draw", "cell.rs"], &steps[..]].concat()).out]
+    };
+    let file = |name: &str| vec![fs::read_to_string(folder.join(name)).expect("a drawing")];
+    assert_eq!(file("moments/Cell-07.svg"), active("Ready,Auto,Drilled,Stamp"));
+    assert_eq!(file("moments/Cell-14.svg"), active("Stopped"));
+    let text = |name: &str| tool(folder, &["draw", "cell.rs", "--chart", "Cell", "--active", name]).out;
+    // Between two cycles it is as it was after the first of them.
+    for (moment, steps) in
+        [("75ms", "Ready,Auto,Drilled,Stamp"), ("0.05s", "Ready,Auto,Close"), ("14", "Stopped"), ("0s", "Ready,Manual")]
+    {
+        assert_eq!(replay(&["--at", moment]).out, text(steps), "{moment}");
+    }
+    assert_eq!(replay(&["--at", "75ms", "--draw", "one"]).code, Some(0));
+    assert_eq!(files("one"), ["Cell-07.svg"]);
+    for (moment, said) in [
+        ("151ms", "error: the record ends 150 ms after its first cycle\n"),
+        ("16", "error: there is no cycle 16: the last one is 15\n"),
+    ] {
+        let done = replay(&["--at", moment]);
+        assert_eq!((done.code, done.err.as_str()), (Some(2), said));
+    }
+    assert!(replay(&["--at", "noon"]).err.contains("`noon` is none of"));
 }

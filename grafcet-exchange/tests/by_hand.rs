@@ -6,8 +6,8 @@ mod common;
 mod machine;
 
 use common::model;
-use grafcet_exchange::st::{Form, Options, structured_text};
-use machine::{Machine, Statement, Value, statements, units};
+use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
+use machine::{Dialect, Machine, Statement, Value, statements, units};
 
 fn program(chart: &str, form: Form) -> String {
     match structured_text(&model(chart), &Options { form, ..Options::default() }) {
@@ -26,11 +26,77 @@ const LINE: &str = "grafcet Line24V { input b1, b2, b3, b4, b5: bool; output q1,
 fn bild_15() {
     let options = Options { numbers: (1, 1), step: "schrittnummer".to_owned(), ..Options::default() };
     let text = structured_text(&model(LINE), &options).expect("a translation").text;
-    let mut body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let mut body = units(&text, Dialect::Iec).expect("structured text").pop().expect("a function block").body;
     let Some(Statement::If(branches, _)) = body.first_mut() else { panic!("{body:?}") };
     let resets = branches[0].1.split_off(1);
     assert_eq!(resets, statements("q1 := FALSE; q2 := FALSE; q3 := FALSE;").expect("statements"));
     assert_eq!(body, statements(include_str!("bild15.st")).expect("the listing"));
+}
+
+/// In each flavour these are the same statements.
+#[test]
+fn bild_15_for_each_tool() {
+    for (flavour, dialect) in FLAVOURS {
+        let options = Options { flavour, numbers: (1, 1), step: "schrittnummer".to_owned(), ..Options::default() };
+        let text = structured_text(&model(LINE), &options).expect("a translation").text;
+        let mut body = units(&text, dialect).expect("structured text").pop().expect("a function block").body;
+        let Some(Statement::If(branches, _)) = body.first_mut() else { panic!("{body:?}") };
+        branches[0].1.truncate(1);
+        assert_eq!(body, statements(include_str!("bild15.st")).expect("the listing"), "{text}");
+    }
+}
+
+const FLAVOURS: [(Flavour, Dialect); 3] =
+    [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
+
+/// What CODESYS and TIA Portal want otherwise, to the letter.
+#[test]
+fn what_a_tool_wants() {
+    let chart =
+        "sfc Oven { input level: u16; input wide: u64; output hot: bool; var n: u8 = 0; action heat(limit: i16);
+        initial step Off; step On { N heat(80); hot; P1 n = n + 1; P0 n = 3; }
+        Off -[limits::valid(level) && level > 5 && n < 9 && wide > 1]-> On -[5s/On]-> Off; }";
+    let of = |flavour| {
+        structured_text(&model(chart), &Options { flavour, ..Options::default() }).expect("a translation").text
+    };
+    let has = |text: &str, lines: &[&str]| {
+        for line in lines {
+            assert!(text.lines().any(|other| other.trim() == *line), "{line}\n{text}");
+        }
+    };
+    let codesys = [
+        "// The chart `Oven` (sfc) as structured text for CODESYS 3.5: one CASE for the active step. Written by cargo grafcet.",
+        "FUNCTION valid : BOOL",
+        "{warning 'valid is to be written'}",
+        "FUNCTION_BLOCK Oven",
+        "{region \"Back to the beginning\"}",
+        "n := TO_USINT(n + 1);",
+        "n := 3;",
+        "IF valid(level := level) AND level > 5 AND n < 9 AND wide > 1 THEN",
+        "{endregion}",
+    ];
+    has(&of(Flavour::Codesys), &codesys);
+    let tia = [
+        "// The chart `Oven` (sfc) as structured text for TIA Portal (SCL): one CASE for the active step. Written by cargo grafcet.",
+        "// Numbers of 64 bits: an S7-1500 has them, an S7-1200 has not.",
+        "FUNCTION \"valid\" : BOOL",
+        "#valid := FALSE;",
+        "FUNCTION_BLOCK \"FB_heat\"",
+        "FUNCTION_BLOCK \"Oven\"",
+        "{ S7_Optimized_Access := 'TRUE' }",
+        "heat : \"FB_heat\";",
+        "T_On {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME; // how long On is active",
+        "BEGIN",
+        "REGION Back to the beginning",
+        "#T_On(IN := #StepNo = 20, PT := T#24d20h31m23s647ms);",
+        "IF \"valid\"(level := #level) AND #level > 5 AND #n < 9 AND #wide > 1 THEN",
+        "IF #T_On.ET >= T#5s THEN",
+        "#n := #n + 1;",
+        "END_REGION",
+    ];
+    has(&of(Flavour::Tia), &tia);
+    let iec = of(Flavour::Iec);
+    assert!(!iec.contains(['{', '#', '"']) || iec.contains("T#"), "{iec}");
 }
 
 /// Bild 5 to 8: a flip-flop for each step and for the stored action, assignments for the continuous ones. A step is reset by the transition to its
@@ -38,7 +104,7 @@ fn bild_15() {
 #[test]
 fn bild_5_to_8() {
     let text = program(LINE, Form::FlipFlops);
-    let body = units(&text).expect("structured text").pop().expect("a function block").body;
+    let body = units(&text, Dialect::Iec).expect("structured text").pop().expect("a function block").body;
     let expected = "
         IF Init THEN
             SR_S1 := TRUE; SR_S2 := FALSE; SR_S3 := FALSE; SR_S4 := FALSE; Started := FALSE;
@@ -96,6 +162,50 @@ fn a_timeline_of_the_case_form() {
     assert_eq!(scan(4_004, true, false), [20, 0, 0, 0, 0, 0]);
     assert_eq!(scan(7_003, false, false), [20, 1, 1, 1, 1, 0]);
     assert_eq!(scan(7_004, false, false), [10, 0, 1, 1, 3, 1]);
+}
+
+/// The same chart where the CASE form evolves first: a step acts in the scan in which it is entered, its final scan is the one in which it is left, and the first
+/// scan only enters the initial step.
+#[test]
+fn a_timeline_of_the_case_form_that_evolves_first() {
+    let chart = "sfc Mixer { input go: bool; output run: bool; output lit: bool; var starts: u8 = 0; var turns: u8 = 0; var ends: u8 = 0;
+        initial step Idle { R lit; }
+        step Mix { N run; S lit; P1 starts = starts + 1; N turns = turns + 1; P0 ends = ends + 1; }
+        Idle -[go && ends < 200 && turns < 200 && starts < 200]-> Mix -[3s/Mix]-> Idle; }";
+    let options = Options { order: Some(Order::EvolveFirst), ..Options::default() };
+    let text = structured_text(&model(chart), &options).expect("a translation").text;
+    let mut machine = Machine::new(&text).expect("understood");
+    let names = ["StepNo", "run", "lit", "starts", "turns", "ends"];
+    let mut scan = |now, go, init| scan(&mut machine, now, &[("go", go), ("Init", init)], &names);
+    assert_eq!(scan(0, true, false), [10, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(1_000, true, false), [20, 1, 1, 1, 1, 0]);
+    assert_eq!(scan(2_000, false, false), [20, 1, 1, 1, 2, 0]);
+    assert_eq!(scan(3_999, false, false), [20, 1, 1, 1, 3, 0]);
+    assert_eq!(scan(4_000, false, false), [10, 0, 0, 1, 4, 1]);
+    assert_eq!(scan(4_001, true, true), [10, 0, 0, 0, 0, 0]);
+    assert_eq!(scan(4_002, true, false), [20, 1, 1, 1, 1, 0]);
+}
+
+/// The condition of what is continuous sees what was there before the scan, which a CASE that evolves first does not keep.
+#[test]
+fn what_a_case_that_evolves_first_cannot() {
+    let chart = "sfc Count { input go: bool; output lit: bool; var n: u8 = 0; initial step A;
+        step B { P1 n = n + 1; N lit if n > 0; } A -[go && n < 200]-> B -[!go]-> A; }";
+    let of = |order| structured_text(&model(chart), &Options { order, ..Options::default() });
+    assert!(of(None).is_ok() && of(Some(Order::ActFirst)).is_ok());
+    let refused = of(Some(Order::EvolveFirst)).expect_err("a value from before the scan");
+    assert!(refused[0].to_string().starts_with("it reads `n` as it was before"), "{refused:?}");
+}
+
+/// Flip-flops have one order.
+#[test]
+fn flip_flops_evolve_first() {
+    let of = |order| structured_text(&model(LINE), &Options { form: Form::FlipFlops, order, ..Options::default() });
+    let text = |order| of(order).expect("a translation").text;
+    assert_eq!(text(Some(Order::EvolveFirst)), text(None));
+    let refused = of(Some(Order::ActFirst)).expect_err("an order that there is not");
+    assert_eq!(refused.len(), 1);
+    assert!(refused[0].to_string().starts_with("flip-flops evolve first: "), "{refused:?}");
 }
 
 /// The form of flip-flops evolves, then acts: a reset dominates a set of the same scan, SD counts on beyond its condition, a limit ends, P1 and P0 run once, and

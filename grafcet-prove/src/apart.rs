@@ -14,7 +14,7 @@ use grafcet_compiler::program::Program;
 use crate::aig::Lit;
 use crate::circuit::{Circuit, Condition};
 use crate::lemmas::assume;
-use crate::sat::{Limit, Over};
+use crate::sat::{At, Limit, Over};
 use domain::Domain;
 use growth::Growth;
 
@@ -31,6 +31,7 @@ pub(crate) fn known(
     bad: Lit,
     limit: &Limit,
 ) -> Result<Option<(Circuit, Vec<String>)>, Over> {
+    limit.tell(At::Lemmas);
     let limit = &limit.part(STEPS);
     let mut circuit = circuit.clone();
     let Some(domain) = Domain::of(program, &circuit, bad) else { return Ok(None) };

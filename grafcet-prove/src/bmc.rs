@@ -1,12 +1,13 @@
 //! Bounded model checking: the cycles from the beginning on, one after the other, so that what is found first is shortest.
 
-use crate::sat::{Limit, Over, Sat, Term, Wires};
+use crate::sat::{At, Limit, Over, Sat, Term, Wires};
 use crate::task::{Task, Way};
 
 /// The first cycles of a chart in a solver.
 pub(crate) struct Unrolled<'t, 'c> {
     task: &'t Task<'c>,
     sat: Sat,
+    limit: Limit,
     cycles: Vec<Wires>,
     next: Vec<Term>,
     /// Latches that may begin with any value.
@@ -31,12 +32,13 @@ impl<'t, 'c> Unrolled<'t, 'c> {
             };
             next.push(term);
         }
-        Self { task, sat, cycles: Vec::new(), next, open }
+        Self { task, sat, limit: limit.clone(), cycles: Vec::new(), next, open }
     }
 
     /// One cycle more; the way, if `bad` can hold at its end.
     pub(crate) fn cycle(&mut self) -> Result<Option<Way>, Over> {
         let (aig, task) = (&self.task.circuit.aig, self.task);
+        self.limit.tell(At::Cycle(self.cycles.len() + 1));
         let mut wires = Wires::new(aig);
         for (latch, term) in task.latches.iter().zip(&self.next) {
             wires.bind(task.latch(*latch).now, *term);

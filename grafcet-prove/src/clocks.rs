@@ -12,7 +12,7 @@ use crate::aig::Lit;
 use crate::bits::{self, Bits};
 use crate::circuit::{Circuit, Condition, Field, Latch};
 use crate::lemmas::{always, assume, limits};
-use crate::sat::{Limit, Over};
+use crate::sat::{At, Limit, Over};
 use crate::task::Task;
 
 /// So many candidates, and no more.
@@ -59,6 +59,7 @@ pub(crate) fn known(
     bad: Lit,
     limit: &Limit,
 ) -> Result<Option<(Circuit, Vec<String>)>, Over> {
+    limit.tell(At::Lemmas);
     let fields = fields(circuit, bad);
     let mut circuit = circuit.clone();
     let mut candidates = Candidates::of(program, &mut circuit, &fields);

@@ -12,7 +12,7 @@ use crate::aig::{Aig, Lit};
 use crate::bits;
 use crate::certificate;
 use crate::circuit::{Circuit, Condition, Deadline, Field, Latch};
-use crate::sat::{Limit, Over, Sat, Term, Wires};
+use crate::sat::{At, Limit, Over, Sat, Term, Wires};
 
 /// So many candidates, and no more.
 const MOST: usize = 400;
@@ -46,6 +46,7 @@ pub(crate) fn strengthened(
     deadline: Deadline,
     limit: &Limit,
 ) -> Result<(Circuit, Vec<About>), Over> {
+    limit.tell(At::Lemmas);
     let mut circuit = circuit.clone();
     let mut lemmas = candidates(program, &mut circuit, deadline);
     lemmas.truncate(MOST);

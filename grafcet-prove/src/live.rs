@@ -110,7 +110,7 @@ fn rounds(program: &Program<'_>, circuit: &Circuit, live: Live, bound: usize) ->
     (circuit, bad)
 }
 
-fn extend(circuit: &mut Circuit, name: &str, latches: Vec<Latch>) {
+pub(crate) fn extend(circuit: &mut Circuit, name: &str, latches: Vec<Latch>) {
     if latches.is_empty() {
         return;
     }
@@ -151,15 +151,15 @@ fn any(aig: &mut Aig, lits: &[Lit]) -> Lit {
 }
 
 /// The circuit in which one cycle is chosen, to whose beginning later ones lead back.
-struct Lasso {
-    circuit: Circuit,
+pub(crate) struct Lasso {
+    pub(crate) circuit: Circuit,
     /// Where the cycle is chosen, the first time.
     choose: Lit,
-    bad: Lit,
+    pub(crate) bad: Lit,
 }
 
 impl Lasso {
-    fn new(circuit: &Circuit, live: Live) -> Self {
+    pub(crate) fn new(circuit: &Circuit, live: Live) -> Self {
         let mut lasso = circuit.clone();
         let roots = [&[live.waits.now, live.waits.next, live.broken, circuit.constraint], &circuit.often[..]].concat();
         let relevant = cone(circuit, roots);
@@ -198,7 +198,7 @@ impl Lasso {
 }
 
 /// The way with the cycles that come again and again, as the interpreter goes it.
-fn shown(
+pub(crate) fn shown(
     program: &Program<'_>,
     circuit: &Circuit,
     goal: &Goal<'_>,

@@ -6,7 +6,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::sat::{Limit, Over, Sat, Term, Wires};
+use crate::sat::{At, Limit, Over, Sat, Term, Wires};
 use crate::task::{Cube, Invariant, Task, Way, entry};
 
 /// How it ends.
@@ -28,6 +28,7 @@ struct Obligation {
 pub(crate) struct Pdr<'t, 'c> {
     task: &'t Task<'c>,
     sat: Sat,
+    limit: Limit,
     /// Terms of the latches, and of what they are after the cycle, by number.
     now: BTreeMap<usize, Term>,
     next: BTreeMap<usize, Term>,
@@ -80,6 +81,7 @@ impl<'t, 'c> Pdr<'t, 'c> {
         Self {
             task,
             sat,
+            limit: limit.clone(),
             now,
             next,
             inputs,
@@ -102,6 +104,7 @@ impl<'t, 'c> Pdr<'t, 'c> {
             let active = self.sat.term();
             self.active.push(active);
             self.frames.push(Vec::new());
+            self.limit.tell(At::Frame(self.last()));
             if let Some(invariant) = self.propagate()? {
                 return Ok(Answer::Holds(invariant));
             }

@@ -22,6 +22,15 @@ impl<'c> Player<'c> {
         Self { circuit, state, values: Vec::new() }
     }
 
+    /// The same, with what some latches begin with.
+    pub(crate) fn beginning(circuit: &'c Circuit, initial: &[(usize, bool)]) -> Self {
+        let mut player = Self::new(circuit);
+        for (latch, value) in initial {
+            player.state[*latch] = *value;
+        }
+        player
+    }
+
     /// One cycle, the inputs by what drives them.
     pub fn cycle(&mut self, given: impl Fn(&Source) -> i128) {
         let mut on = Vec::new();

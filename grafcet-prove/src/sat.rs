@@ -9,15 +9,32 @@ use batsat::{BasicCallbacks, Lit as Inner, Solver, SolverInterface, SolverOpts, 
 
 use crate::aig::{Aig, Lit, Node};
 
-/// How long is searched.
+/// How long is searched, and who is told of it.
 #[derive(Clone)]
 pub struct Limit(Rc<Bound>);
+
+/// How far a search is, for whoever waits for it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum At {
+    /// This cycle from the beginning on is looked at.
+    Cycle(usize),
+    /// This frame of IC3.
+    Frame(usize),
+    /// What steps and what clocks have to do with each other.
+    Lemmas,
+    /// So many sets of states with a way home have been found.
+    Ways(usize),
+}
+
+/// Who is told how far a search is; nothing where it only goes on.
+type Watch = Box<dyn Fn(Option<At>)>;
 
 enum Bound {
     None,
     Until(Instant, Cell<bool>),
     Work(Cell<u64>),
     Part(Limit, Cell<u64>),
+    Watched(Limit, Watch),
 }
 
 impl Limit {
@@ -45,6 +62,24 @@ impl Limit {
         Self(Rc::new(Bound::Part(self.clone(), Cell::new(steps))))
     }
 
+    /// The same limit; `watch` is told how far the search is, and, with nothing, again and again that it goes on.
+    #[must_use]
+    pub fn watched(self, watch: impl Fn(Option<At>) + 'static) -> Self {
+        Self(Rc::new(Bound::Watched(self, Box::new(watch))))
+    }
+
+    /// Tells how far the search is.
+    pub(crate) fn tell(&self, at: At) {
+        match &*self.0 {
+            Bound::None | Bound::Until(..) | Bound::Work(_) => {}
+            Bound::Part(whole, _) => whole.tell(at),
+            Bound::Watched(whole, watch) => {
+                watch(Some(at));
+                whole.tell(at);
+            }
+        }
+    }
+
     /// Whether it is reached, and stays so. Asking is a step.
     #[must_use]
     pub fn is_over(&self) -> bool {
@@ -56,6 +91,10 @@ impl Limit {
             }
             Bound::Work(left) => Self::step(left),
             Bound::Part(whole, left) => Self::step(left) || whole.is_over(),
+            Bound::Watched(whole, watch) => {
+                watch(None);
+                whole.is_over()
+            }
         }
     }
 
@@ -68,6 +107,7 @@ impl Limit {
                 left.set(left.get().saturating_sub(steps));
                 whole.spend(steps);
             }
+            Bound::Watched(whole, _) => whole.spend(steps),
         }
     }
 

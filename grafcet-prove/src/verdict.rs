@@ -64,7 +64,7 @@ impl std::fmt::Display for Internal {
 impl std::error::Error for Internal {}
 
 /// So many cycles are looked at one by one before anything else: most faults show there, and soon.
-const FIRST_CYCLES: usize = 8;
+pub(crate) const FIRST_CYCLES: usize = 8;
 
 /// So many steps of the solver are taken before it is looked for how clocks go together.
 const ALONE: u64 = 10_000;
@@ -74,6 +74,9 @@ const BEFORE_SUMS: u64 = 100_000;
 
 /// What is said where the limit is reached.
 pub(crate) const OVER: &str = "the solver was stopped at its limit";
+
+/// What is said where no way that breaks a property is certain.
+pub(crate) const PANICS: &str = "it is only broken where arithmetic leaves its type, which panics with overflow checks";
 
 /// Decides one property of a circuit, within a limit.
 ///
@@ -288,14 +291,16 @@ fn shown(
         match judge(circuit, bad.certain, limit) {
             Err(Some(fault)) => return Err(fault),
             Err(None) => return Ok(Verdict::Undecided(OVER.to_owned())),
-            Ok(Judged::Holds(_)) => {
-                let what = "it is only broken where arithmetic leaves its type, which panics with overflow checks";
-                return Ok(Verdict::Undecided(what.to_owned()));
-            }
+            Ok(Judged::Holds(_)) => return Ok(Verdict::Undecided(PANICS.to_owned())),
             Ok(Judged::Fails(way)) => way,
         }
     };
-    match simplest(program, circuit, goal, &certain, &|_, _| true) {
+    gone(program, circuit, goal, &certain)
+}
+
+/// The way without what it does not need, as the interpreter goes it.
+pub(crate) fn gone(program: &Program<'_>, circuit: &Circuit, goal: &Goal<'_>, way: &Way) -> Result<Verdict, Internal> {
+    match simplest(program, circuit, goal, way, &|_, _| true) {
         Ok(shown) => Ok(Verdict::Violated(shown)),
         Err(Why::NotUnderstood(what)) => {
             Ok(Verdict::Undecided(format!("a way that may break it depends on what is not looked into: {what}")))

@@ -1,5 +1,6 @@
 //! What has changed, as a person would say it.
 
+use super::levels::Level;
 use super::words::{Step, Text, Transition, Words};
 
 /// One change.
@@ -38,6 +39,7 @@ pub(crate) fn changes(old: &Words, new: &Words) -> Vec<Change> {
         all.priorities(old, new, &pairs);
     }
     all.said(old, new);
+    all.levels(old, new);
     all.0
 }
 
@@ -226,6 +228,38 @@ impl Changes {
         }
         for (kind, text) in new.said.iter().filter(|one| !old.said.contains(one)) {
             self.add(kind, format!("there is a new {kind} `{}`", text.shown), None, Some(&text.shown));
+        }
+    }
+}
+
+impl Changes {
+    /// Of what is in both versions.
+    fn levels(&mut self, old: &Words, new: &Words) {
+        for level in &old.levels {
+            let is_left = level.of.shown.is_empty() || new.has(level);
+            let Some(other) = new.levels.iter().find(|other| other.is_of(level)) else {
+                if is_left {
+                    let (owner, attribute) = (level.owner(), level.attribute());
+                    self.level(level, format!("{owner} no longer has `{attribute}`"), Some(&attribute), None);
+                }
+                continue;
+            };
+            if other.word != level.word {
+                let (before, after) = (level.attribute(), other.attribute());
+                let sentence = format!("{} has `{after}` instead of `{before}`", other.owner());
+                self.level(other, sentence, Some(&before), Some(&after));
+            }
+        }
+        for level in new.levels.iter().filter(|level| old.levels.iter().all(|other| !other.is_of(level))) {
+            let (owner, attribute) = (level.owner(), level.attribute());
+            self.level(level, format!("{owner} now has `{attribute}`"), None, Some(&attribute));
+        }
+    }
+
+    fn level(&mut self, level: &Level, sentence: String, old: Option<&str>, new: Option<&str>) {
+        let change = self.add("level", sentence, old, new);
+        if level.kind == "step" {
+            change.steps.push(level.of.shown.clone());
         }
     }
 }

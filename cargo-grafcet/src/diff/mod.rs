@@ -1,10 +1,11 @@
 //! `cargo grafcet diff`
 //!
-//! - `words`: a chart in words
+//! - `words`: a chart in words; `levels`: the levels of rules in it
 //! - `renamed`: what is the same under another name
 //! - `changes`: what is left
 
 mod changes;
+mod levels;
 mod renamed;
 mod words;
 

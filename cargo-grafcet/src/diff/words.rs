@@ -5,6 +5,7 @@ use grafcet_compiler::model::{Expr, Model, Name, Ty};
 use grafcet_core::description::{self, Description, Dialect};
 use proc_macro2::{TokenStream, TokenTree};
 
+use super::levels::{self, Level};
 use crate::find::Found;
 
 /// What somebody has written. Blanks and comments do not count, and a name that has changed counts as the new one.
@@ -31,7 +32,7 @@ impl Text {
         Self { shown: shown.to_owned(), tokens }
     }
 
-    fn rename(&mut self, old: &str, new: &str) {
+    pub(super) fn rename(&mut self, old: &str, new: &str) {
         self.tokens.iter_mut().filter(|token| *token == old).for_each(|token| new.clone_into(token));
     }
 }
@@ -60,6 +61,7 @@ pub(crate) struct Words {
     pub(crate) said: Vec<(&'static str, Text)>,
     pub(crate) steps: Vec<Step>,
     pub(crate) transitions: Vec<Transition>,
+    pub(crate) levels: Vec<Level>,
 }
 
 /// `input on: bool;`
@@ -114,12 +116,12 @@ impl Words {
             let words: Vec<&str> = found.source.text.get(bytes).unwrap_or_default().split_whitespace().collect();
             Text::of(&words.join(" "))
         };
-        let claims = model.properties.iter().map(|property| ("property", source(property.mark)));
+        let claims: Vec<Text> = model.properties.iter().map(|property| source(property.mark)).collect();
         let assumed = model.assumptions.iter().filter(|one| one.of_range.is_none());
         let mut said: Vec<(&str, Text)> = assumed.map(|one| ("assumption", source(one.mark))).collect();
         said.extend(model.often.iter().map(|one| ("assumption", Text::of(&format!("assume often {}", one.text)))));
         said.extend(model.orders.iter().map(|one| ("assumption", source(one.mark))));
-        said.extend(claims);
+        said.extend(claims.iter().map(|claim| ("property", claim.clone())));
         with_description(model, |chart| Self {
             name: chart.name.to_owned(),
             is_grafcet: chart.dialect == Dialect::Grafcet,
@@ -128,6 +130,7 @@ impl Words {
             said,
             steps: model.steps.values().enumerate().map(|(number, of)| step(chart, number, of.is_final)).collect(),
             transitions: chart.transitions.iter().map(|one| transition(chart, one)).collect(),
+            levels: levels::of(model, chart, &claims),
         })
     }
 
@@ -155,6 +158,16 @@ impl Words {
         all
     }
 
+    /// Whether it has what a level is about; what has no name of its own it may have.
+    pub(crate) fn has(&self, level: &Level) -> bool {
+        let is = |name: &str| level.of == Text::of(name);
+        match level.kind {
+            "transition" | "property" => true,
+            "step" => self.steps.iter().any(|step| is(&step.name)),
+            kind => self.declared.iter().any(|one| one.kind == kind && is(&one.name)),
+        }
+    }
+
     /// All names of steps and of what is declared.
     pub(crate) fn names(&self) -> Vec<&str> {
         let steps = self.steps.iter().map(|step| step.name.as_str());
@@ -173,6 +186,7 @@ impl Words {
             one.text.rename(old, new);
         }
         self.said.iter_mut().for_each(|(_, text)| text.rename(old, new));
+        self.levels.iter_mut().for_each(|level| level.of.rename(old, new));
         for step in &mut self.steps {
             name(&mut step.name);
             step.traits.iter_mut().chain(&mut step.actions).for_each(|text| text.rename(old, new));
@@ -207,12 +221,16 @@ fn whole(model: &Model) -> Vec<(&'static str, String)> {
     ]
 }
 
+fn type_of(ty: &Ty) -> String {
+    match ty {
+        Ty::Bool(rust) | Ty::Int { rust, .. } | Ty::Other(rust) => quote::quote!(#rust).to_string(),
+        Ty::Time(_) => "time".to_owned(),
+    }
+}
+
 fn declared(model: &Model, chart: &Description<'_>) -> Vec<Declared> {
     let value = |kind, name: Name, init: Option<&Expr>, range: Option<&str>| {
-        let mut text = match model.ty(name) {
-            Ty::Bool(rust) | Ty::Int { rust, .. } | Ty::Other(rust) => quote::quote!(#rust).to_string(),
-            Ty::Time(_) => "time".to_owned(),
-        };
+        let mut text = type_of(model.ty(name));
         if let Some(listed) = model.variants_of(name) {
             let variants: Vec<String> = listed.list.iter().map(|variant| variant.name.to_string()).collect();
             text = format!("{text} in {{{}}}", variants.join(", "));
@@ -230,7 +248,7 @@ fn declared(model: &Model, chart: &Description<'_>) -> Vec<Declared> {
     let other = |kind, name: &str, text: String| Declared { kind, name: name.to_owned(), text: Text::of(&text) };
     all.extend(chart.lets.iter().map(|one| other("named condition", one.name, one.text.to_owned())));
     all.extend(model.actions.values().map(|action| {
-        let params: Vec<String> = action.params.iter().map(|(name, _)| name.to_string()).collect();
+        let params: Vec<String> = action.params.iter().map(|(name, ty)| format!("{name}: {}", type_of(ty))).collect();
         other("code action", &action.name.to_string(), format!("({})", params.join(", ")))
     }));
     let named = chart.partials.iter().filter(|partial| !partial.name.is_empty());

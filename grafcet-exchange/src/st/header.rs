@@ -2,9 +2,17 @@
 
 use grafcet_compiler::model::Model;
 
+use super::Order;
 use super::expr::{Scope, plain};
 
-pub(super) fn case(model: &Model, scope: &Scope<'_>) -> Vec<String> {
+pub(super) fn case(model: &Model, scope: &Scope<'_>, order: Order) -> Vec<String> {
+    if order == Order::EvolveFirst {
+        let mut lines = begin(model, "a CASE for the transitions and one for the actions of the active step");
+        lines.push("Evolve, then act: in each scan the transitions of the active step come first, then the actions of the step that has been reached.".to_owned());
+        evolved(model, &mut lines);
+        end(model, scope, &mut lines);
+        return lines;
+    }
     let mut lines = begin(model, "one CASE for the active step");
     lines.extend([
         "Act, then evolve: in each scan the active step acts first, its transitions come last. So what differs from the chart is:".to_owned(),
@@ -23,14 +31,19 @@ pub(super) fn case(model: &Model, scope: &Scope<'_>) -> Vec<String> {
 pub(super) fn flags(model: &Model, scope: &Scope<'_>) -> Vec<String> {
     let mut lines = begin(model, "a flip-flop for each step");
     lines.push("Evolve, then act: the transitions are evaluated on the situation of the scan before, then the steps are set and reset, then the actions follow.".to_owned());
+    evolved(model, &mut lines);
+    end(model, scope, &mut lines);
+    lines
+}
+
+/// What differs where the evolution comes first.
+fn evolved(model: &Model, lines: &mut Vec<String>) {
     if model.is_grafcet() {
         lines.push("What differs from the chart: one evolution a scan. A step that the chart only passes lasts for a scan, and its continuous actions show.".to_owned());
         lines.push("The first scan only enters the initial steps.".to_owned());
     } else {
         lines.push("Each scan does what a cycle of the chart does.".to_owned());
     }
-    end(model, scope, &mut lines);
-    lines
 }
 
 fn begin(model: &Model, form: &str) -> Vec<String> {

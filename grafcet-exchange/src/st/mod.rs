@@ -6,12 +6,14 @@
 //! - `action`: what an association is, and what an effect does
 //! - `case`, `flags`: the two forms
 //! - `header`: what the program says of itself
+//! - `flavour`: the program as CODESYS and TIA Portal take it
 
 pub(crate) mod action;
 mod case;
 pub(crate) mod expr;
 pub(crate) mod fits;
 mod flags;
+mod flavour;
 pub(crate) mod frame;
 pub(crate) mod header;
 pub(crate) mod names;
@@ -29,6 +31,10 @@ use crate::Refused;
 pub struct Options {
     /// One of the two forms.
     pub form: Form,
+    /// What comes first in a scan; none for what the form does by itself. Flip-flops evolve first.
+    pub order: Option<Order>,
+    /// For which tool.
+    pub flavour: Flavour,
     /// [`Form::Case`]: the number of the first step, and how far the next one is from it.
     pub numbers: (u32, u32),
     /// [`Form::Case`]: the variable with the number of the active step.
@@ -38,9 +44,16 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// [`Form::Case`], steps in tens, `StepNo` and `Init`.
+    /// [`Form::Case`], the language of the standard, steps in tens, `StepNo` and `Init`.
     fn default() -> Self {
-        Self { form: Form::Case, numbers: (10, 10), step: "StepNo".to_owned(), init: "Init".to_owned() }
+        Self {
+            form: Form::Case,
+            order: None,
+            flavour: Flavour::Iec,
+            numbers: (10, 10),
+            step: "StepNo".to_owned(),
+            init: "Init".to_owned(),
+        }
     }
 }
 
@@ -53,6 +66,27 @@ pub enum Form {
     /// A flip-flop for each step, set by its predecessor and the condition, reset by the transition that leaves it; then the actions. Parallel
     /// branches are possible.
     FlipFlops,
+}
+
+/// What comes first in a scan.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Order {
+    /// The actions of the active step, then its transitions: what a step does shows one scan after it is entered.
+    ActFirst,
+    /// The transitions, then the actions of the step that has been reached, as in a cycle of the chart.
+    EvolveFirst,
+}
+
+/// For which tool the program is.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Flavour {
+    /// As the standard has it, with nothing else.
+    #[default]
+    Iec,
+    /// CODESYS 3.5: `{region}`, `{warning}` at what is to be written, `TO_INT(…)` where a number gets narrower.
+    Codesys,
+    /// TIA Portal, an external source of SCL: `#` in front of what belongs to the block, `"…"` around what does not, `REGION`, `TON_TIME`.
+    Tia,
 }
 
 /// A translated chart.
@@ -73,6 +107,10 @@ pub struct StructuredText {
 /// # Errors
 /// All that has no translation, each with its place: there is never a program that does something else.
 pub fn structured_text(model: &Model, options: &Options) -> Result<StructuredText, Vec<Refused>> {
+    if (options.form, options.order) == (Form::FlipFlops, Some(Order::ActFirst)) {
+        let why = "flip-flops evolve first: their actions ask what the transitions of the same scan have set and reset; the CASE form has both orders";
+        return Err(vec![Refused::whole(why)]);
+    }
     let refused = fits::refused(model, options.form);
     if !refused.is_empty() {
         return Err(refused);
@@ -82,5 +120,6 @@ pub fn structured_text(model: &Model, options: &Options) -> Result<StructuredTex
         Form::FlipFlops => flags::program(model, options),
     }?;
     let to_write = program.stubs.iter().map(|stub| (stub.name.clone(), stub.rust.clone())).collect();
-    Ok(StructuredText { text: program.text(), to_write, renamed: program.renamed })
+    let renamed = program.renamed.clone();
+    Ok(StructuredText { text: flavour::text(program, options.flavour), to_write, renamed })
 }

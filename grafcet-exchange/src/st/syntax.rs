@@ -192,7 +192,7 @@ pub(crate) fn comment(text: &str) -> String {
     if words.is_empty() { "//".to_owned() } else { format!("// {}", words.join(" ")) }
 }
 
-fn push(text: &mut String, depth: usize, line: &str) {
+pub(crate) fn push(text: &mut String, depth: usize, line: &str) {
     for _ in 0..depth {
         text.push_str("  ");
     }

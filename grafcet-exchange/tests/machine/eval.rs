@@ -149,6 +149,7 @@ impl Machine {
                 other => Err(format!("-{other:?}")),
             },
             Expression::Binary(operator, a, b) => binary(operator, self.value(a)?, self.value(b)?),
+            Expression::To(ty, inner) => fitting(super::type_of(ty)?, self.value(inner)?),
             Expression::Call(name, arguments) => {
                 let mut given = Vec::new();
                 for (parameter, value) in arguments {

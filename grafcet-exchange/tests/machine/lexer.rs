@@ -1,4 +1,6 @@
-//! Tokens of structured text.
+//! Tokens of structured text, as each dialect writes them.
+
+use super::Dialect;
 
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Token {
@@ -8,11 +10,17 @@ pub(super) enum Token {
     /// Milliseconds.
     Time(u64),
     Sign(&'static str),
+    /// `#name`, of TIA.
+    Local(String),
+    /// `"name"`, of TIA.
+    Quoted(String),
+    /// What stands in braces.
+    Pragma(String),
 }
 
 const SIGNS: [&str; 17] = [":=", "<=", ">=", "<>", "=", "<", ">", "+", "-", "*", "/", "(", ")", ",", ";", ":", "."];
 
-pub(super) fn tokens(text: &str) -> Result<Vec<Token>, String> {
+pub(super) fn tokens(text: &str, dialect: Dialect) -> Result<Vec<Token>, String> {
     let mut tokens = Vec::new();
     let mut rest = text;
     loop {
@@ -20,6 +28,23 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, String> {
         let Some(first) = rest.chars().next() else { return Ok(tokens) };
         if let Some(comment) = rest.strip_prefix("//") {
             rest = comment.find('\n').map_or("", |end| &comment[end..]);
+        } else if dialect == Dialect::Tia && (first == '#' || first == '"') {
+            let inner = &rest[1..];
+            let end = inner.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(inner.len());
+            let name = inner[..end].to_lowercase();
+            tokens.push(if first == '#' { Token::Local(name) } else { Token::Quoted(name) });
+            rest = &inner[end..];
+            if first == '"' {
+                rest = rest.strip_prefix('"').ok_or_else(|| format!("a quotation mark is missing: {inner}"))?;
+            }
+        } else if dialect != Dialect::Iec && first == '{' {
+            let end = rest.find('}').ok_or("a brace is not closed")?;
+            tokens.push(Token::Pragma(rest[1..end].trim().to_owned()));
+            rest = &rest[end + 1..];
+        } else if dialect == Dialect::Tia && rest.starts_with("REGION ") {
+            // Its name goes to the end of the line.
+            tokens.push(Token::Word("region".to_owned()));
+            rest = rest.find('\n').map_or("", |end| &rest[end..]);
         } else if first.is_ascii_alphabetic() || first == '_' {
             let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
             let word = rest[..end].to_lowercase();

@@ -12,6 +12,14 @@ use std::collections::BTreeMap;
 pub(crate) use parser::statements;
 pub(crate) use parser::{Expression, Statement, Unit, units};
 
+/// Whose language it is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Dialect {
+    Iec,
+    Codesys,
+    Tia,
+}
+
 /// A value, times in milliseconds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum Value {
@@ -81,7 +89,12 @@ pub(crate) struct Machine {
 impl Machine {
     /// With all variables at their initial values.
     pub(crate) fn new(text: &str) -> Result<Self, String> {
-        let mut units = units(text)?;
+        Self::of(text, Dialect::Iec)
+    }
+
+    /// The same in another dialect.
+    pub(crate) fn of(text: &str, dialect: Dialect) -> Result<Self, String> {
+        let mut units = units(text, dialect)?;
         let program = units.pop().ok_or("there is no function block")?;
         let functions: BTreeMap<String, Unit> = units.into_iter().map(|unit| (unit.name.clone(), unit)).collect();
         let mut machine = Self {

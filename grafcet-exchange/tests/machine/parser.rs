@@ -1,7 +1,7 @@
 //! Functions, function blocks, statements and expressions.
 
-use super::Value;
 use super::lexer::{Token, tokens};
+use super::{Dialect, Value};
 
 /// A function or a function block.
 #[derive(Clone, Debug)]
@@ -38,6 +38,8 @@ pub(crate) enum Expression {
     Not(Box<Expression>),
     Minus(Box<Expression>),
     Binary(&'static str, Box<Expression>, Box<Expression>),
+    /// `TO_INT(…)`, of CODESYS.
+    To(String, Box<Expression>),
 }
 
 /// Words that are no names.
@@ -72,8 +74,8 @@ const KEYWORDS: [&str; 24] = [
 const LEVELS: [&[&str]; 7] =
     [&["or"], &["xor"], &["and"], &["=", "<>"], &["<", ">", "<=", ">="], &["+", "-"], &["*", "/", "mod"]];
 
-pub(crate) fn units(text: &str) -> Result<Vec<Unit>, String> {
-    let mut parser = Parser { tokens: tokens(text)?, at: 0 };
+pub(crate) fn units(text: &str, dialect: Dialect) -> Result<Vec<Unit>, String> {
+    let mut parser = Parser { tokens: tokens(text, dialect)?, at: 0, dialect };
     let mut units = Vec::new();
     while parser.at < parser.tokens.len() {
         units.push(parser.unit()?);
@@ -81,9 +83,10 @@ pub(crate) fn units(text: &str) -> Result<Vec<Unit>, String> {
     Ok(units)
 }
 
-/// Statements alone.
+/// Statements alone, in the language of the standard.
 pub(crate) fn statements(text: &str) -> Result<Vec<Statement>, String> {
-    let mut parser = Parser { tokens: tokens(text)?, at: 0 };
+    let dialect = Dialect::Iec;
+    let mut parser = Parser { tokens: tokens(text, dialect)?, at: 0, dialect };
     let statements = parser.statements(&[])?;
     if parser.at == parser.tokens.len() { Ok(statements) } else { Err(parser.wrong("a statement")) }
 }
@@ -91,6 +94,7 @@ pub(crate) fn statements(text: &str) -> Result<Vec<Statement>, String> {
 struct Parser {
     tokens: Vec<Token>,
     at: usize,
+    dialect: Dialect,
 }
 
 impl Parser {
@@ -141,16 +145,56 @@ impl Parser {
         }
     }
 
+    /// Of a block, or of what stands beside it.
+    fn outer(&mut self) -> Result<String, String> {
+        match (self.dialect, self.peek()) {
+            (Dialect::Tia, Some(Token::Quoted(name))) => {
+                let name = name.clone();
+                self.at += 1;
+                Ok(name)
+            }
+            (Dialect::Tia, _) => Err(self.wrong("a name in quotation marks")),
+            _ => self.name(),
+        }
+    }
+
+    /// Of what belongs to the block.
+    fn inner(&mut self) -> Result<String, String> {
+        match (self.dialect, self.peek()) {
+            (Dialect::Tia, Some(Token::Local(name))) => {
+                let name = name.clone();
+                self.at += 1;
+                Ok(name)
+            }
+            (Dialect::Tia, _) => Err(self.wrong("a name with #")),
+            _ => self.name(),
+        }
+    }
+
+    fn pragma(&mut self, text: &str) -> bool {
+        let found = matches!(self.peek(), Some(Token::Pragma(found)) if found == text);
+        self.at += usize::from(found);
+        found
+    }
+
     fn unit(&mut self) -> Result<Unit, String> {
         let is_function = self.word("function");
         if !is_function {
             self.need_word("function_block")?;
         }
-        let name = self.name()?;
+        let name = self.outer()?;
         let mut ty = None;
         if is_function {
             self.need(":")?;
             ty = Some(self.ty()?);
+        }
+        if self.dialect == Dialect::Tia {
+            if !self.pragma("S7_Optimized_Access := 'TRUE'") || !self.word("version") {
+                return Err(self.wrong("the properties of a block"));
+            }
+            self.need(":")?;
+            // `0.1`
+            self.at += 3;
         }
         let mut variables = Vec::new();
         loop {
@@ -160,13 +204,11 @@ impl Parser {
             }
             self.at += 1;
             while !self.word("end_var") {
-                let name = self.name()?;
-                self.need(":")?;
-                let ty = self.ty()?;
-                let init = if self.sign(":=") { Some(self.expression(0)?) } else { None };
-                self.need(";")?;
-                variables.push(Declared { name, ty, init, is_input });
+                variables.push(self.variable(is_input)?);
             }
+        }
+        if self.dialect == Dialect::Tia {
+            self.need_word("begin")?;
         }
         let end = if is_function { "end_function" } else { "end_function_block" };
         let body = self.statements(&[end])?;
@@ -174,7 +216,29 @@ impl Parser {
         Ok(Unit { name, ty, variables, body })
     }
 
+    fn variable(&mut self, is_input: bool) -> Result<Declared, String> {
+        let name = self.name()?;
+        let is_timer = self.pragma("InstructionName := 'TON_TIME'; LibVersion := '1.0'");
+        self.need(":")?;
+        let ty = self.ty()?;
+        if self.dialect == Dialect::Tia && is_timer != (ty == "ton") {
+            return Err(self.wrong("the instruction of a timer, and of nothing else"));
+        }
+        let init = if self.sign(":=") { Some(self.expression(0)?) } else { None };
+        self.need(";")?;
+        Ok(Declared { name, ty, init, is_input })
+    }
+
     fn ty(&mut self) -> Result<String, String> {
+        if self.dialect == Dialect::Tia {
+            if self.word("ton_time") {
+                return Ok("ton".to_owned());
+            }
+            if let Some(Token::Quoted(_)) = self.peek() {
+                return self.outer();
+            }
+            return self.name();
+        }
         if self.word("ton") { Ok("ton".to_owned()) } else { self.name() }
     }
 
@@ -188,10 +252,43 @@ impl Parser {
             if self.sign(";") {
                 continue;
             }
+            if self.region(&mut statements)? {
+                continue;
+            }
             statements.push(self.statement()?);
             self.need(";")?;
         }
         Ok(statements)
+    }
+
+    /// What stands in a region stands where it is; a warning does nothing.
+    fn region(&mut self, statements: &mut Vec<Statement>) -> Result<bool, String> {
+        match (self.dialect, self.peek().cloned()) {
+            (Dialect::Tia, Some(Token::Word(word))) if word == "region" => {
+                self.at += 1;
+                statements.extend(self.statements(&["end_region"])?);
+                self.need_word("end_region")?;
+                Ok(true)
+            }
+            (Dialect::Codesys, Some(Token::Pragma(pragma))) if pragma.starts_with("region \"") => {
+                self.at += 1;
+                loop {
+                    if self.pragma("endregion") {
+                        return Ok(true);
+                    }
+                    if self.sign(";") {
+                        continue;
+                    }
+                    statements.push(self.statement()?);
+                    self.need(";")?;
+                }
+            }
+            (Dialect::Codesys, Some(Token::Pragma(pragma))) if pragma.starts_with("warning '") => {
+                self.at += 1;
+                Ok(true)
+            }
+            _ => Ok(false),
+        }
     }
 
     fn statement(&mut self) -> Result<Statement, String> {
@@ -221,7 +318,7 @@ impl Parser {
             }
             return Ok(Statement::Case(on, arms));
         }
-        let name = self.name()?;
+        let name = self.inner()?;
         if self.sign("(") {
             return Ok(Statement::Call(name, self.arguments()?));
         }
@@ -283,7 +380,20 @@ impl Parser {
             self.at += 1;
             return Ok(Expression::Literal(value));
         }
-        let name = self.name()?;
+        if let (Dialect::Tia, Some(Token::Quoted(_))) = (self.dialect, self.peek()) {
+            let name = self.outer()?;
+            self.need("(")?;
+            return Ok(Expression::Call(name, self.arguments()?));
+        }
+        if self.dialect == Dialect::Codesys && matches!(self.peek(), Some(Token::Word(word)) if word.starts_with("to_"))
+        {
+            let ty = self.name()?.split_off(3);
+            self.need("(")?;
+            let inner = self.expression(0)?;
+            self.need(")")?;
+            return Ok(Expression::To(ty, Box::new(inner)));
+        }
+        let name = self.inner()?;
         if self.sign(".") {
             return Ok(Expression::Member(name, self.name()?));
         }

@@ -5,9 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use grafcet_compiler::model::{Model, Ty};
-use grafcet_exchange::st::{Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, structured_text};
 use grafcet_sim::Chart;
 
+use crate::FLAVOURS;
 use crate::play;
 use crate::random::Rng;
 use crate::reader::{Expected, Kind, Line};
@@ -24,17 +25,21 @@ fn charts_of_the_examples() {
         for name in names(&text) {
             let Ok(chart) = Chart::in_file(&text, &name) else { continue };
             for form in [Form::Case, Form::FlipFlops] {
-                let Ok(program) = structured_text(chart.model(), &Options { form, ..Options::default() }) else {
-                    continue;
-                };
                 let lines = timeline(chart.model(), compared.len() as u64 + 1);
-                match play::compare(chart.model(), form, &program, &lines) {
-                    Ok(0) => {}
-                    Ok(_) => compared
-                        .entry(if form == Form::Case { "CASE" } else { "flip-flops" })
-                        .or_default()
-                        .push(name.clone()),
-                    Err(error) => panic!("{}, {name}, {form:?}: {error}\n{}", file.display(), program.text),
+                for (flavour, dialect) in FLAVOURS {
+                    let options = Options { form, flavour, ..Options::default() };
+                    let Ok(program) = structured_text(chart.model(), &options) else { continue };
+                    match play::compare(chart.model(), (form, None), (&program, dialect), &lines) {
+                        Ok(0) => {}
+                        Ok(_) if flavour != Flavour::Iec => {}
+                        Ok(_) => compared
+                            .entry(if form == Form::Case { "CASE" } else { "flip-flops" })
+                            .or_default()
+                            .push(name.clone()),
+                        Err(error) => {
+                            panic!("{}, {name}, {form:?}, {flavour:?}: {error}\n{}", file.display(), program.text)
+                        }
+                    }
                 }
             }
         }

@@ -2,6 +2,7 @@
 //!
 //! - `flags`, `sfc`: each scan shows what a cycle shows: steps, outputs, variables, calls
 //! - `case`, `sfc`: the number of the step is that of the cycle; what the step does shows one scan later (`shifted`)
+//! - `case` that evolves first, `sfc`: each scan shows what a cycle shows
 //! - `grafcet`: the program is scanned with the same inputs at the same time until nothing changes; then it shows what the cycle shows
 
 #[path = "../../../tests/conformance/src/chart.rs"]
@@ -28,30 +29,46 @@ use std::collections::BTreeMap;
 use grafcet_compiler::diagnostic::Sink;
 use grafcet_compiler::model::{self, Model};
 use grafcet_compiler::{check, parse};
-use grafcet_exchange::st::{Form, Options, structured_text};
+use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
+use machine::Dialect;
 
 /// So many charts of each dialect and form.
 const CHARTS: usize = 200;
+
+/// As each tool takes a program, and by which grammar it is read here.
+pub(crate) const FLAVOURS: [(Flavour, Dialect); 3] =
+    [(Flavour::Iec, Dialect::Iec), (Flavour::Codesys, Dialect::Codesys), (Flavour::Tia, Dialect::Tia)];
+
 pub(crate) const CYCLES: usize = 120;
 
 #[test]
 fn case_sfc() {
-    compare(false, Form::Case);
+    compare(false, Form::Case, None);
 }
 
 #[test]
 fn case_grafcet() {
-    compare(true, Form::Case);
+    compare(true, Form::Case, None);
+}
+
+#[test]
+fn case_evolving_sfc() {
+    compare(false, Form::Case, Some(Order::EvolveFirst));
+}
+
+#[test]
+fn case_evolving_grafcet() {
+    compare(true, Form::Case, Some(Order::EvolveFirst));
 }
 
 #[test]
 fn flip_flops_sfc() {
-    compare(false, Form::FlipFlops);
+    compare(false, Form::FlipFlops, None);
 }
 
 #[test]
 fn flip_flops_grafcet() {
-    compare(true, Form::FlipFlops);
+    compare(true, Form::FlipFlops, None);
 }
 
 /// A chart whose drawing is in order.
@@ -67,7 +84,7 @@ pub(crate) fn resolved(text: &str) -> Option<Model> {
     model.filter(|model| !wrong && !model.incomplete)
 }
 
-fn compare(grafcet: bool, form: Form) {
+fn compare(grafcet: bool, form: Form, order: Option<Order>) {
     let wanted = std::env::var("ST_CHARTS").ok().and_then(|charts| charts.parse().ok()).unwrap_or(CHARTS);
     let first: u64 = std::env::var("ST_SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
     let (mut done, mut cycles, mut differing) = (0, 0, Vec::new());
@@ -79,7 +96,7 @@ fn compare(grafcet: bool, form: Form) {
         assert!(seed - first < 400_000, "only {done} charts have a translation: {refusals:#?}");
         // Most have none: whether the compiler accepts the chart, which takes longer, is asked of the others.
         let Some(model) = resolved(&made.chart) else { continue };
-        let options = Options { form, ..Options::default() };
+        let options = Options { form, order, ..Options::default() };
         if let Err(refused) = structured_text(&model, &options) {
             let first = refused.first().map(ToString::to_string).unwrap_or_default();
             // Without names.
@@ -88,9 +105,11 @@ fn compare(grafcet: bool, form: Form) {
             continue;
         }
         let Ok(model) = chart::resolve(&made.chart) else { continue };
-        let program = structured_text(&model, &options).expect("it had a translation");
+        // By turns as each tool takes it.
+        let (flavour, dialect) = FLAVOURS[done % FLAVOURS.len()];
+        let program = structured_text(&model, &Options { flavour, ..options }).expect("it had a translation");
         let lines = reader::read(&format!("{}\n---\n{}", made.chart, made.timeline)).expect("a timeline").lines;
-        match play::compare(&model, form, &program, &lines) {
+        match play::compare(&model, (form, order), (&program, dialect), &lines) {
             Ok(0) => {}
             Ok(compared) => {
                 done += 1;
@@ -103,7 +122,7 @@ fn compare(grafcet: bool, form: Form) {
         }
     }
     println!(
-        "{form:?}, {}: {done} charts of {}, {cycles} cycles, {} differ; refused: {refusals:#?}",
+        "{form:?}, {order:?}, {}: {done} charts of {}, {cycles} cycles, {} differ; refused: {refusals:#?}",
         if grafcet { "grafcet" } else { "sfc" },
         seed - first,
         differing.len()

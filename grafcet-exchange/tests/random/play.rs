@@ -3,22 +3,27 @@
 use std::collections::BTreeMap;
 
 use grafcet_compiler::model::{Id, Model, Name, Ty, VarId};
-use grafcet_exchange::st::{Form, StructuredText};
+use grafcet_exchange::st::{Form, Order, StructuredText};
 use grafcet_sim::interp::{self, Interpreter};
 
-use crate::machine::{Machine, Value};
+use crate::machine::{Dialect, Machine, Value};
 use crate::reader::{Kind, Line};
 use crate::shifted::Shifted;
 
 /// How many cycles were compared: none where the chart shows nothing that can be.
-pub(crate) fn compare(model: &Model, form: Form, program: &StructuredText, lines: &[Line]) -> Result<usize, String> {
-    let mut machine = Machine::new(&program.text).map_err(|error| format!("not understood: {error}"))?;
+pub(crate) fn compare(
+    model: &Model,
+    (form, order): (Form, Option<Order>),
+    (program, dialect): (&StructuredText, Dialect),
+    lines: &[Line],
+) -> Result<usize, String> {
+    let mut machine = Machine::of(&program.text, dialect).map_err(|error| format!("not understood: {error}"))?;
     machine.world = written;
     let Ok(oracle) = Interpreter::new(model) else { return Ok(0) };
     let names = program.renamed.iter().cloned().collect();
     let mut pair = Pair { names, model, oracle, machine, init: false, fresh: true, last: None, ms: 0 };
     let mut shifted = Shifted::of(model);
-    if form == Form::Case && !model.is_grafcet() && !shifted.can_be_compared() {
+    if form == Form::Case && order.is_none() && !model.is_grafcet() && !shifted.can_be_compared() {
         return Ok(0);
     }
     let mut compared = 0;
@@ -34,8 +39,8 @@ pub(crate) fn compare(model: &Model, form: Form, program: &StructuredText, lines
                 pair.inputs(inputs, *now).map_err(at)?;
                 let values = values(model, inputs);
                 let cycle = match (form, model.is_grafcet()) {
-                    (Form::FlipFlops, false) => pair.exactly(&values, *now),
-                    (Form::Case, false) => pair.shifted(&values, *now, &mut shifted),
+                    (form, false) if form == Form::FlipFlops || order.is_some() => pair.exactly(&values, *now, form),
+                    (_, false) => pair.shifted(&values, *now, &mut shifted),
                     (_, true) => pair.settled(&values, *now, form),
                 };
                 // The chart's arithmetic has failed, or it has not become stable.
@@ -119,10 +124,10 @@ impl Pair<'_> {
     }
 
     /// Each scan shows what a cycle shows.
-    fn exactly(&mut self, inputs: &[interp::Value], now: u32) -> Result<bool, String> {
+    fn exactly(&mut self, inputs: &[interp::Value], now: u32, form: Form) -> Result<bool, String> {
         let Ok(cycle) = self.oracle.cycle(inputs, now) else { return Ok(false) };
         self.scan()?;
-        self.steps(Form::FlipFlops)?;
+        self.steps(form)?;
         self.places()?;
         let called = self.machine.calls.iter().map(|call| {
             let arguments: Vec<i128> = call.arguments.iter().map(|value| value.number()).collect();

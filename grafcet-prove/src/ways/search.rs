@@ -3,7 +3,7 @@
 use super::{Lead, Trust, Ways, inputs, times};
 use crate::aig::Lit;
 use crate::circuit::{Circuit, Condition};
-use crate::sat::{Limit, Over, Sat, Term, Wires};
+use crate::sat::{At, Limit, Over, Sat, Term, Wires};
 use crate::steps::Steps;
 use crate::task::{cone, entry};
 
@@ -212,6 +212,7 @@ impl<'c> Search<'c> {
         let clause: Vec<Term> = lead.cube.iter().map(|code| !self.term_now(*code)).collect();
         self.sat.clause(&clause);
         self.leads.push(lead);
+        self.limit.tell(At::Ways(self.leads.len()));
     }
 
     /// The latches as they are, for wires of which only they decide.

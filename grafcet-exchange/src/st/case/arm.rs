@@ -14,13 +14,42 @@ use crate::st::text::{Text, all, any};
 use crate::st::time::LONGEST;
 
 impl<'m> Case<'m> {
+    /// First its actions, then its transitions.
     pub(super) fn arm(&mut self, step: StepId) -> Result<Vec<Statement>, Refused> {
         let mut body = Vec::new();
-        let actions = self.actions(step)?;
+        let actions = self.actions(step, &|_| true)?;
         if !actions.is_empty() {
             body.push(Statement::comment("Actions"));
             body.extend(actions);
         }
+        let (transitions, count) = self.transitions(step)?;
+        if count > 0 {
+            if !body.is_empty() {
+                body.push(Statement::Gap);
+            }
+            body.push(Statement::comment(if count > 1 { "Transitions" } else { "Transition" }));
+            body.push(transitions);
+        }
+        Ok(body)
+    }
+
+    /// Its transitions, behind what happens on an event while it is active.
+    pub(super) fn evolving(&mut self, step: StepId) -> Result<Vec<Statement>, Refused> {
+        let mut body = self.actions(step, &|role| role == Role::Event)?;
+        let (transitions, count) = self.transitions(step)?;
+        if count > 0 {
+            body.push(transitions);
+        }
+        Ok(body)
+    }
+
+    /// Its actions alone.
+    pub(super) fn acting(&mut self, step: StepId) -> Result<Vec<Statement>, Refused> {
+        self.actions(step, &|role| role != Role::Event)
+    }
+
+    /// One branch each, and how many these are.
+    fn transitions(&mut self, step: StepId) -> Result<(Statement, usize), Refused> {
         let mut branches = Vec::new();
         for id in &self.model.leaving[step.index()] {
             let transition = &self.model.transitions[*id];
@@ -30,14 +59,8 @@ impl<'m> Case<'m> {
                 branches.push((condition, then));
             }
         }
-        if !branches.is_empty() {
-            if !body.is_empty() {
-                body.push(Statement::Gap);
-            }
-            body.push(Statement::comment(if branches.len() > 1 { "Transitions" } else { "Transition" }));
-            body.push(Statement::If(branches, Vec::new()));
-        }
-        Ok(body)
+        let count = branches.len();
+        Ok((Statement::If(branches, Vec::new()), count))
     }
 
     fn condition(&mut self, step: StepId, transition: &Transition) -> Result<String, Refused> {
@@ -47,13 +70,15 @@ impl<'m> Case<'m> {
     }
 
     /// What the step does in a scan: first what is done once, then the rest, in the end what is continuous.
-    fn actions(&mut self, step: StepId) -> Result<Vec<Statement>, Refused> {
+    fn actions(&mut self, step: StepId, wanted: &dyn Fn(Role) -> bool) -> Result<Vec<Statement>, Refused> {
         let ids = &self.model.steps[step].associations;
         let (mut once, mut sets, mut resets, mut bodies, mut uses) = (vec![], vec![], vec![], vec![], false);
         let mut continuous: Vec<(Place, Vec<&'m Association>)> = Vec::new();
         for id in ids {
             let association = &self.model.associations[*id];
-            match role(self.model, association)? {
+            let role = role(self.model, association)?;
+            match role {
+                _ if !wanted(role) => {}
                 Role::Activation => {
                     let done = self.stored(step, association, Phase::First)?;
                     once.push(self.under(step, association, true, done)?);

@@ -1,4 +1,4 @@
-//! The CASE form: in each step first its actions, then its transitions.
+//! The CASE form: in each step first its actions, then its transitions; or one CASE for the transitions, and another one behind it for the actions.
 
 mod arm;
 mod fits;
@@ -14,13 +14,16 @@ use super::frame::{self, Frame};
 use super::names::Names;
 use super::syntax::{Arm, Program, Statement, Variable};
 use super::time::LONGEST;
-use super::{Options, header};
+use super::{Options, Order, header};
 use crate::Refused;
 
 /// The program of a chart of which one step is active at a time.
 pub(super) fn program(model: &Model, options: &Options) -> Result<Program, Vec<Refused>> {
     let written = written(model)?;
     let mut refused = fits::refused(model, &written);
+    if refused.is_empty() && options.order == Some(Order::EvolveFirst) {
+        order::evolving(model, &mut refused);
+    }
     let steps = u64::try_from(model.steps.len()).unwrap_or(u64::MAX);
     if u64::from(options.numbers.0).saturating_add(steps.saturating_mul(options.numbers.1.into())) > 1 << 31 {
         refused.push(Refused::whole("the numbers of the steps do not fit into 32 bits: choose smaller ones"));
@@ -43,6 +46,7 @@ struct Case<'m> {
     entered: String,
     uses_entered: bool,
     nothing: BTreeMap<Place, String>,
+    order: Order,
 }
 
 impl<'m> Case<'m> {
@@ -61,6 +65,7 @@ impl<'m> Case<'m> {
             entered,
             uses_entered: false,
             nothing: BTreeMap::new(),
+            order: options.order.unwrap_or(Order::ActFirst),
         }
     }
 
@@ -69,18 +74,27 @@ impl<'m> Case<'m> {
         self.numbers.0.saturating_add(self.numbers.1.saturating_mul(index))
     }
 
+    /// An arm for each step.
+    fn arms(
+        &mut self,
+        body: impl Fn(&mut Self, StepId) -> Result<Vec<Statement>, Refused>,
+    ) -> Result<Vec<Arm>, Refused> {
+        let mut arms = Vec::new();
+        for (id, step) in self.model.steps.iter() {
+            let kind = if step.initial { ", initial" } else { "" };
+            let (number, title) = (self.number(id), format!("{}{kind}", plain(&step.name)));
+            arms.push(Arm { number, title, body: body(self, id)? });
+        }
+        Ok(arms)
+    }
+
     fn program(mut self) -> Result<Program, Refused> {
         let model = self.model;
         let name = self.scope.names.of_chart(&plain(&model.name));
-        let mut arms = Vec::new();
-        for (id, step) in model.steps.iter() {
-            let kind = if step.initial { ", initial" } else { "" };
-            arms.push(Arm {
-                number: self.number(id),
-                title: format!("{}{kind}", plain(&step.name)),
-                body: self.arm(id)?,
-            });
-        }
+        let sequence = match self.order {
+            Order::ActFirst => [self.arms(Self::arm)?, Vec::new()],
+            Order::EvolveFirst => [self.arms(Self::evolving)?, self.arms(Self::acting)?],
+        };
         let mut frame = Frame::default();
         let initial = model.steps.iter().find(|(_, step)| step.initial).map_or(0, |(id, _)| self.number(id));
         let last = model.steps.ids().next_back().map_or(0, |step| self.number(step));
@@ -92,9 +106,12 @@ impl<'m> Case<'m> {
         }
         let started = self.scope.names.own("Started");
         let mut before = frame.edges(&mut self.scope, &started)?;
-        if !before.is_empty() {
+        let evolves_first = self.order == Order::EvolveFirst;
+        if !before.is_empty() || evolves_first {
             frame.remember(Variable::new(&started, "BOOL").init("FALSE").note("there has been a scan before"));
-            before.push(Statement::assign(started, "TRUE"));
+        }
+        if !before.is_empty() && !evolves_first {
+            before.push(Statement::assign(&*started, "TRUE"));
         }
         before.extend(frame.delays(&mut self.scope)?);
         let mut timers = Vec::new();
@@ -119,12 +136,21 @@ impl<'m> Case<'m> {
         ]);
         part(body, "Edges and delays of inputs", before);
         part(body, "The times of steps, to be read", timers.clone());
-        body.extend([Statement::comment("The sequence"), Statement::Case(self.step.clone(), arms), Statement::Gap]);
-        part(body, "The times of steps, which begin with the step", timers);
+        let [first, second] = sequence;
+        if evolves_first {
+            let evolve = vec![Statement::Case(self.step.clone(), first)];
+            part(body, "Transitions, but in the first scan", vec![Statement::when(&*started, evolve)]);
+            part(body, "The times of steps, which begin with the step", timers);
+            part(body, "Actions", vec![Statement::Case(self.step.clone(), second)]);
+            body.push(Statement::assign(started, "TRUE"));
+        } else {
+            part(body, "The sequence", vec![Statement::Case(self.step.clone(), first)]);
+            part(body, "The times of steps, which begin with the step", timers);
+        }
         if body.last() == Some(&Statement::Gap) {
             body.pop();
         }
-        program.header = header::case(model, &self.scope);
+        program.header = header::case(model, &self.scope, self.order);
         program.renamed = self.scope.names.renamed.into_iter().collect();
         program.stubs = self.scope.stubs;
         Ok(program)

@@ -49,6 +49,35 @@ pub(super) fn refused(model: &Model, written: &BTreeMap<Place, Written>, refused
     events(model, refused);
 }
 
+/// Where the evolution comes first, what is continuous comes last in its scan. In an `sfc` it reads what was there before the actions of that scan.
+pub(super) fn evolving(model: &Model, refused: &mut Vec<Refused>) {
+    if model.is_grafcet() {
+        return;
+    }
+    let runs = |step: StepId, wanted: &dyn Fn(Role) -> bool| -> Vec<Place> {
+        let all = model.steps[step].associations.iter().map(|id| &model.associations[*id]);
+        let fitting = all.filter(|association| role(model, association).is_ok_and(wanted));
+        fitting.flat_map(|association| association.effect.writes().to_vec()).collect()
+    };
+    for association in model.associations.values() {
+        let Ok(Role::Continuous(_)) = role(model, association) else { continue };
+        let mut read = reads(&association.effect);
+        read.extend(association.condition.iter().flat_map(|condition| places(&condition.tree)));
+        let mut written = runs(association.step, &|role| !matches!(role, Role::Continuous(_)));
+        for id in &model.entering[association.step.index()] {
+            let transition = &model.transitions[*id];
+            written.extend(transition.clearing.iter().flat_map(|effect| effect.writes().to_vec()));
+            for from in &transition.sources {
+                written.extend(runs(*from, &|role| matches!(role, Role::Event | Role::Deactivation | Role::Body)));
+            }
+        }
+        if let Some(place) = read.into_iter().find(|place| written.contains(place)) {
+            let name = model.place_name(place);
+            refused.push(Refused::at(association.mark, format!("it reads `{name}` as it was before another action of the same scan writes it, which a CASE that evolves first cannot: let it act first, or use the form of flip-flops")));
+        }
+    }
+}
+
 /// A value that follows what runs in each scan.
 fn of_bodies(model: &Model, association: &Association, role: Role, refused: &mut Vec<Refused>) {
     if !matches!(role, Role::Continuous(_)) {

@@ -1,0 +1,76 @@
+//! The words of an expression, as it was written by this crate.
+
+/// What stands in an expression.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Word<'t> {
+    /// A variable, or a word of the language.
+    Name(&'t str),
+    /// The name of what is called.
+    Called(&'t str),
+    /// In front of `:=`, or behind a point.
+    Part(&'t str),
+    /// An operator between two values.
+    Operator(&'t str),
+    /// Numbers, times, signs and blanks.
+    Other(&'t str),
+}
+
+/// All of it, in its order.
+pub(super) fn words(text: &str) -> Vec<Word<'_>> {
+    let (mut all, mut at) = (Vec::new(), 0);
+    // Behind a value a `-` is an operator.
+    let mut value = false;
+    while let Some(first) = text[at..].chars().next() {
+        let rest = &text[at..];
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let length = if is_part(first) {
+            // `T#1m30s` is one word.
+            rest.find(|c: char| !is_part(c) && c != '#').unwrap_or(rest.len())
+        } else {
+            first.len_utf8()
+        };
+        let (word, behind) = rest.split_at(length);
+        all.push(match first {
+            _ if word.contains('#') || first.is_ascii_digit() => Word::Other(word),
+            _ if is_part(first) && (text[..at].ends_with('.') || behind.trim_start().starts_with(":=")) => {
+                Word::Part(word)
+            }
+            _ if word == "MOD" => Word::Operator(word),
+            // A word of the language can stand in front of a parenthesis, too, with a blank.
+            _ if is_part(first) && behind.starts_with('(') => Word::Called(word),
+            _ if is_part(first) => Word::Name(word),
+            '+' | '*' | '/' => Word::Operator(word),
+            '-' if value => Word::Operator(word),
+            _ => Word::Other(word),
+        });
+        if first != ' ' {
+            value = (is_part(first) && !["NOT", "AND", "OR", "XOR", "MOD"].contains(&word)) || first == ')';
+        }
+        at += length;
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Word::{self, Called, Name, Operator, Part};
+    use super::words;
+
+    #[test]
+    fn words_of_expressions() {
+        let named = |text| -> Vec<Word<'_>> {
+            words(text).into_iter().filter(|word| !matches!(word, Word::Other(_))).collect()
+        };
+        assert_eq!(
+            named("T_Heat(IN := StepNo = 10, PT := T#1h30m)"),
+            [Called("T_Heat"), Part("IN"), Name("StepNo"), Part("PT")]
+        );
+        assert_eq!(named("NOT (T_a.ET >= T#5s)"), [Name("NOT"), Name("T_a"), Part("ET")]);
+        assert_eq!(named("-3 - n MOD 2"), [Operator("-"), Name("n"), Operator("MOD")]);
+        assert_eq!(named("n > -3 AND -n < 2"), [Name("n"), Name("AND"), Name("n")]);
+        assert_eq!(
+            named("valid(level := (a + 1)) OR b"),
+            [Called("valid"), Part("level"), Name("a"), Operator("+"), Name("OR"), Name("b")]
+        );
+    }
+}
