@@ -22,10 +22,13 @@ fn is_safe(all: &Loop, belt: bool, dip: bool) -> bool {
     let (tower, arm) = (all.tower.situation(), all.arm.situation());
     let moves = matches!(arm, ArmStep::Going | ArmStep::Coming);
     let carries = all.cell.situation() == PickAndPlaceStep::Carry;
-    (tower == TowerStep::Top || !moves)
-        && !(all.jaw.situation() == JawStep::Open && carries)
-        && !(tower == TowerStep::Bottom && belt)
-        && !(all.belt.situation() == BeltStep::Moving && dip)
+    let collisions = [
+        tower != TowerStep::Top && moves,
+        all.jaw.situation() == JawStep::Open && carries,
+        tower == TowerStep::Bottom && belt,
+        all.belt.situation() == BeltStep::Moving && dip,
+    ];
+    !collisions.contains(&true)
 }
 
 #[test]
