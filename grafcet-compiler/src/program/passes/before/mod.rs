@@ -76,8 +76,8 @@ impl Before {
         let deadline = program.deadline.as_ref()?;
         let alone =
             matches!(&deadline.at_once, Expr::Not(inner) if matches!(**inner, Expr::Place(place) if place == settled));
-        let reading = program.place(Role::Reading)?;
-        let counts = deadline.waits.iter().any(|wait| wait.from == reading);
+        let reading = program.place(Role::Reading).or(program.place(Role::Recorded));
+        let counts = deadline.waits.iter().any(|wait| Some(wait.from) == reading);
         if program.regions.len() < 2 || program.forced.is_some() || !alone || counts || !deadline.late.is_empty() {
             return None;
         }
