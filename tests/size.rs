@@ -181,10 +181,10 @@ fn time() {
     );
     assert_eq!(
         size_of::<TimedBranches>(),
-        with(0, 2 * 2 + 1),
-        "one of 16 bits for each branch, compared with short ones"
+        with(1 + recorded, 2),
+        "one for each branch, and the state with which its last cycle began"
     );
-    assert_eq!(size_of::<LongBranches>(), with(2, 1), "the same with one that takes more than 16 bits");
+    assert_eq!(size_of::<LongBranches>(), with(1 + recorded, 2), "the same with longer times");
     assert_eq!(size_of::<TimedOnce>(), with(1, 0), "one time, however often it is looked at");
     assert_eq!(size_of::<Limited>(), with(recorded, 0), "the same");
     assert_eq!(

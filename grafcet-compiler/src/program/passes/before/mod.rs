@@ -37,7 +37,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
             return;
         }
     }
-    let head = before.head(program);
+    let head = before.head(program).filter(|region| ways.enters[*region]);
     before.remember(program);
     let mut cycle = std::mem::take(&mut program.cycle);
     before.tell(&mut cycle);
@@ -61,6 +61,7 @@ struct Region {
     before: PlaceId,
     /// What it holds where a time is over.
     mark: Value,
+    /// It can be without an active step.
     can_be_empty: bool,
 }
 

@@ -20,6 +20,8 @@ const MOST: usize = 256;
 pub(super) struct Ways {
     /// From which states, to which one.
     pub(super) entries: Vec<(Vec<Value>, Value)>,
+    /// By region: each way that begins the time enters a step.
+    pub(super) enters: Vec<bool>,
 }
 
 /// One way, or several that have met.
@@ -67,7 +69,12 @@ impl Ways {
         }
         walk.block(&program.cycle, &mut way)?;
         let told = way.done.iter().all(|done| walk.is_told(*done));
-        told.then_some(Self { entries: walk.entries })
+        let mut enters = Vec::with_capacity(before.regions.len());
+        for region in 0..before.regions.len() {
+            let (entered, begun) = (Walk::entered(region), Walk::begun(region));
+            enters.push(way.done.iter().all(|done| done & begun == 0 || done & entered != 0));
+        }
+        told.then_some(Self { entries: walk.entries, enters })
     }
 }
 
