@@ -49,6 +49,25 @@ fn each_shape_has_a_chart() {
     }
 }
 
+/// The passes would take seconds for it: each join has all other branches looked at once more.
+#[test]
+fn long_charts_with_branches_take_no_passes() {
+    let shaped = |blocks: usize| {
+        let mut text = "sfc Blocks { input go: bool; initial step S0; ".to_owned();
+        for block in 0..blocks {
+            let next = (block + 1) % blocks;
+            let own = if block == 0 { String::new() } else { format!("step S{block}; ") };
+            text += &own;
+            text += &format!(
+                "step A{block}; step B{block}; S{block} -[go]-> (A{block}, B{block}); (A{block}, B{block}) -[!go]-> S{next}; "
+            );
+        }
+        shape((text + "}").parse().expect("tokens"))
+    };
+    assert_eq!(shaped(8), Ok((Form::Program, Search::None)));
+    assert_eq!(shaped(300), Ok((Form::InPlace, Search::None)));
+}
+
 #[test]
 fn the_charts_of_the_project_have_no_other_shape() {
     for folder in ["examples/charts", "tests/good"] {

@@ -32,6 +32,9 @@ pub use lower::{Encoding, Refused, counted, naive};
 /// A program may have so many statements for each thing that is written in its chart.
 const LEAN: usize = 2;
 
+/// With more steps in parallel branches the passes take longer than a build should: each condition that looks at several branches has all others looked at once more.
+const FEW_STEPS: usize = 100;
+
 /// The program from which the macro prints the cycle of a chart; of one that is recorded it keeps the reading of the clock.
 ///
 /// # Errors
@@ -45,9 +48,12 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
     Ok(program)
 }
 
-/// Whether what the passes leave of a chart with parallel branches is not much longer than the chart itself. It is where many transitions
-/// synchronise the same branches, as there is a way for each of their outcomes.
+/// Whether what the passes leave of a chart with parallel branches is not much longer than the chart itself. Where many transitions
+/// synchronise the same branches it is longer, as there is a way for each of their outcomes.
 pub(crate) fn is_lean(model: &Model, facts: &Facts<'_>) -> bool {
+    if model.steps.len() > FEW_STEPS {
+        return false;
+    }
     let Ok(program) = optimised(model, facts, false) else { return false };
     let mut written = model.associations.len();
     for transition in model.transitions.values() {
