@@ -53,16 +53,16 @@ fn each_shape_has_a_chart() {
 #[test]
 fn long_charts_with_branches_take_no_passes() {
     let shaped = |blocks: usize| {
-        let mut text = "sfc Blocks { input go: bool; initial step S0; ".to_owned();
-        for block in 0..blocks {
+        let block = |block: usize| {
             let next = (block + 1) % blocks;
-            let own = if block == 0 { String::new() } else { format!("step S{block}; ") };
-            text += &own;
-            text += &format!(
-                "step A{block}; step B{block}; S{block} -[go]-> (A{block}, B{block}); (A{block}, B{block}) -[!go]-> S{next}; "
-            );
-        }
-        shape((text + "}").parse().expect("tokens"))
+            let own = if block == 0 { String::new() } else { format!("step S{block};") };
+            format!(
+                "{own} step A{block}; step B{block}; S{block} -[go]-> (A{block}, B{block}); (A{block}, B{block}) -[!go]-> S{next};"
+            )
+        };
+        let blocks: Vec<String> = (0..blocks).map(block).collect();
+        let text = format!("sfc Blocks {{ input go: bool; initial step S0; {} }}", blocks.join(" "));
+        shape(text.parse().expect("tokens"))
     };
     assert_eq!(shaped(8), Ok((Form::Program, Search::None)));
     assert_eq!(shaped(300), Ok((Form::InPlace, Search::None)));

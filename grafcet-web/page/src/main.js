@@ -99,6 +99,8 @@ function problems({ messages, runs }) {
 // ---- What runs
 
 function begin(text) {
+  // What was to begin soon has begun now: twice would throw away what is clicked in between.
+  clearTimeout(soon);
   simulation?.end();
   const next = new Simulation(text, Number(at("period").value), () => { if (next === simulation) show(); });
   next.speed = Number(at("speed").value);
@@ -112,6 +114,8 @@ function restart() {
 }
 
 function input(change) {
+  // What is shown is of a chart that does not run any more, and the next one has not begun.
+  if (!simulation?.moment) return;
   // What is true in the first cycle already has no edge (A26), which nobody who clicks has in mind.
   if (simulation.latest.number === 0 && !wasStopped) void simulation.cycle();
   change();
@@ -203,7 +207,7 @@ const forms = new Forms((text, form) => checker.ask("translate", text, form), (f
 const chronogram = new Chronogram(at("waves"), moment => simulation?.look(moment));
 const signals = new Signals(at("signals"), {
   set: (place, value) => input(() => simulation.set(place, value)),
-  setParam: (place, value) => simulation.setParam(place, value),
+  setParam: (place, value) => { if (simulation?.moment) void simulation.setParam(place, value); },
 });
 new Gallery(text => open(text));
 theme(at("theme"));
