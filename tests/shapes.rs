@@ -26,6 +26,8 @@ const SHAPES: &[(&str, Form, Search)] = &[
     ("program_kinds", Form::Program, Search::None),
     ("program_branches", Form::Program, Search::None),
     ("program_branches_timed", Form::Program, Search::None),
+    ("program_search", Form::Program, Search::None),
+    ("program_hierarchy", Form::Program, Search::None),
     ("program_forced_sfc", Form::Program, Search::None),
     ("program_forced_grafcet", Form::Program, Search::None),
     ("in_place_sfc", Form::InPlace, Search::None),

@@ -121,8 +121,7 @@ impl Plan {
                 descent,
                 nests: nests.is_some(),
                 may_be_unstable,
-                is_lean: !model.is_grafcet()
-                    && !model.forceable
+                is_lean: !model.forceable
                     && regions.all().len() > 1
                     && !regions.are_flags()
                     && program::is_lean(model, facts),

@@ -55,6 +55,9 @@ pub(crate) fn is_lean(model: &Model, facts: &Facts<'_>) -> bool {
         return false;
     }
     let Ok(program) = optimised(model, facts, false) else { return false };
+    if program.place(Role::Stable).is_some() {
+        return false;
+    }
     let mut written = model.associations.len();
     for transition in model.transitions.values() {
         written += 1 + transition.sources.len() + transition.targets.len();

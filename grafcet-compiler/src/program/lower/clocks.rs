@@ -9,7 +9,7 @@ use super::places::{Phases, plain, time, truth};
 use super::{Clocks, Lower};
 use crate::analysis::{Condition, Facts, Logic};
 use crate::list::List;
-use crate::model::{Blink, Blinker, Effect, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
+use crate::model::{Blink, Blinker, Effect, ForceOrder, Id, MacroId, Model, Read, StepId, TimeRef, Tree};
 use crate::program::build::{add, ticks};
 use crate::program::{Expr, PlaceId, Role, Statement, Type};
 
@@ -256,8 +256,7 @@ impl<'f> Leaving<'f> {
     /// of it.
     fn leaves(&self, of: Blinker, time: u32) -> bool {
         let (Blinker::Step(step), model) = (of, self.model) else { return false };
-        let above = model.partials.values().any(|partial| partial.enclosed_by.is_some());
-        if above || !model.forces.is_empty() || !model.anys.is_empty() || self.is_kept(step) {
+        if !model.anys.is_empty() || self.is_kept(step) || self.is_held(step) {
             return false;
         }
         let mut ways = Vec::new();
@@ -270,6 +269,25 @@ impl<'f> Leaving<'f> {
         let ways: Vec<&Condition> = ways.iter().list();
         let over = self.logic.condition(&Tree::Elapsed(TimeRef::Ticks(time), step));
         self.logic.implies(&over, &ways)
+    }
+
+    /// Whether something above may keep it active: an order that puts it or what encloses it into a situation (A13).
+    fn is_held(&self, step: StepId) -> bool {
+        let model = self.model;
+        let (mut inside, mut held) = (step, false);
+        loop {
+            let partial = model.steps[inside].partial;
+            held |= model.forces.values().any(|force| {
+                let keeps = match &force.order {
+                    ForceOrder::Hold => true,
+                    ForceOrder::Init => model.steps[inside].initial,
+                    ForceOrder::Steps(steps) => steps.contains(&inside),
+                };
+                force.target == partial && keeps
+            });
+            let Some(above) = model.partials[partial].enclosed_by else { return held };
+            inside = above;
+        }
     }
 
     /// A4g: whether something that clears together with what leaves it may keep it active.

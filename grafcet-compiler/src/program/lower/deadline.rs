@@ -125,9 +125,7 @@ impl<'m> Lower<'_, 'm> {
         let twice = steps.windows(2).any(|two| two[0] == two[1]);
         let few = match self.state.len() {
             1 => self.time[0].is_some(),
-            regions => {
-                !self.model.is_grafcet() && !self.model.forceable && regions <= FEW_REGIONS && self.late().is_empty()
-            }
+            regions => !self.model.forceable && regions <= FEW_REGIONS && self.late().is_empty(),
         };
         few && !others && !twice && !self.regions.are_flags()
     }

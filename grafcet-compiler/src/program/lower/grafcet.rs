@@ -2,7 +2,7 @@
 
 use super::{Cycles, Lower};
 use crate::list::{List, PushAll};
-use crate::model::{Effect, Id, OutputId, Place};
+use crate::model::{Effect, Id, Name, OutputId, Place, Read};
 use crate::program::build::{all, any, compare, differ, no, not, number, part, when, yes};
 use crate::program::{Comparison, Expr, Initial, Mark, PlaceId, Role, Statement, Type, Value};
 
@@ -140,8 +140,11 @@ impl<'m> Lower<'_, 'm> {
     fn settle_search(&self, stable: Option<PlaceId>, kept: &[(PlaceId, PlaceId)]) -> Vec<Statement<'m>> {
         let Some(settled) = self.settled else { return Vec::new() };
         let mut moves = vec![not(stable.map_or_else(yes, Expr::Place)), self.has_edges()];
-        // Otherwise the first search has gone on until nothing more happens, as any other.
-        if !(self.delays.is_empty() && self.model.edges.is_empty() && self.model.actions.is_empty()) {
+        // Otherwise the first search has gone on until nothing more happens, as any other. An input's edge that it does not see (A26) the next one does not see, either.
+        let is_of_input =
+            |edge: &crate::model::Edge| edge.of.reads.iter().all(|read| matches!(read, Read::Name(Name::Input(_))));
+        let edges = self.model.edges.values().all(is_of_input);
+        if !(self.delays.is_empty() && edges && self.model.actions.is_empty()) {
             moves.insert(0, Expr::Place(self.first));
         }
         if !self.delays.is_empty() {
@@ -159,7 +162,7 @@ impl<'m> Lower<'_, 'm> {
             return (kept, body);
         }
         for read in self.model.expressions().concat() {
-            let crate::model::Read::Name(crate::model::Name::Output(id)) = read else { continue };
+            let Read::Name(Name::Output(id)) = read else { continue };
             let place = self.outputs[id.index()];
             if self.is_evaluated(id) && !kept.iter().any(|(other, _)| *other == place) {
                 let name = format!("was.{}", self.name(place));

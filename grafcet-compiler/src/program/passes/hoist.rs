@@ -9,20 +9,37 @@
 //! ```
 //!
 //! The arm of the first cycle need not do it: fields have their initial values then, and are given them back. Needs: in each other arm what
-//! stands in front may be done after it; it does not write what is matched on.
+//! stands in front may be done after it; it does not write what is matched on. A match in which each state leads to one of them, or is that one, is no question.
 
-use super::super::{Arm, Expr, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
+use super::super::{Arm, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Type, Value};
 use super::fold::initial;
 use super::many::values;
 use super::share::{is_first, take_first};
-use super::uses::{Effects, is_plain};
+use super::uses::{Effects, blocks_mut, is_plain};
 use crate::model::StepId;
 use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
     let mut cycle = std::mem::take(&mut program.cycle);
     block(program, &mut cycle, false);
+    lead(program, &mut cycle);
     program.cycle = cycle;
+}
+
+/// A match that leads to one state from all others is no question.
+fn lead(program: &Program<'_>, statements: &mut [Statement<'_>]) {
+    for statement in statements {
+        let to = match statement {
+            Statement::Match(place, arms, otherwise) if otherwise.is_empty() => one_way(program, *place, arms),
+            _ => None,
+        };
+        if let (Some(to), Statement::Match(place, ..)) = (to, &*statement) {
+            *statement = Statement::Set(*place, Expr::Value(to));
+        }
+        for block in blocks_mut(statement) {
+            lead(program, block);
+        }
+    }
 }
 
 fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop: bool) {
@@ -46,6 +63,18 @@ fn block<'m>(program: &Program<'m>, statements: &mut Vec<Statement<'m>>, in_loop
         all.push(statement);
     }
     *statements = all;
+}
+
+/// The state that a match leads to from each state, those included that it does not name.
+fn one_way(program: &Program<'_>, place: PlaceId, arms: &[Arm<'_>]) -> Option<Value> {
+    let Role::State(region) = program.places[place.0].role else { return None };
+    let Initial::Value(Value::Step(_)) = program.places[place.0].initial else { return None };
+    let [Statement::Set(set, Expr::Value(to))] = &arms.first()?.1[..] else { return None };
+    let leads = |(_, body): &Arm<'_>| matches!(&body[..], [Statement::Set(other, Expr::Value(value))] if other == set && value == to);
+    let values = values(arms);
+    let named = |step: Option<StepId>| Value::Step(step) == *to || values.binary_search(&Value::Step(step)).is_ok();
+    let all = program.regions[region].iter().all(|step| named(Some(*step))) && named(None);
+    (*set == place && arms.iter().all(leads) && all).then_some(*to)
 }
 
 /// Whether there are no other states for which nothing is done: an arm for each step, and, where a region may be without one, for none.

@@ -12,13 +12,16 @@
 //! - `told`: an output that each state tells is no field
 //! - `moved`: the state that the cycle began with tells whether it has moved
 //! - `search`: the same in the loop of a `grafcet`, and after it
-//! - `starting`: the first cycle of a `grafcet` is a state
 //! - `several`: of several regions, each looked at by itself as far as that is possible
 //! - `rounds`: of the search over several regions, what forces and encloses first, and one match for each region
+//! - `starting`: the first cycle of a `grafcet` is a state
+//! - `peel`: what a search does in its first round alone, or in each round alike
+//! - `stays`: a stored value that changes only where something moves is not compared
 //! - `hoist`: what all arms do first
 //! - `forward`: locals replaced by what they were set from
 //! - `before`: the states that a cycle of several regions began with tell whether it has moved
 //! - `shown`: outputs that end each cycle with what a field holds
+//! - `begun`: a time begins only where a step becomes active that asks for it
 //! - `dead`: what nobody looks at
 //! - `once`: nothing is asked of the inputs twice on a way
 //! - `store`: the next state is stored once
@@ -38,6 +41,7 @@ mod alike;
 mod among;
 mod apart;
 mod before;
+mod begun;
 mod branches;
 mod dead;
 mod early;
@@ -56,6 +60,7 @@ mod once;
 mod outputs;
 mod parts;
 mod passed;
+mod peel;
 mod records;
 mod rounds;
 mod search;
@@ -65,6 +70,7 @@ mod shown;
 mod sparse;
 mod split;
 mod starting;
+mod stays;
 mod store;
 mod straight;
 mod tables;
@@ -91,13 +97,16 @@ pub enum Pass {
     /// The state before tells whether the cycle has moved, within `Split`.
     Moved,
     Search,
-    Starting,
     Several,
     Rounds,
+    Starting,
+    Peel,
+    Stays,
     Hoist,
     Forward,
     Before,
     Shown,
+    Begun,
     Dead,
     Once,
     Store,
@@ -112,7 +121,7 @@ pub enum Pass {
 
 impl Pass {
     /// In their order.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 30] = [
         Self::Marks,
         Self::Apart,
         Self::Outputs,
@@ -123,13 +132,16 @@ impl Pass {
         Self::Told,
         Self::Moved,
         Self::Search,
-        Self::Starting,
         Self::Several,
         Self::Rounds,
+        Self::Starting,
+        Self::Peel,
+        Self::Stays,
         Self::Hoist,
         Self::Forward,
         Self::Before,
         Self::Shown,
+        Self::Begun,
         Self::Dead,
         Self::Once,
         Self::Store,
@@ -144,7 +156,10 @@ impl Pass {
 
     /// Whether it takes for granted that a state is entered by the ways of the chart's own cycle alone.
     fn follows_cycles(self) -> bool {
-        matches!(self, Self::Known | Self::Told | Self::Moved | Self::Before | Self::Several | Self::Rounds)
+        matches!(
+            self,
+            Self::Known | Self::Told | Self::Moved | Self::Before | Self::Several | Self::Rounds | Self::Begun
+        )
     }
 }
 
@@ -178,14 +193,20 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Search) {
         search::pass(program, wants(Pass::Told));
     }
-    if wants(Pass::Starting) {
-        starting::pass(program);
-    }
     if wants(Pass::Several) {
         several::pass(program);
     }
     if wants(Pass::Rounds) {
         rounds::pass(program);
+    }
+    if wants(Pass::Starting) {
+        starting::pass(program);
+    }
+    if wants(Pass::Peel) {
+        peel::pass(program);
+    }
+    if wants(Pass::Stays) {
+        stays::pass(program);
     }
     if wants(Pass::Hoist) {
         hoist::pass(program);
@@ -198,6 +219,9 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     }
     if wants(Pass::Shown) {
         shown::pass(program);
+    }
+    if wants(Pass::Begun) {
+        begun::pass(program);
     }
     if wants(Pass::Dead) {
         dead::pass(program);

@@ -15,23 +15,28 @@
 
 use super::super::build::{all, compare, not, yes};
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value, Wait};
+use super::fold::initial;
 use super::uses::{Effects, blocks, each_read, mentions, replaced, unset};
 use crate::model::StepId;
+use crate::sorted::Set;
 
 pub(super) fn pass(program: &mut Program<'_>) {
-    let (Some(state), Some(first)) = (program.place(Role::State(0)), program.place(Role::First)) else { return };
-    if !program.model.is_grafcet() || program.regions.len() != 1 {
-        return;
-    }
-    let begin = match program.places[state.0].initial {
-        Initial::Value(Value::Step(begin @ Some(_))) => begin,
-        // Without a loop it is one by now.
-        Initial::Value(start @ Value::Start(_)) => {
-            settle(program, &compare(Comparison::Equal, Expr::Place(state), Expr::Value(start)));
-            return outlasted(program);
+    let Some(first) = program.place(Role::First).filter(|_| program.model.is_grafcet()) else { return };
+    let is_alone = program.regions.len() == 1;
+    let mut found = None;
+    for region in 0..program.regions.len() {
+        let Some(state) = program.place(Role::State(region)) else { return };
+        match program.places[state.0].initial {
+            Initial::Value(Value::Step(begin @ Some(_))) if found.is_none() => found = Some((state, begin)),
+            // Without a loop it is one by now.
+            Initial::Value(start @ Value::Start(_)) => {
+                settle(program, &compare(Comparison::Equal, Expr::Place(state), Expr::Value(start)));
+                return outlasted(program);
+            }
+            _ => {}
         }
-        _ => return,
-    };
+    }
+    let Some((state, begin)) = found else { return };
     let ends =
         |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == first);
     let rest = program.cycle.iter().filter(|one| !ends(one));
@@ -48,7 +53,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
         let Statement::Loop { body, .. } = statement else { continue };
         for statement in body {
             match statement {
-                Statement::Match(place, _, otherwise) if *place == state && otherwise.is_empty() => {
+                Statement::Match(place, _, otherwise) if is_alone && *place == state && otherwise.is_empty() => {
                     otherwise.push(Statement::Break);
                 }
                 _ => {}
@@ -62,6 +67,7 @@ pub(super) fn pass(program: &mut Program<'_>) {
     let front = [Statement::Set(first, is_start.clone()), Statement::If(Expr::Place(first), vec![enters], Vec::new())];
     program.cycle.splice(0..0, front);
     as_state(program, state, first, begin);
+    changed(program, first);
     settle(program, &is_start);
     outlasted(program);
 }
@@ -76,6 +82,48 @@ pub(super) fn as_state(program: &mut Program<'_>, state: PlaceId, first: PlaceId
         let enters = Statement::Set(state, Expr::Value(Value::Step(begin)));
         let front = [Statement::Set(first, is_start), Statement::If(Expr::Place(first), vec![enters], Vec::new())];
         forced.splice(0..0, front);
+    }
+}
+
+/// What gives a field what it begins with is nothing to do in the first cycle.
+fn changed(program: &mut Program<'_>, first: PlaceId) {
+    let places = &program.places;
+    let mut written = Set::new();
+    for statement in &mut program.cycle {
+        if let Statement::If(Expr::Place(place), body, _) = &mut *statement {
+            if *place == first {
+                // What locals hold by then.
+                let mut held: Vec<(PlaceId, Expr<'_>)> = Vec::new();
+                body.retain(|one| {
+                    let Statement::Set(to, value) = one else {
+                        let writes = Effects::of(one).writes;
+                        held.retain(|(place, _)| !writes.contains(place));
+                        written.extend(writes.iter().copied());
+                        return true;
+                    };
+                    let value = match value {
+                        Expr::Place(from) => match held.iter().rev().find(|(place, _)| place == from) {
+                            Some((_, value)) => value.clone(),
+                            None => Expr::Place(*from),
+                        },
+                        other => other.clone(),
+                    };
+                    let info = &places[to.0];
+                    let begins = match &value {
+                        Expr::Value(value) => initial(info) == Some(*value),
+                        Expr::Place(from) => from == to,
+                        _ => false,
+                    };
+                    let goes = begins && info.is_field && !written.contains(to);
+                    if !goes {
+                        written.insert(*to);
+                        held.push((*to, value));
+                    }
+                    !goes
+                });
+            }
+        }
+        written.extend(Effects::of(statement).writes.iter().copied());
     }
 }
 
@@ -158,35 +206,43 @@ fn settle<'m>(program: &mut Program<'m>, is_start: &Expr<'m>) {
 
 /// That a time of the active step is over is stored where the deadline asks for it.
 fn outlasted(program: &mut Program<'_>) {
-    let (Some(passed), Some(state)) = (program.place(Role::Passed(0)), program.place(Role::State(0))) else { return };
-    let Some(deadline) = &program.deadline else { return };
+    for region in 0..program.regions.len() {
+        let (Some(passed), Some(state)) = (program.place(Role::Passed(region)), program.place(Role::State(region)))
+        else {
+            continue;
+        };
+        let Some(asked) = asked(program, passed, state) else { continue };
+        for statement in &mut program.cycle {
+            let Statement::Match(place, arms, otherwise) = statement else { continue };
+            if *place != state {
+                continue;
+            }
+            let sets = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if *place == passed);
+            for (values, body) in arms.iter_mut() {
+                if !values.iter().any(|value| asked.contains(value)) {
+                    body.retain(|one| !sets(one));
+                }
+            }
+            arms.retain(|(_, body)| !body.is_empty() || !otherwise.is_empty());
+        }
+    }
+}
+
+/// The states in which the deadline asks whether a time is over, if nobody else does.
+fn asked(program: &Program<'_>, passed: PlaceId, state: PlaceId) -> Option<Vec<Value>> {
+    let deadline = program.deadline.as_ref()?;
     let mut asked = Vec::new();
     for Wait { condition, .. } in &deadline.waits {
         if !mentions(condition, passed) {
             continue;
         }
-        let Expr::All(parts) = condition else { return };
+        let Expr::All(parts) = condition else { return None };
         let of = parts.iter().find_map(|part| match part {
             Expr::Is(place, steps) if *place == state => Some(steps),
             _ => None,
         });
-        let Some(steps) = of else { return };
-        asked.extend(steps.iter().map(|step| Value::Step(Some(*step))));
+        asked.extend(of?.iter().map(|step| Value::Step(Some(*step))));
     }
-    if mentions(&deadline.at_once, passed) || Effects::of_all(&program.cycle).reads.contains(&passed) {
-        return;
-    }
-    for statement in &mut program.cycle {
-        let Statement::Match(place, arms, otherwise) = statement else { continue };
-        if *place != state {
-            continue;
-        }
-        let sets = |one: &Statement<'_>| matches!(one, Statement::Set(place, _) if *place == passed);
-        for (values, body) in arms.iter_mut() {
-            if !values.iter().any(|value| asked.contains(value)) {
-                body.retain(|one| !sets(one));
-            }
-        }
-        arms.retain(|(_, body)| !body.is_empty() || !otherwise.is_empty());
-    }
+    let others = mentions(&deadline.at_once, passed) || Effects::of_all(&program.cycle).reads.contains(&passed);
+    (!others).then_some(asked)
 }

@@ -1,0 +1,174 @@
+//! In the search over several regions, a stored value that changes only where something moves is not compared, and has no next value beside it.
+//!
+//! ```text
+//! loop                                               loop
+//!   moves = false                                      moves = false
+//!   next.clamp = clamp                                 match state
+//!   match state                                          Feed:
+//!     Feed:                                                if part:
+//!       if part:                               ->            state = Close
+//!         state = Close                                      clamp = true
+//!         next.clamp = true                                  moves = true
+//!         moves = true                                 if !moves: break
+//!   moves = moves || clamp != next.clamp
+//!   clamp = next.clamp
+//!   if !moves: break
+//! ```
+//!
+//! Needs: what sets the next value tells in the same block, or in one around it, that something moves. For the second, nothing reads the value in the round before it
+//! takes place, and nothing leaves the round.
+
+use super::super::build::any;
+use super::super::{Comparison, Expr, PlaceId, PlaceInfo, Program, Statement, Value};
+use super::uses::{Effects, blocks, blocks_mut};
+
+pub(super) fn pass(program: &mut Program<'_>) {
+    if program.regions.len() < 2 {
+        return;
+    }
+    for at in 0..program.cycle.len() {
+        let behind = Effects::of_all(&program.cycle[at + 1..]);
+        let Statement::Loop { body, .. } = &mut program.cycle[at] else { continue };
+        unasked(body);
+        in_place(&program.places, body, &behind);
+    }
+}
+
+/// Does not ask for changes that tell no more than is known.
+fn unasked(body: &mut Vec<Statement<'_>>) {
+    let Some(at) = body.iter().position(|one| gathers(one).is_some()) else { return };
+    let Some((moves, parts)) = gathers(&body[at]) else { return };
+    let mut left = vec![Expr::Place(moves)];
+    for part in parts {
+        let told = match part {
+            Expr::Compare(Comparison::Differs, a, b) => match (&**a, &**b) {
+                (Expr::Place(a), Expr::Place(b)) => {
+                    is_told(&body[..at], moves, *a, *b) || is_told(&body[..at], moves, *b, *a)
+                }
+                _ => false,
+            },
+            _ => false,
+        };
+        if !told {
+            left.push(part.clone());
+        }
+    }
+    if left.len() > 1 {
+        body[at] = Statement::Set(moves, any(left));
+    } else {
+        body.remove(at);
+    }
+}
+
+/// `moves = moves || …`
+fn gathers<'s, 'm>(statement: &'s Statement<'m>) -> Option<(PlaceId, &'s [Expr<'m>])> {
+    let Statement::Set(moves, Expr::Any(parts)) = statement else { return None };
+    match parts.split_first() {
+        Some((Expr::Place(first), rest)) if first == moves => Some((*moves, rest)),
+        _ => None,
+    }
+}
+
+/// Whether `next` begins as `value` and becomes another one only where it is told that something moves.
+fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, next: PlaceId) -> bool {
+    let Some(copy) = front.iter().position(|one| is_copy(one, next, value)) else { return false };
+    let sets = |one: &Statement<'_>, place: PlaceId| Effects::of(one).writes.contains(&place);
+    let early = front[..copy].iter().any(|one| sets(one, next));
+    let off = front
+        .iter()
+        .rposition(|one| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == moves));
+    let changed = front.iter().any(|one| sets(one, value));
+    !early
+        && !changed
+        && off.is_some_and(|off| off <= copy || !front[copy + 1..off].iter().any(|one| sets(one, next)))
+        && { front[copy + 1..].iter().all(|one| tells(std::slice::from_ref(one), moves, next)) }
+}
+
+fn is_copy(statement: &Statement<'_>, to: PlaceId, from: PlaceId) -> bool {
+    matches!(statement, Statement::Set(place, Expr::Place(of)) if *place == to && *of == from)
+}
+
+/// Whether each block that sets a place tells that something moves, or stands in one that does. Nothing takes that back.
+fn tells(block: &[Statement<'_>], moves: PlaceId, next: PlaceId) -> bool {
+    let says =
+        block.iter().any(|one| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(true))) if *place == moves));
+    let takes_back = block.iter().any(|one| match one {
+        Statement::Set(place, value) => *place == moves && !matches!(value, Expr::Value(Value::Bool(true))),
+        _ => false,
+    });
+    let each = |one: &Statement<'_>| match one {
+        Statement::Set(place, _) => *place != next,
+        Statement::Run(_) => !Effects::of(one).writes.contains(&next),
+        other => blocks(other).into_iter().all(|block| tells(block, moves, next)),
+    };
+    let clean = |one: &Statement<'_>| {
+        let mut clean = true;
+        each_set(one, &mut |place, value| clean &= place != moves || matches!(value, Expr::Value(Value::Bool(true))));
+        clean
+    };
+    !takes_back && block.iter().all(clean) && (says || block.iter().all(each))
+}
+
+fn each_set<'m>(statement: &Statement<'m>, each: &mut dyn FnMut(PlaceId, &Expr<'m>)) {
+    if let Statement::Set(place, value) = statement {
+        each(*place, value);
+    }
+    for block in blocks(statement) {
+        for one in block {
+            each_set(one, each);
+        }
+    }
+}
+
+/// Sets values where their next ones are set.
+fn in_place(places: &[PlaceInfo<'_>], body: &mut Vec<Statement<'_>>, behind: &Effects) {
+    let mut at = 0;
+    while at < body.len() {
+        if let Some((next, value, end)) = copied(places, body, at, behind) {
+            body.remove(end);
+            body.remove(at);
+            renamed(&mut body[at..end - 1], next, value);
+        } else {
+            at += 1;
+        }
+    }
+}
+
+/// The next value, the value and where this becomes that, if a statement makes the next one a copy and nobody reads either before then.
+fn copied(
+    places: &[PlaceInfo<'_>],
+    body: &[Statement<'_>],
+    at: usize,
+    behind: &Effects,
+) -> Option<(PlaceId, PlaceId, usize)> {
+    let Statement::Set(next, Expr::Place(value)) = body[at] else { return None };
+    let end = body.iter().rposition(|one| is_copy(one, value, next)).filter(|end| *end > at)?;
+    let (between, mut rest) = (Effects::of_all(&body[at + 1..end]), Effects::of_all(&body[..at]));
+    rest.add_all(&body[end + 1..]);
+    let used = |effects: &Effects| effects.reads.contains(&next) || effects.writes.contains(&next);
+    let reads = between.reads.contains(&next) || between.reads.contains(&value) || between.writes.contains(&value);
+    let is_next = !places[next.0].is_field && matches!(places[next.0].ty, ref ty if same_type(ty, &places[value.0].ty));
+    (is_next && !reads && !between.leaves && !used(&rest) && !used(behind)).then_some((next, value, end))
+}
+
+fn same_type(a: &super::super::Type<'_>, b: &super::super::Type<'_>) -> bool {
+    use super::super::Type::{Bool, Number, Ticks, User};
+    match (a, b) {
+        (Bool, Bool) | (Ticks, Ticks) | (Number, Number) => true,
+        (User(a), User(b)) => std::ptr::eq(*a, *b),
+        _ => false,
+    }
+}
+
+fn renamed(statements: &mut [Statement<'_>], from: PlaceId, to: PlaceId) {
+    for statement in statements {
+        if let Statement::Set(place, _) = statement {
+            if *place == from {
+                *place = to;
+            }
+        }
+        for block in blocks_mut(statement) {
+            renamed(block, from, to);
+        }
+    }
+}
