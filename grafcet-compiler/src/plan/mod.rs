@@ -122,6 +122,7 @@ impl Plan {
                 nests: nests.is_some(),
                 may_be_unstable,
                 is_lean: !model.forceable
+                    && !may_be_unstable
                     && regions.all().len() > 1
                     && !regions.are_flags()
                     && program::is_lean(model, facts),

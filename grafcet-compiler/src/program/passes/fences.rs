@@ -9,7 +9,8 @@
 //!
 //! - Without one between two dispatches it keeps what the first has found out in registers, and jumps from there into the second: par8 takes
 //!   764 bytes and 64.6 instructions so, and 740 and 57.2 with fences.
-//! - In a search it would load all inputs beforehand, and copy what few steps do into the ways to them.
+//! - In a search it would load all inputs beforehand, and copy what few steps do into the ways to them. Of several regions the inputs are found once in front of it, and a
+//!   fence stands behind it: the packer takes 612 bytes so, and 688 without.
 //! - Four neighbours that are written together become a call of `memset` on a processor without unaligned stores.
 
 use super::super::{Expr, Fence, Program, Role, Statement, Type};
@@ -30,13 +31,20 @@ pub(super) fn pass(program: &mut Program<'_>) {
     }
     let mut cycle = std::mem::take(&mut program.cycle);
     block(program, &mut cycle);
+    if let (Some(at), false) = (cycle.iter().position(is_search), program.model.inputs.is_empty()) {
+        cycle.insert(at + 1, Statement::Fence(Fence::Memory));
+        cycle.insert(at, Statement::Fence(Fence::Inputs));
+    }
     program.cycle = cycle;
+}
+
+fn is_search(statement: &Statement<'_>) -> bool {
+    matches!(statement, Statement::Loop { rounds: 2.., .. })
 }
 
 /// The search over the steps of one region.
 fn search(program: &mut Program<'_>) {
     let steps = program.regions.iter().flatten().count();
-    let is_search = |one: &Statement<'_>| matches!(one, Statement::Loop { rounds: 2.., .. });
     let Some(at) = program.cycle.iter().position(is_search) else { return };
     if program.model.inputs.is_empty() {
         return;

@@ -85,8 +85,8 @@ fn peeled<'m>(places: &[PlaceInfo<'m>], body: &mut Vec<Statement<'m>>, counters:
 
 /// Without the question whether this is the first round.
 fn in_first<'m>(statement: &Statement<'m>, counters: &[PlaceId]) -> Option<Statement<'m>> {
-    let Statement::If(Expr::All(parts), then, otherwise) = statement else { return None };
-    if !otherwise.is_empty() || Effects::of_all(then).leaves {
+    let Statement::If(condition @ Expr::All(parts), then, otherwise) = statement else { return None };
+    if !otherwise.is_empty() || !is_pure(condition) || Effects::of_all(then).leaves {
         return None;
     }
     let asks = |part: &Expr<'_>| match part {
