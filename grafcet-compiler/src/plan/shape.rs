@@ -11,8 +11,8 @@ const FEW_FIELDS: usize = 3;
 /// How an evolution finds the next situation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// The cycle is printed from a program (`program/`): one region, each transition from one step to one; or parallel branches of an `sfc`
-    /// of which the program is not much longer than the chart.
+    /// The cycle is printed from a program (`program/`): one region, each transition from one step to one; or parallel branches and partial grafcets
+    /// whose searches end and of which the program is not much longer than the chart.
     Program,
     /// `encoding flags;`: a bit for each step, looked at byte by byte.
     Flags,

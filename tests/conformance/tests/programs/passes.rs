@@ -355,6 +355,28 @@ fn partial_grafcets_keep_little() {
     each_left_out(&model, &drawn(&inputs, 400), 200);
 }
 
+/// A step that an order from above may keep active is not left when its time is over, and its deadline has to know that; one that loses what encloses it is.
+#[test]
+fn an_order_from_above_keeps_steps_beyond_their_time() {
+    for (order, kept) in [
+        ("force Modes {};", false),
+        ("force Modes {INIT};", false),
+        ("force Modes {Manual};", false),
+        ("force Modes {Auto};", true),
+        ("force Modes {*};", true),
+        ("force Work {*};", true),
+        ("force Work {Close};", true),
+        ("force Work {Wait};", false),
+        ("force Side {*};", false),
+    ] {
+        let model = read(&CELL.replacen("force Modes {};", order, 1));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        assert_eq!(program.place(Role::Passed(2)).is_some(), kept, "{order}: {program}");
+        let inputs = [("stop", true), ("ack", false), ("go", false), ("x", false), ("y", false)];
+        each_left_out(&model, &drawn(&inputs, 200), 100);
+    }
+}
+
 /// A sequence by time that only `5ms` and a button keep apart: most of it is a table of times.
 #[test]
 fn a_table_says_how_long_each_step_takes() {
