@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
@@ -50,10 +50,13 @@ pub(crate) fn pack() -> Result {
     // The option is not stable, and changes nothing but the lock file.
     let update = ["update", "--quiet", "-Z", "direct-minimal-versions"];
     run_command(cargo(&update).current_dir(&unpacked).env("RUSTC_BOOTSTRAP", "1"))?;
-    let check = ["check", "--quiet", "--locked", "--workspace", "--lib", "--bins", "--all-features", "--target-dir"];
-    // Nobody runs it.
+    let check = ["check", "--quiet", "--locked", "--lib", "--bins", "--all-features", "--target-dir"];
+    // Nobody runs it. A macro is built for the library that uses it; checked by itself, too, all that it is made of would be checked once
+    // more.
     let mut command = cargo(&check);
-    run_command(command.arg(project::target("oldest")).current_dir(&unpacked).env("CARGO_PROFILE_DEV_DEBUG", "0"))?;
+    command.arg(project::target("oldest")).current_dir(&unpacked).env("CARGO_PROFILE_DEV_DEBUG", "0");
+    let checked = packages.iter().filter(|package| package.is_library);
+    run_command(command.args(checked.flat_map(|package| ["--package", &package.name])))?;
     println!("packages: {} build from what is in them, with the oldest dependencies they allow", packages.len());
     Ok(())
 }
@@ -87,48 +90,85 @@ fn write(path: &Path, text: &str) -> Result {
     fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// Checks every crate that is published with sets of its features: none, each alone, all but each, and all; and the examples as
+/// Checks every crate that is published with sets of its features: none, each alone, and all but each; with all of them [`pack`] checks
+/// it. Of the features those count that the crate's own code names: what others turn on is another crate's. And the examples as
 /// `cargo run --example` builds them, with no more than they ask for.
 ///
 /// # Errors
 /// One of the sets does not build without warnings.
 pub(crate) fn features() -> Result {
-    // What stands behind one feature and lacks another does not build with it alone; what stands behind two, not with all but the
-    // third. Lints are looked for with all features, in CI's step `clippy`, and with all sets by [`all_features`].
-    let check = |arguments: &[&str]| {
-        let mut command = cargo(&["check", "--locked", "--quiet", "--target-dir"]);
+    let cargo = |subcommand| {
+        let mut command = cargo(&[subcommand, "--locked", "--quiet", "--target-dir"]);
         command.arg(project::target("features")).env("RUSTFLAGS", "-D warnings").env("CARGO_PROFILE_DEV_DEBUG", "0");
-        run_command(command.args(arguments))
+        // Nobody runs it: the solver need not be fast.
+        for name in ["batsat", "grafcet-prove"] {
+            command.arg("--config").arg(format!("profile.dev.package.{name}.opt-level=0"));
+        }
+        command
     };
-    each_set(|set, all| set.len() <= 1 || set.len() + 1 >= all, check)?;
+    let packages = published()?;
+    for package in &packages {
+        let named = package.named()?;
+        let features = package.features.iter().filter(|(name, _)| named.contains(name.as_str()));
+        let features: BTreeMap<String, Vec<String>> = features.map(|(name, on)| (name.clone(), on.clone())).collect();
+        // What stands behind one feature and lacks another does not build with it alone; what stands behind two, not with all but the
+        // third. Lints are looked for with all features, in CI's step `clippy`, and with all sets by [`all_features`].
+        each_set(
+            package,
+            &features,
+            |set| set.len() <= 1 || set.len() + 1 == features.len(),
+            |set| {
+                // What a macro is made of cargo builds for it: where it is built here, too, and not only checked, it is the same build.
+                let is_built = package.name == MACROS || set.is_empty() && BUILT.contains(&&*package.name);
+                cargo(if is_built { "build" } else { "check" })
+            },
+        )?;
+    }
     println!("features: the examples");
-    check(&["--package", "grafcet-examples", "--examples"])
+    run_command(cargo("check").args(["--package", "grafcet-examples", "--examples"]))
 }
 
-/// All sets, with lints.
+/// The macro.
+const MACROS: &str = "grafcet-macros";
+
+/// What it is made of, with a feature or without; and what is quickly built of that.
+const BUILT: [&str; 5] = ["grafcet-core", "grafcet-draw", "grafcet-compiler", "grafcet-prove", "grafcet-exchange"];
+
+/// All sets of all features, with lints.
 ///
 /// # Errors
 /// As [`features`].
 pub(crate) fn all_features() -> Result {
-    each_set(
-        |_, _| true,
-        |arguments| {
+    for package in published()? {
+        let clippy = |_: &[&str]| {
             let mut command = cargo(&["clippy", "--locked", "--quiet", "--target-dir"]);
-            run_command(command.arg(project::target("features")).args(arguments).args(["--", "-D", "warnings"]))
-        },
-    )
+            command.arg(project::target("features-all"));
+            command
+        };
+        each_set(&package, &package.features, |_| true, clippy)?;
+    }
+    Ok(())
 }
 
-/// `wanted` is told a set, and how many features there are; `check` the words that tell cargo of package and features.
-fn each_set(wanted: impl Fn(&[&str], usize) -> bool, check: impl Fn(&[&str]) -> Result) -> Result {
-    for package in published()? {
-        let sets = sets(&package.features).into_iter().filter(|set| wanted(set, package.features.len()));
-        // Two sets that turn on the same are one.
-        let different: BTreeSet<Vec<&str>> = sets.map(|set| turned_on(&package.features, set)).collect();
-        for set in different.iter().map(|set| set.join(",")) {
-            println!("features: {} with {}", package.name, if set.is_empty() { "none" } else { &set });
-            check(&["--lib", "--no-default-features", "--package", &package.name, "--features", &set])?;
+/// Runs this command with the sets of these features that are wanted. `clippy` is told to deny warnings, others have been.
+fn each_set(
+    package: &Package,
+    features: &BTreeMap<String, Vec<String>>,
+    wanted: impl Fn(&[&str]) -> bool,
+    command: impl Fn(&[&str]) -> Command,
+) -> Result {
+    let sets = sets(features).into_iter().filter(|set| wanted(set));
+    // Two sets that turn on the same are one.
+    let different: BTreeSet<Vec<&str>> = sets.map(|set| turned_on(&package.features, set)).collect();
+    for set in different {
+        let mut command = command(&set);
+        let set = set.join(",");
+        println!("features: {} with {}", package.name, if set.is_empty() { "none" } else { &set });
+        command.args(["--lib", "--no-default-features", "--package", &package.name, "--features", &set]);
+        if command.get_args().next().is_some_and(|subcommand| subcommand == "clippy") {
+            command.args(["--", "-D", "warnings"]);
         }
+        run_command(&mut command)?;
     }
     Ok(())
 }
@@ -137,6 +177,8 @@ fn each_set(wanted: impl Fn(&[&str], usize) -> bool, check: impl Fn(&[&str]) -> 
 pub(crate) struct Package {
     pub(crate) name: String,
     version: String,
+    /// The folder of its code.
+    sources: PathBuf,
     /// A program can link it: it is no macro.
     pub(crate) is_library: bool,
     /// Each with those that it turns on in the same crate.
@@ -144,6 +186,26 @@ pub(crate) struct Package {
 }
 
 impl Package {
+    /// The features that stand in its code, as in `#[cfg(feature = "record")]`.
+    fn named(&self) -> Result<BTreeSet<String>> {
+        let mut names = BTreeSet::new();
+        let mut folders = vec![self.sources.clone()];
+        while let Some(folder) = folders.pop() {
+            let failed = |error| format!("{}: {error}", folder.display());
+            for entry in fs::read_dir(&folder).map_err(failed)? {
+                let path = entry.map_err(failed)?.path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|extension| extension == "rs") {
+                    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+                    let behind = text.split("feature = \"").skip(1);
+                    names.extend(behind.filter_map(|behind| behind.split('"').next()).map(str::to_owned));
+                }
+            }
+        }
+        Ok(names)
+    }
+
     /// The folder that it is packed as.
     fn folder(&self) -> String {
         format!("{}-{}", self.name, self.version)
@@ -177,7 +239,8 @@ fn package(package: &Value) -> Option<Package> {
     let kinds = package["targets"].as_array()?.iter().filter_map(|target| target["kind"].as_array()).flatten();
     let is_library = kinds.into_iter().any(|kind| kind == "lib");
     let version = package["version"].as_str()?.to_owned();
-    Some(Package { name, version, is_library, features })
+    let sources = Path::new(package["manifest_path"].as_str()?).with_file_name("src");
+    Some(Package { name, version, sources, is_library, features })
 }
 
 /// The set with the features that those in it turn on, sorted.
@@ -236,19 +299,20 @@ mod tests {
         let features = json!({ "default": [], "std": ["dep:d", "d/std", "b"], "b": [], "_host": [] });
         let targets = json!([{ "kind": ["test"] }, { "kind": ["lib"] }]);
         let crate_ = package(
-            &json!({ "name": "a", "version": "0.1.0", "publish": null, "features": features, "targets": targets }),
+            &json!({ "name": "a", "version": "0.1.0", "manifest_path": "/a/Cargo.toml", "publish": null, "features": features, "targets": targets }),
         );
         assert!(crate_.is_some_and(|crate_| crate_.name == "a"
             && crate_.features["std"] == ["b"]
             && crate_.features.len() == 2
             && crate_.is_library));
         assert!(
-            package(&json!({ "name": "b", "version": "0.1.0", "publish": [], "features": {}, "targets": targets }))
+            package(&json!({ "name": "b", "version": "0.1.0", "manifest_path": "/a/Cargo.toml", "publish": [], "features": {}, "targets": targets }))
                 .is_none()
         );
         let macros = json!([{ "kind": ["proc-macro"] }]);
-        let crate_ =
-            package(&json!({ "name": "c", "version": "0.1.0", "publish": null, "features": {}, "targets": macros }));
+        let crate_ = package(
+            &json!({ "name": "c", "version": "0.1.0", "manifest_path": "/a/Cargo.toml", "publish": null, "features": {}, "targets": macros }),
+        );
         assert!(crate_.is_some_and(|crate_| !crate_.is_library));
     }
 }
