@@ -10,15 +10,13 @@ use crate::project;
 /// The `rust-version` of the workspace, as in `1.85`.
 const MSRV: &str = env!("CARGO_PKG_RUST_VERSION");
 
-/// All but the tool `cargo-grafcet`, which people install and no program is built with: its terminal needs a newer Rust. What the macro
-/// is made of is built, which a user's build has to, too; checked in place of that, it would be compiled for the macro and once more.
-const BUILT: [&str; 5] = ["grafcet", "grafcet-core", "grafcet-draw", "grafcet-macros", "grafcet-compiler"];
-
-/// What is a library for tools.
-const CHECKED: [&str; 3] = ["grafcet-sim", "grafcet-exchange", "grafcet-prove"];
-
-/// A crate with the charts of the source documents and charts in the full language of both dialects.
+/// A crate with the charts of the source documents and charts in the full language of both dialects: with it all is built that a
+/// program with charts is made of. Checking these crates by themselves, too, would compile the compiler of charts three times.
 const CONSUMER: &str = "hostile-no-std";
+
+/// The libraries for tools. The tool `cargo-grafcet` itself people install, and no program is built with it: its terminal needs a
+/// newer Rust.
+const LIBRARIES: [&str; 3] = ["grafcet-sim", "grafcet-exchange", "grafcet-prove"];
 
 /// Who repeats the version, because it does not inherit it from the workspace, and how.
 const REPEATED: [(&str, &str, &str); 5] = [
@@ -36,13 +34,11 @@ const REPEATED: [(&str, &str, &str); 5] = [
 pub(crate) fn run() -> Result {
     REPEATED.iter().try_for_each(repeats)?;
     let toolchain = installed()?;
-    for (subcommand, crates) in [("build", &BUILT[..]), ("check", &CHECKED)] {
-        let mut command = cargo(toolchain.as_deref(), subcommand)?;
-        run_command(command.args(crates.iter().flat_map(|name| ["--package", name])))?;
-    }
     // What the macro generates is compiled by the user's compiler.
-    let mut command = cargo(toolchain.as_deref(), "check")?;
-    run_command(command.args(["--manifest-path", "tests/hostile/Cargo.toml", "--package", CONSUMER]))
+    let mut command = cargo(toolchain.as_deref())?;
+    run_command(command.args(["--manifest-path", "tests/hostile/Cargo.toml", "--package", CONSUMER]))?;
+    let mut command = cargo(toolchain.as_deref())?;
+    run_command(command.args(LIBRARIES.iter().flat_map(|name| ["--package", name])))
 }
 
 /// The file says the version that the workspace's manifest says.
@@ -52,8 +48,8 @@ fn repeats((file, before, after): &(&str, &str, &str)) -> Result {
     if text.contains(&words) { Ok(()) } else { Err(format!("{file} does not say `{words}`")) }
 }
 
-/// `cargo build` or `cargo check` of the toolchain of that name, else of Debian's.
-fn cargo(toolchain: Option<&str>, subcommand: &str) -> Result<Command> {
+/// `cargo check` of the toolchain of that name, else of Debian's.
+fn cargo(toolchain: Option<&str>) -> Result<Command> {
     let mut command = match toolchain {
         Some(toolchain) => {
             println!("msrv: rustup's toolchain {toolchain}");
@@ -67,9 +63,7 @@ fn cargo(toolchain: Option<&str>, subcommand: &str) -> Result<Command> {
             )
         })?,
     };
-    command.args([subcommand, "--locked", "--lib", "--target-dir"]).arg(project::target("msrv"));
-    // Nobody runs it; and a library and the same one for a macro are two builds with debug information, and one without.
-    command.env("CARGO_PROFILE_DEV_DEBUG", "0");
+    command.args(["check", "--locked", "--lib", "--target-dir"]).arg(project::target("msrv"));
     command.current_dir(project::root());
     Ok(command)
 }
