@@ -268,8 +268,11 @@ fn lock_files() -> Result {
 
 fn rustfmt() -> Result {
     run_command(&mut cargo(&["fmt", "--all", "--check"]))?;
-    // Without `--all`, which would have the crates of the workspace formatted again that these depend on.
-    APART.iter().try_for_each(|manifest| run_command(cargo(&["fmt", "--check"]).args(manifest)))
+    // With `--all` also the crates of the workspace that these depend on, once more. Only what has no package of its own needs that.
+    APART.iter().try_for_each(|manifest| {
+        let all: &[&str] = if *manifest == HOSTILE { &["--all"] } else { &[] };
+        run_command(cargo(&["fmt", "--check"]).args(all).args(manifest))
+    })
 }
 
 fn recorder() -> Result {
