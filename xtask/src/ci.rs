@@ -117,7 +117,7 @@ struct Queue {
 
 impl Queue {
     /// The first step whose folder nobody uses; it waits for one, and there is none when all have begun.
-    fn next(&self) -> Option<Step> {
+    fn next(&self) -> Option<Turn<'_>> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         loop {
             let (waiting, used) = &mut *state;
@@ -127,15 +127,24 @@ impl Queue {
             if let Some(at) = waiting.iter().position(|step| !used.contains(&step.folder)) {
                 let step = waiting.remove(at)?;
                 used.push(step.folder);
-                return Some(step);
+                return Some(Turn { queue: self, step });
             }
             state = self.ended.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
     }
+}
 
-    fn has_ended(&self, step: Step) {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner).1.retain(|folder| *folder != step.folder);
-        self.ended.notify_all();
+/// A step that runs. Whatever ends it, its folder is free again, or the others would wait for ever.
+struct Turn<'q> {
+    queue: &'q Queue,
+    step: Step,
+}
+
+impl Drop for Turn<'_> {
+    fn drop(&mut self) {
+        let folder = self.step.folder;
+        self.queue.state.lock().unwrap_or_else(PoisonError::into_inner).1.retain(|used| *used != folder);
+        self.queue.ended.notify_all();
     }
 }
 
@@ -165,9 +174,8 @@ impl Runner {
         let queue = Queue { state: Mutex::new((steps.iter().copied().collect(), Vec::new())), ended: Condvar::new() };
         let work = || {
             let mut outcomes = Vec::new();
-            while let Some(step) = queue.next() {
-                outcomes.push(self.step(step.name));
-                queue.has_ended(step);
+            while let Some(turn) = queue.next() {
+                outcomes.push(self.step(turn.step.name));
             }
             outcomes
         };

@@ -273,7 +273,7 @@ mod tests {
 
     use serde_json::json;
 
-    use super::{package, sets, turned_on};
+    use super::{package, published, sets, turned_on, workspace};
 
     #[test]
     fn sets_of_features() {
@@ -292,6 +292,28 @@ mod tests {
         let features = features();
         let on = |set: &[&'static str]| turned_on(&features, set.to_vec()).join(",");
         assert_eq!([on(&[]), on(&["a"]), on(&["c"]), on(&["c", "a"])], ["", "a", "a,b,c", "a,b,c"]);
+    }
+
+    #[test]
+    fn features_count_where_the_code_names_them() {
+        let packages = published().expect("cargo tells");
+        let named = |name: &str| {
+            let package = packages.iter().find(|package| package.name == name).expect("it is published");
+            package.named().expect("its code").into_iter().collect::<Vec<_>>().join(",")
+        };
+        // The others the facade hands on.
+        assert_eq!(named("grafcet"), "record,std");
+        assert_eq!(named("grafcet-macros"), "prove,record");
+        // In folders below, too.
+        assert!(named("grafcet-core").contains("steer,wire"), "{}", named("grafcet-core"));
+    }
+
+    #[test]
+    fn packages_depend_on_each_other_as_they_are_packed() {
+        let manifest = json!({ "name": "a", "version": "0.1.0", "manifest_path": "/a/Cargo.toml", "publish": null, "features": {}, "targets": [] });
+        let crate_ = package(&manifest).expect("a package");
+        let expected = "[workspace]\nresolver = \"3\"\nmembers = [\n    \"a-0.1.0\",\n]\n\n[patch.crates-io]\na = { path = \"a-0.1.0\" }\n";
+        assert_eq!(workspace(&[crate_]), expected);
     }
 
     #[test]
