@@ -131,8 +131,8 @@ pub(crate) fn features() -> Result {
 /// The macro.
 const MACROS: &str = "grafcet-macros";
 
-/// What it is made of, with a feature or without; and what is quickly built of that.
-const BUILT: [&str; 5] = ["grafcet-core", "grafcet-draw", "grafcet-compiler", "grafcet-prove", "grafcet-exchange"];
+/// What it is made of without features, and what is quickly built of that.
+const BUILT: [&str; 4] = ["grafcet-core", "grafcet-draw", "grafcet-compiler", "grafcet-exchange"];
 
 /// All sets of all features, with lints.
 ///
