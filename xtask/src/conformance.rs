@@ -1,7 +1,7 @@
 //! Random charts, compiled through the macro, beside the interpreter: the program of the package `grafcet-conformance`.
 
 use crate::command::{Result, run as run_command};
-use crate::project::cargo;
+use crate::project::{Program, cargo};
 
 /// Runs the program with these arguments; with `--program` naive programs, which need no rustc.
 ///
@@ -9,8 +9,7 @@ use crate::project::cargo;
 /// A chart differs, or a crate cannot be built.
 pub(crate) fn run(arguments: &[&str]) -> Result {
     // The program builds crates of its own: cargo must not hold its lock meanwhile, so it is run and not tested.
-    let program = ["run", "--quiet", "--package", "grafcet-conformance", "--bin", "conformance", "--"];
-    run_command(cargo(&program).args(arguments))
+    run_command(Program::Binary("conformance").command()?.args(arguments))
 }
 
 /// The checker beside a naive exploration of random charts.

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use crate::command::{Result, capture, capture_within, run as run_command, tool};
 use crate::image::Linker;
-use crate::project;
+use crate::project::{self, Program};
 use crate::toolchain::BareMetal;
 
 /// The target of the emulated board.
@@ -72,8 +72,8 @@ const SHOWN: usize = 20;
 /// # Errors
 /// A toolchain or QEMU is missing, a build fails, the image fails or hangs, or it answers other than the host.
 pub(crate) fn run() -> Result {
-    cargo("build", EXAMPLES_CRATE, BOARD, "--bins")?;
     let host = host_lines()?;
+    cargo("build", EXAMPLES_CRATE, BOARD, "--bins")?;
     compare(&host, &board_lines(IMAGE, RUNNER)?)?;
     println!("firmware: {} lines on the board equal those of the host", host.lines().count());
     programs()?;
@@ -190,12 +190,12 @@ fn cargo(subcommand: &str, manifest: &str, target: &str, what: &str) -> Result {
 
 /// What the examples print on the host, below the headings that the firmware prints.
 fn host_lines() -> Result<String> {
+    Program::build(&EXAMPLES.map(Program::Example))?;
     EXAMPLES
         .iter()
         .map(|example| {
             let script = format!("examples/charts/{example}.script");
-            let arguments = ["run", "--quiet", "--example", example, "--", "--script", &script];
-            let printed = capture(&mut project::cargo(&arguments))?;
+            let printed = capture(Program::Example(example).built().args(["--script", &script]))?;
             match printed.as_str() {
                 "" => Err(format!("the example {example} printed nothing for {script}: nothing to compare")),
                 _ => Ok(format!("# {example}\n{printed}")),

@@ -158,7 +158,9 @@ impl Reader {
 
     /// Runs cargo as the reader does, who has set none of what CI sets.
     fn here(&mut self, command: &mut Command, fails: bool) -> Result<String> {
-        command.env_remove("CARGO_PROFILE_DEV_DEBUG").env_remove("CARGO_INCREMENTAL");
+        for set in ["CARGO_PROFILE_DEV_DEBUG", "CARGO_PROFILE_RELEASE_DEBUG", "CARGO_INCREMENTAL"] {
+            command.env_remove(set);
+        }
         let text = self.run(command.env("CARGO_TARGET_DIR", project::target(BUILD)), fails)?;
         self.compilers += text.matches(BUILDS_COMPILER).count();
         Ok(text)

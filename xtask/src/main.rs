@@ -60,7 +60,9 @@ Usage: cargo xtask <task>
             the fuzzer of the folder `fuzz`, on stable Rust; with `merge` what it has found goes to the corpus
   interface [record]
             the public interfaces beside those in tests/interface (cargo-public-api), or records them anew
-  packages  pack and build what is published, check sets of features and the oldest dependencies allowed
+  packages  pack what is published, build it with the oldest dependencies allowed, and check sets of features
+  packages all
+            the same with all sets of features, and with lints
   page      the page of a replay in headless Chromium: its buttons, keys, slider and dragging show what its data says
   plant [WORD]
             plants faults into the runtime and the code generator, one by one, and tells which test of CI finds each; only
@@ -114,6 +116,7 @@ fn main() -> ExitCode {
         ["interface", "record"] => interface::record(),
         ["msrv"] => msrv::run(),
         ["packages"] => packages::run(),
+        ["packages", "all"] => packages::all(),
         ["page"] => page::run(),
         ["plant"] => plant::run(None),
         ["plant", word] => plant::run(Some(word)),

@@ -7,7 +7,7 @@ use std::process::Stdio;
 
 use crate::command::{Result, run as run_command};
 use crate::firmware;
-use crate::project::{self, cargo};
+use crate::project::{self, Program, cargo};
 
 /// How the program on the board fails, one after the other: each time it has begun, it shows this.
 const FAILURES: [&str; 2] = ["# panic", "# watchdog"];
@@ -64,7 +64,7 @@ pub(crate) fn test(arguments: &[&str; 4]) -> Result {
 }
 
 fn decoded(record: &str, arguments: &[&str]) -> Result<String> {
-    let mut command = cargo(&["run", "--quiet", "--package", "grafcet-record", "--example", "decode", "--"]);
+    let mut command = Program::Example("decode").command()?;
     command.args(arguments);
     let failed = |error: std::io::Error| format!("the decoder: {error}");
     let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(failed)?;

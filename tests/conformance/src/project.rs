@@ -104,15 +104,20 @@ impl Project {
 
     fn manifest(&self) -> Result<(), String> {
         let root = root();
+        // There is no build script: what the macros are made of has the features that the programs have, so that cargo takes both for one and
+        // builds the compiler of charts once.
         let text = format!(
             "[package]\nname = \"grafcet-conformance-batch\"\nedition = \"2024\"\n\n[workspace]\n\n[dependencies]\n\
              grafcet = {{ path = '{}', features = ['wire'] }}\ngrafcet-conformance = {{ path = '{}' }}\n\
              grafcet-conformance-printed = {{ path = '{}' }}\n\n\
+             [build-dependencies]\ngrafcet-core = {{ path = '{}', features = ['wire'] }}\n\
+             embedded-io = {{ version = '0.7', features = ['alloc', 'std'] }}\n\n\
              [profile.dev]\ndebug = false\nincremental = false\nopt-level = {}\n\n\
              [profile.dev.package.\"*\"]\nopt-level = 1\n\n[profile.dev.build-override]\nopt-level = 1\n{}",
             root.display(),
             root.join("tests/conformance").display(),
             root.join("tests/conformance/printed").display(),
+            root.join("grafcet-core").display(),
             if self.soak.is_some() { 3 } else { 0 },
             if self.soak.is_some() { FAST } else { "" },
         );

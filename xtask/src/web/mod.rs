@@ -8,12 +8,13 @@ use std::process::Command;
 
 use crate::command::{Result, capture, find, run as run_command};
 use crate::firmware;
-use crate::project::{self, cargo, root};
+use crate::project::{self, Program, cargo, root};
 use crate::toolchain::BareMetal;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const PAGE: &str = "grafcet-web/page";
 const BIND: &str = "grafcet-web/bind";
+const TOOL: Program = Program::Binary("cargo-grafcet");
 
 /// Builds it into `target/web`.
 ///
@@ -30,6 +31,8 @@ pub(crate) fn run() -> Result {
 /// # Errors
 /// As of [`run`], or a test fails.
 pub(crate) fn test() -> Result {
+    // First, so that it does not wait for what else CI builds in that folder later.
+    Program::build(&[TOOL, Program::Example("gallery"), Program::Example("timelines")])?;
     let built = Built::all()?;
     let timelines = built.folder.join("timelines.json");
     write_example("timelines", &root().join("tests/conformance"), &timelines)?;
@@ -44,17 +47,16 @@ pub(crate) fn test() -> Result {
 /// A tool is missing, something does not build, or the page shows anything else than what happened.
 pub(crate) fn live() -> Result {
     packages()?;
-    run_command(&mut cargo(&["build", "--quiet", "--package", "cargo-grafcet"]))?;
-    let tool = project::target("debug").join(format!("cargo-grafcet{}", std::env::consts::EXE_SUFFIX));
+    Program::build(&[TOOL])?;
+    let tool = TOOL.file();
     let emulator = firmware::recorder()?;
     let mut command = node("test/live.mjs")?;
-    command.arg(tool).args(["examples/charts/cell.rs", "tests/examples/cell.expected"].map(|file| root().join(file)));
+    command.arg(&tool).args(["examples/charts/cell.rs", "tests/examples/cell.expected"].map(|file| root().join(file)));
     let pictures = project::target("wasm").join("screenshots");
     run_command(command.arg(&pictures).arg(emulator.get_program()).args(emulator.get_args()))?;
     let emulator = firmware::steered()?;
     let mut command = node("test/steer.mjs")?;
-    command.arg(project::target("debug").join(format!("cargo-grafcet{}", std::env::consts::EXE_SUFFIX)));
-    command.arg(root().join("examples/firmware/src/bin/steered.rs")).arg(pictures);
+    command.arg(tool).arg(root().join("examples/firmware/src/bin/steered.rs")).arg(pictures);
     run_command(command.arg(emulator.get_program()).args(emulator.get_args()))
 }
 
@@ -115,9 +117,8 @@ fn bind(module: &Path, glue: &Path) -> Result {
 }
 
 /// What an example of the crate prints about a folder.
-fn write_example(name: &str, folder: &Path, file: &Path) -> Result {
-    let run = ["run", "--quiet", "--package", "grafcet-web", "--example", name, "--"];
-    write(file, &capture(cargo(&run).arg(folder))?)
+fn write_example(name: &'static str, folder: &Path, file: &Path) -> Result {
+    write(file, &capture(Program::Example(name).command()?.arg(folder))?)
 }
 
 fn write(file: &Path, text: &str) -> Result {
