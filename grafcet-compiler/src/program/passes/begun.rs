@@ -17,7 +17,7 @@
 //! where it asks for one.
 
 use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value};
-use super::uses::{Effects, blocks_mut, mentions};
+use super::uses::{Effects, blocks, blocks_mut, mentions};
 use crate::list::List;
 
 pub(super) fn pass(program: &mut Program<'_>) {
@@ -144,12 +144,12 @@ impl Region {
             let fits = match statement {
                 Statement::Set(place, value) if *place == self.state => match value {
                     Expr::Value(value) if asked.contains(value) => {
-                        let others = statements.iter().enumerate().filter(|(other, _)| *other != at);
-                        others.into_iter().any(|(_, one)| self.begins_here(one, Some(*value)))
+                        let mut others = statements.iter().enumerate().filter(|(other, _)| *other != at);
+                        others.any(|(_, one)| self.begins_here(one, Some(*value)))
                     }
                     value => matches!(value, Expr::Value(_)),
                 },
-                other => super::uses::blocks(other).into_iter().all(|block| self.begins(block, asked)),
+                other => blocks(other).into_iter().all(|block| self.begins(block, asked)),
             };
             if !fits {
                 return false;

@@ -72,16 +72,13 @@ fn gathers<'s, 'm>(statement: &'s Statement<'m>) -> Option<(PlaceId, &'s [Expr<'
 /// Whether `next` begins as `value` and becomes another one only where it is told that something moves.
 fn is_told(front: &[Statement<'_>], moves: PlaceId, value: PlaceId, next: PlaceId) -> bool {
     let Some(copy) = front.iter().position(|one| is_copy(one, next, value)) else { return false };
-    let sets = |one: &Statement<'_>, place: PlaceId| Effects::of(one).writes.contains(&place);
-    let early = front[..copy].iter().any(|one| sets(one, next));
-    let off = front
-        .iter()
-        .rposition(|one| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == moves));
-    let changed = front.iter().any(|one| sets(one, value));
-    !early
-        && !changed
-        && off.is_some_and(|off| off <= copy || !front[copy + 1..off].iter().any(|one| sets(one, next)))
-        && { front[copy + 1..].iter().all(|one| tells(std::slice::from_ref(one), moves, next)) }
+    let sets = |list: &[Statement<'_>], place: PlaceId| Effects::of_all(list).writes.contains(&place);
+    let is_off =
+        |one: &Statement<'_>| matches!(one, Statement::Set(place, Expr::Value(Value::Bool(false))) if *place == moves);
+    let Some(off) = front.iter().rposition(is_off) else { return false };
+    let early = sets(&front[..copy], next) || off > copy && sets(&front[copy + 1..off], next);
+    let rest = &front[copy.max(off) + 1..];
+    !early && !sets(front, value) && rest.iter().all(|one| tells(std::slice::from_ref(one), moves, next))
 }
 
 fn is_copy(statement: &Statement<'_>, to: PlaceId, from: PlaceId) -> bool {
