@@ -1,14 +1,15 @@
 //! A number that tells charts apart, for whoever stores what a chart did and reads it later.
 
 use crate::list::List;
+use crate::plant::chart_of;
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
-/// The fingerprint of a chart: it follows from its tokens, but for comments. Blanks and line ends do not matter.
+/// The fingerprint of a chart: it follows from its tokens, but for comments and the plants of its call. Blanks and line ends do not matter.
 #[must_use]
-pub fn of(chart: TokenStream) -> u32 {
+pub fn of(chart: &TokenStream) -> u32 {
     let mut hash = Hash::new();
-    hash.tokens(chart);
+    hash.tokens(chart_of(chart));
     hash.finish()
 }
 
@@ -93,7 +94,15 @@ mod tests {
     use super::of;
 
     fn fingerprint(source: &str) -> u32 {
-        of(source.parse().expect("tokens"))
+        of(&source.parse().expect("tokens"))
+    }
+
+    #[test]
+    fn plants_do_not_matter() {
+        let chart = "sfc A { input x: bool; output y: bool; initial step B { y; } step C; B -[x]-> C -[!x]-> B; }";
+        let plant = "plant P { input y: bool; output x: bool; initial step D; step E1 { x; } D -[y]-> E1 -[!y]-> D; }";
+        assert_eq!(fingerprint(chart), fingerprint(&format!("{chart} {plant}")));
+        assert_eq!(fingerprint(chart), fingerprint(&format!("{chart} #[cfg(test)] pub {plant}")));
     }
 
     #[test]

@@ -103,7 +103,7 @@ fn plants(call: &plant::Call, sound: bool, root: &TokenStream, wanted: Wanted<'_
 
 /// A chart without its plants.
 fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> Compiled {
-    let fingerprint = wanted.recorded.then(|| fingerprint::of(plant::chart_of(&chart)));
+    let fingerprint = wanted.recorded.then(|| fingerprint::of(&chart));
     by(chart, root, wanted.prover, &|model, facts, plan| codegen::generate((model, facts, plan), root, fingerprint))
 }
 

@@ -102,7 +102,7 @@ impl Chart {
     /// Tells charts apart, as the fingerprint that a recorder writes; none for a chart that was made of a model.
     #[must_use]
     pub fn fingerprint(&self) -> Option<u32> {
-        self.source.clone().map(grafcet_compiler::fingerprint::of)
+        self.source.as_ref().map(grafcet_compiler::fingerprint::of)
     }
 
     /// The tokens it was made of.

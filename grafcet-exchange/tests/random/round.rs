@@ -183,7 +183,9 @@ fn same_behaviour(original: &Model, back: &Back, lines: &[Line]) -> Result<usize
                 };
                 let own = |name: &syn::Ident| play::plain(name);
                 let one = was.cycle(&given(original, &own), *now);
-                let other = is.cycle(&given(&back.model, &own), *now);
+                // What is imported counts milliseconds, whatever the chart has counted.
+                let finer = u32::try_from(original.clock_nanos / back.model.clock_nanos).unwrap_or(1).max(1);
+                let other = is.cycle(&given(&back.model, &own), now.wrapping_mul(finer));
                 // The arithmetic of both has failed.
                 let (Ok(one), Ok(other)) = (&one, &other) else {
                     return if one.is_err() == other.is_err() {

@@ -25,6 +25,7 @@ impl Cell {
         if first {
             self.edge0_before = edge0_now;
         }
+        let inputs = core::hint::black_box(inputs);
         loop {
             let mut moves_39_: bool = false;
             match self.region_0 {
@@ -126,6 +127,9 @@ impl Cell {
             }
             self.edge0_before = edge0_now;
         }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
         self.edge0_before = edge0_now;
         match self.region_0 {
             __CellRegion0::Stopped => {

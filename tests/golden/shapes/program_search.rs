@@ -10,6 +10,7 @@ impl Presses {
                 right: false,
             }
         };
+        let inputs = core::hint::black_box(inputs);
         loop {
             let mut moves_14_: bool = false;
             match self.region_0 {
@@ -56,6 +57,9 @@ impl Presses {
                 break;
             }
         }
+        core::sync::atomic::compiler_fence(
+            core::sync::atomic::Ordering::SeqCst,
+        );
         match self.region_0 {
             __PressesRegion0::Left => {
                 outputs.left = true;

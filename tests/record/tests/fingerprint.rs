@@ -28,7 +28,7 @@ fn fingerprints(file: &str) -> Vec<u32> {
     let source = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let mut found = Vec::new();
     charts(source.parse().expect("tokens"), &mut found);
-    found.into_iter().map(grafcet_compiler::fingerprint::of).collect()
+    found.iter().map(grafcet_compiler::fingerprint::of).collect()
 }
 
 #[test]
