@@ -7,7 +7,7 @@ use std::time::Instant;
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::{Id, Model, OutputId};
 use grafcet_compiler::program::passes::{Pass, optimise};
-use grafcet_compiler::program::{Encoding, Expr, Role, Statement, Value, naive};
+use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value, naive};
 use grafcet_conformance::program::{Outcome, compare, program as optimised, sleeps};
 use grafcet_conformance::reader;
 
@@ -455,6 +455,54 @@ fn what_only_some_states_do_is_not_hoisted() {
         let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
         assert_eq!(matches!(body[0], Statement::Set(..)), hoisted, "{program}");
     }
+}
+
+/// What a round reads before it is set anew is not set in front of the search.
+#[test]
+fn what_a_round_reads_first_stays_in_it() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [one, other, ..] = locals(&program)[..] else { panic!("two locals") };
+    let on = || Statement::Set(other, Expr::Value(Value::Bool(true)));
+    for (front, moved) in [(vec![], true), (vec![Statement::Set(one, Expr::Place(other))], false)] {
+        let body = [front, vec![on(), Statement::Break]].concat();
+        program.cycle = vec![Statement::Loop { rounds: 2, body }];
+        optimise(&mut program, &[Pass::Peel]);
+        assert_eq!(matches!(program.cycle[0], Statement::Set(..)), moved, "{program}");
+    }
+}
+
+/// A stored value is compared with its next one unless each change of it tells that something moves.
+#[test]
+fn what_changes_alone_is_compared() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [moves, next, asked, ..] = locals(&program)[..] else { panic!("three locals") };
+    let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
+    for tells in [true, false] {
+        let told = if tells { vec![set(next, true), set(moves, true)] } else { vec![set(next, true)] };
+        let differs = Expr::Compare(Comparison::Differs, Box::new(Expr::Place(value)), Box::new(Expr::Place(next)));
+        let body = vec![
+            set(moves, false),
+            Statement::Set(next, Expr::Place(value)),
+            Statement::If(Expr::Place(asked), told, Vec::new()),
+            Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), differs])),
+            Statement::Set(value, Expr::Place(next)),
+            Statement::If(Expr::Not(Box::new(Expr::Place(moves))), vec![Statement::Break], Vec::new()),
+        ];
+        program.cycle = vec![Statement::Loop { rounds: 2, body }];
+        optimise(&mut program, &[Pass::Stays]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        let compares = body.iter().any(|one| matches!(one, Statement::Set(_, Expr::Any(_))));
+        assert_eq!(compares, !tells, "{program}");
+    }
+}
+
+/// Truths of one cycle.
+fn locals(program: &Program<'_>) -> Vec<PlaceId> {
+    let truths = program.places.iter().enumerate();
+    truths.filter(|(_, place)| !place.is_field && matches!(place.ty, Type::Bool)).map(|(at, _)| PlaceId(at)).collect()
 }
 
 /// A step that no way leaves has no arm where the next state is decided, and keeps its state where that is stored.
