@@ -48,7 +48,7 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
     Ok(program)
 }
 
-/// Whether what the passes leave of a chart with parallel branches is not much longer than the chart itself. Where many transitions
+/// Whether what the passes leave of a chart of several regions is not much longer than the chart itself, and each of its searches ends. Where many transitions
 /// synchronise the same branches it is longer, as there is a way for each of their outcomes.
 pub(crate) fn is_lean(model: &Model, facts: &Facts<'_>) -> bool {
     if model.steps.len() > FEW_STEPS {

@@ -111,7 +111,7 @@ impl<'m> Lower<'_, 'm> {
         }
     }
 
-    /// Whether all that is waited for counts from the beginning of a step's time, so that nobody asks for the reading of the last cycle: with one region, and in an `sfc` with
+    /// Whether all that is waited for counts from the beginning of a step's time, so that nobody asks for the reading of the last cycle: with one region, and with
     /// few. Of each step one time at most can be over while it stays active.
     fn counts_from_beginning(&self) -> bool {
         let is_counted = |clock: &Clock| matches!(clock, Clock::Counted(_));

@@ -1,4 +1,5 @@
-//! In a `grafcet` of one region the first cycle is a state, and what tells that the next cycle would do the same is no field where others tell it.
+//! In a `grafcet` the first cycle is a state, of several regions that of the first one that begins with a step, and what tells that the next cycle would do the same is no field
+//! where others tell it. What gives a field what it begins with is nothing to do in that cycle.
 //!
 //! ```text
 //! fields                       fields
