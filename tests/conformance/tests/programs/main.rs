@@ -17,6 +17,7 @@ use grafcet_conformance::{chart, fragments, play, random, reader};
 use proc_macro2::TokenStream;
 
 mod passes;
+mod regions;
 
 #[path = "../../../charts/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "its other half is for expansions")]

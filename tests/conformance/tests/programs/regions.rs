@@ -1,0 +1,193 @@
+//! Passes over several regions: parallel branches, partial grafcets, and what a search over them does.
+
+use grafcet_compiler::model::{Id, OutputId};
+use grafcet_compiler::program::passes::{Pass, optimise};
+use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use grafcet_conformance::program::program as optimised;
+
+use super::passes::{drawn, each_left_out, kettle, storm};
+use super::read;
+
+/// Whether branches have moved is told by the states that the cycle began with, also where a step is left and entered in other ways, where a time is over and where
+/// several regions move at once. Where no state is free to mark a time that is over, or a step is left and entered at once, the cycle stores it.
+#[test]
+fn branches_tell_by_their_states_whether_they_have_moved() {
+    for (more, told) in [
+        ("", true),
+        ("B2 -[a && 4ms/B2]-> B1;", false),
+        ("A2 -[b && 4ms/A2]-> A1;", false),
+        ("A1 -[a && b && c]-> A1;", false),
+        ("step B3 { P1 n = 1; } B1 -[a && !b && 7ms/B1]-> B3 -[9ms/B3 || c]-> B2;", false),
+        ("step B3 { P1 n = 1; } B1 -[a && !b]-> B3 -[9ms/B3 || c]-> B2;", true),
+        ("step D1; step D2; B2 -[a && b]-> (D1, D2); (D1, D2) -[!a]-> B2;", false),
+    ] {
+        let model = read(&kettle(more));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        assert_eq!(program.place(Role::Settled).is_none(), told, "{more}: {program}");
+        assert_eq!(program.place(Role::Reading).is_none(), told, "{more}: {program}");
+        each_left_out(&model, &storm(&["a", "b", "c"], 300), 120);
+    }
+}
+
+/// An output that ends each cycle as its flip-flop is set behind the ways, but not one that something asks for.
+#[test]
+fn an_output_that_shows_a_field_is_set_once() {
+    for (lamp, once) in [("S lamp;", true), ("S lamp; p if lamp;", false)] {
+        let model = read(&format!(
+            "sfc Stored {{ input a, b: bool; output lamp, p: bool; initial step Idle {{ R lamp; }} step A1 {{ {lamp} }} step A2; step B1; step B2; \
+             Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }}"
+        ));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        let output = program.place(Role::Output(OutputId::new(0))).expect("an output");
+        let last = matches!(program.cycle.last(), Some(Statement::Set(place, Expr::Place(_))) if *place == output);
+        assert_eq!(last, once, "{lamp}: {program}");
+        each_left_out(&model, &storm(&["a", "b"], 200), 0);
+    }
+}
+
+/// A stop that forces two modes, one of which encloses two branches; a part beside them that looks at the branches.
+pub(super) const PLANT: &str = "grafcet Plant { input stop, go, auto, x, y, z: bool; output p, q, r, s: bool; output n: bool = false; \
+     partial Safety { initial step Ready; step Stopped { force Modes {}; p; } step Restart { force Modes {INIT}; force Side {INIT}; } \
+       Ready -[stop]-> Stopped -[!stop && rising(go)]-> Restart -[true]-> Ready; } \
+     partial Modes { initial step Manual { q; } enclosing step Auto { partial Work { linked step Wait; step A1 { r; } step A2; \
+       step B1 { P1 n = !n; } step B2; \
+       Wait -[x]-> (A1, B1); A1 -[y]-> A2; B1 -[z && A2.X]-> B2; B1 -[5ms/B1]-> B2; (A2, B2) -[!x]-> Wait; } } \
+       Manual -[rising(auto)]-> Auto -[!auto && Work::Wait.X]-> Manual; } \
+     partial Side { initial step S1 { S s; } step S2 { force Other {}; R s; } S1 -[Work::A1.X || x && y]-> S2 -[!Work::B1.X && !x]-> S1; } \
+     partial Other { initial step O1; step O2; O1 -[z]-> O2 -[y && 3ms/O2]-> O1; } }";
+
+/// What forces and encloses, what is forced and enclosed, and what looks at both, at random inputs.
+#[test]
+fn a_search_goes_from_above_downwards() {
+    let model = read(PLANT);
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    let Some(Statement::Loop { body, .. }) = program.cycle.iter().find(|one| matches!(one, Statement::Loop { .. }))
+    else {
+        panic!("{program}");
+    };
+    assert!(body.iter().any(|one| matches!(one, Statement::Match(..))), "{program}");
+    let text = drawn(&[("stop", true), ("go", false), ("auto", false), ("x", false), ("y", false), ("z", false)], 240);
+    each_left_out(&model, &text, 40);
+}
+
+/// A stop above two branches by time in an enclosing step, one of which stays active beyond its time; what is stored changes in several places.
+pub(super) const CELL: &str = "grafcet Cell { input stop, ack, go, x, y: bool; output clamp, p, q: bool; output n: bool = false; \
+     partial Safety { initial step Ready; step Stopped { force Modes {}; p; } step Restart { force Modes {INIT}; } \
+       Ready -[stop]-> Stopped -[!stop && rising(ack)]-> Restart -[true]-> Ready; } \
+     partial Modes { initial step Manual { R clamp; } enclosing step Auto { \
+       partial Work { linked step Wait; step Close { S clamp; } step Work { q; } step Open { R clamp; P1 n = !n; } \
+         Wait -[x]-> Close -[4ms/Close]-> Work -[y]-> Open -[!x]-> Wait; } \
+       partial Side { linked step Off; step On { q; } step Late; Off -[y && 3ms/Off]-> On -[5ms/On]-> Late -[!y]-> Off; } } \
+       Manual -[rising(go)]-> Auto -[!go && Work::Wait.X]-> Manual; } }";
+
+/// Of several partial grafcets the first cycle is a state, no reading is kept, a time begins where a step asks for it, and a stored output changes where it is written.
+#[test]
+fn partial_grafcets_keep_little() {
+    let model = read(CELL);
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    for role in [Role::Reading, Role::Settled, Role::Passed(2)] {
+        assert!(program.place(role).is_none(), "{role:?}: {program}");
+    }
+    assert!(program.place(Role::Passed(3)).is_some(), "Off stays active beyond its time: {program}");
+    assert!(program.place(Role::First).is_none_or(|first| !program.places[first.0].is_field), "{program}");
+    let text = program.to_string();
+    assert!(!text.contains("next.clamp") && !text.contains("evolutions"), "{program}");
+    assert_eq!(text.matches("since.Wait = now").count(), 1, "{program}");
+    let inputs = [("stop", true), ("ack", false), ("go", false), ("x", false), ("y", false)];
+    each_left_out(&model, &drawn(&inputs, 400), 200);
+}
+
+/// A step that an order from above may keep active is not left when its time is over, and its deadline has to know that; one that loses what encloses it is.
+#[test]
+fn an_order_from_above_keeps_steps_beyond_their_time() {
+    for (order, kept) in [
+        ("force Modes {};", false),
+        ("force Modes {INIT};", false),
+        ("force Modes {Manual};", false),
+        ("force Modes {Auto};", true),
+        ("force Modes {*};", true),
+        ("force Work {*};", true),
+        ("force Work {Close};", true),
+        ("force Work {Wait};", false),
+        ("force Side {*};", false),
+    ] {
+        let model = read(&CELL.replacen("force Modes {};", order, 1));
+        let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+        assert_eq!(program.place(Role::Passed(2)).is_some(), kept, "{order}: {program}");
+        let inputs = [("stop", true), ("ack", false), ("go", false), ("x", false), ("y", false)];
+        each_left_out(&model, &drawn(&inputs, 200), 100);
+    }
+}
+
+/// An arm of no step is none of a step: what two arms do is not done for the step that has none.
+#[test]
+fn what_only_some_states_do_is_not_hoisted() {
+    let model = read(
+        "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A { force Down {}; } step B; A -[a]-> B -[b]-> A; } \
+         partial Down { initial step C; step D { p; } C -[a]-> D -[b]-> C; } }",
+    );
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let state = program.place(Role::State(1)).expect("a region");
+    let p = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let set = || vec![Statement::Set(p, Expr::Value(Value::Bool(true)))];
+    let arm = |step: Option<usize>| (vec![Value::Step(step.map(|at| program.regions[1][at]))], set());
+    let cycle = |arms| {
+        vec![Statement::Loop { rounds: 1, body: vec![Statement::Match(state, arms, Vec::new()), Statement::Break] }]
+    };
+    let of_some = cycle(vec![arm(Some(0)), arm(None)]);
+    let of_all = cycle(vec![arm(Some(0)), arm(Some(1)), arm(None)]);
+    for (cycle, hoisted) in [(of_some, false), (of_all, true)] {
+        program.cycle = cycle;
+        optimise(&mut program, &[Pass::Hoist]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        assert_eq!(matches!(body[0], Statement::Set(..)), hoisted, "{program}");
+    }
+}
+
+/// What a round reads before it is set anew is not set in front of the search.
+#[test]
+fn what_a_round_reads_first_stays_in_it() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [one, other, ..] = locals(&program)[..] else { panic!("two locals") };
+    let on = || Statement::Set(other, Expr::Value(Value::Bool(true)));
+    for (front, moved) in [(vec![], true), (vec![Statement::Set(one, Expr::Place(other))], false)] {
+        let body = [front, vec![on(), Statement::Break]].concat();
+        program.cycle = vec![Statement::Loop { rounds: 2, body }];
+        optimise(&mut program, &[Pass::Peel]);
+        assert_eq!(matches!(program.cycle[0], Statement::Set(..)), moved, "{program}");
+    }
+}
+
+/// A stored value is compared with its next one unless each change of it tells that something moves.
+#[test]
+fn what_changes_alone_is_compared() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [moves, next, asked, ..] = locals(&program)[..] else { panic!("three locals") };
+    let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
+    for tells in [true, false] {
+        let told = if tells { vec![set(next, true), set(moves, true)] } else { vec![set(next, true)] };
+        let differs = Expr::Compare(Comparison::Differs, Box::new(Expr::Place(value)), Box::new(Expr::Place(next)));
+        let body = vec![
+            set(moves, false),
+            Statement::Set(next, Expr::Place(value)),
+            Statement::If(Expr::Place(asked), told, Vec::new()),
+            Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), differs])),
+            Statement::Set(value, Expr::Place(next)),
+            Statement::If(Expr::Not(Box::new(Expr::Place(moves))), vec![Statement::Break], Vec::new()),
+        ];
+        program.cycle = vec![Statement::Loop { rounds: 2, body }];
+        optimise(&mut program, &[Pass::Stays]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        let compares = body.iter().any(|one| matches!(one, Statement::Set(_, Expr::Any(_))));
+        assert_eq!(compares, !tells, "{program}");
+    }
+}
+
+/// Truths of one cycle.
+fn locals(program: &Program<'_>) -> Vec<PlaceId> {
+    let truths = program.places.iter().enumerate();
+    truths.filter(|(_, place)| !place.is_field && matches!(place.ty, Type::Bool)).map(|(at, _)| PlaceId(at)).collect()
+}
