@@ -176,7 +176,7 @@ pub mod __private {
     pub use grafcet_core::__recorded as recorded;
     #[cfg(feature = "record")]
     pub use grafcet_core::record::Blocked;
-    pub use grafcet_core::values::{copied, default_value, is_same};
+    pub use grafcet_core::values::{copied, default_value, is_same, name_at};
     pub use grafcet_core::{
         ActiveSteps, Chart, Delay, ForceError, Forceable, OnDelay, OutOfRange, Phase, Possible, ShortTime, Ticks,
         description, earlier, phase, situation, sooner, until, until_change,

@@ -104,7 +104,7 @@ fn shape(chart: TokenStream) -> Result<(Form, Search), Vec<String>> {
         let model = model::resolve(&chart, &mut sink);
         let facts = Facts::of(&model);
         let races = check::evolution(&model, &facts, None, &mut sink);
-        let shape = Plan::of(&model, &facts, &races).shape;
+        let shape = Plan::of(&model, &facts, &races, false).shape;
         (shape.form, shape.search)
     });
     let wrong = sink.has_errors();

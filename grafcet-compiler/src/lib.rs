@@ -104,18 +104,20 @@ fn plants(call: &plant::Call, sound: bool, root: &TokenStream, wanted: Wanted<'_
 /// A chart without its plants.
 fn alone(chart: TokenStream, root: &TokenStream, wanted: Wanted<'_>) -> Compiled {
     let fingerprint = wanted.recorded.then(|| fingerprint::of(&chart));
-    by(chart, root, wanted.prover, &|model, facts, plan| codegen::generate((model, facts, plan), root, fingerprint))
+    let generate =
+        |model: &Model, facts: &Facts<'_>, plan: &Plan<'_>| codegen::generate((model, facts, plan), root, fingerprint);
+    by(chart, root, wanted, &generate)
 }
 
 /// What the fields of the state hold that a recorded chart has, by their names in its code; empty where it has mistakes.
 #[must_use]
 pub fn meanings(root: &TokenStream, chart: TokenStream) -> Vec<(String, held::Held)> {
     let found = std::cell::RefCell::new(Vec::new());
-    let look = |model: &Model, facts: &Facts<'_>, plan: &Plan| {
-        *found.borrow_mut() = codegen::meanings(model, facts, plan, root);
+    let look = |model: &Model, _: &Facts<'_>, plan: &Plan<'_>| {
+        *found.borrow_mut() = codegen::meanings(model, plan, root);
         TokenStream::new()
     };
-    by(chart, root, None, &look);
+    by(chart, root, Wanted { recorded: true, ..Wanted::default() }, &look);
     found.into_inner()
 }
 
@@ -123,7 +125,8 @@ pub fn meanings(root: &TokenStream, chart: TokenStream) -> Vec<(String, held::He
 #[cfg(feature = "program")]
 #[must_use]
 pub fn compile_program(root: &TokenStream, chart: TokenStream, lower: Lower) -> TokenStream {
-    by(chart, root, None, &|model, facts, plan| codegen::print(lower(model, facts), plan, root)).tokens(root)
+    by(chart, root, Wanted::default(), &|model, facts, plan| codegen::print(lower(model, facts), plan, root))
+        .tokens(root)
 }
 
 /// From the model to a program, such as the naive one.
@@ -134,8 +137,8 @@ pub type Lower = for<'m> fn(&'m Model, &Facts<'_>) -> Result<program::Program<'m
 fn by(
     chart: TokenStream,
     root: &TokenStream,
-    prover: Option<&Prover>,
-    generate: &dyn Fn(&Model, &Facts<'_>, &Plan) -> TokenStream,
+    wanted: Wanted<'_>,
+    generate: &dyn Fn(&Model, &Facts<'_>, &Plan<'_>) -> TokenStream,
 ) -> Compiled {
     let mut sink = Sink::new();
     let written = plant::chart_of(&chart);
@@ -148,8 +151,8 @@ fn by(
     let complete = !chart.incomplete && !model.incomplete;
     let facts = (complete && sink.leaves_evolution()).then(|| Facts::of(&model));
     let planned = facts.and_then(|facts| {
-        let races = check::evolution(&model, &facts, prover, &mut sink);
-        let plan = (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races));
+        let races = check::evolution(&model, &facts, wanted.prover, &mut sink);
+        let plan = (!sink.has_more_than_claims()).then(|| Plan::of(&model, &facts, &races, wanted.recorded));
         plan.map(|plan| (facts, plan))
     });
     if let Some((_, plan)) = &planned {

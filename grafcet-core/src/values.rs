@@ -37,6 +37,17 @@ impl<T: PartialEq> ComparedValue for T {}
 #[inline]
 pub const fn copied<T: Value>() {}
 
+/// The name that stands at a place of a list; there is one for each variant of an enum. rustc takes far longer for a `match` with an arm for each of thousands.
+#[must_use]
+#[inline]
+pub const fn name_at(names: &[&'static str], place: usize) -> &'static str {
+    // An index would be a panic where nothing is optimized.
+    match names.split_at_checked(place) {
+        Some((_, [name, ..])) => name,
+        _ => "",
+    }
+}
+
 /// The default of a type.
 #[must_use]
 #[inline(always)]

@@ -82,13 +82,10 @@ impl BatchStep {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            BatchStep::Idle => "Idle",
-            BatchStep::Fill => "Fill",
-            BatchStep::Heat => "Heat",
-            BatchStep::Stir => "Stir",
-            BatchStep::Drain => "Drain",
-        }
+        ::grafcet::__private::name_at(
+            &["Idle", "Fill", "Heat", "Stir", "Drain"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -132,12 +129,10 @@ impl BatchTransition {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            BatchTransition::IdleToFillAndHeat => "IdleToFillAndHeat",
-            BatchTransition::FillAndHeatToStir => "FillAndHeatToStir",
-            BatchTransition::StirToDrain => "StirToDrain",
-            BatchTransition::DrainToIdle => "DrainToIdle",
-        }
+        ::grafcet::__private::name_at(
+            &["IdleToFillAndHeat", "FillAndHeatToStir", "StirToDrain", "DrainToIdle"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -219,16 +214,11 @@ impl ::grafcet::__private::core::fmt::Debug for __BatchRegion0 {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &[
-            "Idle",
-            "Fill",
-            "Stir",
-            "Drain",
-            "NONE",
-            "INIT",
-        ];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["Idle", "Fill", "Stir", "Drain", "NONE", "INIT"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }
@@ -249,9 +239,11 @@ impl ::grafcet::__private::core::fmt::Debug for __BatchRegion1 {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &["Heat", "NONE"];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["Heat", "NONE"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }

@@ -87,17 +87,20 @@ impl CellStep {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            CellStep::Ready => "Ready",
-            CellStep::Stopped => "Stopped",
-            CellStep::Restart => "Restart",
-            CellStep::Idle => "Idle",
-            CellStep::Feed => "Feed",
-            CellStep::Close => "Close",
-            CellStep::Open => "Open",
-            CellStep::Auto => "Auto",
-            CellStep::Count => "Count",
-        }
+        ::grafcet::__private::name_at(
+            &[
+                "Ready",
+                "Stopped",
+                "Restart",
+                "Idle",
+                "Feed",
+                "Close",
+                "Open",
+                "Auto",
+                "Count",
+            ],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -151,17 +154,20 @@ impl CellTransition {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            CellTransition::ReadyToStopped => "ReadyToStopped",
-            CellTransition::StoppedToRestart => "StoppedToRestart",
-            CellTransition::RestartToReady => "RestartToReady",
-            CellTransition::CloseToOpen => "CloseToOpen",
-            CellTransition::IdleToFeed => "IdleToFeed",
-            CellTransition::FeedToClose => "FeedToClose",
-            CellTransition::OpenToIdle => "OpenToIdle",
-            CellTransition::IdleToAuto => "IdleToAuto",
-            CellTransition::AutoToIdle => "AutoToIdle",
-        }
+        ::grafcet::__private::name_at(
+            &[
+                "ReadyToStopped",
+                "StoppedToRestart",
+                "RestartToReady",
+                "CloseToOpen",
+                "IdleToFeed",
+                "FeedToClose",
+                "OpenToIdle",
+                "IdleToAuto",
+                "AutoToIdle",
+            ],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -199,9 +205,11 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion0 {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &["Ready", "Stopped", "Restart"];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["Ready", "Stopped", "Restart"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }
@@ -265,16 +273,11 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion1 {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &[
-            "Idle",
-            "Feed",
-            "Close",
-            "Open",
-            "Auto",
-            "NONE",
-        ];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["Idle", "Feed", "Close", "Open", "Auto", "NONE"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }
@@ -295,9 +298,11 @@ impl ::grafcet::__private::core::fmt::Debug for __CellRegion2 {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &["Count", "NONE"];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["Count", "NONE"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }

@@ -72,12 +72,10 @@ impl Line24VStep {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            Line24VStep::S1 => "S1",
-            Line24VStep::S2 => "S2",
-            Line24VStep::S3 => "S3",
-            Line24VStep::S4 => "S4",
-        }
+        ::grafcet::__private::name_at(
+            &["S1", "S2", "S3", "S4"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -121,12 +119,10 @@ impl Line24VTransition {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            Line24VTransition::S1ToS2 => "S1ToS2",
-            Line24VTransition::S2ToS3 => "S2ToS3",
-            Line24VTransition::S3ToS4 => "S3ToS4",
-            Line24VTransition::S4ToS1 => "S4ToS1",
-        }
+        ::grafcet::__private::name_at(
+            &["S1ToS2", "S2ToS3", "S3ToS4", "S4ToS1"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -166,9 +162,11 @@ impl ::grafcet::__private::core::fmt::Debug for __Line24VState {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &["S1", "S2", "S3", "S4"];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["S1", "S2", "S3", "S4"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }

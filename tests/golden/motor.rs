@@ -62,10 +62,10 @@ impl MotorStep {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            MotorStep::Off => "Off",
-            MotorStep::On => "On",
-        }
+        ::grafcet::__private::name_at(
+            &["Off", "On"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -105,10 +105,10 @@ impl MotorTransition {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            MotorTransition::OffToOn => "OffToOn",
-            MotorTransition::OnToOff => "OnToOff",
-        }
+        ::grafcet::__private::name_at(
+            &["OffToOn", "OnToOff"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -146,9 +146,11 @@ impl ::grafcet::__private::core::fmt::Debug for __MotorState {
         &self,
         f: &mut ::grafcet::__private::core::fmt::Formatter<'_>,
     ) -> ::grafcet::__private::core::fmt::Result {
-        const NAMES: &[&::grafcet::__private::str] = &["Off", "On", "INIT"];
         f.write_str(
-            NAMES.get(*self as ::grafcet::__private::usize).copied().unwrap_or_default(),
+            ::grafcet::__private::name_at(
+                &["Off", "On", "INIT"],
+                *self as ::grafcet::__private::usize,
+            ),
         )
     }
 }

@@ -70,14 +70,10 @@ impl StationsStep {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            StationsStep::Wait => "Wait",
-            StationsStep::Drill => "Drill",
-            StationsStep::Drilled => "Drilled",
-            StationsStep::Test => "Test",
-            StationsStep::Tested => "Tested",
-            StationsStep::Out => "Out",
-        }
+        ::grafcet::__private::name_at(
+            &["Wait", "Drill", "Drilled", "Test", "Tested", "Out"],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]
@@ -123,13 +119,16 @@ impl StationsTransition {
     /// The name as it is written.
     #[must_use]
     pub const fn name(self) -> &'static ::grafcet::__private::str {
-        match self {
-            StationsTransition::WaitToDrillAndTest => "WaitToDrillAndTest",
-            StationsTransition::DrillToDrilled => "DrillToDrilled",
-            StationsTransition::TestToTested => "TestToTested",
-            StationsTransition::DrilledAndTestedToOut => "DrilledAndTestedToOut",
-            StationsTransition::OutToWait => "OutToWait",
-        }
+        ::grafcet::__private::name_at(
+            &[
+                "WaitToDrillAndTest",
+                "DrillToDrilled",
+                "TestToTested",
+                "DrilledAndTestedToOut",
+                "OutToWait",
+            ],
+            self as ::grafcet::__private::usize,
+        )
     }
 }
 #[automatically_derived]

@@ -5,7 +5,7 @@ use crate::model::{Expr, Id, Model, Ty};
 use crate::plan::Plan;
 
 /// Reports remembered values of a user's own type that state no initial value: `Default` is not `const`.
-pub fn initial_values(model: &Model, plan: &Plan, sink: &mut Sink) {
+pub fn initial_values(model: &Model, plan: &Plan<'_>, sink: &mut Sink) {
     let remembered = |id: &crate::model::OutputId| plan.drives[id.index()].stored || plan.drives[id.index()].last;
     for id in model.outputs.ids().filter(remembered) {
         let output = &model.outputs[id];

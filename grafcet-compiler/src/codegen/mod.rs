@@ -47,7 +47,7 @@ use crate::analysis::{Facts, Situations};
 use crate::held::Held;
 use crate::model::Model;
 use crate::place::{self, quote};
-use crate::plan::{Form, Plan};
+use crate::plan::Plan;
 #[cfg(feature = "program")]
 use crate::program::Program;
 use crate::program::Refused;
@@ -56,7 +56,7 @@ pub(crate) use stub::stub;
 /// Everything the artefacts are written from.
 struct Cx<'m> {
     model: &'m Model,
-    plan: &'m Plan,
+    plan: &'m Plan<'m>,
     names: Names,
     /// The facade's hidden module, by absolute path.
     p: TokenStream,
@@ -64,17 +64,15 @@ struct Cx<'m> {
 
 /// The items of a chart; with its number also what a recorder needs to know of it.
 pub(crate) fn generate(
-    (model, facts, plan): (&Model, &Facts<'_>, &Plan),
+    (model, facts, plan): (&Model, &Facts<'_>, &Plan<'_>),
     root: &TokenStream,
     fingerprint: Option<u32>,
 ) -> TokenStream {
     let cx = Cx::new(model, plan, root);
-    let machine = match plan.shape.form {
-        Form::Program => match crate::program::optimised(model, facts, fingerprint.is_some()) {
-            Ok(program) => program::machine(&cx, &program),
-            Err(refused) => return refuse(&refused),
-        },
-        _ => Machine::planned(&cx),
+    let machine = match &plan.program {
+        Some(Ok(program)) => program::machine(&cx, program),
+        Some(Err(refused)) => return refuse(refused),
+        None => Machine::planned(&cx),
     };
     let (items, forced) = (items(&cx, &machine), force::all(&cx, facts, &machine));
     let recorded = fingerprint.map(|fingerprint| {
@@ -85,20 +83,18 @@ pub(crate) fn generate(
 }
 
 /// What the fields of the chart's state hold, by their names; of a chart that is recorded.
-pub(crate) fn meanings(model: &Model, facts: &Facts<'_>, plan: &Plan, root: &TokenStream) -> Vec<(String, Held)> {
+pub(crate) fn meanings(model: &Model, plan: &Plan<'_>, root: &TokenStream) -> Vec<(String, Held)> {
     let cx = Cx::new(model, plan, root);
-    match plan.shape.form {
-        Form::Program => match crate::program::optimised(model, facts, true) {
-            Ok(program) => program::meanings(&cx, &program),
-            Err(_) => Vec::new(),
-        },
-        _ => cx.meanings(),
+    match &plan.program {
+        Some(Ok(program)) => program::meanings(&cx, program),
+        Some(Err(_)) => Vec::new(),
+        None => cx.meanings(),
     }
 }
 
 /// The items of a chart by a program that somebody else has made of it.
 #[cfg(feature = "program")]
-pub(crate) fn print(program: Result<Program<'_>, Refused>, plan: &Plan, root: &TokenStream) -> TokenStream {
+pub(crate) fn print(program: Result<Program<'_>, Refused>, plan: &Plan<'_>, root: &TokenStream) -> TokenStream {
     match program {
         Ok(program) => {
             let cx = Cx::new(program.model, plan, root);
@@ -115,7 +111,7 @@ fn refuse(refused: &Refused) -> TokenStream {
 }
 
 impl<'m> Cx<'m> {
-    fn new(model: &'m Model, plan: &'m Plan, root: &TokenStream) -> Self {
+    fn new(model: &'m Model, plan: &'m Plan<'m>, root: &TokenStream) -> Self {
         let root = place::moved(root);
         Self { model, plan, names: Names::of(model), p: quote!(#root::__private) }
     }

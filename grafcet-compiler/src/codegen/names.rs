@@ -58,7 +58,7 @@ impl Names {
     }
 
     /// The private enum of a region's steps.
-    pub(super) fn region(&self, region: RegionId, plan: &Plan) -> Ident {
+    pub(super) fn region(&self, region: RegionId, plan: &Plan<'_>) -> Ident {
         let chart = &self.chart;
         let name = match plan.regions.all().len() {
             1 => format!("__{chart}State"),
@@ -68,7 +68,7 @@ impl Names {
     }
 
     /// The first region's state together with the mark of an unstable search.
-    pub(super) fn marked(&self, plan: &Plan) -> Ident {
+    pub(super) fn marked(&self, plan: &Plan<'_>) -> Ident {
         format_ident!("{}Mark", self.region(0, plan))
     }
 
@@ -79,21 +79,21 @@ impl Names {
 }
 
 /// The field that holds the state of a region.
-pub(super) fn region_field(region: RegionId, plan: &Plan) -> Ident {
+pub(super) fn region_field(region: RegionId, plan: &Plan<'_>) -> Ident {
     numbered("situation", "region", region, plan)
 }
 
 /// The state of a region before the evolution; that of all, where they are bits.
-pub(super) fn before(region: RegionId, plan: &Plan) -> Ident {
+pub(super) fn before(region: RegionId, plan: &Plan<'_>) -> Ident {
     state("before", region, plan)
 }
 
 /// The state of a region after the evolution; that of all, where they are bits.
-pub(super) fn after(region: RegionId, plan: &Plan) -> Ident {
+pub(super) fn after(region: RegionId, plan: &Plan<'_>) -> Ident {
     state("after", region, plan)
 }
 
-fn state(name: &str, region: RegionId, plan: &Plan) -> Ident {
+fn state(name: &str, region: RegionId, plan: &Plan<'_>) -> Ident {
     if plan.regions.are_flags() { local(name) } else { numbered(name, name, region, plan) }
 }
 
@@ -103,11 +103,11 @@ pub(super) fn evolve() -> Ident {
 }
 
 /// Whether a step of the region was left and entered again in one evolution.
-pub(super) fn again(region: RegionId, plan: &Plan) -> Ident {
+pub(super) fn again(region: RegionId, plan: &Plan<'_>) -> Ident {
     numbered("again", "again", region, plan)
 }
 
-fn numbered(single: &str, many: &str, region: RegionId, plan: &Plan) -> Ident {
+fn numbered(single: &str, many: &str, region: RegionId, plan: &Plan<'_>) -> Ident {
     match plan.regions.all().len() {
         1 => local(single),
         _ => local(&format!("{many}_{region}")),
@@ -151,12 +151,12 @@ pub(super) fn kept(field: &Ident) -> Ident {
 }
 
 /// The field that counts the time of a region's active step.
-pub(super) fn step_time(region: RegionId, plan: &Plan) -> Ident {
+pub(super) fn step_time(region: RegionId, plan: &Plan<'_>) -> Ident {
     numbered("since", "since", region, plan)
 }
 
 /// The time of the step that was active before the evolution.
-pub(super) fn step_time_before(region: RegionId, plan: &Plan) -> Ident {
+pub(super) fn step_time_before(region: RegionId, plan: &Plan<'_>) -> Ident {
     numbered("since_before", "since_before", region, plan)
 }
 

@@ -15,19 +15,22 @@ pub(super) fn texts<'n>(
     p: &TokenStream,
 ) -> TokenStream {
     let (vis, levels) = (&model.vis, types::levels(model));
-    // After `Self::`, rustc looks through all variants for each.
-    let arms = variants.map(|variant| {
+    let mut listed = TokenStream::new();
+    for variant in variants {
         let text = variant.to_string();
         let text = text.trim_start_matches("r#");
-        quote!(#name::#variant => #text,)
-    });
+        listed.extend(quote!(#text,));
+    }
+    // Of an enum without variants there is no value, and no cast.
+    let found =
+        if listed.is_empty() { quote!(match self {}) } else { quote!(#p::name_at(&[#listed], self as #p::usize)) };
     quote! {
         #levels
         impl #name {
             /// The name as it is written.
             #[must_use]
             #vis const fn name(self) -> &'static #p::str {
-                match self { #(#arms)* }
+                #found
             }
         }
 

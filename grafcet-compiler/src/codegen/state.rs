@@ -68,8 +68,7 @@ pub(super) fn region_enum(cx: &Cx<'_>, states: &StateEnum) -> TokenStream {
         #[automatically_derived]
         impl #p::core::fmt::Debug for #name {
             fn fmt(&self, f: &mut #p::core::fmt::Formatter<'_>) -> #p::core::fmt::Result {
-                const NAMES: &[&#p::str] = &[#(#texts),*];
-                f.write_str(NAMES.get(*self as #p::usize).copied().unwrap_or_default())
+                f.write_str(#p::name_at(&[#(#texts),*], *self as #p::usize))
             }
         }
 

@@ -28,11 +28,11 @@ pub use stored::{Stored, is_stored};
 
 use crate::analysis::{Facts, Races};
 use crate::model::{Blink, Blinker, Dialect, Effect, Model, Place, Qualifier, Read, StepId, Tree, Ty};
-use crate::program;
+use crate::program::{self, Program, Refused};
 use crate::sorted::Set;
 
 /// The plan for one chart.
-pub struct Plan {
+pub struct Plan<'m> {
     pub regions: Regions,
     /// The situation is one step: the chart has no parallel branches and never stands without an active step.
     pub one_step: bool,
@@ -41,6 +41,8 @@ pub struct Plan {
     pub evolution: Evolution,
     /// The form of its code.
     pub shape: Shape,
+    /// What its cycle is printed from, where the form is that.
+    pub(crate) program: Option<Result<Program<'m>, Refused>>,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
     pub nests: Option<Vec<Nest>>,
     /// The arms of these branches act, too.
@@ -68,13 +70,13 @@ pub struct Plan {
     pub forced: Option<Box<Self>>,
 }
 
-impl Plan {
-    /// Plans a chart that has passed all checks; `races` is what they found, which the chart may allow.
+impl<'m> Plan<'m> {
+    /// Plans a chart that has passed all checks; `races` is what they found, which the chart may allow. One that is `recorded` keeps the reading of the clock.
     #[must_use]
-    pub fn of(model: &Model, facts: &Facts<'_>, races: &Races) -> Self {
-        let mut plan = Self::once(model, facts, races);
+    pub fn of(model: &'m Model, facts: &Facts<'_>, races: &Races, recorded: bool) -> Self {
+        let mut plan = Self::once(model, facts, races, recorded);
         if model.forceable && plan.shape.form != Form::Program {
-            plan.forced = Some(Box::new(Self::once(model, facts, races).forced(model)));
+            plan.forced = Some(Box::new(Self::once(model, facts, races, recorded).forced(model)));
         }
         plan
     }
@@ -88,7 +90,7 @@ impl Plan {
         self
     }
 
-    fn once(model: &Model, facts: &Facts<'_>, races: &Races) -> Self {
+    fn once(model: &'m Model, facts: &Facts<'_>, races: &Races, recorded: bool) -> Self {
         let (concurrency, initial) = (&facts.concurrency, facts.initial.clone());
         let mut regions = Regions::of(model, concurrency, &initial);
         let control = Control::of(model, concurrency);
@@ -111,6 +113,9 @@ impl Plan {
         let descent = Descent::of(model, &regions, concurrency);
         let may_be_unstable = model.is_grafcet() && may_be_unstable(model, &stored, facts);
         let searches = facts.searches(model);
+        let has_branches = regions.all().len() > 1 && !regions.are_flags();
+        let may_be_program = has_branches && !model.forceable && !may_be_unstable;
+        let lean = if may_be_program { program::lean(model, facts, recorded) } else { None };
         let shape = Shape::of(
             model,
             &shape::Known {
@@ -121,13 +126,11 @@ impl Plan {
                 descent,
                 nests: nests.is_some(),
                 may_be_unstable,
-                is_lean: !model.forceable
-                    && !may_be_unstable
-                    && regions.all().len() > 1
-                    && !regions.are_flags()
-                    && program::is_lean(model, facts),
+                is_lean: lean.is_some(),
             },
         );
+        let made = || lean.map_or_else(|| program::optimised(model, facts, recorded), Ok);
+        let program = (shape.form == Form::Program).then(made);
         let flags_left_over = left_over::has_flag(
             model,
             &left_over::Known { memory: &memory, evolution: &evolution, drives: &drives, may_be_unstable },
@@ -141,6 +144,7 @@ impl Plan {
             nests,
             descent,
             shape,
+            program,
             one_step,
             most_active,
             sees_reentry,

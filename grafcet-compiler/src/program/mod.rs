@@ -48,21 +48,21 @@ pub(crate) fn optimised<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool)
     Ok(program)
 }
 
-/// Whether what the passes leave of a chart of several regions is not much longer than the chart itself, and each of its searches ends. Where many transitions
-/// synchronise the same branches it is longer, as there is a way for each of their outcomes.
-pub(crate) fn is_lean(model: &Model, facts: &Facts<'_>) -> bool {
+/// The same of a chart of several regions, if what the passes leave of it is not much longer than the chart itself and each of its searches ends. Where many
+/// transitions synchronise the same branches it is longer, as there is a way for each of their outcomes.
+pub(crate) fn lean<'m>(model: &'m Model, facts: &Facts<'_>, recorded: bool) -> Option<Program<'m>> {
     if model.steps.len() > FEW_STEPS {
-        return false;
+        return None;
     }
-    let Ok(program) = optimised(model, facts, false) else { return false };
+    let program = optimised(model, facts, recorded).ok()?;
     if program.place(Role::Stable).is_some() {
-        return false;
+        return None;
     }
     let mut written = model.associations.len();
     for transition in model.transitions.values() {
         written += 1 + transition.sources.len() + transition.targets.len();
     }
-    passes::weight(&program) <= LEAN * written
+    (passes::weight(&program) <= LEAN * written).then_some(program)
 }
 
 /// What a chart does in one cycle.

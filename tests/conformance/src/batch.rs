@@ -85,7 +85,7 @@ fn report(entry: &Entry, recorded: &[Checks], traces: &mut Traces) -> Result<Fou
             }
         }
     }
-    if !Plan::of(&model, &Facts::of(&model), &Races::default()).memory.time {
+    if !Plan::of(&model, &Facts::of(&model), &Races::default(), false).memory.time {
         return Ok(None);
     }
     let sleeping = |lines: &[Line]| {

@@ -15,7 +15,7 @@
 //! Needs: the deadline does not ask whether the first cycle is still to come.
 
 use super::super::build::{all, compare, not, yes};
-use super::super::{Comparison, Expr, Initial, PlaceId, Program, Role, Statement, Value, Wait};
+use super::super::{Comparison, Expr, Initial, PlaceId, PlaceInfo, Program, Role, Statement, Value, Wait};
 use super::fold::initial;
 use super::uses::{Effects, blocks, each_read, mentions, replaced, unset};
 use crate::model::StepId;
@@ -88,43 +88,61 @@ pub(super) fn as_state(program: &mut Program<'_>, state: PlaceId, first: PlaceId
 
 /// What gives a field what it begins with is nothing to do in the first cycle.
 fn changed(program: &mut Program<'_>, first: PlaceId) {
-    let places = &program.places;
-    let mut written = Set::new();
+    let mut beginning = Beginning { places: &program.places, written: Set::new() };
     for statement in &mut program.cycle {
         if let Statement::If(Expr::Place(place), body, _) = &mut *statement {
             if *place == first {
-                // What locals hold by then.
-                let mut held: Vec<(PlaceId, Expr<'_>)> = Vec::new();
-                body.retain(|one| {
-                    let Statement::Set(to, value) = one else {
-                        let writes = Effects::of(one).writes;
-                        held.retain(|(place, _)| !writes.contains(place));
-                        written.extend(writes.iter().copied());
-                        return true;
-                    };
-                    let value = match value {
-                        Expr::Place(from) => match held.iter().rev().find(|(place, _)| place == from) {
-                            Some((_, value)) => value.clone(),
-                            None => Expr::Place(*from),
-                        },
-                        other => other.clone(),
-                    };
-                    let info = &places[to.0];
-                    let begins = match &value {
-                        Expr::Value(value) => initial(info) == Some(*value),
-                        Expr::Place(from) => from == to,
-                        _ => false,
-                    };
-                    let goes = begins && info.is_field && !written.contains(to);
-                    if !goes {
-                        written.insert(*to);
-                        held.push((*to, value));
-                    }
-                    !goes
-                });
+                beginning.thin(body);
             }
         }
-        written.extend(Effects::of(statement).writes.iter().copied());
+        beginning.written.extend(Effects::of(statement).writes.iter().copied());
+    }
+}
+
+/// How far a first cycle has come.
+struct Beginning<'p, 'm> {
+    places: &'p [PlaceInfo<'m>],
+    /// What may hold something else by now than it began with.
+    written: Set<PlaceId>,
+}
+
+impl<'m> Beginning<'_, 'm> {
+    /// Of what is done in the first cycle alone, what changes nothing goes.
+    fn thin(&mut self, body: &mut Vec<Statement<'m>>) {
+        let mut held = Vec::new();
+        body.retain(|one| self.changes(one, &mut held));
+    }
+
+    /// Whether a statement may change something; `held` is what places got before it.
+    fn changes(&mut self, statement: &Statement<'m>, held: &mut Vec<(PlaceId, Expr<'m>)>) -> bool {
+        let Statement::Set(to, value) = statement else {
+            let writes = Effects::of(statement).writes;
+            held.retain(|(place, _)| !writes.contains(place));
+            self.written.extend(writes.iter().copied());
+            return true;
+        };
+        let value = match value {
+            Expr::Place(from) => held.iter().rev().find(|(place, _)| place == from).map_or(value, |(_, value)| value),
+            value => value,
+        };
+        let value = value.clone();
+        if self.begins_with(*to, &value) {
+            return false;
+        }
+        self.written.insert(*to);
+        held.push((*to, value));
+        true
+    }
+
+    /// Whether a field still holds what it began with, and that is this value.
+    fn begins_with(&self, field: PlaceId, value: &Expr<'m>) -> bool {
+        let info = &self.places[field.0];
+        let is_same = match value {
+            Expr::Value(value) => initial(info) == Some(*value),
+            Expr::Place(from) => *from == field,
+            _ => false,
+        };
+        is_same && info.is_field && !self.written.contains(&field)
     }
 }
 
