@@ -136,3 +136,35 @@ fn an_edge_that_only_lets_clear_leaves_nothing_to_the_next_cycle() {
     hindered.cycle(&HinderedInputs { a: true }, 1);
     assert!(hindered.is_active(HinderedStep::Wait));
 }
+
+grafcet! {
+    /// Edges of inputs alone, in a chart that is long enough to go through its program.
+    grafcet OfInputs {
+        input stop, ack, go, a, b, c: bool;
+        output q: bool;
+        partial Safety {
+            initial step Ready;
+            step Stopped;
+            Ready -[stop]-> Stopped -[!stop && rising(ack)]-> Ready;
+        }
+        partial Work {
+            initial step Rest;
+            step First { q; }
+            step Second;
+            step Third { q; }
+            step Fourth;
+            step Fifth { q; }
+            Rest -[rising(go)]-> First -[a]-> Second -[b]-> Third -[c]-> Fourth -[a && b]-> Fifth -[5s/Fifth]-> Rest;
+        }
+    }
+}
+
+/// What the first search does not see of an input's edge (A26), no later one sees.
+#[test]
+fn behind_the_first_cycle_edges_of_inputs_ask_for_nothing() {
+    for go in [false, true] {
+        let mut chart = OfInputs::new();
+        chart.cycle(&OfInputsInputs { go, ..Default::default() }, 7);
+        assert_eq!(chart.next_deadline(), None, "{go}");
+    }
+}

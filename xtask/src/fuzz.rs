@@ -19,6 +19,12 @@ const FLAGS: [&str; 7] = [
     "--cfg=fuzzing",
 ];
 
+/// From the first one on inputs may have any length: otherwise each stays with a few bytes for hours, as a run takes milliseconds.
+const LENGTHS: [&str; 2] = ["-len_control=0", "-max_len=512"];
+
+/// How long a run may take, in seconds: another program may have the processor meanwhile.
+const LONGEST: u32 = 120;
+
 /// Builds a target and lets it run for some seconds; what it finds worth keeping stays below the target folder, `merge` puts the least of it that reaches as much into the corpus.
 ///
 /// # Errors
@@ -38,8 +44,10 @@ pub(crate) fn run(target: &str, seconds: &str, merge: bool) -> Result {
     }
     let program = folder.join(host).join("release").join(target);
     let mut fuzz = Command::new(&program);
-    fuzz.args(["-timeout=20", "-rss_limit_mb=2048"]).arg(format!("-artifact_prefix={}/{target}-", folder.display()));
-    fuzz.arg(format!("-max_total_time={seconds}")).args([&grown, &corpus]);
+    fuzz.arg(format!("-timeout={LONGEST}"))
+        .arg("-rss_limit_mb=2048")
+        .arg(format!("-artifact_prefix={}/{target}-", folder.display()));
+    fuzz.args(LENGTHS).arg(format!("-max_total_time={seconds}")).args([&grown, &corpus]);
     run_command(&mut fuzz)?;
     if merge {
         let mut fuzz = Command::new(&program);
