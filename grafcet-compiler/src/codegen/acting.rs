@@ -11,25 +11,30 @@ use super::in_order::Item;
 use crate::list::List;
 use crate::model::{StepId, TransitionId};
 use crate::place::quote;
-use crate::plan::{Nest, RegionId};
+use crate::plan::{BranchGroup, RegionId};
 use crate::sorted::Set;
 
 impl Cx<'_> {
-    /// The evolution of a nest, with the actions of its steps. The steps in `outside` are not active here. `start` is how the first
+    /// The evolution of a group, with the actions of its steps. The steps in `outside` are not active here. `start` is how the first
     /// cycle enters the initial situation.
-    pub(super) fn act_in_nest(&self, nest: &Nest, outside: &Set<StepId>, start: Option<TokenStream>) -> TokenStream {
+    pub(super) fn act_in_group(
+        &self,
+        group: &BranchGroup,
+        outside: &Set<StepId>,
+        start: Option<TokenStream>,
+    ) -> TokenStream {
         let mut elsewhere = outside.clone();
-        elsewhere.extend(nest.alone.iter().map(|(step, _)| *step));
+        elsewhere.extend(group.alone.iter().map(|(step, _)| *step));
         // LLVM would look at the states of all branches in front of the first one.
         let fence = self.fence();
-        let inner = nest.inner.iter().map(|inner| {
-            let branch = self.act_in_nest(inner, &elsewhere, None);
+        let inner = group.inner.iter().map(|inner| {
+            let branch = self.act_in_group(inner, &elsewhere, None);
             quote!(#branch #fence)
         });
         let mut inner = inner.tokens();
-        let is_inside = |region: RegionId| nest.inner.iter().any(|inner| inner.regions.contains(&region));
+        let is_inside = |region: RegionId| group.inner.iter().any(|inner| inner.regions.contains(&region));
         let mut waiting = Vec::new();
-        for region in nest.regions.iter().filter(|region| !is_inside(**region)) {
+        for region in group.regions.iter().filter(|region| !is_inside(**region)) {
             let steps = self.plan.regions.all()[*region].steps.iter().filter(|step| !elsewhere.contains(step));
             waiting.extend(
                 steps.map(|step| (*region, *step, self.acts_of(&[*step]))).filter(|(.., acts)| !acts.is_empty()),
@@ -37,10 +42,10 @@ impl Cx<'_> {
         }
         // Of a branch that only goes from step to step, all steps stand in one `match`.
         let in_one =
-            inner.is_empty() && nest.common.is_empty() && waiting.iter().all(|(region, ..)| *region == nest.head);
+            inner.is_empty() && group.common.is_empty() && waiting.iter().all(|(region, ..)| *region == group.head);
         let (own, behind) = if in_one { (waiting, Vec::new()) } else { (Vec::new(), waiting) };
         inner.extend(self.in_order(behind.into_iter().map(|(_, step, acts)| Item::After(step, acts))));
-        let inner = nest.common.iter().rev().fold(inner, |otherwise, id| {
+        let inner = group.common.iter().rev().fold(inner, |otherwise, id| {
             let (enabled, clear) = (self.enabled_in_place(*id), self.clear_and_act(*id));
             let otherwise = (!otherwise.is_empty()).then(|| quote!(else { #otherwise }));
             quote!(if #enabled { #clear } #otherwise)
@@ -48,14 +53,14 @@ impl Cx<'_> {
         let start = start.map(|enter| {
             let (start, initial) = (self.start(), self.plan.initial.iter().copied());
             let acts =
-                self.acts_of(&initial.filter(|step| nest.regions.contains(&self.plan.regions.of_step(*step))).list());
+                self.acts_of(&initial.filter(|step| group.regions.contains(&self.plan.regions.of_step(*step))).list());
             quote!(#start => { #enter #acts })
         });
-        if nest.alone.is_empty() && own.is_empty() && start.is_none() {
+        if group.alone.is_empty() && own.is_empty() && start.is_none() {
             return inner;
         }
-        let covered = nest.alone.len() + own.len() + usize::from(start.is_some());
-        let alone = nest.alone.iter().map(|(step, leaving)| {
+        let covered = group.alone.len() + own.len() + usize::from(start.is_some());
+        let alone = group.alone.iter().map(|(step, leaving)| {
             let branches = leaving.iter().map(|id| {
                 let condition = self.condition(*id).map(Cow::Borrowed);
                 Branch { id: *id, condition, then: self.clear_and_act(*id) }
@@ -67,8 +72,8 @@ impl Cx<'_> {
             let variant = self.variant(*step);
             quote!(#variant => { #acts })
         });
-        let rest = (covered < self.states(nest.head)).then(|| quote!(_ => { #inner }));
-        let head = self.plain_state(nest.head);
+        let rest = (covered < self.states(group.head)).then(|| quote!(_ => { #inner }));
+        let head = self.plain_state(group.head);
         quote!(match #head { #(#alone)* #(#own)* #start #rest })
     }
 

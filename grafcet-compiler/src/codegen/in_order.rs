@@ -111,9 +111,9 @@ impl Cx<'_> {
                 }
             }
             sort_by_key(&mut items, |item| regions.iter().position(|region| *region == self.region_of(item)));
-            let nests = self.plan.nests.as_ref().filter(|_| items.iter().all(|item| matches!(item, Item::After(..))));
-            if let Some(nests) = nests {
-                return self.side_by_side(nests, items);
+            let groups = self.plan.groups.as_ref().filter(|_| items.iter().all(|item| matches!(item, Item::After(..))));
+            if let Some(groups) = groups {
+                return self.side_by_side(groups, items);
             }
         }
         self.all_in_order(items)

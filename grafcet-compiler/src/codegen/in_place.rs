@@ -9,7 +9,7 @@ use super::{Cx, names};
 use crate::list::List;
 use crate::model::{PartialId, TransitionId};
 use crate::place::quote;
-use crate::plan::{Nest, RegionId};
+use crate::plan::{BranchGroup, RegionId};
 use crate::sorted::Set;
 
 impl Cx<'_> {
@@ -70,68 +70,69 @@ impl Cx<'_> {
 
     /// The evolution of a partial grafcet in place.
     pub(super) fn evolve_in_place(&self, partial: PartialId) -> TokenStream {
-        let here = |nest: &&Nest| self.plan.regions.all()[nest.head].partial == partial;
-        let nests: Vec<_> = self.plan.nests.iter().flatten().filter(here).list();
+        let here = |group: &&BranchGroup| self.plan.regions.all()[group.head].partial == partial;
+        let groups: Vec<_> = self.plan.groups.iter().flatten().filter(here).list();
         // A27: the first cycle of an `sfc` enters the initial situation and evaluates no transition.
         let start = (!self.model.is_grafcet()).then(|| {
             let (enter, moved) = (self.enter_initial(), self.note_moved());
             (self.start(), quote!({ #enter #moved }))
         });
-        match (&nests[..], start) {
-            ([nest], Some((_, enter))) if self.plan.acts_in_arms => self.act_in_nest(nest, &Set::new(), Some(enter)),
-            ([nest], Some((start, enter))) if nest.head == 0 => self.nest(nest, Some(&quote!(#start => #enter))),
-            (nests, Some((_, enter))) => {
-                let (starting, evolve) = (self.is_starting(At::Now), nests.iter().map(|nest| self.nest(nest, None)));
+        match (&groups[..], start) {
+            ([group], Some((_, enter))) if self.plan.acts_in_arms => self.act_in_group(group, &Set::new(), Some(enter)),
+            ([group], Some((start, enter))) if group.head == 0 => self.group(group, Some(&quote!(#start => #enter))),
+            (groups, Some((_, enter))) => {
+                let (starting, evolve) =
+                    (self.is_starting(At::Now), groups.iter().map(|group| self.group(group, None)));
                 quote!(if #starting #enter else { #(#evolve)* })
             }
-            (nests, None) => nests.iter().map(|nest| self.nest(nest, None)).tokens(),
+            (groups, None) => groups.iter().map(|group| self.group(group, None)).tokens(),
         }
     }
 
     /// `match` on the head for the steps that are active alone, with what happens beside them after it.
-    fn nest(&self, nest: &Nest, start: Option<&TokenStream>) -> TokenStream {
-        let inner: TokenStream = nest.inner.iter().map(|inner| self.nest(inner, None)).tokens();
-        let inner = nest.common.iter().rev().fold(inner, |otherwise, id| {
+    fn group(&self, group: &BranchGroup, start: Option<&TokenStream>) -> TokenStream {
+        let inner: TokenStream = group.inner.iter().map(|inner| self.group(inner, None)).tokens();
+        let inner = group.common.iter().rev().fold(inner, |otherwise, id| {
             let (enabled, clear) = (self.enabled_in_place(*id), self.clear(*id));
             let otherwise = (!otherwise.is_empty()).then(|| quote!(else { #otherwise }));
             quote!(if #enabled { #clear } #otherwise)
         });
-        if nest.alone.is_empty() && start.is_none() {
+        if group.alone.is_empty() && start.is_none() {
             return inner;
         }
-        if let (Some(branch), None) = (self.branch(nest), &start) {
+        if let (Some(branch), None) = (self.branch(group), &start) {
             return branch;
         }
-        let arms = nest.alone.iter().map(|(step, leaving)| {
+        let arms = group.alone.iter().map(|(step, leaving)| {
             let (variant, body) = (self.variant(*step), self.first_of(leaving));
             quote!(#variant => { #body })
         });
-        let covered = nest.alone.len() + usize::from(start.is_some());
-        let rest = (covered < self.states(nest.head)).then(|| quote!(_ => { #inner }));
-        let head = self.plain_state(nest.head);
+        let covered = group.alone.len() + usize::from(start.is_some());
+        let rest = (covered < self.states(group.head)).then(|| quote!(_ => { #inner }));
+        let head = self.plain_state(group.head);
         quote!(match #head { #(#arms)* #start #rest })
     }
 
     /// `self.region_1 = match self.region_1 { Fill => if … { Heat } else { Fill }, … };` for a branch that only goes from
     /// step to step: next states that are constants need no jump for each.
-    fn branch(&self, nest: &Nest) -> Option<TokenStream> {
+    fn branch(&self, group: &BranchGroup) -> Option<TokenStream> {
         let only_steps = |id: &TransitionId| {
             let transition = &self.model.transitions[*id];
             let one = transition.targets.len() == 1 && transition.sources != transition.targets;
             one && transition.clearing.is_empty()
         };
-        let whole = nest.regions.len() == 1 && nest.alone.iter().all(|(_, leaving)| leaving.iter().all(only_steps));
+        let whole = group.regions.len() == 1 && group.alone.iter().all(|(_, leaving)| leaving.iter().all(only_steps));
         // In a search most branches wait: a jump that writes nothing is the shorter way.
         if !whole || self.plan.shape.notes_moves {
             return None;
         }
-        let arms = nest.alone.iter().map(|(step, _)| {
+        let arms = group.alone.iter().map(|(step, _)| {
             let (state, target) = (self.variant(*step), self.next_step(*step));
             quote!(#state => #target,)
         });
-        let rest = (nest.alone.len() < self.states(nest.head)).then(|| quote!(waiting => waiting,));
-        let head = self.plain_state(nest.head);
-        Some(self.set_state(nest.head, &quote!(match #head { #(#arms)* #rest })))
+        let rest = (group.alone.len() < self.states(group.head)).then(|| quote!(waiting => waiting,));
+        let head = self.plain_state(group.head);
+        Some(self.set_state(group.head, &quote!(match #head { #(#arms)* #rest })))
     }
 
     /// The condition of a transition whose regions have not been changed yet, after the other branches of its steps.

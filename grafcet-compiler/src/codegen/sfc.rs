@@ -60,8 +60,8 @@ impl Cx<'_> {
             return quote!(#last #resets #all #apply_resets);
         }
         // Where the arms of the branches act, what is left are steps that stand in no branch.
-        let acted = self.plan.nests.iter().flatten().filter(|_| self.plan.acts_in_arms);
-        let acted: Vec<RegionId> = acted.flat(|nest| &nest.regions).copied().list();
+        let acted = self.plan.groups.iter().flatten().filter(|_| self.plan.acts_in_arms);
+        let acted: Vec<RegionId> = acted.flat(|group| &group.regions).copied().list();
         let left = |id: &AssociationId| {
             let step = self.model.associations[*id].step;
             !acted.contains(&self.plan.regions.of_step(step))

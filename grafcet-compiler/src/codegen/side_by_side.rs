@@ -6,17 +6,17 @@ use super::Cx;
 use super::in_order::Item;
 use crate::model::StepId;
 use crate::place::quote;
-use crate::plan::Nest;
+use crate::plan::BranchGroup;
 
 impl Cx<'_> {
-    /// The actions within nests beside each other, and those in none of them, in any order.
-    pub(super) fn side_by_side(&self, nests: &[Nest], mut items: Vec<Item>) -> TokenStream {
+    /// The actions within groups beside each other, and those in none of them, in any order.
+    pub(super) fn side_by_side(&self, groups: &[BranchGroup], mut items: Vec<Item>) -> TokenStream {
         let mut tokens = TokenStream::new();
-        for nest in nests {
+        for group in groups {
             let is_inside =
-                |item: &Item| nest.regions.iter().any(|region| self.region_of(item) == Some((false, *region)));
+                |item: &Item| group.regions.iter().any(|region| self.region_of(item) == Some((false, *region)));
             let (inside, others) = items.into_iter().partition(is_inside);
-            tokens.extend(self.within(nest, inside));
+            tokens.extend(self.within(group, inside));
             items = others;
         }
         tokens.extend(self.in_order(items));
@@ -24,17 +24,17 @@ impl Cx<'_> {
     }
 
     /// `match head { Alone => { its actions } Fork => {} _ => { what the branches do } }`
-    fn within(&self, nest: &Nest, items: Vec<Item>) -> TokenStream {
-        let is_alone = |step: &StepId| nest.alone.iter().any(|(alone, _)| alone == step);
+    fn within(&self, group: &BranchGroup, items: Vec<Item>) -> TokenStream {
+        let is_alone = |step: &StepId| group.alone.iter().any(|(alone, _)| alone == step);
         let (mut alone, branches): (Vec<_>, Vec<_>) =
             items.into_iter().partition(|item| matches!(item, Item::After(step, _) if is_alone(step)));
-        let branches = self.side_by_side(&nest.inner, branches);
-        if branches.is_empty() || nest.alone.is_empty() {
+        let branches = self.side_by_side(&group.inner, branches);
+        if branches.is_empty() || group.alone.is_empty() {
             let alone = self.in_order(alone);
             return quote!(#alone #branches);
         }
         let (mut arms, mut idle) = (TokenStream::new(), Vec::new());
-        for (step, _) in &nest.alone {
+        for (step, _) in &group.alone {
             let of_step = |item: &Item| matches!(item, Item::After(other, _) if other == step);
             let (own, others): (Vec<_>, Vec<_>) = alone.into_iter().partition(of_step);
             alone = others;
@@ -47,7 +47,7 @@ impl Cx<'_> {
             arms.extend(quote!(#variant => { #(#bodies)* }));
         }
         let idle = (!idle.is_empty()).then(|| quote!(#(#idle)|* => {}));
-        let head = self.state_after(nest.head);
+        let head = self.state_after(group.head);
         quote!(match #head { #arms #idle _ => { #branches } })
     }
 }

@@ -1,7 +1,7 @@
 //! Whether the arms of parallel branches that evolve in place act, too: one dispatch for each branch, and not one to evolve and one to
 //! act.
 
-use super::{Control, Drive, Nest, Shape};
+use super::{BranchGroup, Control, Drive, Shape};
 use crate::model::{Association, Effect, Id, Model, Name, Place, Qualifier, Read, StepId};
 
 /// In instructions of a Cortex-M3, what each branch saves in a cycle: state, range, table, and the state written anew where it waits.
@@ -15,9 +15,15 @@ const DISPATCH: usize = 10;
 const WORTH: usize = 2;
 
 /// Whether it is possible, and not too large: each transition acts for the steps it enters.
-pub(super) fn acts_in_arms(model: &Model, shape: &Shape, nests: &[Nest], drives: &[Drive], control: &Control) -> bool {
-    let [nest] = nests else { return false };
-    if model.is_grafcet() || !shape.is_in_place() || nest.head != 0 || !control.targets.is_empty() {
+pub(super) fn acts_in_arms(
+    model: &Model,
+    shape: &Shape,
+    groups: &[BranchGroup],
+    drives: &[Drive],
+    control: &Control,
+) -> bool {
+    let [group] = groups else { return false };
+    if model.is_grafcet() || !shape.is_in_place() || group.head != 0 || !control.targets.is_empty() {
         return false;
     }
     if !model.associations.values().all(|association| acts_alone(association, drives)) {
@@ -25,7 +31,7 @@ pub(super) fn acts_in_arms(model: &Model, shape: &Shape, nests: &[Nest], drives:
     }
     let acts = |steps: &[StepId]| steps.iter().map(|step| model.steps[*step].associations.len()).sum::<usize>();
     let more = ACTION * model.transitions.values().map(|transition| acts(&transition.targets)).sum::<usize>();
-    let branches = nest.regions.len();
+    let branches = group.regions.len();
     more <= branches * (DISPATCH + WORTH * SAVED)
 }
 

@@ -4,24 +4,24 @@
 #![allow(missing_docs, reason = "a field says what it holds by its name; a doc is where that is not enough")]
 
 mod acting;
+mod branch_group;
 mod control;
 mod descent;
 mod drive;
 mod evolution;
 mod left_over;
 mod memory;
-mod nest;
 mod regions;
 mod shape;
 mod stored;
 
+pub use branch_group::BranchGroup;
 pub use control::{Control, Target, What, source_order};
 pub use descent::Descent;
 pub(crate) use descent::{Below, directly, is_top};
 pub use drive::Drive;
 pub use evolution::Evolution;
 pub use memory::{Counted, Memory, Phase};
-pub use nest::Nest;
 pub use regions::{Region, RegionId, Regions};
 pub use shape::{Form, Search, Shape, Undo};
 pub use stored::{Stored, is_stored};
@@ -44,7 +44,7 @@ pub struct Plan<'m> {
     /// What its cycle is printed from, where the form is that.
     pub(crate) program: Option<Result<Program<'m>, Refused>>,
     /// How parallel branches evolve in place; `None` where they have to be compared with the situation before.
-    pub nests: Option<Vec<Nest>>,
+    pub groups: Option<Vec<BranchGroup>>,
     /// The arms of these branches act, too.
     pub acts_in_arms: bool,
     /// How partial grafcets that evolve in place know what those above them have decided.
@@ -85,7 +85,7 @@ impl<'m> Plan<'m> {
     fn forced(mut self, model: &Model) -> Self {
         self.stored.collect_all(model);
         self.shape = Shape::forced(self.regions.are_flags());
-        self.nests = None;
+        self.groups = None;
         self.acts_in_arms = false;
         self
     }
@@ -109,7 +109,7 @@ impl<'m> Plan<'m> {
         let sees_reentry = sees_reentry(model, &regions, &evolution);
         let stored = Stored::of(model, races);
         let memory = Memory::of(model, &regions, &drives, &control);
-        let nests = Nest::all(model, &regions, &evolution, concurrency);
+        let groups = BranchGroup::all(model, &regions, &evolution, concurrency);
         let descent = Descent::of(model, &regions, concurrency);
         let may_be_unstable = model.is_grafcet() && may_be_unstable(model, &stored, facts);
         let searches = facts.searches(model);
@@ -124,7 +124,7 @@ impl<'m> Plan<'m> {
                 memory: &memory,
                 stored: &stored,
                 descent,
-                nests: nests.is_some(),
+                groups: groups.is_some(),
                 may_be_unstable,
                 is_lean: lean.is_some(),
             },
@@ -135,13 +135,14 @@ impl<'m> Plan<'m> {
             model,
             &left_over::Known { memory: &memory, evolution: &evolution, drives: &drives, may_be_unstable },
         );
-        let acts_in_arms = acting::acts_in_arms(model, &shape, nests.as_deref().unwrap_or_default(), &drives, &control);
+        let acts_in_arms =
+            acting::acts_in_arms(model, &shape, groups.as_deref().unwrap_or_default(), &drives, &control);
         Self {
             flags_left_over,
             acts_in_arms,
             has_start: has_start(model, &initial, &memory),
             memory,
-            nests,
+            groups,
             descent,
             shape,
             program,

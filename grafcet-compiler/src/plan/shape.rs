@@ -52,7 +52,7 @@ pub(super) struct Known<'p> {
     pub(super) stored: &'p Stored,
     pub(super) descent: Descent,
     /// Parallel branches lie within one another.
-    pub(super) nests: bool,
+    pub(super) groups: bool,
     pub(super) may_be_unstable: bool,
     /// The program of parallel branches is not much longer than the chart.
     pub(super) is_lean: bool,
@@ -192,7 +192,7 @@ fn form(model: &Model, plan: &Known<'_>, only_situation: bool) -> Form {
     // Where a search may have no end, the last evolution is tried on a copy of the chart, or taken back (A30); what else an
     // evolution reads and writes would have to be copied too.
     let copies = only_situation && plan.memory.edges.is_empty() && plan.memory.combinational.is_empty();
-    if plan.nests && (!plan.may_be_unstable || copies) { Form::InPlace } else { Form::Compared }
+    if plan.groups && (!plan.may_be_unstable || copies) { Form::InPlace } else { Form::Compared }
 }
 
 /// One region, each transition from one step to one, and in a `grafcet` no change but that of the situation.

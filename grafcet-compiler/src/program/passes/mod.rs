@@ -5,7 +5,7 @@
 //! from one cycle to the next leave such a chart alone (`Pass::follows_cycles`).
 //!
 //! - `marks`: what observers are told, where nobody observes
-//! - `apart`: conditions of the user taken apart
+//! - `decompose`: conditions of the user taken apart
 //! - `outputs`: outputs that each cycle gives a value are no fields
 //! - `straight`: the search of a `grafcet` that ends with its first evolution is no loop
 //! - `split`: one match on the state before, one on the state after; what fields hold in each state
@@ -39,11 +39,11 @@
 
 mod alike;
 mod among;
-mod apart;
 mod before;
 mod begun;
 mod branches;
 mod dead;
+mod decompose;
 mod early;
 mod engine;
 mod fences;
@@ -84,7 +84,7 @@ use super::{Program, Statement};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Pass {
     Marks,
-    Apart,
+    Decompose,
     Outputs,
     Straight,
     Split,
@@ -123,7 +123,7 @@ impl Pass {
     /// In their order.
     pub const ALL: [Self; 30] = [
         Self::Marks,
-        Self::Apart,
+        Self::Decompose,
         Self::Outputs,
         Self::Straight,
         Self::Split,
@@ -170,8 +170,8 @@ pub fn optimise(program: &mut Program<'_>, wanted: &[Pass]) {
     if wants(Pass::Marks) {
         program.cycles_mut().for_each(without_marks);
     }
-    if wants(Pass::Apart) {
-        apart::pass(program);
+    if wants(Pass::Decompose) {
+        decompose::pass(program);
     }
     if wants(Pass::Outputs) {
         outputs::pass(program);

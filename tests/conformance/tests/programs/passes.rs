@@ -42,7 +42,7 @@ fn each_pass_is_as_recorded() {
                   Idle -[a]-> (A1, B1); A1 -[b]-> A2; B1 -[a && b]-> B2; (A2, B2) -[!a]-> Idle; }";
     for (pass, chart) in [
         (Pass::Marks, lamp),
-        (Pass::Apart, lamp),
+        (Pass::Decompose, lamp),
         (Pass::Outputs, lamp),
         (Pass::Straight, signal),
         (Pass::Split, lamp),

@@ -9,22 +9,22 @@ use crate::list::List;
 use crate::model::{Id, Model, StepId, TransitionId};
 use crate::sorted::{Map, Set};
 
-/// Regions that transitions connect.
-pub struct Nest {
+/// Parallel branches that belong together: regions that transitions connect.
+pub struct BranchGroup {
     /// Its regions, in order.
     pub regions: Vec<RegionId>,
     /// The region that holds the steps in `alone`.
     pub head: RegionId,
-    /// Steps beside which no region of the nest has an active step, and the transitions that leave them.
+    /// Steps beside which no region of the group has an active step, and the transitions that leave them.
     pub alone: Vec<(StepId, Vec<TransitionId>)>,
-    /// Transitions with several sources that touch all regions: where one clears, nothing else in the nest does.
+    /// Transitions with several sources that touch all regions: where one clears, nothing else in the group does.
     pub common: Vec<TransitionId>,
     /// What evolves where neither a step alone is active nor a common transition clears: independent of one another.
-    pub inner: Vec<Nest>,
+    pub inner: Vec<BranchGroup>,
 }
 
-impl Nest {
-    /// The nests of a chart, one for each set of connected regions; `None` where the branches are not within one another.
+impl BranchGroup {
+    /// The groups of a chart, one for each set of connected regions; `None` where the branches are not within one another.
     pub(super) fn all(
         model: &Model,
         regions: &Regions,
@@ -43,7 +43,7 @@ impl Nest {
         }
         let search = Search { model, regions, evolution, concurrency };
         let all: Vec<_> = (0..regions.all().len()).list();
-        search.parts(&all, &model.transitions.ids().list()).into_iter().map(|part| search.nest(part)).collect()
+        search.parts(&all, &model.transitions.ids().list()).into_iter().map(|part| search.group(part)).collect()
     }
 }
 
@@ -62,7 +62,7 @@ struct Search<'m> {
 }
 
 impl Search<'_> {
-    fn nest(&self, part: Part) -> Option<Nest> {
+    fn group(&self, part: Part) -> Option<BranchGroup> {
         let Part { regions, transitions } = part;
         let (head, alone) = self.head(&regions)?;
         let inside: Set<_> = transitions.iter().copied().collect();
@@ -76,14 +76,14 @@ impl Search<'_> {
         let rest: Vec<_> = transitions.into_iter().filter(|id| !from_alone.contains(id)).list();
         let (common, rest): (Vec<_>, Vec<_>) = rest.into_iter().partition(|id| self.is_common(*id, &regions));
         if rest.is_empty() {
-            return Some(Nest { regions, head, alone, common, inner: Vec::new() });
+            return Some(BranchGroup { regions, head, alone, common, inner: Vec::new() });
         }
         let parts = self.parts(&regions, &rest);
         if parts.len() == 1 && alone.is_empty() && common.is_empty() {
             return None;
         }
-        let inner = parts.into_iter().filter(|part| !part.transitions.is_empty()).map(|part| self.nest(part));
-        Some(Nest { inner: inner.collect::<Option<_>>()?, regions, head, alone, common })
+        let inner = parts.into_iter().filter(|part| !part.transitions.is_empty()).map(|part| self.group(part));
+        Some(BranchGroup { inner: inner.collect::<Option<_>>()?, regions, head, alone, common })
     }
 
     /// The region with most steps beside which the others are empty, and these steps.
