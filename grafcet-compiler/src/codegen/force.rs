@@ -177,10 +177,11 @@ impl Cx<'_> {
     fn by_search(&self) -> TokenStream {
         let (outputs, forget, time) = (self.declare_outputs(), self.forget_instability(), self.pass_time());
         let (start, left) = (self.start_cycle(), self.unsettle());
-        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(fresh)));
+        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(first_evolution)));
         let (combinational, edges) =
-            (self.all_combinational(Moment::Condition), self.sample_edges(false, &quote!(fresh)));
-        let fresh = (self.plan.memory.asks_for_start() && self.samples_in_search()).then(|| quote!(fresh = false;));
+            (self.all_combinational(Moment::Condition), self.sample_edges(false, &quote!(first_evolution)));
+        let first_evolution =
+            (self.plan.memory.asks_for_start() && self.samples_in_search()).then(|| quote!(first_evolution = false;));
         let (declare, collect) = (self.declare_collected(), self.collect_stored());
         let (stored, take_over) = (self.do_stored(), self.commit_collected());
         let (commit, restart, gone) = (self.commit(), self.restart_times(), self.forget_edges());
@@ -192,7 +193,7 @@ impl Cx<'_> {
             #outputs #forget #time #start
             #declare_edges #still
             {
-                #evolve #combinational #edges #fresh
+                #evolve #combinational #edges #first_evolution
                 #declare #collect #stored #take_over #commit #restart #gone
             }
             #keep

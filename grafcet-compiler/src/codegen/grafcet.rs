@@ -36,12 +36,12 @@ impl Cx<'_> {
         let (first, enter) = (self.first(), self.enter_initial());
         let stored = self.initial_stored();
         let mutable = self.samples_in_search().then(|| quote!(mut));
-        let fresh = self.plan.memory.asks_for_start().then(|| quote!(let #mutable fresh = #first;));
+        let first_evolution = self.plan.memory.asks_for_start().then(|| quote!(let #mutable first_evolution = #first;));
         if delays.is_empty() || stored.is_empty() {
-            return quote!(#fresh if #first { #enter #stored } #delays);
+            return quote!(#first_evolution if #first { #enter #stored } #delays);
         }
         quote! {
-            #fresh
+            #first_evolution
             let first = #first;
             if first {
                 #enter
@@ -63,7 +63,7 @@ impl Cx<'_> {
         if self.model.delays.is_empty() {
             return TokenStream::new();
         }
-        let (snapshot, samples) = (self.befores(), self.sample_delays(&quote!(fresh)));
+        let (snapshot, samples) = (self.befores(), self.sample_delays(&quote!(first_evolution)));
         quote!({ #snapshot #samples })
     }
 
@@ -71,11 +71,11 @@ impl Cx<'_> {
     fn search(&self) -> TokenStream {
         let combinational = self.all_combinational(Moment::Condition);
         let (declare_bound, bound) = self.bound();
-        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(fresh)));
-        let (edges, forget) = (self.sample_edges(false, &quote!(fresh)), self.forget_edges());
+        let (declare_edges, still) = (self.declare_edges(), self.sample_edges(true, &quote!(first_evolution)));
+        let (edges, forget) = (self.sample_edges(false, &quote!(first_evolution)), self.forget_edges());
         let keep_edges = self.plan.may_be_unstable.then(|| self.keep_edges().0);
-        let fresh = self.plan.memory.asks_for_start() && self.samples_in_search();
-        let fresh = fresh.then(|| quote!(fresh = false;));
+        let first_evolution = self.plan.memory.asks_for_start() && self.samples_in_search();
+        let first_evolution = first_evolution.then(|| quote!(first_evolution = false;));
         let (stored, commit_collected) = (self.do_stored(), self.commit_collected());
         let (commit, restart) = (self.commit(), self.restart_times());
         let evolve = self.evolve_or_stop(&quote!(#stored #commit_collected #restart));
@@ -89,7 +89,7 @@ impl Cx<'_> {
         let gone = (!gone.is_empty()).then(|| self.unsettle_if(&quote!(#(#gone)||*)));
         let unsettle = self.unsettle_delays();
         let code = quote! {
-            #combinational #keep_edges #edges #fresh
+            #combinational #keep_edges #edges #first_evolution
             #evolve
             #bound
             #stored #commit_collected #commit #restart #unsettle #forget

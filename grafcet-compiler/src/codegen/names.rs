@@ -51,7 +51,7 @@ impl Names {
             situation: with("Situation"),
             params: with("Params"),
             actions: with("Actions"),
-            empty: fresh(&steps, "NONE"),
+            empty: unused(&steps, "NONE"),
             start: local("INIT"),
             transitions: transitions(model),
         }
@@ -315,7 +315,7 @@ fn prefixed(prefix: &str, name: &Ident) -> Ident {
 }
 
 /// `name`, with underscores after it until no step is called so.
-fn fresh(steps: &Set<String>, name: &str) -> Ident {
+fn unused(steps: &Set<String>, name: &str) -> Ident {
     let mut name = name.to_owned();
     while steps.contains(&name) {
         name.push('_');

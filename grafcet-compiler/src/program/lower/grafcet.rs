@@ -68,10 +68,10 @@ impl<'m> Lower<'_, 'm> {
     /// What every evolution does, however it is found.
     fn round(&mut self, stored: &mut Stored<'m>) -> Round<'m> {
         let none_yet = compare(Comparison::Equal, Expr::Place(self.evolutions), number(0));
-        let fresh = all(vec![Expr::Place(self.first), none_yet]);
+        let first_evolution = all(vec![Expr::Place(self.first), none_yet]);
         let mut look = Vec::new();
         part(&mut look, "the situation before", self.copy_situation());
-        part(&mut look, "edges and combinational variables (A2, A22)", self.sample_evolution(&fresh));
+        part(&mut look, "edges and combinational variables (A2, A22)", self.sample_evolution(&first_evolution));
         let (writes, mut commit) = self.stored_actions(stored);
         commit.push_all(stored.next.iter().map(|(place, next)| Statement::Set(*place, Expr::Place(*next))));
         commit.push_all(self.begin_times());

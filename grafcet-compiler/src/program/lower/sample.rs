@@ -31,9 +31,9 @@ impl<'m> Lower<'_, 'm> {
         self.samples(&order, &Expr::Place(self.first))
     }
 
-    /// What each evolution of a search samples: edges and combinational variables. `fresh` says that it is the very first one,
+    /// What each evolution of a search samples: edges and combinational variables. `first_evolution` says that it is the very first one,
     /// which has no edges (A26).
-    pub(super) fn sample_evolution(&self, fresh: &Expr<'m>) -> Vec<Statement<'m>> {
+    pub(super) fn sample_evolution(&self, first_evolution: &Expr<'m>) -> Vec<Statement<'m>> {
         let mut order = Vec::new();
         let mut seen = Set::new();
         self.visit_edges(&mut seen, &mut order);
@@ -43,7 +43,7 @@ impl<'m> Lower<'_, 'm> {
             }
         }
         order.retain(|sample| !matches!(sample, Sample::Delay(_)));
-        self.samples(&order, fresh)
+        self.samples(&order, first_evolution)
     }
 
     /// Point 8: the edges that the actions of an `sfc` see.
@@ -135,7 +135,7 @@ impl<'m> Lower<'_, 'm> {
         order.push(sample);
     }
 
-    fn samples(&self, order: &[Sample], fresh: &Expr<'m>) -> Vec<Statement<'m>> {
+    fn samples(&self, order: &[Sample], first_evolution: &Expr<'m>) -> Vec<Statement<'m>> {
         let mut body = Vec::new();
         for sample in order {
             match *sample {
@@ -144,7 +144,7 @@ impl<'m> Lower<'_, 'm> {
                     body.push(Statement::Set(edges.now, self.user(&self.model.edges[id].of, Moment::Before)));
                     // It compares with itself: there is none.
                     let none = Statement::Set(edges.before, Expr::Place(edges.now));
-                    when(&mut body, fresh.clone(), vec![none]);
+                    when(&mut body, first_evolution.clone(), vec![none]);
                 }
                 Sample::Delay(id) => body.push_all(self.sample_delay(id)),
                 Sample::Combinational(id) => body.push_all(self.combinational(id)),
