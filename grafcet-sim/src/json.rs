@@ -50,9 +50,7 @@ fn value(value: &Value) -> Json {
     match value {
         Value::Bool(value) => json!(value),
         Value::Int(value) if value.abs() <= EXACT => json!(i64::try_from(*value).unwrap_or_default()),
-        Value::Float(number) => {
-            Number::from_f64(short(*number)).map_or_else(|| json!(value.to_string()), Json::Number)
-        }
+        Value::Float(number) => Number::from_f64(short(*number)).map_or_else(|| json!(value.to_string()), Json::Number),
         Value::Ticks(value) => json!(value),
         value => json!(value.to_string()),
     }

@@ -51,7 +51,7 @@ impl fmt::Display for Value {
 #[allow(clippy::cast_possible_truncation, reason = "whether anything is lost is asked")]
 pub(crate) fn short(value: f64) -> f64 {
     let single = value as f32;
-    if f64::from(single) == value { single.to_string().parse().unwrap_or(value) } else { value }
+    if f64::from(single).to_bits() == value.to_bits() { single.to_string().parse().unwrap_or(value) } else { value }
 }
 
 impl From<bool> for Value {
