@@ -57,9 +57,15 @@ pub enum Possible {
     Alone,
     /// A row for each situation.
     Listed(&'static [u8]),
+    /// A decision diagram of all situations: three bytes for each node, a step and the nodes that follow where it is inactive and where it is active. Node 0 is no
+    /// situation, node 1 the end of one, and those of the table are numbered from 2 on. What lies between two steps that are asked for is inactive.
+    Diagram(&'static [u8]),
     /// A row for each step: with which others it can be active.
     Pairs(&'static [u8]),
-    /// The same of a chart in which as many steps as can be together always are.
+    /// The same of partial grafcets, and below it what each piece of them can be in: its steps as a row, the step without which none of them is active (255: there is
+    /// none), how many nodes a [`Diagram`](Self::Diagram) of it has, and these.
+    Parts(&'static [u8], &'static [u8]),
+    /// A row for each step, of a chart in which as many steps as can be together always are.
     Whole(&'static [u8]),
 }
 
@@ -76,7 +82,11 @@ impl Possible {
             Self::Listed(rows) => {
                 rows.chunks_exact(row.max(1)).any(|row| (0..steps).all(|step| in_row(row, step) == is_active(step)))
             }
+            Self::Diagram(nodes) => leads_to_the_end(nodes, steps, is_active),
             Self::Pairs(table) => (0..steps).all(|step| !is_active(step) || fits(table, step)),
+            Self::Parts(table, parts) => {
+                (0..steps).all(|step| !is_active(step) || fits(table, step)) && parts_allow(parts, steps, is_active)
+            }
             // Where nothing is missing no step could be active beside these.
             Self::Whole(table) => (0..steps).all(|step| is_active(step) == fits(table, step)),
         }
@@ -106,9 +116,78 @@ impl Possible {
             Self::Unknown => true,
             Self::Alone => false,
             Self::Listed(rows) => rows.chunks_exact(row.max(1)).any(|row| in_row(row, one) && in_row(row, other)),
-            Self::Pairs(table) | Self::Whole(table) => together(table, row, one, other),
+            Self::Diagram(nodes) => are_on_one_way(nodes, one, other),
+            Self::Pairs(table) | Self::Parts(table, _) | Self::Whole(table) => together(table, row, one, other),
         }
     }
+}
+
+/// Where a diagram comes to its end.
+const NOWHERE: usize = 0;
+const END: usize = 1;
+
+/// The nodes of a diagram with their numbers, each behind those to which it leads: which step it asks for, and where to go on.
+fn nodes(table: &[u8]) -> impl DoubleEndedIterator<Item = (usize, [usize; 3])> + '_ {
+    let nodes = table.chunks_exact(3).enumerate();
+    nodes.map(|(place, node)| {
+        let byte = |at: usize| node.get(at).map_or(NOWHERE, |byte| usize::from(*byte));
+        (place + END + 1, [byte(0), byte(1), byte(2)])
+    })
+}
+
+/// Whether a situation is one of those of a diagram.
+fn leads_to_the_end(table: &[u8], steps: usize, is_active: impl Fn(usize) -> bool) -> bool {
+    let (mut next, mut from) = (table.len() / 3 + END, 0);
+    // Each node stands behind those to which it leads.
+    for (number, [step, inactive, active]) in nodes(table).rev() {
+        if number == next {
+            if (from..step).any(&is_active) {
+                return false;
+            }
+            next = if is_active(step) { active } else { inactive };
+            from = step + 1;
+        }
+    }
+    next == END && !(from..steps).any(is_active)
+}
+
+/// Whether each piece is in a situation of its own.
+fn parts_allow(mut parts: &[u8], steps: usize, is_active: impl Fn(usize) -> bool) -> bool {
+    let row = steps.div_ceil(8);
+    while let Some((own, [enclosing, count, rest @ ..])) = parts.split_at_checked(row) {
+        let Some((nodes, rest)) = rest.split_at_checked(3 * usize::from(*count)) else { break };
+        parts = rest;
+        let enclosing = usize::from(*enclosing);
+        let is_own = |step: usize| in_row(own, step) && is_active(step);
+        let is_possible = if enclosing >= steps || is_active(enclosing) {
+            leads_to_the_end(nodes, steps, is_own)
+        } else {
+            !(0..steps).any(is_own)
+        };
+        if !is_possible {
+            return false;
+        }
+    }
+    true
+}
+
+/// Whether two different steps are active together in a situation of a diagram.
+fn are_on_one_way(table: &[u8], one: usize, other: usize) -> bool {
+    // Of each node, which of the two are active on the ways that begin there: a bit each for neither, for one, for the other, for both.
+    let mut ways = [0_u8; 256];
+    if let Some(end) = ways.get_mut(END) {
+        *end = 1;
+    }
+    let mut last = 0;
+    for (number, [step, inactive, active]) in nodes(table) {
+        let of = |node: usize| ways.get(node).copied().unwrap_or(0);
+        let shift = if step == one { 1 } else { 2 * u32::from(step == other) };
+        last = of(inactive) | of(active) << shift;
+        if let Some(way) = ways.get_mut(number) {
+            *way = last;
+        }
+    }
+    last & 8 != 0
 }
 
 /// Whether a row has the bit of a step.
@@ -118,4 +197,52 @@ fn in_row(row: &[u8], step: usize) -> bool {
 
 fn together(table: &[u8], row: usize, one: usize, other: usize) -> bool {
     table.get(one * row..).is_some_and(|table| in_row(table, other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ForceError, Possible};
+
+    /// (0 or 1), and with 0 also 2 or not; 3 never; 4 alone.
+    const NODES: Possible = Possible::Diagram(&[4, 0, 1, 2, 1, 1, 1, 2, 1, 0, 4, 3]);
+
+    #[test]
+    fn a_diagram_allows_its_situations_and_no_others() {
+        let mut allowed = 0;
+        for set in 0_u32..32 {
+            let expected = matches!(set, 0b1 | 0b101 | 0b10 | 0b10000);
+            assert_eq!(NODES.allows(5, |step| set >> step & 1 != 0), expected, "{set:b}");
+            allowed += u32::from(expected);
+        }
+        assert_eq!(allowed, 4);
+        assert!(Possible::Diagram(&[]).allows(2, |_| false) && !Possible::Diagram(&[]).allows(2, |step| step == 1));
+    }
+
+    /// Steps 0 and 1 exclude each other; 1 encloses 2 and 3, of which one is active, or both are.
+    #[test]
+    fn parts_have_situations_of_their_own() {
+        let pairs = &[0b0000, 0b1100, 0b1010, 0b0110];
+        let chart =
+            Possible::Parts(pairs, &[0b0011, 255, 2, 1, 0, 1, 0, 2, 1, 0b1100, 1, 3, 3, 0, 1, 3, 1, 1, 2, 2, 3]);
+        for set in 0_u32..16 {
+            let expected = matches!(set, 0b0001 | 0b0110 | 0b1010 | 0b1110);
+            assert_eq!(chart.allows(4, |step| set >> step & 1 != 0), expected, "{set:b}");
+        }
+        assert!(Possible::Pairs(pairs).allows(4, |step| step == 2), "pairs do not tell what is missing");
+        assert!(chart.may_be_together(4, 1, 3) && !chart.may_be_together(4, 0, 3));
+    }
+
+    #[test]
+    fn a_diagram_tells_which_steps_are_apart() {
+        let all = [0, 1, 2, 3, 4];
+        let together = |one, other| NODES.may_be_together(5, one, other);
+        for one in all {
+            for other in all.into_iter().filter(|other| *other != one) {
+                assert_eq!(together(one, other), one.min(other) == 0 && one.max(other) == 2, "{one} {other}");
+            }
+        }
+        assert_eq!(NODES.look(&all, &[2, 0]), Ok(()));
+        assert_eq!(NODES.look(&all, &[0, 2, 1]), Err(ForceError::NeverTogether(0, 1)));
+        assert_eq!(NODES.look(&all, &[2]), Err(ForceError::NoSituation));
+    }
 }

@@ -4,6 +4,7 @@
 
 use serde_json::{Number, Value as Json, json};
 
+use crate::value::short;
 use crate::{Blocked, Cycle, Evolution, Kind, Names, Signal, Value, happened};
 
 /// The names of everything, and what kind of value each has. `signals` are the inputs, and behind them what else the program contributes.
@@ -49,7 +50,7 @@ fn value(value: &Value) -> Json {
     match value {
         Value::Bool(value) => json!(value),
         Value::Int(value) if value.abs() <= EXACT => json!(i64::try_from(*value).unwrap_or_default()),
-        Value::Float(value) => Number::from_f64(*value).map_or_else(|| json!(value.to_string()), Json::Number),
+        Value::Float(number) => Number::from_f64(short(*number)).map_or_else(|| json!(value.to_string()), Json::Number),
         Value::Ticks(value) => json!(value),
         value => json!(value.to_string()),
     }

@@ -2,7 +2,7 @@
 
 use crate::coverage::Coverage;
 use crate::cycle::{Cycle, Gap};
-use crate::names::Names;
+use crate::names::{Kind, Names, Signal};
 use crate::script::Scripted;
 use crate::simulation::{Error, Simulation};
 use crate::value::Value;
@@ -105,7 +105,12 @@ impl Trace {
         let mut steps: Vec<&str> = cycle.steps.iter().map(|step| self.names.steps[*step].name.as_str()).collect();
         steps.sort_unstable();
         let outputs = self.names.outputs.iter().zip(&cycle.outputs);
-        let mut outputs: Vec<String> = outputs.map(|(output, value)| format!("{} = {value}", output.name)).collect();
+        let text = |(output, value): (&Signal, &Value)| match (&output.kind, value) {
+            // Two of them that differ are never one text.
+            (Kind::Float(64), Value::Float(value)) => format!("{} = {value}", output.name),
+            (_, value) => format!("{} = {value}", output.name),
+        };
+        let mut outputs: Vec<String> = outputs.map(text).collect();
         outputs.sort_unstable();
         let calls = cycle.calls.iter().map(|call| {
             let args: Vec<String> = call.args.iter().map(ToString::to_string).collect();

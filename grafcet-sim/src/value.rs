@@ -36,12 +36,22 @@ impl fmt::Display for Value {
         match self {
             Self::Bool(value) => value.fmt(f),
             Self::Int(value) => value.fmt(f),
-            Self::Float(value) => value.fmt(f),
+            Self::Float(value) => {
+                let text = format!("{:?}", short(*value));
+                f.write_str(text.strip_suffix(".0").unwrap_or(&text))
+            }
             Self::Ticks(value) => value.fmt(f),
             Self::Name(value) => value.fmt(f),
             Self::Unknown => f.write_str("?"),
         }
     }
+}
+
+/// With as few digits as tell it: what an `f32` holds has more of them as an `f64` than anybody has written, `0.1` is `0.10000000149011612`.
+#[allow(clippy::cast_possible_truncation, reason = "whether anything is lost is asked")]
+pub(crate) fn short(value: f64) -> f64 {
+    let single = value as f32;
+    if f64::from(single).to_bits() == value.to_bits() { single.to_string().parse().unwrap_or(value) } else { value }
 }
 
 impl From<bool> for Value {
@@ -115,5 +125,19 @@ pub(crate) fn plain(value: interp::Value) -> Value {
         interp::Value::Real(value) => Value::Float(value.0),
         interp::Value::Name(name) => Value::Name(name.to_string()),
         interp::Value::Unknown => Value::Unknown,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Value;
+
+    #[test]
+    fn floats_have_as_few_digits_as_tell_them() {
+        let text = |value: Value| value.to_string();
+        let singles = [0.1_f32, 20.0, -0.0, 1.25, 8.507_059e37, 1e-40, f32::NAN, f32::NEG_INFINITY];
+        let said = ["0.1", "20", "-0", "1.25", "8.507059e37", "1e-40", "NaN", "-inf"];
+        assert_eq!(singles.map(|value| text(value.into())), said);
+        assert_eq!([0.1_f64, 1.0 / 3.0, 1e300].map(|value| text(value.into())), ["0.1", "0.3333333333333333", "1e300"]);
     }
 }

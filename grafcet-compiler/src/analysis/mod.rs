@@ -7,6 +7,7 @@ pub mod combinational;
 mod concurrency;
 mod constant;
 mod dead;
+mod diagram;
 mod differences;
 mod edges;
 mod exclusive;

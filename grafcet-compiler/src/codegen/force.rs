@@ -32,9 +32,17 @@ pub(super) fn possible(situations: &Situations, p: &TokenStream) -> TokenStream 
             let rows = rows(table);
             quote!(#p::Possible::Listed(#rows))
         }
+        Situations::Diagram(table) => {
+            let rows = rows(table);
+            quote!(#p::Possible::Diagram(#rows))
+        }
         Situations::Pairs(table) => {
             let rows = rows(table);
             quote!(#p::Possible::Pairs(#rows))
+        }
+        Situations::Parts(pairs, parts) => {
+            let (pairs, parts) = (rows(pairs), rows(parts));
+            quote!(#p::Possible::Parts(#pairs, #parts))
         }
         Situations::Whole(table) => {
             let rows = rows(table);

@@ -10,7 +10,7 @@ use quote::quote;
 use crate::chart::Chart;
 use crate::interp::{self, Recalled, Situation, is_part};
 use crate::simulation::Simulation;
-use crate::value::outside;
+use crate::value::{Value, outside};
 
 /// What the bits of a chart's recorded state mean, as far as they can be read: the fields in their order.
 pub struct Layout {
@@ -121,8 +121,12 @@ impl Layout {
                 Held::Last(id) => (Name::Output(*id), machine.outputs()[id.index()]),
                 _ => continue,
             };
-            if value != *found && value != interp::Value::Unknown {
-                let (found, value) = (outside(*found, name, model), outside(value, name, model));
+            if value == *found || value == interp::Value::Unknown {
+                continue;
+            }
+            // Of a variant the state has the place in the list, the simulation the place or the name.
+            let (found, value) = (outside(*found, name, model), outside(value, name, model));
+            if !matches!((&found, &value), (Value::Name(one), Value::Name(other)) if one == other) {
                 let name = model.value_name(name);
                 return Some(format!("`{name}` is {found} in the record, {value} in the replay"));
             }

@@ -332,11 +332,13 @@ impl<'r> Run<'r> {
         // What cannot be seen may be other than before, too.
         let (recalled, read) = layout.read(key.state, key.reading);
         let taken = read.and_then(|()| simulation.recall(&recalled));
-        let Some(difference) = difference else { return Ok(()) };
-        let said = format!("the chart was changed from outside after {} cycles: {difference}", key.cycle);
-        match taken {
-            Ok(()) => self.note(&said),
-            Err(unknown) => self.lose(&format!("{said}; {}", not_told(&unknown))),
+        let said = format!("the chart was changed from outside after {} cycles", key.cycle);
+        match (difference, taken) {
+            (None, Ok(())) => {}
+            (Some(difference), Ok(())) => self.note(&format!("{said}: {difference}")),
+            (Some(difference), Err(unknown)) => self.lose(&format!("{said}: {difference}; {}", not_told(&unknown))),
+            // What follows is shown as if that were as before; where it is not, the next state tells.
+            (None, Err(unknown)) => self.note(&format!("{said}; {}, taken to be as it was", not_told(&unknown))),
         }
         Ok(())
     }

@@ -102,6 +102,7 @@ fn what_the_source_shows_is_what_the_compiled_chart_shows() {
     agree(&Batch::new(), none, include_str!("source.rs"));
     agree(&Press::new(), none, include_str!("../../../examples/charts/stroke.rs"));
     agree(&PickAndPlace::new(), none, include_str!("../../../examples/charts/pick_and_place.rs"));
+    agree(&Basin::new(), none, include_str!("source.rs"));
     let file = include_str!("../../../examples/charts/recipe.rs");
     agree(&Dyer::with_params(recipe::WOOL), || Box::leak(Box::new(Nobody)), file);
 }
@@ -150,6 +151,35 @@ grafcet! {
             step Heat { heat if blink(100ms/100ms); on rising(b) count = count + 1; }
             Rest -[rising(a)]-> Fill -[level > 20 || 3s/Fill]-> Heat -[falling(b) || Heat.T > 2s && n > 4]-> Rest;
         }
+    }
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Debug)]
+pub enum Duty {
+    #[default]
+    Off,
+    Eco,
+    Full,
+}
+
+grafcet! {
+    /// Levels that are floats, and enums that begin as their name and go on as an input's.
+    #[derive(Debug)]
+    sfc Basin {
+        input level: f32;
+        input duty: Duty in {Off, Eco, Full};
+        input ack: bool;
+        output pump, alarm: bool;
+        var kept: Duty in {Off, Eco, Full} = Duty::Eco;
+        var peak: f32 = -1.5;
+        param low: f32 = 0.1;
+        param base: Duty in {Off, Eco, Full} = Duty::Eco;
+        initial step Rest;
+        step Fill { N pump; P1 peak = level * 0.1 + peak; }
+        step Done within 2s { P1 kept = duty; N alarm if kept == base; }
+        Rest -[level < low || ack]-> Fill -[duty != Duty::Off && peak < 1e30]-> Done;
+        Fill -[3s/Fill]-> Rest;
+        Done -[Done.late || kept == Duty::Full && !ack]-> Rest;
     }
 }
 

@@ -20,7 +20,7 @@ mod verdicts;
 pub use limits::{Answer, Doubt, Limits};
 pub(crate) use search::alone;
 pub use search::settles::settles;
-pub(crate) use search::situations::situations;
+pub(crate) use search::situations::{Wanted, pieces, situations};
 pub(crate) use verdicts::home::Stay;
 pub use verdicts::{
     contention::smallest,

@@ -74,11 +74,22 @@ impl<W: Write, B: AsMut<[u8]>> Wire<W, B> {
         self.number = number.checked_add(1).unwrap_or(1);
         let sent = frame::<C>(self.buffer.as_mut(), kind, number, fill).is_some_and(|frame| {
             let frame = if self.is_torn { frame } else { frame.get(1..).unwrap_or_default() };
-            self.writer.write_all(frame).is_ok()
+            is_written(&mut self.writer, frame)
         });
         self.is_torn = !sent;
         self.is_lost |= !sent;
     }
+}
+
+/// Whether the writer has taken all. One that takes nothing has failed: `write_all` would panic.
+fn is_written(writer: &mut impl Write, mut bytes: &[u8]) -> bool {
+    while !bytes.is_empty() {
+        match writer.write(bytes) {
+            Ok(taken @ 1..) => bytes = bytes.get(taken..).unwrap_or_default(),
+            Ok(0) | Err(_) => return false,
+        }
+    }
+    true
 }
 
 /// A frame with a zero on both sides.

@@ -8,7 +8,7 @@ use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::valuation::State;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::model::{Arena, Id, StepId, TransitionId};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// What was seen on the way, in any part of the chart.
 #[derive(Debug)]
@@ -19,6 +19,8 @@ pub(crate) struct Seen {
     pub(crate) able: Arena<TransitionId, bool>,
     /// Pairs of steps that were active together.
     pub(crate) together: Relation,
+    /// The situations themselves, transient ones included, where somebody asks for them.
+    pub(crate) situations: Option<Set<Vec<StepId>>>,
 }
 
 impl Seen {
@@ -30,10 +32,14 @@ impl Seen {
             enabled: Arena::filled(arcs, false),
             able: Arena::filled(arcs, false),
             together: Relation::new(steps),
+            situations: None,
         }
     }
 
     pub(crate) fn situation(&mut self, active: &[StepId]) {
+        if let Some(all) = &mut self.situations {
+            all.insert(active.to_vec());
+        }
         for (position, step) in active.iter().enumerate() {
             self.reachable[*step] = true;
             for other in &active[position + 1..] {
