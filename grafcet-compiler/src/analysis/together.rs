@@ -17,7 +17,7 @@ const MOST_BYTES: usize = 1024;
 const WORK: u64 = 20_000;
 
 /// What is known of the situations; in each table, a row has a bit for each step, in whole bytes.
-pub(crate) enum Situations {
+pub enum Situations {
     /// Nothing.
     Unknown,
     /// Each has one step, or none.
@@ -37,7 +37,8 @@ impl Situations {
     }
 
     /// For one that is asked for, whatever the table takes.
-    pub(crate) fn of(model: &Model, facts: &Facts<'_>) -> Self {
+    #[must_use]
+    pub fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let row = model.steps.len().div_ceil(8);
         let most = MOST_SITUATIONS.min(MOST_BYTES / row.max(1));
         let found = if forgets(model) { None } else { explore::situations(model, WORK, most) };
