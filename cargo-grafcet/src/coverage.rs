@@ -4,12 +4,11 @@ use std::fs;
 use std::path::PathBuf;
 
 use clap::Args as Arguments;
-use grafcet_sim::script_of;
 use serde_json::{Value, json};
 
 use crate::args::Charts;
 use crate::simulate::session::Session;
-use crate::{Failure, Outcome, complain, find, replay, say};
+use crate::{Failure, Outcome, complain, find, replay, say, simulate};
 
 /// Say what scripts and records have covered of a chart
 ///
@@ -50,7 +49,9 @@ pub(crate) fn run(options: &Coverage) -> Result<Outcome, Failure> {
         let wrong = |error: &dyn std::fmt::Display| Failure::Said(format!("{}: {error}", file.display()));
         let text = fs::read_to_string(file).map_err(|error| Failure::file(file, &error))?;
         let mut session = Session::new(&chart, 1).map_err(|error| wrong(&error))?;
-        for scripted in &script_of(session.signals(), &text).map_err(|error| wrong(&error))? {
+        for scripted in
+            &simulate::script::read(session.signals(), &chart.names().params, &text).map_err(|error| wrong(&error))?
+        {
             session.play(scripted).map_err(|error| wrong(&error))?;
         }
         covered.add(&session.simulation().coverage());

@@ -24,7 +24,9 @@ Examples:
   cargo grafcet draw --chart Motor              in the terminal
   cargo grafcet draw --chart Motor -o motor.svg
   cargo grafcet draw --chart Motor -o motor.pdf --paper a3 --revision B
-  cargo grafcet draw --out drawings             all charts of the crate as drawings/NAME.svg")]
+  cargo grafcet draw --out drawings             all charts of the crate as drawings/NAME.svg
+
+Exit code 1 says that a chart has mistakes that leave nothing to draw.")]
 pub(crate) struct Draw {
     #[command(flatten)]
     pub(crate) charts: Charts,

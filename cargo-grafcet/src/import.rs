@@ -39,7 +39,7 @@ pub(crate) struct Import {
 pub(crate) fn run(options: &Import) -> Result<Outcome, Failure> {
     let path = &options.file;
     let text = fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?;
-    let source = Source { path: find::shown(path), text };
+    let source = Source { path: find::shown(path), text, skipped: 0 };
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let done = import(&source.text, &name)
         .map_err(|wrong| Failure::Shown(human::in_file(&source, wrong.at, &Level::ERROR, &wrong.message)))?;

@@ -183,8 +183,8 @@ fn files_and_formats() {
     let done = diff(other, &other.replace("Lamp", "Light"), &[]);
     assert_eq!(done.out, "Light: 1 change\n  the chart is called `Light` instead of `Lamp`\n");
     let done = diff(BASE, &changed, &["--draw"]);
-    assert!(done.out.contains("│●On"), "{}", done.out);
-    assert_eq!(done.out.matches('●').count(), 1, "{}", done.out);
+    assert!(done.out.contains("~ hot || off"), "{}", done.out);
+    assert_eq!(done.out.matches("━┿━  ~").count(), 1, "{}", done.out);
     let done = diff(BASE, &changed, &["--json"]);
     let line: Value = serde_json::from_str(done.out.trim_end()).expect("one object");
     assert_eq!(
@@ -274,4 +274,106 @@ fn levels_of_rules() {
     let without = without.iter().fold(BASE.to_owned(), |text, (from, to)| text.replace(from, to));
     let done = diff(&with, &without, &[]);
     assert!(done.out.contains("the step `Cool` is gone") && !done.out.contains("grafcet::"), "{done:?}");
+}
+
+/// Both versions in one drawing: each kind of change has its sign, what is gone is drawn, and what is the same has none.
+#[test]
+fn changes_are_marked_in_the_drawing() {
+    let old = "sfc Motor {
+        input on, off, hot: bool; input level: u8; output relay, lamp, horn: bool; var n: u8 = 0;
+        initial step Off { N lamp if hot; } step On { N relay; N horn; } step Cool within 9s { N lamp; } step Rest { S horn; }
+        Off -[on]-> On -[off]-> Off;
+        On -[hot => n = 0]-> Cool -[5s/Cool && level < 10]-> Off;
+        On -[level > 100]-> Rest -[on]-> Off;
+    }";
+    let new = "sfc Motor {
+        input on, off, hot: bool; input level: u8; output relay, lamp, horn: bool; var n: u8 = 0;
+        initial step Off { N lamp if hot; } step On { N horn; N relay; } step Cool within 10s { N lamp if level > 2; } step Fresh { R horn; }
+        On -[hot => n = 1]-> Cool -[5s/Cool && level < 9]-> Off;
+        Off -[on]-> On -[off]-> Off;
+        On -[level > 200]-> Fresh -[on]-> Off;
+    }";
+    let folder = folder(&[("old.rs", old), ("new.rs", new)]);
+    let run = |more: &[&str]| tool(folder.path(), &[&["diff", "old.rs", "new.rs"], more].concat());
+    let done = run(&["--draw"]);
+    assert_eq!(done.code, Some(1), "{done:?}");
+    for marked in [
+        "│ + new    − gone    ~ changed    ↕ order changed │",
+        "━┿━  on\n",
+        "┤ N │ ↕ horn  │",
+        "│ N │ ↕ relay │",
+        "━┿━  ~↕ hot ",
+        " + ⇒ n := 1 ",
+        " − ⇒ n := 0 ",
+        "━┿━  ↕ off ",
+        "━┿━  + level > 200 ",
+        // It is gone, so it has no priority.
+        "━┿━  − level > 100\n",
+        "│1                            │2           │3                        │\n",
+        "│ ~ Cool  ├",
+        "┤ N │ + lamp   │",
+        "│ N │ − lamp   │",
+        "│ + Fresh ├",
+        "│ − Rest  ├",
+        "━┿━  ~ 5s/Cool && level < 9 ",
+        " − 5s/Cool && level < 10 ",
+    ] {
+        assert!(done.out.contains(marked), "{marked}\n{}", done.out);
+    }
+    let (signs, colours) = (["+", "−", "~", "↕"], ["#0072b2", "#d55e00", "#cc79a7", "#009e73"]);
+    assert_eq!(run(&["-o", "changes.svg"]).code, Some(1));
+    let svg = fs::read_to_string(folder.path().join("changes.svg")).expect("the drawing");
+    let rects: Vec<&str> =
+        svg.split('<').filter(|tag| tag.starts_with("rect") && tag.contains("fill-opacity")).collect();
+    // The lines differ where nobody sees the colours.
+    let mut dashes: Vec<Option<&str>> = Vec::new();
+    for (sign, colour) in signs.iter().zip(colours) {
+        assert!(svg.contains(&format!(">{sign} ")), "{sign}");
+        let of: Vec<&&str> = rects.iter().filter(|tag| tag.contains(colour)).collect();
+        assert!(of.len() > 1, "{sign} in the legend and in the chart: {of:?}");
+        let dash = of[0].split_once("stroke-dasharray=\"").map(|(_, rest)| rest.split('"').next().unwrap_or_default());
+        assert!(!dashes.contains(&dash), "{sign}: {dash:?}");
+        dashes.push(dash);
+    }
+    // What has changed stands there in words, too: for print.
+    assert!(svg.contains("the step `Rest` is gone"), "{svg}");
+    assert_eq!(run(&["-o", "changes.png"]).code, Some(1));
+    assert!(fs::read(folder.path().join("changes.png")).expect("the picture").starts_with(b"\x89PNG"));
+    let done = run(&["-o", "changes.doc"]);
+    assert_eq!(
+        (done.code, done.err.as_str()),
+        (Some(2), "error: changes.doc: the drawing is written as .svg, .png or .txt\n")
+    );
+    let same = tool(folder.path(), &["diff", "old.rs", "old.rs", "--draw"]);
+    assert!(same.code == Some(0) && !signs.iter().any(|sign| same.out.contains(&format!("{sign} "))), "{}", same.out);
+}
+
+/// Partial grafcets, macro-steps, forcing orders and `any` that are gone are drawn where they were.
+#[test]
+fn what_is_gone_is_drawn_where_it_was() {
+    let old = "grafcet C { input a, b, stop: bool; output q, r: bool;
+        partial One { initial step A; step B { q; force Two {V}; } A -[a]-> B -[!a]-> A; }
+        partial Two { initial step V; step Y { r; } V -[b]-> Y -[!b]-> V; any -[stop]-> V; } }";
+    let new = "grafcet C { input a, b, stop: bool; output q, r: bool;
+        partial One { initial step A; step B { q; r; } A -[a]-> B -[!a]-> A; } }";
+    let done = diff(old, new, &["--draw"]);
+    for marked in ["│ Two ", "− V ", "− Y ", "║ − Two {V} ║", "│ + r ", "any", "− stop"] {
+        assert!(done.out.contains(marked), "{marked}\n{}", done.out);
+    }
+    // The order that is gone stands behind the action that is new.
+    let back = diff(new, old, &["--draw"]);
+    for marked in ["+ V ", "+ Y ", "+ Two {V}", "− r ", "+ stop"] {
+        assert!(back.out.contains(marked), "{marked}\n{}", back.out);
+    }
+}
+
+/// Where several charts are in both files, nothing says whose drawing the file gets.
+#[test]
+fn one_file_takes_one_drawing() {
+    let two = "grafcet! { sfc A { input x: bool; initial step S; step T; S -[x]-> T -[!x]-> S; } }
+        grafcet! { sfc B { input x: bool; initial step S; step T; S -[x]-> T -[!x]-> S; } }";
+    let done = diff(two, two, &["-o", "both.svg"]);
+    let said = "error: 2 charts are in both files, and one goes to one file: say which one: --chart A, --chart B\n";
+    assert_eq!((done.code, done.err.as_str()), (Some(2), said));
+    assert_eq!(diff(two, two, &["--chart", "B", "-o", "b.svg"]).code, Some(0));
 }

@@ -43,7 +43,7 @@ fn scripts() {
     let done = play("Motor", "good.script", &["--json"]);
     let cycles: Vec<Value> = done.out.lines().map(|line| serde_json::from_str(line).expect(line)).collect();
     let expected = json!({
-        "cycle": 1, "now": 2500, "inputs": { "on": true, "hot": false, "load": 4 }, "outside": { "calm(load)": true },
+        "cycle": 1, "now": 2500, "inputs": { "on": true, "hot": false, "load": 4 }, "outside": { "calm(load)": true }, "params": {},
         "steps": ["On"], "outputs": { "relay": true }, "variables": {}, "happened": ["Off → On"], "stable": true,
         "waits": ["`On → Off` waits for `!on` (on = true) or `(10 / load) > 7` (load = 4)"],
     });

@@ -1,5 +1,6 @@
 //! What each thing looks like: its size, and its shapes once it has a place.
 
+use crate::compared::Change;
 use crate::shape::{Drawing, Frame, Heading, Place, Shape, Thing};
 use crate::wrap::width;
 
@@ -22,6 +23,7 @@ pub(crate) enum Figure {
         id: usize,
         name: String,
         lines: Vec<String>,
+        change: Option<Change>,
     },
     Line,
 }
@@ -38,6 +40,7 @@ pub(crate) struct Step {
     pub(crate) boxes: Vec<Box>,
     /// Between the step and its actions.
     pub(crate) pad: i32,
+    pub(crate) change: Option<Change>,
 }
 
 /// An action or forcing order.
@@ -50,6 +53,7 @@ pub(crate) struct Box {
     pub(crate) kind: Frame,
     /// Between the texts and the lines around them.
     pub(crate) pad: i32,
+    pub(crate) change: Option<Change>,
 }
 
 impl Box {
@@ -114,7 +118,11 @@ impl Figure {
                 to.centred((x, y + 1), name);
             }
             Figure::Any(lines) => (y..).zip(lines).for_each(|(row, line)| to.centred((x, row), line)),
-            Figure::Transition { id, name, lines } => {
+            Figure::Transition { id, name, lines, change } => {
+                if let Some(change) = *change {
+                    let Extent { left, right, height } = self.extent();
+                    to.shapes.push(Shape::Changed { at: (x - left, y), size: (left + right, height + 1), change });
+                }
                 to.places.push(Place { of: Thing::Transition(*id), at: (x - 2, y), size: (5, 1) });
                 to.shapes.push(Shape::Bar { at: (x, y) });
                 to.text((x - 3 - width(name), y), name);
@@ -177,6 +185,9 @@ impl Step {
     fn draw(&self, x: i32, y: i32, to: &mut Drawing) {
         let (left, top) = (x - self.width() / 2, y + self.top());
         to.places.push(Place { of: self.of, at: (left, top), size: (self.width(), 3) });
+        if let Some(change) = self.change {
+            to.shapes.push(Shape::Changed { at: (left, top), size: (self.width(), 3), change });
+        }
         to.shapes.push(Shape::Frame { at: (left, top), size: (self.width(), 3), kind: self.frame });
         to.centred((x, top + 1), &self.name);
         if !self.from.is_empty() {
@@ -211,6 +222,10 @@ impl Step {
 
 impl Box {
     fn draw(&self, (x, y): (i32, i32), size: (i32, i32), to: &mut Drawing) {
+        if let Some(change) = self.change {
+            // Between those above and below.
+            to.shapes.push(Shape::Changed { at: (x + 1, y + 1), size: (size.0 - 2, size.1 - 2), change });
+        }
         to.shapes.push(Shape::Frame { at: (x, y), size, kind: self.kind });
         if !self.condition.is_empty() {
             let line = x + 1 + self.pad;

@@ -163,6 +163,10 @@ impl<'s> Builder<'s> {
             for source in sources {
                 let straight = number(&sequence.down, *source, link);
                 let hop = self.descend(self.node_item[*source], self.link_item[link], straight);
+                // What is gone has no rank among the others.
+                if self.wording.is_gone(self.search.net.links[link].transition) {
+                    continue;
+                }
                 branches[*source] += 1;
                 if self.wording.ranks() && self.search.out[*source].len() > 1 {
                     self.graph.ranks.insert(hop, branches[*source]);

@@ -5,6 +5,7 @@
 //! how those look. The same description gives the same drawing on every machine. Through the crate `grafcet`, with its
 //! feature `std`, this crate is `grafcet::draw`.
 
+mod compared;
 mod figure;
 mod fold;
 mod graph;
@@ -29,6 +30,7 @@ mod wrap;
 use grafcet_core::ActiveSteps;
 use grafcet_core::description::Description;
 
+pub use compared::{Change, Difference, Part};
 pub use mermaid::mermaid;
 pub use shape::{Drawing, Frame, Heading, Place, Shape, Thing};
 use sorted::List;
@@ -59,14 +61,20 @@ fn within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), widt
     if is_large(chart) {
         return overview(&sheets::sheets(chart), legend::legend(chart), width);
     }
-    shape::pack(blocks(chart, situation, width, fold::TALL), width, (2, 1))
+    shape::pack(blocks(chart, situation, width, fold::TALL, &[]), width, (2, 1))
 }
 
 /// What stands beside each other: the sheets, in so many characters from left to right, and what names stand for. Nets of more rows than `tall` are folded.
-fn blocks(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), width: i32, tall: i32) -> Vec<Drawing> {
+fn blocks(
+    chart: &Description<'_>,
+    situation: &(impl ActiveSteps + ?Sized),
+    width: i32,
+    tall: i32,
+    differences: &[Difference],
+) -> Vec<Drawing> {
     let sheets = sheets::sheets(chart);
     let active = (0..chart.steps.len()).map(|step| situation.is_active_at(step)).list();
-    let wording = Wording { chart, active, density: Density::ROOMY, tall };
+    let wording = Wording { chart, active, density: Density::ROOMY, differences, tall };
     let drawn = sheets
         .iter()
         .map(|sheet| framed(&sheet.title, &sheet.doc, shape::pack(net::draw(&wording, sheet), width - 4, (3, 1))));
@@ -113,6 +121,41 @@ pub fn text(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized)) ->
 #[must_use]
 pub fn text_within(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), columns: u16) -> String {
     text::write(&within(chart, situation, columns.into()))
+}
+
+/// A chart with the marks of what differs from another version of it, and a legend of the marks; `notes` stand below the legend. Parts that are gone
+/// have to be in `chart` for that. It is drawn step by step, however large.
+#[cfg(feature = "compared")]
+#[must_use]
+pub fn layout_compared(
+    chart: &Description<'_>,
+    differences: &[Difference],
+    notes: &[String],
+    columns: Option<u16>,
+) -> Drawing {
+    let width = columns.map_or(WIDTH, i32::from);
+    let mut drawings = vec![compared::key(differences, notes, width)];
+    drawings.extend(blocks(chart, &(), width, fold::TALL, differences));
+    shape::pack(drawings, width, (2, 1))
+}
+
+/// The same as SVG.
+#[cfg(feature = "compared")]
+#[must_use]
+pub fn svg_compared(chart: &Description<'_>, differences: &[Difference], notes: &[String]) -> String {
+    svg::write(chart.name, &layout_compared(chart, differences, notes, None), svg::Style::Paper)
+}
+
+/// The same for a terminal, of so many columns where that is said.
+#[cfg(feature = "compared")]
+#[must_use]
+pub fn text_compared(
+    chart: &Description<'_>,
+    differences: &[Difference],
+    notes: &[String],
+    columns: Option<u16>,
+) -> String {
+    text::write(&layout_compared(chart, differences, notes, columns))
 }
 
 /// A sheet with a name has a frame around it, with what it is for below the name.

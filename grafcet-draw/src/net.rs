@@ -25,8 +25,7 @@ pub(crate) fn draw(wording: &Wording<'_>, sheet: &Sheet) -> Vec<Drawing> {
     });
     let graphs = graphs.list();
     let references = references(sheet, &graphs);
-    let dense =
-        Wording { chart: wording.chart, active: wording.active.clone(), density: Density::DENSE, tall: wording.tall };
+    let dense = Wording { active: wording.active.clone(), density: Density::DENSE, ..*wording };
     let drawings = graphs.iter().map(|graph| {
         let drawing = drawn(wording, graph, &references);
         if drawing.width > WIDE { drawn(&dense, graph, &references) } else { drawing }

@@ -1,5 +1,6 @@
 //! The drawing list: what is on the paper, and where.
 
+use crate::compared::Change;
 use crate::wrap::width;
 
 /// A drawing on squared paper. A unit to the right is one character, a unit down is one line of text; lines run through the
@@ -84,6 +85,15 @@ pub enum Shape {
         /// Its square.
         at: (i32, i32),
     },
+    /// Something that differs from another version of the chart, behind what it is; in plain text nothing, as signs tell there.
+    Changed {
+        /// The upper left square.
+        at: (i32, i32),
+        /// Whole squares to the right and down.
+        size: (i32, i32),
+        /// How it differs.
+        change: Change,
+    },
     /// One line of text, one square a character.
     Text {
         /// The square of its first character.
@@ -147,6 +157,7 @@ impl Drawing {
                 | Shape::Arrow { at, .. }
                 | Shape::Dot { at }
                 | Shape::Mark { at }
+                | Shape::Changed { at, .. }
                 | Shape::Text { at, .. } => *at = (at.0 + dx, at.1 + dy),
             }
             shape

@@ -81,7 +81,7 @@ pub(crate) fn write_upon(name: &str, drawing: &Drawing, style: Style, below: &st
     drawing.shapes.iter().for_each(|shape| layers.add(shape));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0} {0} {wide} {high}\" {size} role=\"img\" \
-         aria-label=\"Chart {1}\">{below}<g fill=\"none\" stroke=\"currentColor\"><path d=\"{2}\"/>{3}\
+         aria-label=\"Chart {1}\">{below}{7}<g fill=\"none\" stroke=\"currentColor\"><path d=\"{2}\"/>{3}\
          <path d=\"{4}\" stroke-width=\"3\"/></g><g fill=\"currentColor\" font-family=\"monospace\" font-size=\"13\" \
          dominant-baseline=\"central\">{5}{6}</g></svg>",
         // Half a pixel more: lines run through the middles of pixels, and one that is drawn twice, as between two actions, is no wider.
@@ -92,6 +92,7 @@ pub(crate) fn write_upon(name: &str, drawing: &Drawing, style: Style, below: &st
         layers.bars,
         layers.marks,
         layers.texts,
+        layers.changed,
     )
 }
 
@@ -102,6 +103,8 @@ struct Layers {
     frames: String,
     bars: String,
     marks: String,
+    /// Behind all others.
+    changed: String,
     texts: String,
     /// The row of each double line, and its ends.
     doubles: Vec<(i32, i32, i32)>,
@@ -167,6 +170,14 @@ impl Layers {
             }
             Shape::Dot { at } => self.circle(*at, "2.5"),
             Shape::Mark { at } => self.circle(*at, "3.5"),
+            Shape::Changed { at, size, change } => {
+                let (x, y, w, h) = (at.0 * SQUARE.0, at.1 * SQUARE.1, size.0 * SQUARE.0, size.1 * SQUARE.1);
+                let look = change.look();
+                let _ = write!(
+                    self.changed,
+                    "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"3\" fill-opacity=\".15\" stroke-width=\"2\" {look}/>"
+                );
+            }
             Shape::Text { at, text, half } => {
                 let (x, y) = (at.0 * SQUARE.0 + if *half { SQUARE.0 / 2 } else { 0 }, middle(*at).1);
                 // The squares a text takes it also fills, whatever font the reader has.

@@ -63,6 +63,7 @@ impl Paper {
                 };
                 self.put(*at, head);
             }
+            Shape::Changed { .. } => {}
             Shape::Dot { at } => self.put(*at, '•'),
             Shape::Mark { at } => self.put(*at, '●'),
             Shape::Text { at, text, .. } => {

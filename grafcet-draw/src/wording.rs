@@ -2,11 +2,12 @@
 
 use grafcet_core::description::{Action, Any, Description, Dialect};
 
+use crate::compared::{Change, Difference, Part, signed};
 use crate::figure::{Box, Figure, Step};
 use crate::graph::{Item, Kind};
 use crate::shape::{Frame, Thing};
 use crate::sheets::{Node, name};
-use crate::sorted::Map;
+use crate::sorted::{List, Map};
 use crate::wrap::wrap;
 
 /// Names and words are cut at so many squares.
@@ -21,6 +22,8 @@ pub(crate) struct Wording<'a> {
     pub(crate) chart: &'a Description<'a>,
     pub(crate) active: Vec<bool>,
     pub(crate) density: Density,
+    /// What differs from another version of it.
+    pub(crate) differences: &'a [Difference],
     /// What has more rows than this is folded.
     pub(crate) tall: i32,
 }
@@ -65,7 +68,11 @@ impl Wording<'_> {
     }
 
     fn step(&self, node: Node, from: &[Origin]) -> Step {
-        let name = short(name(self.chart, node));
+        let change = match node {
+            Node::Step(id) => self.changes(Part::Step(id)),
+            Node::Macro(_) => Vec::new(),
+        };
+        let name = signed(vec![short(name(self.chart, node))], &change).concat();
         let active = self.is_active(node);
         let step = match node {
             Node::Step(id) => self.chart.steps.get(id),
@@ -78,14 +85,19 @@ impl Wording<'_> {
             Node::Macro(_) => Frame::Macro { initial, active },
         };
         let mut boxes = Vec::new();
-        for action in step.map_or(&[][..], |step| step.actions) {
-            boxes.push(self.action(action));
+        let changed = |number: usize| match node {
+            Node::Step(id) => self.changes(Part::Action(id, number)),
+            Node::Macro(_) => Vec::new(),
+        };
+        let (actions, forces) = step.map_or((&[][..], &[][..]), |step| (step.actions, step.forces));
+        for (number, action) in actions.iter().enumerate() {
+            boxes.push(self.action(action, &changed(number)));
         }
         if let Some(within) = step.map(|step| step.within).filter(|within| !within.is_empty()) {
-            boxes.push(self.boxed(String::new(), "within".to_owned(), within, Frame::Action));
+            boxes.push(self.boxed(String::new(), "within".to_owned(), within, Frame::Action, &[]));
         }
-        for force in step.map_or(&[][..], |step| step.forces) {
-            boxes.push(self.boxed(String::new(), String::new(), force, Frame::Force));
+        for (number, force) in (actions.len()..).zip(forces) {
+            boxes.push(self.boxed(String::new(), String::new(), force, Frame::Force, &changed(number)));
         }
         let mut names: Vec<&str> = Vec::new();
         for name in from.iter().map(|origin| self.origin(*origin)) {
@@ -107,6 +119,7 @@ impl Wording<'_> {
             from,
             boxes,
             pad: self.density.pad,
+            change: change.first().copied(),
         }
     }
 
@@ -177,7 +190,7 @@ impl Wording<'_> {
 
     /// In an SFC the qualifier stands before the action; in a GRAFCET a continuous action has none, and a stored one an
     /// arrow: up on activation, down on deactivation, aside on an event (IEC 60848, 4.8).
-    fn action(&self, action: &Action<'_>) -> Box {
+    fn action(&self, action: &Action<'_>, change: &[Change]) -> Box {
         let grafcet = self.chart.dialect == Dialect::Grafcet;
         let mut text = assigned(action.text);
         let qualifier = match action.qualifier {
@@ -197,12 +210,13 @@ impl Wording<'_> {
         };
         let qualifier =
             if action.time.is_empty() { qualifier.to_owned() } else { format!("{qualifier} {}", action.time) };
-        self.boxed(short(action.condition), qualifier, &text, Frame::Action)
+        self.boxed(short(action.condition), qualifier, &text, Frame::Action, change)
     }
 
-    fn boxed(&self, condition: String, qualifier: String, text: &str, kind: Frame) -> Box {
-        let lines = self.lines(text);
-        Box { condition, qualifier, lines, kind, pad: self.density.pad }
+    fn boxed(&self, condition: String, qualifier: String, text: &str, kind: Frame, change: &[Change]) -> Box {
+        let lines = signed(self.lines(text), change);
+        let change = change.first().copied();
+        Box { condition, qualifier, lines, kind, pad: self.density.pad, change }
     }
 
     fn lines(&self, text: &str) -> Vec<String> {
@@ -211,11 +225,29 @@ impl Wording<'_> {
 
     fn transition(&self, id: usize) -> Figure {
         let Some(transition) = self.chart.transitions.get(id) else { return Figure::Line };
-        let mut lines = self.lines(transition.condition);
-        for clearing in transition.clearing {
-            lines.extend(self.lines(&format!("⇒ {}", assigned(clearing))));
+        let changes = self.changes(Part::Transition(id));
+        let mut lines = signed(self.lines(transition.condition), &changes);
+        for one in self.differences(Part::Transition(id)).filter(|one| !one.was.is_empty()) {
+            lines.extend(signed(self.lines(&one.was), &[Change::Gone]));
         }
-        Figure::Transition { id, name: short(transition.name), lines }
+        for (number, clearing) in transition.clearing.iter().enumerate() {
+            let changes = self.changes(Part::Clearing(id, number));
+            lines.extend(signed(self.lines(&format!("⇒ {}", assigned(clearing))), &changes));
+        }
+        Figure::Transition { id, name: short(transition.name), lines, change: changes.first().copied() }
+    }
+
+    fn differences(&self, part: Part) -> impl Iterator<Item = &Difference> {
+        self.differences.iter().filter(move |one| one.part == part)
+    }
+
+    fn changes(&self, part: Part) -> Vec<Change> {
+        self.differences(part).map(|one| one.change).list()
+    }
+
+    /// Whether a transition is drawn that the chart no longer has.
+    pub(crate) fn is_gone(&self, transition: usize) -> bool {
+        self.differences(Part::Transition(transition)).any(|one| one.change == Change::Gone)
     }
 }
 

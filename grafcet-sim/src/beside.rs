@@ -43,12 +43,36 @@ impl<'c> Beside<'c> {
     /// # Errors
     /// The chart's own arithmetic fails, or a value does not fit.
     pub fn cycle(&self, before: &Simulation<'c>, now: u32, values: &[Value]) -> Result<(Simulation<'c>, Cycle), Error> {
-        let (inputs, outside) = values.split_at(self.inputs());
-        let texts = self.signals[inputs.len()..].iter().map(|signal| signal.name.clone());
-        *self.told.borrow_mut() = texts.zip(outside.iter().cloned()).collect();
+        let inputs = self.tell(values);
         let mut next = before.clone();
         let cycle = next.cycle_with(now, inputs)?;
         Ok((next, cycle))
+    }
+
+    /// The same with a cycle that leads into the situation of these steps by hand, as [`Simulation::force`].
+    ///
+    /// # Errors
+    /// As of [`Beside::cycle`], or there is no step of that name.
+    pub fn force(
+        &self,
+        before: &Simulation<'c>,
+        now: u32,
+        values: &[Value],
+        steps: &[&str],
+    ) -> Result<(Simulation<'c>, Cycle), Error> {
+        let inputs = self.tell(values).iter().cloned();
+        let named: Vec<(&str, Value)> = self.signals.iter().map(|signal| signal.name.as_str()).zip(inputs).collect();
+        let mut next = before.clone();
+        let cycle = next.force(now, steps, &named)?;
+        Ok((next, cycle))
+    }
+
+    /// Tells what is the program's; the inputs are left.
+    fn tell<'v>(&self, values: &'v [Value]) -> &'v [Value] {
+        let (inputs, outside) = values.split_at(self.inputs());
+        let texts = self.signals[inputs.len()..].iter().map(|signal| signal.name.clone());
+        *self.told.borrow_mut() = texts.zip(outside.iter().cloned()).collect();
+        inputs
     }
 
     /// The chart.

@@ -143,15 +143,16 @@ impl<'c> Simulation<'c> {
     }
 
     /// One cycle that leads into the situation of these steps by hand (A38). Unlike the compiled chart, which needs `forceable;` for it, it takes any
-    /// steps: nobody asks whether the chart can ever be in them.
+    /// steps: nobody asks whether the chart can ever be in them. Of steps of one name each has its partial grafcet in front, as [`Names::steps`] has them.
     ///
     /// # Errors
     /// As of [`Simulation::cycle`], or there is no step of that name.
     pub fn force(&mut self, now: u32, steps: &[&str], inputs: &[(&str, Value)]) -> Result<Cycle, Error> {
         let step = |name: &&str| {
-            let steps = &self.chart.model().steps;
-            let named = steps.iter().find(|(_, step)| plain_name(&step.name) == *name);
-            named.map(|(id, _)| id).ok_or_else(|| Error::NoSuchStep((*name).to_owned()))
+            let place = self.names().step_named(name);
+            place
+                .and_then(|place| self.chart.model().steps.ids().nth(place))
+                .ok_or_else(|| Error::NoSuchStep((*name).to_owned()))
         };
         let situation = steps.iter().map(step).collect::<Result<interp::Situation, _>>()?;
         self.set(inputs)?;

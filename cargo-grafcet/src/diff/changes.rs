@@ -265,7 +265,7 @@ impl Changes {
 }
 
 /// What is in the one and not in the other, as often as it is.
-fn missing<'t>(these: &'t [Text], others: &[Text]) -> Vec<&'t Text> {
+pub(super) fn missing<'t>(these: &'t [Text], others: &[Text]) -> Vec<&'t Text> {
     let mut left: Vec<&Text> = others.iter().collect();
     let mut missing = Vec::new();
     for text in these {
@@ -278,13 +278,13 @@ fn missing<'t>(these: &'t [Text], others: &[Text]) -> Vec<&'t Text> {
 }
 
 /// Whether both leave one step.
-fn share(a: &Transition, b: &Transition) -> bool {
+pub(super) fn share(a: &Transition, b: &Transition) -> bool {
     let any = a.any.is_some() || b.any.is_some();
     any || a.from.iter().any(|step| b.from.contains(step))
 }
 
 /// Which transition of the old version is which of the new one: first those of which nothing has changed, in the end those of which little is the same.
-fn pairs(old: &[Transition], new: &[Transition]) -> Vec<(usize, usize)> {
+pub(super) fn pairs(old: &[Transition], new: &[Transition]) -> Vec<(usize, usize)> {
     const ALIKE: [fn(&Transition, &Transition) -> bool; 6] = [
         |a, b| ends(a, b) && a.condition == b.condition && a.clearing == b.clearing && a.name == b.name,
         |a, b| ends(a, b) && a.condition == b.condition,
@@ -294,18 +294,22 @@ fn pairs(old: &[Transition], new: &[Transition]) -> Vec<(usize, usize)> {
         |a, b| same(&a.to, &b.to) && a.condition == b.condition,
     ];
     let mut pairs: Vec<(usize, usize)> = Vec::new();
+    // Those that belong to none yet.
+    let (mut left, mut free): (Vec<usize>, Vec<usize>) = ((0..old.len()).collect(), (0..new.len()).collect());
     for alike in ALIKE {
-        for (before, one) in old.iter().enumerate() {
-            let is_free = |after: usize| pairs.iter().all(|pair| pair.0 != before && pair.1 != after);
-            let found = new.iter().enumerate().find(|(after, other)| is_free(*after) && alike(one, other));
-            pairs.extend(found.map(|(after, _)| (before, after)));
-        }
+        left.retain(|before| match free.iter().position(|after| alike(&old[*before], &new[*after])) {
+            Some(place) => {
+                pairs.push((*before, free.remove(place)));
+                false
+            }
+            None => true,
+        });
     }
     pairs.sort_unstable();
     pairs
 }
 
-fn ends(a: &Transition, b: &Transition) -> bool {
+pub(super) fn ends(a: &Transition, b: &Transition) -> bool {
     begin(a, b) && same(&a.to, &b.to)
 }
 

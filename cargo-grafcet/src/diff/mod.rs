@@ -3,23 +3,32 @@
 //! - `words`: a chart in words; `levels`: the levels of rules in it
 //! - `renamed`: what is the same under another name
 //! - `changes`: what is left
+//! - `drawn`: both versions in one drawing
 
 mod changes;
+mod drawn;
 mod levels;
 mod renamed;
 mod words;
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use clap::Args as Arguments;
 use grafcet_compiler::describe::with_description;
 use grafcet_compiler::model::Model;
+use grafcet_core::description::Description;
+use grafcet_draw::Difference;
 use serde_json::json;
 
 use crate::find::{self, Found};
-use crate::model::drawn;
+use crate::model::drawn as model_of;
+use crate::output::Content;
+#[cfg(feature = "print")]
+use crate::print;
 use crate::{Failure, Outcome, say};
 use changes::Change;
+use drawn::Version;
 use words::Words;
 
 /// Say what has changed from one version of a chart to another
@@ -31,6 +40,7 @@ use words::Words;
 Examples:
   cargo grafcet diff old/motor.rs src/motor.rs
   git show HEAD~1:src/motor.rs > old.rs; cargo grafcet diff old.rs src/motor.rs --draw
+  cargo grafcet diff old.rs src/motor.rs -o changes.svg
 
 Exit code 1 says that something has changed.")]
 pub(crate) struct Diff {
@@ -41,9 +51,15 @@ pub(crate) struct Diff {
     /// Only the charts of this name
     #[arg(long, value_name = "NAME")]
     pub(crate) chart: Option<String>,
-    /// Draw the new version; a dot marks the steps with which something has changed
+    /// Draw both versions in one: what is new, gone, changed, or has another place in an order that counts is marked
     #[arg(long, conflicts_with = "json")]
     pub(crate) draw: bool,
+    /// Write that drawing of the one chart to a file, with what has changed in words: SVG, PNG or text, by the end of its name
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// The widest text: what stands side by side stands one below the other where there is no room
+    #[arg(long, value_name = "COLUMNS")]
+    pub(crate) width: Option<u16>,
     /// One JSON object a change
     #[arg(long)]
     pub(crate) json: bool,
@@ -56,6 +72,9 @@ pub(crate) fn run(options: &Diff) -> Result<Outcome, Failure> {
         Ok(charts)
     };
     let (old, new) = (of(&options.old)?, of(&options.new)?);
+    if options.output.is_some() {
+        one_pair(&old, &new)?;
+    }
     if let (true, true, Some(name)) = (old.is_empty(), new.is_empty(), &options.chart) {
         return Err(Failure::Said(format!("there is no chart `{name}` in either file")));
     }
@@ -89,7 +108,7 @@ fn alone(chart: &Found, what: &'static str, options: &Diff) -> Result<bool, Fail
 fn compared(old: &Found, new: &Found, options: &Diff) -> Result<bool, Failure> {
     let model = |chart: &Found| {
         let wrong = || Failure::Said(format!("{}: the chart {} has mistakes", chart.source.path.display(), chart.name));
-        drawn(chart).ok_or_else(wrong)
+        model_of(chart).ok_or_else(wrong)
     };
     let (before, after) = (model(old)?, model(new)?);
     let (mut old, new) = (Words::of(&before, old), Words::of(&after, new));
@@ -104,7 +123,17 @@ fn compared(old: &Found, new: &Found, options: &Diff) -> Result<bool, Failure> {
     changes.extend(changes::changes(&old, &new));
     say(&shown(&new.name, &changes, options))?;
     if options.draw {
-        say(&format!("\n{}\n", drawing(&after, &changes)))?;
+        let text = both((&before, &old), (&after, &new), |chart, differences| {
+            grafcet_draw::text_compared(chart, differences, &[], options.width)
+        });
+        say(&format!("\n{text}\n"))?;
+    }
+    if let Some(file) = &options.output {
+        let notes: Vec<String> = changes.iter().map(|one| one.sentence.clone()).collect();
+        let picture = both((&before, &old), (&after, &new), |chart, differences| {
+            picture(file, chart, differences, &notes, options.width)
+        })?;
+        fs::write(file, picture.bytes()).map_err(|error| Failure::file(file, &error))?;
     }
     Ok(!changes.is_empty())
 }
@@ -125,20 +154,42 @@ fn shown(chart: &str, changes: &[Change], options: &Diff) -> String {
     changes.iter().fold(format!("{chart}: {count}\n"), |all, one| all + &format!("  {}\n", one.sentence))
 }
 
-/// The new version, with a mark at each step that a change is about.
-fn drawing(model: &Model, changes: &[Change]) -> String {
-    with_description(model, |chart| {
-        let is_marked = |name: &str| changes.iter().any(|one| one.steps.iter().any(|step| step == name));
-        let marked = (0..chart.steps.len()).map(|step| is_marked(&words::step_name(chart, step))).collect();
-        grafcet_draw::text(chart, &Marked(marked))
+/// One file holds one chart.
+fn one_pair(old: &[Found], new: &[Found]) -> Result<(), Failure> {
+    if let ([_], [_]) = (old, new) {
+        return Ok(());
+    }
+    let both = new.iter().filter(|chart| old.iter().any(|other| other.name == chart.name)).count();
+    if both == 1 && new.len() == 1 {
+        return Ok(());
+    }
+    let message = format!("{both} charts are in both files, and one goes to one file: {}", find::one_of(new));
+    Err(Failure::Said(message))
+}
+
+/// The drawing of both versions, and what differs in it.
+fn both<R>(old: (&Model, &Words), new: (&Model, &Words), then: impl FnOnce(&Description<'_>, &[Difference]) -> R) -> R {
+    with_description(old.0, |before| {
+        with_description(new.0, |after| {
+            let old = Version { chart: before, words: old.1 };
+            drawn::with_both(old, Version { chart: after, words: new.1 }, then)
+        })
     })
 }
 
-/// The steps that are marked, by number.
-struct Marked(Vec<bool>);
-
-impl grafcet_core::ActiveSteps for Marked {
-    fn is_active_at(&self, step: usize) -> bool {
-        self.0[step]
+fn picture(
+    file: &Path,
+    chart: &Description<'_>,
+    differences: &[Difference],
+    notes: &[String],
+    width: Option<u16>,
+) -> Result<Content, Failure> {
+    let svg = || grafcet_draw::svg_compared(chart, differences, notes);
+    match file.extension().and_then(|end| end.to_str()) {
+        Some("svg") => Ok(svg().into()),
+        Some("txt") => Ok(grafcet_draw::text_compared(chart, differences, notes, width).into()),
+        #[cfg(feature = "print")]
+        Some("png") => Ok(Content::Bytes(print::png_of(chart.name, &svg(), 192)?)),
+        _ => Err(Failure::Said(format!("{}: the drawing is written as .svg, .png or .txt", file.display()))),
     }
 }

@@ -22,6 +22,8 @@ pub(crate) struct Source {
     /// As it is shown: from the present folder on, where it lies below.
     pub(crate) path: PathBuf,
     pub(crate) text: String,
+    /// So many bytes of the file stand in front of the text: a byte order mark.
+    pub(crate) skipped: usize,
 }
 
 /// A chart in a file.
@@ -184,7 +186,8 @@ impl File {
     }
 
     fn of(path: &Path, text: String) -> Result<Self, Failure> {
-        let source = Rc::new(Source { path: shown(path), text: plain(text) });
+        let skipped = text.len() - text.trim_start_matches(MARK).len();
+        let source = Rc::new(Source { path: shown(path), text: plain(text), skipped });
         let tokens = source.text.parse().map_err(|error: proc_macro2::LexError| {
             let what = "this is not Rust: it cannot be read beyond this point";
             Failure::Shown(human::at(&source, error.span(), what))
@@ -205,9 +208,12 @@ impl File {
     }
 }
 
+/// A byte order mark.
+const MARK: char = '\u{feff}';
+
 /// Without what the lexer does not know: a byte order mark, and a first line for a shell, whose place stays empty so that all others keep theirs.
 fn plain(text: String) -> String {
-    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+    let text = text.trim_start_matches(MARK).to_owned();
     match text.strip_prefix("#!").filter(|rest| !rest.trim_start().starts_with('[')) {
         Some(rest) => {
             let line = rest.find('\n').unwrap_or(rest.len());

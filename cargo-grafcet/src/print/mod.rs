@@ -45,26 +45,27 @@ pub(crate) fn pdf(
         let sheet = Sheet::of(options, |room| grafcet_draw::pages::pages(description, active, room));
         pdf::write(&sheet, &block, &mut letters)
     });
-    missing(chart, &letters);
+    missing(&chart.name, &letters);
     written.map_err(|error| Failure::Said(format!("{}: {error}", chart.name)))
 }
 
 /// The whole chart as pixels.
 pub(crate) fn png(chart: &Found, model: &Model, active: &impl ActiveSteps, dots: u16) -> Result<Vec<u8>, Failure> {
-    let mut letters = Letters::new();
-    let svg = with_description(model, |description| grafcet_draw::svg(description, active));
-    let written = png::write(&svg, dots, &mut letters);
-    missing(chart, &letters);
-    written.map_err(|error| Failure::Said(format!("{}: {error}", chart.name)))
+    png_of(&chart.name, &with_description(model, |description| grafcet_draw::svg(description, active)), dots)
 }
 
-fn missing(chart: &Found, letters: &Letters) {
+/// A picture of a chart of this name.
+pub(crate) fn png_of(chart: &str, svg: &str, dots: u16) -> Result<Vec<u8>, Failure> {
+    let mut letters = Letters::new();
+    let written = png::write(svg, dots, &mut letters);
+    missing(chart, &letters);
+    written.map_err(|error| Failure::Said(format!("{chart}: {error}")))
+}
+
+fn missing(chart: &str, letters: &Letters) {
     if !letters.missing.is_empty() {
         let signs: String = letters.missing.iter().collect();
-        complain(&format!(
-            "note: {}: the letters of prints have no sign for `{signs}`: a box stands for each",
-            chart.name
-        ));
+        complain(&format!("note: {chart}: the letters of prints have no sign for `{signs}`: a box stands for each"));
     }
 }
 

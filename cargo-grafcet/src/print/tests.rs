@@ -125,6 +125,7 @@ fn kept(shape: &Shape) -> Option<String> {
         Shape::Bar { .. } => Some("bar".to_owned()),
         Shape::Dot { .. } => Some("dot".to_owned()),
         Shape::Mark { .. } => Some("mark".to_owned()),
+        Shape::Changed { size, change, .. } => Some(format!("{size:?} {change:?}")),
     }
 }
 

@@ -3,11 +3,16 @@
 use grafcet_exchange::Refused;
 use serde_json::{Value, json};
 
-use super::{At, Message};
-use crate::find::Found;
+use super::{At, Message, Place};
+use crate::find::{Found, Source};
 
 fn at(at: At) -> Value {
     json!({ "line": at.line, "column": at.column })
+}
+
+/// In the file, as it lies there.
+fn bytes(place: Place, source: &Source) -> [usize; 2] {
+    [place.start, place.end].map(|at| at + source.skipped)
 }
 
 /// Why a chart has no translation, at its place or at the chart's call.
@@ -17,7 +22,7 @@ pub(crate) fn refused(chart: &Found, refused: &Refused) -> Value {
         "message": refused.message,
         "start": at(place.from),
         "end": at(place.to),
-        "bytes": [place.start, place.end],
+        "bytes": bytes(place, &chart.source),
     })
 }
 
@@ -29,7 +34,7 @@ pub(crate) fn object(message: &Message) -> Value {
             "message": note.sentence,
             "start": at(place.from),
             "end": at(place.to),
-            "bytes": [place.start, place.end],
+            "bytes": bytes(place, &message.source),
         });
         if !note.table.is_empty() {
             value["table"] = note.table.into();

@@ -85,12 +85,14 @@ fn beside(frame: &mut Frame<'_>, area: Rect, session: &Session<'_>, screen: &Scr
 }
 
 fn inputs(session: &Session<'_>, screen: &Screen) -> Vec<Line<'static>> {
-    let all = session.signals().iter().zip(session.values()).enumerate();
+    let signals = session.signals().len();
+    let all = session.shown().iter().zip(session.shown_values()).enumerate();
     let line = |(place, (signal, value)): (usize, (&Signal, &Value))| {
         let key = screen.keys.get(place).copied().flatten().unwrap_or(' ');
         let chosen = place == screen.selected;
         let typed = screen.typing.as_ref().filter(|_| chosen).map(|text| format!("{text}_"));
-        let line = valued(&format!("{}{key} {}", if chosen { "›" } else { " " }, signal.name), value, typed);
+        let (mark, kind) = (if chosen { "›" } else { " " }, if place < signals { "" } else { "param " });
+        let line = valued(&format!("{mark}{key} {kind}{}", signal.name), value, typed);
         if chosen { line.reversed() } else { line }
     };
     all.map(line).collect()
@@ -138,6 +140,9 @@ fn waits(session: &Session<'_>) -> Vec<Line<'static>> {
 }
 
 fn keys(screen: &Screen) -> Line<'static> {
+    if let Some(steps) = &screen.forcing {
+        return Line::from(format!("steps by hand, with commas: {steps}_  Enter makes the cycle, Esc leaves it"));
+    }
     match (&screen.message, &screen.typing) {
         (Some(message), _) => Line::from(message.clone()).fg(Color::Yellow),
         (None, Some(_)) => Line::from("type a value, Enter takes it, Esc leaves it"),

@@ -2,11 +2,13 @@
 //!
 //! - `session`: the chart, what it is given and what it has done
 //! - `screen`: what keys do to it
+//! - `script`: sessions as lines of text
 //! - `frame`: what it looks like
 //! - `terminal`: the loop around these
 
 mod frame;
 mod screen;
+pub(crate) mod script;
 pub(crate) mod session;
 mod terminal;
 #[cfg(test)]
@@ -16,7 +18,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args as Arguments;
-use grafcet_sim::{Chart, Cycle, Signal, Trace, Value, happened, script_of, table};
+use grafcet_sim::{Chart, Cycle, Signal, Trace, Value, happened, table};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use serde_json::{Map, json};
@@ -34,7 +36,8 @@ const STEP: u64 = 100_000_000;
 ///
 /// The chart is drawn with its active steps. Each input has a key, which stands in front of its name: it turns a truth around, takes the next of a list of
 /// variants, or asks for a number. Enter makes one cycle, Space lets the chart run, Backspace takes a cycle back, `+` and `-` change the time from one cycle
-/// to the next, Ctrl-S saves the session as a script, Esc ends it. Functions and constants of the program around the chart are inputs under their own text;
+/// to the next, Ctrl-F asks for steps and makes a cycle into them by hand (of a chart that is `forceable;`), Ctrl-S saves the session as a script, Esc ends it. Parameters stand behind the
+/// inputs and are exchanged in the same way. Functions and constants of the program around the chart are inputs under their own text;
 /// blocks of Rust that cannot be looked into write nothing.
 #[derive(Arguments, Debug)]
 #[command(after_help = "\
@@ -99,8 +102,8 @@ pub(crate) fn step(chart: &Chart) -> u32 {
 /// Runs the cycles of a file and shows what they did.
 fn scripted(chart: &Chart, session: &mut Session<'_>, file: &Path, options: &Simulate) -> Result<Outcome, Failure> {
     let text = fs::read_to_string(file).map_err(|error| Failure::file(file, &error))?;
-    let cycles =
-        script_of(session.signals(), &text).map_err(|error| Failure::Said(format!("{}: {error}", file.display())))?;
+    let cycles = script::read(session.signals(), &chart.names().params, &text)
+        .map_err(|error| Failure::Said(format!("{}: {error}", file.display())))?;
     let mut trace = Trace::of(session.simulation());
     for (number, scripted) in cycles.iter().enumerate() {
         let cycle = match session.play(scripted) {
@@ -150,6 +153,7 @@ fn object(session: &Session<'_>, cycle: &Cycle) -> serde_json::Value {
         "now": cycle.now,
         "inputs": values(inputs, &cycle.inputs),
         "outside": values(outside, &session.values()[inputs.len()..]),
+        "params": values(&names.params, &session.simulation().params()),
         "steps": steps,
         "outputs": values(&names.outputs, &cycle.outputs),
         "variables": values(&names.variables, &cycle.variables),

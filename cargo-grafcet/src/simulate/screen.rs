@@ -15,6 +15,8 @@ pub(crate) struct Screen {
     pub(crate) selected: usize,
     /// What is being typed as the value of the selected signal.
     pub(crate) typing: Option<String>,
+    /// The steps that are being typed for a cycle by hand.
+    pub(crate) forcing: Option<String>,
     pub(crate) running: bool,
     /// Columns and rows that the drawing is moved, beside what keeps its active steps in view.
     pub(crate) scroll: (i32, i32),
@@ -32,7 +34,7 @@ pub(crate) enum Next {
 
 impl Screen {
     pub(crate) fn of(session: &Session<'_>) -> Self {
-        Self { keys: keys(session.signals()), ..Self::default() }
+        Self { keys: keys(session.shown()), ..Self::default() }
     }
 
     pub(crate) fn press(&mut self, key: KeyEvent, session: &mut Session<'_>) -> Next {
@@ -40,7 +42,15 @@ impl Screen {
         match (key.code, key.modifiers.contains(KeyModifiers::CONTROL)) {
             (KeyCode::Char('c'), true) => return Next::End,
             (KeyCode::Char('s'), true) => return Next::Save,
+            (KeyCode::Char('f'), true) => {
+                (self.running, self.typing, self.forcing) = (false, None, Some(String::new()));
+                return Next::Go;
+            }
             _ => {}
+        }
+        if self.forcing.is_some() {
+            self.forced(key.code, session);
+            return Next::Go;
         }
         if self.typing.is_some() {
             self.typed(key.code, session);
@@ -59,12 +69,12 @@ impl Screen {
             KeyCode::Char('+') => session.step_by(true),
             KeyCode::Char('-') => session.step_by(false),
             KeyCode::Up => self.selected = self.selected.saturating_sub(1),
-            KeyCode::Down => self.selected = (self.selected + 1).min(session.signals().len().saturating_sub(1)),
+            KeyCode::Down => self.selected = (self.selected + 1).min(session.shown().len().saturating_sub(1)),
             KeyCode::Left => self.scroll.0 -= SCROLL,
             KeyCode::Right => self.scroll.0 += SCROLL,
             KeyCode::PageUp => self.scroll.1 -= SCROLL,
             KeyCode::PageDown => self.scroll.1 += SCROLL,
-            KeyCode::Tab if self.selected < session.signals().len() => self.change(self.selected, session),
+            KeyCode::Tab if self.selected < session.shown().len() => self.change(self.selected, session),
             KeyCode::Char(c) => match self.keys.iter().position(|key| *key == Some(c)) {
                 Some(signal) => self.change(signal, session),
                 None => self.message = Some(format!("no input has the key {c}")),
@@ -89,6 +99,22 @@ impl Screen {
         }
     }
 
+    /// The names of the steps, with commas between them.
+    fn forced(&mut self, key: KeyCode, session: &mut Session<'_>) {
+        let Some(text) = &mut self.forcing else { return };
+        match key {
+            KeyCode::Char(c) => text.push(c),
+            KeyCode::Backspace => _ = text.pop(),
+            KeyCode::Esc => self.forcing = None,
+            KeyCode::Enter => {
+                let steps = text.split([',', ' ']).filter(|step| !step.is_empty()).map(str::to_owned).collect();
+                self.message = session.force(steps).err().map(|why| format!("no cycle by hand: {why}"));
+                self.forcing = None;
+            }
+            _ => {}
+        }
+    }
+
     fn typed(&mut self, key: KeyCode, session: &mut Session<'_>) {
         let Some(text) = &mut self.typing else { return };
         match key {
@@ -96,7 +122,7 @@ impl Screen {
             KeyCode::Backspace => _ = text.pop(),
             KeyCode::Esc => self.typing = None,
             KeyCode::Enter => {
-                let signal = &session.signals()[self.selected];
+                let signal = &session.shown()[self.selected];
                 let read = script_of(std::slice::from_ref(signal), &format!("`{}`={}", signal.name, text.trim()));
                 match read.ok().and_then(|mut cycles| cycles.pop()?.1.pop()) {
                     Some(value) => session.set(self.selected, value),

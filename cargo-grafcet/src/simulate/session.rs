@@ -2,7 +2,12 @@
 
 use std::collections::VecDeque;
 
-use grafcet_sim::{Beside, Chart, Cycle, Error, Kind, Names, Scripted, Signal, Simulation, Value};
+use grafcet_compiler::analysis::{Facts, Situations};
+use grafcet_compiler::model::Model;
+use grafcet_core::{ForceError, Possible};
+use grafcet_sim::{Beside, Chart, Cycle, Error, Kind, Names, Signal, Simulation, Value};
+
+use super::script::Played;
 
 /// So many cycles can be taken back: each holds a copy of the chart's memory.
 const MOST_BACK: usize = 10_000;
@@ -13,8 +18,12 @@ pub(crate) struct Session<'c> {
     /// The moments before each of the last cycles.
     past: VecDeque<Moment<'c>>,
     /// All cycles so far.
-    script: Vec<Scripted>,
+    script: Vec<Played>,
+    /// The signals, and behind them the parameters.
+    shown: Vec<Signal>,
     values: Vec<Value>,
+    /// The parameters from the next cycle on.
+    params: Vec<Value>,
     step: u32,
 }
 
@@ -36,7 +45,9 @@ impl<'c> Session<'c> {
         let beside = Beside::of(chart);
         let now = Moment { simulation: beside.start()?, cycle: None, elapsed: 0 };
         let values = beside.first();
-        Ok(Self { beside, now, past: VecDeque::new(), script: Vec::new(), values, step })
+        let params = now.simulation.params();
+        let shown = beside.signals().iter().chain(&chart.names().params).cloned().collect();
+        Ok(Self { beside, now, past: VecDeque::new(), script: Vec::new(), shown, values, params, step })
     }
 
     /// One cycle with the values that are set, a time step after the last one; the first is at zero.
@@ -44,34 +55,83 @@ impl<'c> Session<'c> {
     /// # Errors
     /// The chart's own arithmetic fails; nothing has changed then.
     pub(crate) fn cycle(&mut self) -> Result<&Cycle, Error> {
-        let now = self.script.last().map_or(0, |(last, _)| last.wrapping_add(self.step));
-        self.cycle_at(now)
+        self.cycle_at(self.next(), None)
+    }
+
+    fn next(&self) -> u32 {
+        self.script.last().map_or(0, |last| last.now.wrapping_add(self.step))
+    }
+
+    /// The same, but into these steps by hand, whatever the conditions say.
+    ///
+    /// # Errors
+    /// The chart is not `forceable;`, has no such step, or is never in exactly these; or as of [`Session::cycle`]. Nothing has changed then.
+    pub(crate) fn force(&mut self, steps: Vec<String>) -> Result<&Cycle, String> {
+        let now = self.next();
+        self.may_be(&steps)?;
+        self.cycle_at(now, Some(steps)).map_err(|error| error.to_string())
+    }
+
+    /// Whether the compiled chart lets itself be put into these steps.
+    fn may_be(&self, steps: &[String]) -> Result<(), String> {
+        let (model, names) = (self.chart().model(), self.names());
+        if !model.forceable {
+            return Err("the chart takes no cycle by hand: it does not say `forceable;`".to_owned());
+        }
+        let place = |step: &String| names.step_named(step).ok_or_else(|| format!("there is no step `{step}`"));
+        let places = steps.iter().map(place).collect::<Result<Vec<usize>, String>>()?;
+        let name = |place: usize| &names.steps[place].name;
+        looked(model, &places).map_err(|error| match error {
+            ForceError::NeverTogether(one, other) => {
+                format!("`{}` and `{}` are never active together", name(one), name(other))
+            }
+            ForceError::NoSituation => "the chart has no situation of exactly these steps".to_owned(),
+        })
     }
 
     /// One cycle as a script has it.
     ///
     /// # Errors
     /// As of [`Session::cycle`].
-    pub(crate) fn play(&mut self, (now, values): &Scripted) -> Result<&Cycle, Error> {
-        let known = values.iter().enumerate();
+    pub(crate) fn play(&mut self, played: &Played) -> Result<&Cycle, String> {
+        let known = played.values.iter().enumerate();
         self.values = known
             .map(|(place, value)| match value {
                 Value::Unknown => self.beside.first_of(place),
                 value => value.clone(),
             })
             .collect();
-        self.cycle_at(*now)
+        for (place, value) in &played.params {
+            self.params[*place] = value.clone();
+        }
+        if let Some(steps) = &played.by_hand {
+            self.may_be(steps)?;
+        }
+        self.cycle_at(played.now, played.by_hand.clone()).map_err(|error| error.to_string())
     }
 
-    fn cycle_at(&mut self, now: u32) -> Result<&Cycle, Error> {
-        let (simulation, cycle) = self.beside.cycle(&self.now.simulation, now, &self.values)?;
-        let since = self.script.last().map_or(0, |(last, _)| u64::from(now.wrapping_sub(*last)));
+    fn cycle_at(&mut self, now: u32, by_hand: Option<Vec<String>>) -> Result<&Cycle, Error> {
+        let mut before = self.now.simulation.clone();
+        let was = before.params();
+        let exchanged = self.params.iter().cloned().enumerate().filter(|(place, value)| was[*place] != *value);
+        let exchanged: Vec<(usize, Value)> = exchanged.collect();
+        for (place, value) in &exchanged {
+            before.set_param(&self.names().params[*place].name, value.clone())?;
+        }
+        let (simulation, cycle) = match &by_hand {
+            None => self.beside.cycle(&before, now, &self.values)?,
+            Some(steps) => {
+                let steps: Vec<&str> = steps.iter().map(String::as_str).collect();
+                self.beside.force(&before, now, &self.values, &steps)?
+            }
+        };
+        let since = self.script.last().map_or(0, |last| u64::from(now.wrapping_sub(last.now)));
         let next = Moment { simulation, cycle: None, elapsed: self.now.elapsed + since };
         self.past.push_back(std::mem::replace(&mut self.now, next));
         if self.past.len() > MOST_BACK {
             self.past.pop_front();
         }
-        self.script.push((now, self.values.clone()));
+        self.script.push(Played { now, values: self.values.clone(), params: exchanged, by_hand });
         Ok(self.now.cycle.insert(cycle))
     }
 
@@ -80,21 +140,30 @@ impl<'c> Session<'c> {
         let Some(before) = self.past.pop_back() else { return false };
         self.now = before;
         self.script.pop();
-        if let Some((_, values)) = self.script.last() {
-            self.values.clone_from(values);
+        self.params = self.now.simulation.params();
+        if let Some(last) = self.script.last() {
+            self.values.clone_from(&last.values);
         }
         true
     }
 
     /// What the next cycle is given.
     pub(crate) fn set(&mut self, signal: usize, value: Value) {
-        self.values[signal] = value;
+        *self.value_mut(signal) = value;
+    }
+
+    fn value_mut(&mut self, shown: usize) -> &mut Value {
+        match shown.checked_sub(self.values.len()) {
+            None => &mut self.values[shown],
+            Some(param) => &mut self.params[param],
+        }
     }
 
     /// Turns a truth around, and takes the next one of a list. `false` where the signal is neither.
     pub(crate) fn toggle(&mut self, signal: usize) -> bool {
-        let value = &mut self.values[signal];
-        match (&self.beside.signals()[signal].kind, &*value) {
+        let kind = self.shown[signal].kind.clone();
+        let value = self.value_mut(signal);
+        match (&kind, &*value) {
             (Kind::Bool, Value::Bool(was)) => *value = Value::Bool(!was),
             (Kind::Listed(_, list), Value::Name(was)) => {
                 let place = list.iter().position(|name| name == was).map_or(0, |place| place + 1);
@@ -130,6 +199,16 @@ impl<'c> Session<'c> {
         self.beside.signals()
     }
 
+    /// What can be set: the signals, and behind them the parameters.
+    pub(crate) fn shown(&self) -> &[Signal] {
+        &self.shown
+    }
+
+    /// The value of each of these.
+    pub(crate) fn shown_values(&self) -> impl Iterator<Item = &Value> {
+        self.values.iter().chain(&self.params)
+    }
+
     /// So many of the signals are the chart's inputs.
     pub(crate) fn inputs(&self) -> usize {
         self.beside.inputs()
@@ -150,7 +229,7 @@ impl<'c> Session<'c> {
     }
 
     /// All cycles so far.
-    pub(crate) fn script(&self) -> &[Scripted] {
+    pub(crate) fn script(&self) -> &[Played] {
         &self.script
     }
 
@@ -163,4 +242,19 @@ impl<'c> Session<'c> {
     pub(crate) fn simulation(&self) -> &Simulation<'c> {
         &self.now.simulation
     }
+}
+
+/// As the compiled chart looks at them.
+fn looked(model: &Model, steps: &[usize]) -> Result<(), ForceError<usize>> {
+    // What it looks into lives as long as the compiled chart, and here as long as the session.
+    let kept = |table: Vec<u8>| -> &'static [u8] { table.leak() };
+    let possible = match Situations::of(model, &Facts::of(model)) {
+        Situations::Unknown => Possible::Unknown,
+        Situations::Alone => Possible::Alone,
+        Situations::Listed(table) => Possible::Listed(kept(table)),
+        Situations::Pairs(table) => Possible::Pairs(kept(table)),
+        Situations::Whole(table) => Possible::Whole(kept(table)),
+    };
+    let all: Vec<usize> = (0..model.steps.len()).collect();
+    possible.look(&all, steps)
 }

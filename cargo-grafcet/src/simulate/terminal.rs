@@ -1,17 +1,16 @@
 //! The loop around a session: keys in, screens out.
 
-use std::fmt::Write as _;
 use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use grafcet_sim::script_line;
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event, KeyEventKind};
 
 use super::frame;
 use super::screen::{Next, Screen};
+use super::script;
 use super::session::Session;
 use crate::Failure;
 
@@ -79,16 +78,5 @@ fn write(session: &Session<'_>, saved: &mut Option<PathBuf>) -> String {
 
 /// All cycles so far as a script.
 pub(crate) fn text(session: &Session<'_>) -> String {
-    let mut clock = 0;
-    let mut lines = String::new();
-    for (now, values) in session.script() {
-        if *now != clock {
-            // Writing to a string cannot fail.
-            _ = write!(lines, "@{now} ");
-            clock = *now;
-        }
-        lines += &script_line(session.signals(), values);
-        lines.push('\n');
-    }
-    lines
+    script::text(session.signals(), &session.names().params, session.script())
 }

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grafcet_sim::{Chart, Kind, Value, script_of};
+use grafcet_sim::{Chart, Kind, Value};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::screen::{Next, Screen};
 use super::session::Session;
-use super::{screen_of, terminal};
+use super::{screen_of, script, terminal};
 use crate::args::Charts;
 use crate::find;
 
@@ -192,7 +192,8 @@ fn every_chart_can_be_played_shown_saved_and_taken_back() {
         }
         // The script alone does the same.
         let text = terminal::text(&session);
-        let cycles = script_of(session.signals(), &text).unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
+        let cycles = script::read(session.signals(), &chart.names().params, &text)
+            .unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
         let mut again = Session::new(chart, 1).expect("understood");
         for (cycle, seen) in cycles.iter().zip(&seen) {
             let steps = again.play(cycle).unwrap_or_else(|error| panic!("{name}: {error}")).steps.clone();
@@ -209,4 +210,88 @@ fn every_chart_can_be_played_shown_saved_and_taken_back() {
         }
         assert!(!session.back(), "{name}");
     }
+}
+
+const PRESS: &str = "grafcet Press { forceable; input go: bool; param most: u8 in 1..9 = 3; param soft: bool; output down: bool; var n: u8 = 0;
+  initial step Up; step Down { down; P1 n = n + 1; } step Light;
+  Up -[go && n < most && !soft]-> (Down, Light); (Down, Light) -[!go]-> Up; }";
+
+#[test]
+fn parameters_are_exchanged_and_come_back() {
+    let chart = chart(PRESS);
+    let mut session = Session::new(&chart, 100).expect("understood");
+    let mut screen = Screen::of(&session);
+    assert_eq!(screen.keys, ['g', 'm', 's'].map(Some));
+    // Of which none is left to press.
+    press(&mut screen, &mut session, "\nm1\ng\ng\ng\n");
+    assert!(session.simulation().is_active("Up"));
+    assert_eq!(session.simulation().variable("n"), Some(Value::Int(1)));
+    assert!(screen_of(&session, (100, 24)).contains("param most"), "{}", screen_of(&session, (100, 24)));
+    // What is out of range is said when the cycle comes, and leaves everything as it was.
+    press(&mut screen, &mut session, "m0\n\n");
+    let said = screen.message.clone().unwrap_or_default();
+    assert!(said.starts_with("this cycle cannot be run: ") && said.contains("most"), "{said}");
+    assert_eq!(session.script().len(), 4);
+    press(&mut screen, &mut session, "m2\n\n");
+    assert!(session.simulation().is_active("Down"));
+    let text = terminal::text(&session);
+    assert_eq!(text, "-\n@100 most=1 go\n@200 -\n@300 go\n@400 most=2 go\n");
+    let mut again = Session::new(&chart, 1).expect("understood");
+    for cycle in script::read(again.signals(), &chart.names().params, &text).expect("a script") {
+        again.play(&cycle).expect("as it was");
+    }
+    assert_eq!(again.simulation().params(), [Value::Int(2), false.into()]);
+    press(&mut screen, &mut session, "<");
+    assert_eq!(
+        (session.simulation().params()[0].clone(), session.shown_values().nth(1)),
+        (Value::Int(1), Some(&Value::Int(1)))
+    );
+    press(&mut screen, &mut session, "<<<");
+    assert_eq!(session.simulation().params()[0], Value::Int(3));
+}
+
+#[test]
+fn cycles_by_hand() {
+    let by_hand = |screen: &mut Screen, session: &mut Session<'_>, steps: &str| {
+        let control = KeyEvent::new(KeyCode::Char('f'), KeyModifiers::CONTROL);
+        assert_eq!(screen.press(control, session), Next::Go);
+        assert_eq!(screen.forcing.as_deref(), Some(""));
+        press(screen, session, steps);
+        press(screen, session, "\n");
+    };
+    let chart = chart(PRESS);
+    let mut session = Session::new(&chart, 100).expect("understood");
+    let mut screen = Screen::of(&session);
+    press(&mut screen, &mut session, "\n");
+    for (steps, why) in [
+        ("Up, Light", "`Up` and `Light` are never active together"),
+        ("Down", "the chart has no situation of exactly these steps"),
+        ("Dawn", "there is no step `Dawn`"),
+    ] {
+        by_hand(&mut screen, &mut session, steps);
+        assert_eq!(screen.message.as_deref(), Some(&*format!("no cycle by hand: {why}")));
+        assert_eq!(session.script().len(), 1);
+    }
+    by_hand(&mut screen, &mut session, "Down,Light");
+    assert_eq!(screen.message, None);
+    assert_eq!(
+        (session.simulation().output("down"), session.simulation().variable("n")),
+        (Some(true.into()), Some(Value::Int(1)))
+    );
+    let text = terminal::text(&session);
+    assert_eq!(text, "-\n@100 force{Down,Light} -\n");
+    let mut again = Session::new(&chart, 1).expect("understood");
+    for cycle in script::read(again.signals(), &chart.names().params, &text).expect("a script") {
+        again.play(&cycle).expect("as it was");
+    }
+    assert!(again.simulation().is_active("Light"));
+    press(&mut screen, &mut session, "<");
+    assert!(session.simulation().is_active("Up"));
+    // A chart that does not let itself be put anywhere says so.
+    let chart = super::tests::chart(LIFT);
+    let mut session = Session::new(&chart, 100).expect("understood");
+    let mut screen = Screen::of(&session);
+    by_hand(&mut screen, &mut session, "Run");
+    let said = "no cycle by hand: the chart takes no cycle by hand: it does not say `forceable;`";
+    assert_eq!((screen.message.as_deref(), session.script().len()), (Some(said), 0));
 }

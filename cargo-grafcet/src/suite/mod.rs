@@ -4,17 +4,22 @@
 //! - `choices`: what a cycle may be given
 //! - `search`: the way to the next goal
 //! - `plan`: sequences that show all
+//! - `proof`: the prover, asked for what is left
+//! - `program`: what somebody has to write for a Rust test of a chart that asks its program
 //! - `write`: these as scripts, Rust and a page
 
 mod choices;
 mod goals;
 mod plan;
+mod program;
+mod proof;
 mod search;
 mod write;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::Args as Arguments;
 use grafcet_sim::{Beside, Chart};
@@ -22,6 +27,8 @@ use serde_json::json;
 
 use crate::args::Charts;
 use crate::find::{self, Found};
+use crate::model::drawn;
+use crate::time::duration;
 use crate::{Failure, Outcome, check, complain, replay, say, simulate};
 use goals::Goal;
 use plan::Plan;
@@ -30,7 +37,7 @@ use search::Search;
 /// Write a test suite out of a chart: as few cycles as show all of it
 ///
 /// Sequences of cycles in which every transition clears, and in which each, its steps being active, does not clear once. What is expected of each cycle is what the chart does:
-/// somebody has to confirm that it is what is meant. The sequences are found by trying: in each cycle the values that conditions can tell apart.
+/// somebody has to confirm that it is what is meant. The sequences are found by trying: in each cycle the values that conditions can tell apart; a solver is asked for what is left.
 #[derive(Arguments, Debug)]
 #[command(after_help = "\
 Examples:
@@ -39,7 +46,7 @@ Examples:
   cargo grafcet tests --chart Motor --rust src/motor_tests.rs --path super
   cargo grafcet tests --chart Motor --protocol motor.md  a page to tick off at the machine
 
-Exit code 1 says that something cannot be shown; it is listed with the reason.")]
+Exit code 1 says that something is not shown, or that a transition never clears; it is listed with the reason. That a transition never waits, which is proved, is no fault.")]
 pub(crate) struct Tests {
     #[command(flatten)]
     pub(crate) charts: Charts,
@@ -64,6 +71,9 @@ pub(crate) struct Tests {
     /// So many cycles are tried on the way to each goal
     #[arg(long, value_name = "CYCLES", default_value_t = 20_000)]
     pub(crate) effort: usize,
+    /// So long a solver is asked for what was not found: for a way, or a proof that there is none; `0s` asks it nothing
+    #[arg(long, value_name = "TIME", default_value = "20s", value_parser = duration)]
+    pub(crate) limit: Duration,
     /// One JSON object
     #[arg(long)]
     pub(crate) json: bool,
@@ -77,16 +87,22 @@ pub(crate) fn run(options: &Tests) -> Result<Outcome, Failure> {
     }
     let beside = Beside::of(&chart);
     let step = options.step.unwrap_or_else(|| simulate::step(&chart));
-    let plan =
-        Search::new(&beside, options.pairs, step, options.effort).and_then(|search| Plan::of(&search, options.effort));
-    let mut plan = match plan {
+    let plan = Search::new(&beside, options.pairs, step, options.effort).and_then(|search| {
+        let mut plan = Plan::of(&search, options.effort)?;
+        let known = explain(&mut plan.open, &chart, &found);
+        let asked: BTreeSet<Goal> = plan.open.keys().filter(|goal| !known.contains(goal)).copied().collect();
+        if !asked.is_empty() {
+            plan.told(&search, proof::ask(drawn(&found), &beside, &asked, options.limit))?;
+        }
+        Ok(plan)
+    });
+    let plan = match plan {
         Ok(plan) => plan,
         Err(error) => {
             complain(&format!("error: {} cannot be simulated: {error}", found.name));
             return Ok(Outcome::Wrong);
         }
     };
-    explain(&mut plan.open, &chart, &found);
     let scripts = write::scripts(&plan, &beside);
     if let Some(folder) = &options.out {
         fs::create_dir_all(folder).map_err(|error| Failure::file(folder, &error))?;
@@ -100,7 +116,16 @@ pub(crate) fn run(options: &Tests) -> Result<Outcome, Failure> {
     }
     if let Some(file) = &options.rust {
         match write::rust(&plan, &beside, &options.path) {
-            Ok(text) => write(file, &text)?,
+            Ok(text) => {
+                write(file, &text)?;
+                if beside.signals().len() > beside.inputs() {
+                    let stub = program::STUB;
+                    complain(&format!(
+                        "note: the chart asks its program: `{stub}` in {} has to be written by you; until then its tests fail",
+                        file.display()
+                    ));
+                }
+            }
             Err(why) => return Err(Failure::Said(format!("there is no Rust test of {}: {why}", found.name))),
         }
     }
@@ -112,15 +137,20 @@ pub(crate) fn run(options: &Tests) -> Result<Outcome, Failure> {
         }
         say(&summary(&plan, &chart))?;
     }
-    Ok(Outcome::wrong_if(!plan.open.is_empty()))
+    let is_dead = plan.never.iter().any(|goal| !matches!(goal, Goal::Waited(_)));
+    Ok(Outcome::wrong_if(is_dead || !plan.open.is_empty()))
 }
 
 fn write(file: &Path, text: &str) -> Result<(), Failure> {
     fs::write(file, text).map_err(|error| Failure::file(file, &error))
 }
 
-/// What the compiler knows better than the search.
-fn explain(open: &mut BTreeMap<Goal, String>, chart: &Chart, found: &Found) {
+/// What the compiler knows better than the search; these need not be asked any more.
+fn explain(open: &mut BTreeMap<Goal, String>, chart: &Chart, found: &Found) -> BTreeSet<Goal> {
+    let mut known = BTreeSet::new();
+    if open.is_empty() {
+        return known;
+    }
     let model = chart.model();
     let drawn: Vec<_> = model.drawn_transitions().map(|(_, one)| one).collect();
     let is_proof = |rule: &str| ["unreachable_step", "dead_transition", "never_true"].contains(&rule);
@@ -136,16 +166,19 @@ fn explain(open: &mut BTreeMap<Goal, String>, chart: &Chart, found: &Found) {
                 let about = about.filter(|(mark, _)| all.contains(&bytes(*mark).start));
                 if let Some((_, said)) = about.into_iter().next() {
                     *why = format!("the compiler says: {}", said.lines().next().unwrap_or_default());
+                    known.insert(*goal);
                 }
             }
             Goal::Pair(..) => {}
         }
     }
+    known
 }
 
 fn counts(plan: &Plan<'_>, of: fn(&Goal) -> bool) -> (usize, usize) {
     let all = plan.goals.iter().filter(|goal| of(goal)).count();
-    (all - plan.open.keys().filter(|goal| of(goal)).count(), all)
+    let open = plan.open.keys().chain(&plan.never).filter(|goal| of(goal)).count();
+    (all - open, all)
 }
 
 fn summary(plan: &Plan<'_>, chart: &Chart) -> String {
@@ -163,7 +196,8 @@ fn summary(plan: &Plan<'_>, chart: &Chart) -> String {
         text = format!("{text}, {pairs} of {all} pairs");
     }
     text.push('\n');
-    plan.open.iter().fold(text, |all, (goal, why)| all + &format!("  not shown: {}: {why}\n", goal.text(names)))
+    text = plan.open.iter().fold(text, |all, (goal, why)| all + &format!("  not shown: {}: {why}\n", goal.text(names)));
+    plan.never.iter().fold(text, |all, goal| all + &format!("  cannot be, as is proved: {}\n", goal.text(names)))
 }
 
 fn object(plan: &Plan<'_>, chart: &Chart, scripts: &[String]) -> serde_json::Value {
@@ -178,5 +212,6 @@ fn object(plan: &Plan<'_>, chart: &Chart, scripts: &[String]) -> serde_json::Val
         "waited": count(counts(plan, |goal| matches!(goal, Goal::Waited(_)))),
         "pairs": count(counts(plan, |goal| matches!(goal, Goal::Pair(..)))),
         "open": open.collect::<Vec<_>>(),
+        "never": plan.never.iter().map(|goal| goal.text(names)).collect::<Vec<_>>(),
     })
 }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use grafcet_sim::Error;
 
 use super::goals::Goal;
+use super::proof::{self, Told};
 use super::search::{Ended, Node, Search};
 
 pub(crate) struct Plan<'c> {
@@ -14,6 +15,8 @@ pub(crate) struct Plan<'c> {
     pub(crate) goals: BTreeSet<Goal>,
     /// What could not be shown, and why not.
     pub(crate) open: BTreeMap<Goal, String>,
+    /// What is proved that it cannot be.
+    pub(crate) never: BTreeSet<Goal>,
 }
 
 impl<'c> Plan<'c> {
@@ -48,7 +51,43 @@ impl<'c> Plan<'c> {
         if !sequence.is_empty() {
             sequences.push(sequence);
         }
-        Ok(Self { sequences, goals, open: open.into_iter().map(|goal| (goal, why.clone())).collect() })
+        Ok(Self {
+            sequences,
+            goals,
+            open: open.into_iter().map(|goal| (goal, why.clone())).collect(),
+            never: BTreeSet::new(),
+        })
+    }
+
+    /// With what the prover says of what is open. A way of its counts where the simulation goes it: to its end, and from there on by searching.
+    ///
+    /// # Errors
+    /// The chart cannot be run.
+    pub(crate) fn told(&mut self, search: &Search<'c>, told: BTreeMap<Goal, Vec<Told>>) -> Result<(), Error> {
+        self.never = proof::impossible(&told, &self.open);
+        self.open.retain(|goal, _| !self.never.contains(goal));
+        let ways = told.into_iter().flat_map(|(goal, all)| all.into_iter().map(move |one| (goal, one)));
+        for (goal, one) in ways {
+            let Told::Way(way) = one else { continue };
+            if !self.open.contains_key(&goal) {
+                continue;
+            }
+            let Some((mut sequence, mut shown)) = search.along(&way)? else { continue };
+            if !shown.contains(&goal)
+                && let Some(last) = sequence.last()
+                && let Ended::Found(more, new) = search.next(last, &BTreeSet::from([goal]))
+            {
+                sequence.extend(more);
+                shown.extend(new);
+            }
+            if shown.contains(&goal) {
+                self.open.retain(|goal, _| !shown.contains(goal));
+                self.sequences.push(sequence);
+            } else if let Some(why) = self.open.get_mut(&goal) {
+                "the prover leads to where it could be, and the search finds no way on from there".clone_into(why);
+            }
+        }
+        Ok(())
     }
 
     pub(crate) fn cycles(&self) -> usize {

@@ -110,6 +110,22 @@ impl<'c> Search<'c> {
         Ended::Exhausted(seen.len())
     }
 
+    /// These cycles from the start on, with all goals that they show; none where one of them cannot be run.
+    ///
+    /// # Errors
+    /// The chart cannot be run.
+    pub(crate) fn along(&self, way: &[(u32, Vec<Value>)]) -> Result<Option<(Vec<Node<'c>>, BTreeSet<Goal>)>, Error> {
+        let (mut nodes, mut shown) = (Vec::new(), BTreeSet::new());
+        let mut last = self.start()?;
+        for (now, values) in way {
+            let Ok((next, goals)) = self.cycle(&last, *now, values.clone()) else { return Ok(None) };
+            shown.extend(goals);
+            nodes.push(next.clone());
+            last = next;
+        }
+        Ok(Some((nodes, shown)))
+    }
+
     fn cycle(&self, before: &Node<'c>, now: u32, values: Vec<Value>) -> Result<(Node<'c>, BTreeSet<Goal>), Error> {
         let (simulation, cycle) = self.beside.cycle(&before.simulation, now, &values)?;
         let mut entered = before.entered.clone();

@@ -6,6 +6,7 @@ use grafcet_compiler::model::{Model, Name, Ty};
 use grafcet_sim::{Beside, Cycle, Kind, Names, Signal, Value, happened, script_line};
 
 use super::plan::Plan;
+use super::program;
 use super::search::Node;
 
 /// What a suite is worth before somebody has read it.
@@ -70,6 +71,12 @@ pub(crate) fn protocol(plan: &Plan<'_>, beside: &Beside<'_>) -> String {
             _ = writeln!(page, "- {}: {why}", goal.text(names));
         }
     }
+    if !plan.never.is_empty() {
+        page += "\n## Cannot be, as is proved\n\n";
+        for goal in &plan.never {
+            _ = writeln!(page, "- {}", goal.text(names));
+        }
+    }
     page
 }
 
@@ -80,9 +87,6 @@ pub(crate) fn protocol(plan: &Plan<'_>, beside: &Beside<'_>) -> String {
 pub(crate) fn rust(plan: &Plan<'_>, beside: &Beside<'_>, path: &str) -> Result<String, String> {
     let (chart, model) = (beside.chart(), beside.chart().model());
     let names = chart.names();
-    if let Some(outside) = beside.signals().get(beside.inputs()) {
-        return Err(format!("`{}` is the program's, and a test cannot say what it answers", outside.name));
-    }
     if let Some(block) = chart.blocks().first() {
         return Err(format!("what `{block}` writes is not known"));
     }
@@ -102,6 +106,7 @@ pub(crate) fn rust(plan: &Plan<'_>, beside: &Beside<'_>, path: &str) -> Result<S
     let phase = if calls.is_empty() { "" } else { ", Phase" };
     _ = writeln!(text, "use grafcet::{{Chart as _{phase}, Ticks}};\n\nuse {path}::{{{}}};", types.join(", "));
     text += &calls;
+    text += &program::stub(&model.name.to_string(), &beside.signals()[beside.inputs()..]);
     for (number, sequence) in plan.sequences.iter().enumerate() {
         _ = write!(text, "\n#[test]\nfn sequence_{}() {{\n    let mut chart = {name}::new();\n", number + 1);
         for (cycle, (node, shown)) in cycles(sequence).enumerate() {
@@ -127,6 +132,7 @@ fn checked(beside: &Beside<'_>, (number, node, shown): (usize, &Node<'_>, &Cycle
     let mut text = format!("\n    // Cycle {number}: {}\n", expected(names, shown)[2]);
     _ = writeln!(text, "    let inputs = {name}Inputs {{{inputs}}};");
     let outputs = if names.outputs.is_empty() { "_" } else { "outputs" };
+    text += &program::told(&beside.signals()[beside.inputs()..], &node.values[beside.inputs()..]);
     if !model.actions.is_empty() {
         text += "    let mut calls = Calls::default();\n";
     }

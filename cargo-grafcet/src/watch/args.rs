@@ -26,6 +26,8 @@ Examples:
   probe-rs run --chip STM32G071 press.elf | cargo grafcet watch Press=-
   cargo grafcet watch --steer serial:/dev/ttyUSB0
 
+It runs until Ctrl-C ends it. Exit code 2 says that it could not begin.
+
 Ctrl-C ends it.")]
 pub(crate) struct Watch {
     /// Where frames come from; several are shown side by side

@@ -46,6 +46,6 @@ pub use races::{Meet, Races, Writer};
 pub use relation::Relation;
 pub use searches::Searches;
 pub use stability::{Ends, Stability, is_constant_read};
-pub(crate) use together::Situations;
+pub use together::Situations;
 pub use union::Union;
 pub(crate) use unlisted::{Unlisted, unlisted, unlisted_of};

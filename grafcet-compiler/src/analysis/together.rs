@@ -16,7 +16,7 @@ const MOST_SITUATIONS: usize = 50_000;
 const WORK: u64 = 200_000;
 
 /// What is known of the situations; in each table, a row has a bit for each step, in whole bytes.
-pub(crate) enum Situations {
+pub enum Situations {
     /// Nothing.
     Unknown,
     /// Each has one step, or none.
@@ -40,7 +40,8 @@ impl Situations {
     }
 
     /// For one that is asked for, whatever the table takes.
-    pub(crate) fn of(model: &Model, facts: &Facts<'_>) -> Self {
+    #[must_use]
+    pub fn of(model: &Model, facts: &Facts<'_>) -> Self {
         let row = model.steps.len().div_ceil(8);
         if let Some(all) = Self::all(model, row) {
             return all;

@@ -79,7 +79,7 @@ pub struct Reference {
 pub fn pages(chart: &Description<'_>, situation: &(impl ActiveSteps + ?Sized), room: (i32, i32)) -> Vec<Page> {
     let mut pieces = Vec::new();
     let mut number = 0;
-    for block in crate::blocks(chart, situation, room.0, i32::MAX) {
+    for block in crate::blocks(chart, situation, room.0, i32::MAX, &[]) {
         cuts::split(Piece::from(block), room, &mut number, &mut pieces);
     }
     let mut papers: Vec<Paper> = Vec::new();

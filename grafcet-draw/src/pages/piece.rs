@@ -180,7 +180,9 @@ fn corners(shape: &Shape) -> Border {
     match shape {
         Shape::Line { from, to, .. } => (*from, *to),
         Shape::Bar { at: (x, y) } => ((x - 2, *y), (x + 2, *y)),
-        Shape::Frame { at: (x, y), size: (w, h), .. } => ((*x, *y), (x + w - 1, y + h - 1)),
+        Shape::Frame { at: (x, y), size: (w, h), .. } | Shape::Changed { at: (x, y), size: (w, h), .. } => {
+            ((*x, *y), (x + w - 1, y + h - 1))
+        }
         Shape::Arrow { at: (x, y), to: Heading::Left } => ((x - 1, *y), (*x, *y)),
         Shape::Arrow { at, .. } | Shape::Dot { at } | Shape::Mark { at } => (*at, *at),
         Shape::Text { at: (x, y), text, half } => ((*x, *y), (x + width(text) - 1 + i32::from(*half), *y)),
