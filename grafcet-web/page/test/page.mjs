@@ -75,6 +75,16 @@ const steps = {
     await settled(page, MOTOR);
     assert.equal(await text(page, "#verdict"), "No complaints");
     assert.equal(await page.locator("#editor .cm-lintRange").count(), 0);
+    // Letters of more than one byte, and of two units, in front of it.
+    const far = MOTOR.replace("    input", "    // größer als 𝄞\n    input").replace("[on ", "[/* é𝄞 */ onn ");
+    await page.evaluate(chart => playground.editor.replace(chart), far);
+    await page.waitForFunction(chart => playground.looked.text === chart, far);
+    assert.deepEqual(await page.evaluate(() => playground.editor.marks.map(mark => mark.text)), ["onn"]);
+    const own = "sfc Öffner {\n    input größe: bool;\n    output ärger: bool;\n    initial step Übergang { N ärger; }\n    step Zu;\n    Übergang -[größe]-> Zu -[!größe]-> Übergang;\n}\n";
+    await page.evaluate(chart => playground.editor.replace(chart), own);
+    await settled(page, own);
+    assert.deepEqual([await text(page, "#verdict"), await text(page, "#chart-name")], ["No complaints", "Öffner"]);
+    await write(page, MOTOR);
   },
 
   async "the motor goes through its cycle"(page) {
@@ -320,6 +330,8 @@ const steps = {
     await shows("rust", "fn is_active");
     await shows("case", "CASE StepNo OF");
     await shows("flip-flops", "FUNCTION_BLOCK Motor");
+    await shows("sfc", "INITIAL_STEP Off:");
+    await shows("plcopen", "http://www.plcopen.org/xml/tc6_0201");
     await shows("pnml", "<pnml");
     await accessible(page, "a notation");
     await page.focus("#tab-pnml");
@@ -423,6 +435,7 @@ async function looks(name, options) {
   await page.click("#run");
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.equal(wide, 0, "the page is as wide as its window");
+  assert.ok(await page.isVisible("#manual"));
   await accessible(page, name);
   await page.screenshot({ path: join(pictures, `${name}.png`), fullPage: true });
   await page.evaluate(() => playground.editor.replace(playground.editor.text.replace("[on &&", "[onn &&").replace("N green;", "N green; N gren;")));
