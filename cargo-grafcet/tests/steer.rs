@@ -379,11 +379,19 @@ fn what_leads_nowhere_is_not_steered() {
     for (source, name) in [("press.frames", "press.frames"), ("-", "standard input"), ("Press=-", "standard input")] {
         for more in [&[][..], &["tcp:127.0.0.1:9"]] {
             let arguments = [&["watch", "--steer", "--file", "chart.rs"], more, &[source]].concat();
-            let done = common::tool(folder.path(), &arguments);
+            let done = common::tool_within(LONG, folder.path(), &arguments);
             let expected = format!(
                 "error: --steer needs a line that leads back to the controller, and {name} does not: give tcp:HOST:PORT or serial:PORT\n"
             );
             assert_eq!((done.code, done.err), (Some(2), expected), "{source}");
         }
     }
+}
+
+/// A tool that begins where it should not is a failure, and no test that hangs.
+#[test]
+#[should_panic(expected = "goes on and on; so far it says:\nhttp://127.0.0.1:")]
+fn what_does_not_end_is_ended() {
+    let folder = folder(&[("chart.rs", SOURCE)]);
+    common::tool_within(Duration::from_secs(3), folder.path(), &["watch", "--file", "chart.rs", "-"]);
 }

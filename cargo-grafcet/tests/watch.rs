@@ -161,6 +161,38 @@ fn another_version_shows_nothing_but_that() {
     assert_eq!((viewer.moments.len(), viewer.charts), (0, 0));
 }
 
+/// Who changes a chart while he looks, and has loaded it already, needs no new start of the tool, nor who saves it with a mistake in between.
+#[test]
+fn a_chart_that_was_changed_is_read_again() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = listener.local_addr().expect("an address");
+    let watching = begin(OTHER, &[&format!("tcp:{address}")]);
+    let (mut stream, _) = listener.accept().expect("the tool");
+    let mut viewer = watching.view();
+    stream.write_all(&frames(12, 4)).expect("a connection");
+    viewer.until("another version", |viewer| {
+        viewer.line["unknown"].as_str().is_some_and(|why| why.contains("another version"))
+    });
+    let (file, half) = (watching.folder.path().join("chart.rs"), SOURCE.len() / 2);
+    // It does not end before it is seen; a state comes with each of them.
+    let sender = thread::spawn(move || {
+        while stream.write_all(&frames(12, 4)).is_ok() {
+            thread::sleep(Duration::from_millis(50));
+        }
+    });
+    std::fs::write(&file, &SOURCE[..half]).expect("a file");
+    // Longer than the tool waits before it looks again.
+    thread::sleep(Duration::from_millis(2_500));
+    let frames = viewer.line["frames"].as_u64();
+    viewer.until("more frames", |viewer| viewer.line["frames"].as_u64() > frames);
+    assert_eq!((viewer.charts, viewer.moments.len()), (0, 0));
+    std::fs::write(&file, SOURCE).expect("a file");
+    viewer.until("the chart", |viewer| viewer.charts == 1 && viewer.moments.len() > 3);
+    assert!(viewer.line["unknown"].is_null(), "{}", viewer.line);
+    drop(watching);
+    sender.join().expect("the line has ended");
+}
+
 #[test]
 fn fifty_viewers_and_one_that_does_not_read() {
     const FRAMES: u32 = 20_000;

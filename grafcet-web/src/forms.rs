@@ -1,10 +1,11 @@
-//! A chart in other notations: what the macro makes of it, structured text, PNML.
+//! A chart in other notations: what the macro makes of it, and what `cargo grafcet export` writes.
 
 use grafcet_compiler::diagnostic::Severity;
 use grafcet_compiler::model::Model;
 use grafcet_compiler::{Wanted, compile, diagnose};
+use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Form as St, Options, structured_text};
-use grafcet_exchange::{Refused, pnml};
+use grafcet_exchange::{Refused, plcopen, pnml};
 use quote::quote;
 use serde_json::{Value, json};
 
@@ -19,18 +20,24 @@ pub enum Form {
     Case,
     /// Structured text, a flip-flop for each step.
     FlipFlops,
+    /// SFC of IEC 61131-3 as text.
+    Sfc,
+    /// SFC as a drawing, for tools that read it.
+    PlcOpen,
     /// A Petri net.
     Pnml,
 }
 
 impl Form {
-    /// `rust`, `case`, `flip-flops`, `pnml`
+    /// `rust`, `case`, `flip-flops`, `sfc`, `plcopen`, `pnml`
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "rust" => Self::Rust,
             "case" => Self::Case,
             "flip-flops" => Self::FlipFlops,
+            "sfc" => Self::Sfc,
+            "plcopen" => Self::PlcOpen,
             "pnml" => Self::Pnml,
             _ => return None,
         })
@@ -56,7 +63,9 @@ pub(crate) fn translate(text: &str, form: Form) -> Value {
     let done = match form {
         Form::Case => st(&model, St::Case),
         Form::FlipFlops => st(&model, St::FlipFlops),
-        _ => pnml::pnml(&model).map(|text| json!({ "text": text, "notes": [] })),
+        Form::Sfc => textual(&model).map(exported),
+        Form::PlcOpen => plcopen::plcopen(&model, plcopen::Options::default()).map(exported),
+        Form::Rust | Form::Pnml => pnml::pnml(&model).map(|text| json!({ "text": text, "notes": [] })),
     };
     done.unwrap_or_else(
         |all| json!({ "refused": all.iter().map(|one| why(one, &Places::of(text))).collect::<Vec<_>>() }),
@@ -74,8 +83,15 @@ fn rust(written: &Written) -> Value {
 
 fn st(model: &Model, form: St) -> Result<Value, Vec<Refused>> {
     let done = structured_text(model, &Options { form, ..Options::default() })?;
-    let written = done.to_write.iter().map(|(name, rust)| format!("to be written by you: `{name}`, in Rust `{rust}`"));
-    Ok(json!({ "text": done.text, "notes": written.collect::<Vec<_>>() }))
+    Ok(json!({ "text": done.text, "notes": to_write(&done.to_write) }))
+}
+
+fn exported(done: Exported) -> Value {
+    json!({ "text": done.text, "notes": to_write(&done.to_write) })
+}
+
+fn to_write(all: &[(String, String)]) -> Vec<String> {
+    all.iter().map(|(name, rust)| format!("to be written by you: `{name}`, in Rust `{rust}`")).collect()
 }
 
 fn refused(why: &str) -> Value {

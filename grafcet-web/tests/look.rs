@@ -92,6 +92,8 @@ fn other_notations() {
     assert!(translated(MOTOR, "rust")["text"].as_str().expect("Rust").contains("fn cycle(&mut self"));
     assert!(translated(MOTOR, "case")["text"].as_str().expect("a program").contains("CASE StepNo OF"));
     assert!(translated(MOTOR, "flip-flops")["text"].as_str().expect("a program").contains("FUNCTION_BLOCK Motor"));
+    assert!(translated(MOTOR, "sfc")["text"].as_str().expect("a program").contains("INITIAL_STEP Off:"));
+    assert!(translated(MOTOR, "plcopen")["text"].as_str().expect("a project").contains("<SFC>"));
     assert!(translated(MOTOR, "pnml")["text"].as_str().expect("a net").contains("<pnml"));
     assert!(translate(MOTOR, "ladder").is_err());
     let broken = translated(&MOTOR.replace("-[on]->", "-[onn]->"), "rust");
@@ -104,6 +106,8 @@ fn what_has_no_translation_says_where() {
         partial Top { initial step A; step B { force Low {*}; } A -[go]-> B -[!go]-> A; }
         partial Low { initial step C; step E { y; } C -[more]-> E -[!more]-> C; } }";
     assert_eq!(looked(text)["messages"], json!([]));
-    let refused = &translated(text, "pnml")["refused"][0];
-    assert!(refused["from"].is_u64() && refused["to"].as_u64() > refused["from"].as_u64(), "{refused}");
+    for form in ["pnml", "sfc", "plcopen"] {
+        let refused = &translated(text, form)["refused"][0];
+        assert!(refused["from"].is_u64() && refused["to"].as_u64() > refused["from"].as_u64(), "{form}: {refused}");
+    }
 }

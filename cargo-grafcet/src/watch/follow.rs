@@ -105,6 +105,11 @@ impl<'c> Follower<'c> {
         });
     }
 
+    /// Whether what was sent last is none of the charts.
+    pub(crate) fn is_foreign(&self) -> bool {
+        self.controller.foreign.is_some()
+    }
+
     /// The line was interrupted.
     pub(crate) fn interrupted(&mut self, reason: &str, kept: &Kept) {
         self.decoder = Decoder::new(vec![0; LONGEST]);

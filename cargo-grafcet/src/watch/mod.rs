@@ -1,6 +1,7 @@
 //! `cargo grafcet watch`: controllers that run, in the browser.
 //!
 //! - `place`, `source`: where bytes come from; each source is read in a thread of its own
+//! - `texts`: the charts that may run there, read again where their files have changed
 //! - `follow`: from bytes to moments, by the decoder of the runtime and the interpreter
 //! - `kept`: the last moments of a source, in bounded memory
 //! - `steer`: the way back to the controller, with `--steer`
@@ -16,6 +17,7 @@ mod source;
 mod steer;
 #[cfg(test)]
 mod tests;
+mod texts;
 mod viewer;
 
 use std::net::Ipv4Addr;
@@ -29,6 +31,7 @@ use kept::Kept;
 use place::{Place, Wanted};
 use server::Site;
 use steer::Way;
+use texts::Texts;
 
 pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
     if options.sources.iter().filter(|wanted| wanted.place == Place::Input).count() > 1 {
@@ -58,10 +61,10 @@ pub(crate) fn run(options: &Watch) -> Result<Outcome, Failure> {
             complain("steering: whoever has this address can move the machine");
         }
         let sources = options.sources.iter().zip(chosen).map(|(wanted, name)| {
-            let meant = running.iter().filter(|chart| name.is_none_or(|name| chart.name == name));
+            let texts = Texts::of(options.charts(), name, &found, &running);
             let kept =
                 Arc::new(Kept::new(wanted.place.to_string(), options.keep as usize, options.steer.then(Way::default)));
-            source::begin(wanted.place.clone(), meant.map(|chart| text(chart)).collect(), Arc::clone(&kept));
+            source::begin(wanted.place.clone(), texts, Arc::clone(&kept));
             kept
         });
         let site = Site::new(sources.collect(), token, port, options.steer);
@@ -79,11 +82,4 @@ fn chosen<'w>(wanted: &'w Wanted, charts: &[Found]) -> Result<Option<&'w str>, F
     let mut others: Vec<String> = charts.iter().map(|chart| format!("`{}`", chart.name)).collect();
     others.truncate(8);
     Err(Failure::Said(format!("{name}={}: there is no chart `{name}`, but {}", wanted.place, others.join(", "))))
-}
-
-/// What was written between the braces: another thread reads it anew, as tokens cannot be handed over.
-fn text(chart: &Found) -> String {
-    let spans: Vec<_> = chart.tokens.clone().into_iter().map(|tree| tree.span().byte_range()).collect();
-    let range = spans.first().map_or(0, |first| first.start)..spans.last().map_or(0, |last| last.end);
-    chart.source.text.get(range).unwrap_or_default().to_owned()
 }

@@ -2,10 +2,16 @@
 #![allow(dead_code, reason = "each test needs a part of it")]
 
 use std::fs;
+use std::io::Read;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
+
+/// Who is not done by then, will never be.
+const LONGEST: Duration = Duration::from_secs(300);
 
 /// What a call of the tool has done.
 #[derive(Debug)]
@@ -15,16 +21,42 @@ pub(crate) struct Done {
     pub(crate) err: String,
 }
 
-/// `cargo grafcet …` in a folder.
+/// `cargo grafcet …` in a folder. What goes on for ever, as a server that should not have begun, fails the test.
 pub(crate) fn tool(folder: &Path, arguments: &[&str]) -> Done {
+    tool_within(LONGEST, folder, arguments)
+}
+
+/// The same, with a limit.
+pub(crate) fn tool_within(limit: Duration, folder: &Path, arguments: &[&str]) -> Done {
     let mut command = Command::new(env!("CARGO_BIN_EXE_cargo-grafcet"));
-    let output = command.arg("grafcet").args(arguments).current_dir(folder).output();
-    let output = output.unwrap_or_else(|error| panic!("the tool cannot be run: {error}"));
-    Done {
-        code: output.status.code(),
-        out: String::from_utf8_lossy(&output.stdout).into_owned(),
-        err: String::from_utf8_lossy(&output.stderr).into_owned(),
-    }
+    command.arg("grafcet").args(arguments).current_dir(folder);
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap_or_else(|error| panic!("the tool cannot be run: {error}"));
+    let (out, err) = (read(child.stdout.take()), read(child.stderr.take()));
+    let end = Instant::now() + limit;
+    let code = loop {
+        match child.try_wait().unwrap_or_else(|error| panic!("the tool is lost: {error}")) {
+            Some(status) => break status.code(),
+            None if Instant::now() < end => thread::sleep(Duration::from_millis(2)),
+            None => {
+                _ = child.kill();
+                _ = child.wait();
+                let [out, err] = [out, err].map(|text| text.join().unwrap_or_default());
+                panic!("`cargo grafcet {}` goes on and on; so far it says:\n{out}{err}", arguments.join(" "));
+            }
+        }
+    };
+    let [out, err] = [out, err].map(|text| text.join().unwrap_or_default());
+    Done { code, out, err }
+}
+
+/// All that is written, while the program runs: a pipe has no room for much.
+fn read(from: Option<impl Read + Send + 'static>) -> thread::JoinHandle<String> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        _ = from.map(|mut from| from.read_to_end(&mut bytes));
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
 }
 
 /// A folder with these files.

@@ -1,7 +1,7 @@
 // What the editor knows of the notation: colours, comments, brackets, words to complete.
 
 import { HighlightStyle, LanguageSupport, StreamLanguage, indentUnit, syntaxHighlighting } from "@codemirror/language";
-import { tags } from "@lezer/highlight";
+import { highlightCode, tagHighlighter, tags } from "@lezer/highlight";
 
 // The first words of items, and what stands within them (docs/language.md).
 export const ITEMS = ["input", "output", "var", "param", "let", "action", "clock", "max_evolutions", "budget", "assume", "optimize",
@@ -68,17 +68,24 @@ const chart = StreamLanguage.define({
 });
 
 // The colours are the page's own (style.css), so that light and dark need nothing here.
-const colours = HighlightStyle.define([
-  { tag: [tags.keyword, tags.modifier], color: "var(--code-word)" },
-  { tag: tags.keyword, fontWeight: "600" },
-  { tag: [tags.operatorKeyword], color: "var(--code-qualifier)", fontWeight: "600" },
-  { tag: [tags.typeName, tags.meta], color: "var(--code-type)" },
-  { tag: tags.className, color: "var(--code-step)", fontWeight: "600" },
-  { tag: [tags.number, tags.unit, tags.bool, tags.string, tags.constant(tags.variableName)], color: "var(--code-value)" },
-  { tag: tags.controlOperator, color: "var(--code-arrow)", fontWeight: "600" },
-  { tag: tags.function(tags.variableName), color: "var(--code-call)" },
-  { tag: [tags.comment, tags.docComment], color: "var(--soft)", fontStyle: "italic" },
-]);
+export const looks = [
+  { name: "word", tag: tags.keyword, color: "var(--code-word)", fontWeight: "600" },
+  { name: "modifier", tag: tags.modifier, color: "var(--code-word)" },
+  { name: "qualifier", tag: tags.operatorKeyword, color: "var(--code-qualifier)", fontWeight: "600" },
+  { name: "type", tag: [tags.typeName, tags.meta], color: "var(--code-type)" },
+  { name: "step", tag: tags.className, color: "var(--code-step)", fontWeight: "600" },
+  { name: "value", tag: [tags.number, tags.unit, tags.bool, tags.string, tags.constant(tags.variableName)], color: "var(--code-value)" },
+  { name: "arrow", tag: tags.controlOperator, color: "var(--code-arrow)", fontWeight: "600" },
+  { name: "call", tag: tags.function(tags.variableName), color: "var(--code-call)" },
+  { name: "comment", tag: [tags.comment, tags.docComment], color: "var(--soft)", fontStyle: "italic" },
+];
+const colours = HighlightStyle.define(looks.map(({ name, ...look }) => look));
+const named = tagHighlighter(looks.map(({ name, tag }) => ({ tag, class: name })));
+
+// Hands over a text piece by piece, each with the name of its look.
+export function highlighted(text, put) {
+  highlightCode(text, chart.parser.parse(text), named, put, () => put("\n", ""));
+}
 
 const SNIPPETS = { N: "while the step is active", S: "set", R: "reset", P: "once", P1: "on entry", P0: "on exit", L: "limited", D: "delayed",
   SD: "stored and delayed", DS: "delayed and stored", SL: "stored and limited" };

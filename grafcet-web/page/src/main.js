@@ -28,6 +28,8 @@ let soon = 0;
 let linked = null;
 // What is wrong with the link that was opened.
 let unreadable = "";
+// The chart whose signals stand there to be clicked.
+let signalled = null;
 
 const hasRun = () => (simulation?.latest?.number ?? 0) > 0;
 
@@ -57,7 +59,8 @@ const checker = new Latest("check", (text, said, error) => {
   if (editor.text === text) editor.mark(said.messages);
   problems(said);
   forms.of(text);
-  keep(STORED, text);
+  // What somebody else has written, and nobody here has changed, does not take the place of one's own.
+  if (text !== linked) keep(STORED, text);
   // Each session is a worker of its own: not one for each letter.
   clearTimeout(soon);
   if (said.runs && !hasRun()) soon = setTimeout(() => { if (!hasRun()) begin(text); }, simulation ? 250 : 0);
@@ -114,8 +117,12 @@ function restart() {
 }
 
 function input(change) {
-  // What is shown is of a chart that does not run any more, and the next one has not begun.
-  if (!simulation?.moment) return;
+  const next = simulation;
+  if (!next?.moment) {
+    // It has not begun yet: what is clicked meanwhile is for it, where it has the signals that are shown.
+    if (next?.text === signalled) void next?.ready.then(() => { if (next === simulation && next.moment) input(change); });
+    return;
+  }
   // What is true in the first cycle already has no edge (A26), which nobody who clicks has in mind.
   if (simulation.latest.number === 0 && !wasStopped) void simulation.cycle();
   change();
@@ -143,6 +150,7 @@ function show() {
   at("past").textContent = simulation.isLive ? "" : "The past: what you do now goes on from here.";
   speak();
   signals.show(simulation);
+  signalled = simulation.text;
   chronogram.draw(simulation);
   list(at("waits"), moment.said);
   list(at("did"), happened());
@@ -263,6 +271,7 @@ at("copy").addEventListener("click", async () => {
 
 // The chart of the link, else what was typed last, else the first of the gallery.
 async function first() {
+  unreadable = "";
   try {
     linked = await unpacked(location.hash);
     if (linked !== null) return linked;
@@ -274,9 +283,10 @@ async function first() {
 
 async function start() {
   editor.replace(await first());
+  show();
   document.documentElement.dataset.ready = "";
 }
-addEventListener("hashchange", () => { if (location.hash.startsWith("#chart=")) void start(); });
+addEventListener("hashchange", () => { if (location.hash.startsWith("#chart")) void start(); });
 void start();
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("offline.js").catch(() => { /* then with a network alone */ });
 

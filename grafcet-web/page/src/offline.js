@@ -1,7 +1,8 @@
 // The page without a network: what was loaded last is shown where nothing can be loaded.
 
 const KEPT = "grafcet-playground";
-const FILES = ["./", "index.html", "main.js", "worker.js", "style.css", "icon.svg", "grafcet_bg.wasm", "gallery.json", "rules.html", "LICENSES.txt"];
+// The pages of the manual are told by who builds this.
+const FILES = ["./", "index.html", "main.js", "worker.js", "style.css", "icon.svg", "grafcet_bg.wasm", "gallery.json", "LICENSES.txt", "manual.js", ...BOOK];
 
 addEventListener("install", event => {
   event.waitUntil(caches.open(KEPT).then(kept => kept.addAll(FILES)).then(() => skipWaiting()));

@@ -5,6 +5,8 @@ const MARK = "chart=";
 // No chart is longer; a short link could be made to unfold to gigabytes.
 const LONGEST = 1 << 20;
 
+class TooLong extends Error {}
+
 async function through(stream, bytes) {
   const writer = stream.writable.getWriter();
   const written = writer.write(bytes).then(() => writer.close());
@@ -21,7 +23,7 @@ async function gathered(reader) {
     length += value.length;
     if (length > LONGEST) {
       await reader.cancel();
-      throw new Error("it holds more than a megabyte");
+      throw new TooLong("it holds more than a megabyte");
     }
     parts.push(value);
   }
@@ -37,11 +39,19 @@ export async function packed(text) {
   return MARK + btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-// Nothing where the fragment holds no chart; an error where it is damaged.
+// Nothing where the fragment holds no chart; an error where it cannot be read.
 export async function unpacked(fragment) {
   const code = fragment.replace(/^#/, "");
-  if (!code.startsWith(MARK)) return null;
-  const binary = atob(code.slice(MARK.length).replaceAll("-", "+").replaceAll("_", "/"));
-  const bytes = await through(new DecompressionStream("deflate-raw"), Uint8Array.from(binary, c => c.charCodeAt(0)));
-  return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  if (!code.startsWith(MARK)) {
+    if (/^chart[^=]*=/.test(code)) throw new Error("it was made by another version of this page");
+    return null;
+  }
+  try {
+    const binary = atob(code.slice(MARK.length).replaceAll("-", "+").replaceAll("_", "/"));
+    const bytes = await through(new DecompressionStream("deflate-raw"), Uint8Array.from(binary, c => c.charCodeAt(0)));
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch (error) {
+    if (error instanceof TooLong) throw error;
+    throw new Error("it is damaged or was cut off. Copy the whole link once more");
+  }
 }

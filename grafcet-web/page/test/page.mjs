@@ -75,6 +75,16 @@ const steps = {
     await settled(page, MOTOR);
     assert.equal(await text(page, "#verdict"), "No complaints");
     assert.equal(await page.locator("#editor .cm-lintRange").count(), 0);
+    // Letters of more than one byte, and of two units, in front of it.
+    const far = MOTOR.replace("    input", "    // größer als 𝄞\n    input").replace("[on ", "[/* é𝄞 */ onn ");
+    await page.evaluate(chart => playground.editor.replace(chart), far);
+    await page.waitForFunction(chart => playground.looked.text === chart, far);
+    assert.deepEqual(await page.evaluate(() => playground.editor.marks.map(mark => mark.text)), ["onn"]);
+    const own = "sfc Öffner {\n    input größe: bool;\n    output ärger: bool;\n    initial step Übergang { N ärger; }\n    step Zu;\n    Übergang -[größe]-> Zu -[!größe]-> Übergang;\n}\n";
+    await page.evaluate(chart => playground.editor.replace(chart), own);
+    await settled(page, own);
+    assert.deepEqual([await text(page, "#verdict"), await text(page, "#chart-name")], ["No complaints", "Öffner"]);
+    await write(page, MOTOR);
   },
 
   async "the motor goes through its cycle"(page) {
@@ -160,6 +170,36 @@ const steps = {
     await page.selectOption("#speed", "1");
   },
 
+  async "a click behind Restart is not lost"(page) {
+    // A chart that has not run yet is begun anew a moment after it was changed; who restarts it meanwhile has one that stays.
+    const again = `${MOTOR}// again\n`;
+    await page.click("#restart");
+    await ready(page);
+    const stays = await page.evaluate(async text => {
+      const { editor, simulation: before } = playground;
+      if (before.latest.number !== 0) return "it has run";
+      editor.replace(text);
+      while (playground.looked.text !== text) await new Promise(resolve => setTimeout(resolve, 5));
+      document.querySelector("#restart").click();
+      const restarted = playground.simulation;
+      if (restarted === before) return "it was not restarted";
+      await new Promise(resolve => setTimeout(resolve, 600));
+      return playground.simulation === restarted && restarted.text === text;
+    }, again);
+    assert.equal(stays, true);
+    // Nor is what is clicked before the new one has begun.
+    await page.evaluate(() => {
+      document.querySelector("#restart").click();
+      if (playground.simulation.moment) throw new Error("it has begun already");
+      [...document.querySelectorAll("#signals button.input")].find(button => button.textContent === "on").click();
+    });
+    await page.waitForFunction(() => playground.simulation.latest?.number > 1);
+    assert.deepEqual([await active(page), await page.evaluate(() => playground.simulation.values)], [["On"], [true, false, false]]);
+    await write(page, MOTOR);
+    await page.click("#restart");
+    await ready(page);
+  },
+
   async "the chart in a link"(page) {
     await page.click("#share");
     const address = await page.inputValue("#address");
@@ -180,12 +220,76 @@ const steps = {
     await other.page.reload();
     await other.page.waitForFunction(() => globalThis.playground?.drawn?.name === "Engine");
     assert.equal(new URL(other.page.url()).hash, "");
+    // A link that is only looked at leaves what was typed.
+    await other.page.goto(address);
+    await other.page.reload();
+    await settled(other.page, MOTOR);
+    await other.page.goto(server.address);
+    await other.page.waitForFunction(() => globalThis.playground?.drawn?.name === "Engine");
     await other.context.close();
-    const damaged = await open(browser, `${server.address}#chart=AAAA`);
-    await damaged.page.waitForSelector("#trouble:not([hidden])");
-    assert.match(await text(damaged.page, "#trouble"), /cannot be read/);
-    assert.deepEqual(damaged.problems, []);
-    await damaged.context.close();
+    // Damaged, cut off, longer than it was, with what is no text, unfolding without end, of another version: it is said, and there is a chart all the same.
+    const [noText, endless] = await page.evaluate(() => Promise.all([new Uint8Array([0xff, 0xfe]), new Uint8Array(1 << 24)].map(async bytes => {
+      const stream = new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+      const packed = new Uint8Array(await new Response(stream).arrayBuffer());
+      return btoa(Array.from(packed, byte => String.fromCharCode(byte)).join("")).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+    })));
+    const code = address.split("#chart=")[1], damaged = /^The chart of this link cannot be read: it is damaged or was cut off\. Copy the whole link once more$/;
+    const wrong = [["", damaged], ["AAAA", damaged], ["!!", damaged], ["%F0%9F", damaged], [code.slice(0, 40), damaged], [code.slice(4), damaged], [`${code}AAAA`, damaged], [noText, damaged]];
+    const { page: linked, context, problems } = await open(browser, `${server.address}#chart=AAAA`);
+    await linked.waitForFunction(() => globalThis.playground?.drawn?.name === "Motor");
+    for (const [fragment, why] of [...wrong.map(([code, why]) => [`chart=${code}`, why]), [`chart=${endless}`, /more than a megabyte/], [`chart2=${code}`, /another version of this page/]]) {
+      await linked.evaluate(hash => { location.hash = hash; }, fragment);
+      await linked.waitForSelector("#trouble:not([hidden])");
+      assert.match(await text(linked, "#trouble"), why, fragment.slice(0, 50));
+      assert.match(await linked.evaluate(() => playground.editor.text), /^(pub )?sfc Motor \{/m, fragment.slice(0, 50));
+      // A whole one takes it away.
+      await linked.evaluate(hash => { location.hash = hash; }, `chart=${code}`);
+      await linked.waitForSelector("#trouble", { state: "hidden" });
+    }
+    // What is no chart at all is none of the page's.
+    await linked.evaluate(() => { location.hash = "what-else"; });
+    await linked.reload();
+    await ready(linked);
+    assert.ok(await linked.isHidden("#trouble"));
+    assert.deepEqual(problems, []);
+    await context.close();
+  },
+
+  async "the manual's charts open"(page) {
+    const { page: book, context, problems } = await open(browser, `${server.address}manual.html`);
+    await book.click("text=The language");
+    await book.waitForURL("**/language.html");
+    await book.locator(".pages [aria-current]", { hasText: "The language" }).waitFor();
+    await book.click(".pages >> text=Operating modes");
+    assert.equal(await book.evaluate(() => document.querySelector(":target").textContent), "Operating modes");
+    for (const [file, name] of [["manual.html", "Press"], ["language.html", "Line24V"], ["cookbook.html", "TwoHand"], ["semantics.html", "Modal"]]) {
+      await book.goto(server.address + file);
+      const link = book.locator(".open a").filter({ hasText: new RegExp(`^Open ${name} in`) }).first();
+      const chart = await link.locator("xpath=ancestor::div[@class='code']//code").innerText();
+      await link.click();
+      await ready(book);
+      assert.equal(await text(book, "#chart-name"), name);
+      assert.equal(await text(book, "#verdict"), "No complaints");
+      const lines = await book.evaluate(() => playground.editor.text.trim().split("\n").map(line => line.trim()));
+      for (const line of lines) assert.ok(chart.includes(line), `${file}: ${line}`);
+      await book.goBack();
+      await book.locator(".open a").first().waitFor();
+    }
+    // The colours of the playground are those of the manual.
+    await book.click("#theme");
+    assert.equal(await book.evaluate(() => document.documentElement.dataset.theme), "light");
+    await book.click("header >> text=Playground");
+    await ready(book);
+    assert.equal(await book.evaluate(() => document.documentElement.dataset.theme), "light");
+    await book.click("#manual");
+    await book.waitForURL("**/manual.html");
+    // It is there without a network, too.
+    await book.evaluate(() => navigator.serviceWorker.ready);
+    await context.setOffline(true);
+    await book.goto(`${server.address}proof.html`);
+    assert.equal(await text(book, "h1"), "What is proved");
+    assert.deepEqual(problems, []);
+    await context.close();
   },
 
   async "without a network"(page) {
@@ -226,6 +330,8 @@ const steps = {
     await shows("rust", "fn is_active");
     await shows("case", "CASE StepNo OF");
     await shows("flip-flops", "FUNCTION_BLOCK Motor");
+    await shows("sfc", "INITIAL_STEP Off:");
+    await shows("plcopen", "http://www.plcopen.org/xml/tc6_0201");
     await shows("pnml", "<pnml");
     await accessible(page, "a notation");
     await page.focus("#tab-pnml");
@@ -329,6 +435,7 @@ async function looks(name, options) {
   await page.click("#run");
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.equal(wide, 0, "the page is as wide as its window");
+  assert.ok(await page.isVisible("#manual"));
   await accessible(page, name);
   await page.screenshot({ path: join(pictures, `${name}.png`), fullPage: true });
   await page.evaluate(() => playground.editor.replace(playground.editor.text.replace("[on &&", "[onn &&").replace("N green;", "N green; N gren;")));
@@ -338,6 +445,20 @@ async function looks(name, options) {
   await page.screenshot({ path: join(pictures, `${name}-messages.png`) });
   assert.deepEqual(problems, []);
   await context.close();
+}
+
+// A page with tables, a picture and a chart, and a long one. That they are accessible depends on what they show and on their colours: each is asked for once.
+async function reads(name, options, asked) {
+  for (const file of ["manual.html", "language.html"]) {
+    const { page, context, problems } = await open(browser, server.address + file, options);
+    await page.waitForSelector("html[data-theme]");
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.equal(wide, 0, `${file} is as wide as its window`);
+    if (asked === file) await accessible(page, `${file}, ${name}`);
+    await page.screenshot({ path: join(pictures, `${file.replace(".html", "")}-${name}.png`), clip: { x: 0, y: 0, width: page.viewportSize().width, height: 2400 }, fullPage: true });
+    assert.deepEqual(problems, []);
+    await context.close();
+  }
 }
 
 const failed = [];
@@ -358,6 +479,8 @@ await ready(page);
 for (const [name, work] of Object.entries(steps)) await step(name, () => work(page));
 await step("nothing went wrong in the console, and nobody else was asked", () => assert.deepEqual(problems, []));
 for (const [name, options] of views) await step(`how it looks: ${name}`, () => looks(name, options));
+const asked = { light: "language.html", dark: "manual.html", phone: "manual.html" };
+for (const [name, options] of views) await step(`how the manual looks: ${name}`, () => reads(name, options, asked[name]));
 await browser.close();
 server.close();
 if (failed.length > 0) {

@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use grafcet::Ticks;
+use grafcet::record::steer::{Command, Commands, Request, Wanted, command_len, request_len};
 use grafcet::record::wire::{Follow, Seen, Wire, frame_len, wire_len};
 use grafcet::record::{Reader, Record, Recordable, Recorder, Records, Writer, replay, restore, snapshot, snapshot_len};
 use grafcet_sim::{Chart, Replay, Trace};
@@ -19,7 +20,8 @@ use crate::wrong::{frame, record_of, snapshot_of};
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All of them.
-pub const TARGETS: [Target; 4] = [("record", record), ("frames", frames), ("snapshot", restored), ("cycles", cycles)];
+pub const TARGETS: [Target; 5] =
+    [("record", record), ("frames", frames), ("snapshot", restored), ("cycles", cycles), ("commands", commands)];
 
 /// A visitor of charts, each with its source and a way to change it from outside.
 trait Visit {
@@ -179,6 +181,95 @@ pub fn restored(bytes: &[u8]) {
         }
     }
     visit(&Restores, bytes);
+}
+
+/// So many cycles the controller has made that reads commands, and so many old one is at most.
+const CYCLES: u32 = 1_000;
+const OLDEST: u32 = 300;
+
+/// Bytes as what a controller hears: as they are, or each 0xff ending a frame with the right check sum. What it takes is new, and what a host writes who wants the same.
+pub fn commands(bytes: &[u8]) {
+    struct Hears;
+    impl Visit for Hears {
+        fn chart<C: Recordable<Outputs: Debug>>(
+            &self,
+            _: &C,
+            _: &mut C::Actions<'_>,
+            _: &'static str,
+            _: fn(&mut C, u8),
+            bytes: &[u8],
+        ) {
+            let Some((how, bytes)) = bytes.split_first() else { return };
+            let sent: Vec<u8> = match how % 4 {
+                0 => bytes.to_vec(),
+                // For this chart, with the next number and not too old, so that what follows is looked at.
+                1 | 2 => bytes
+                    .split(|byte| *byte == 0xff)
+                    .enumerate()
+                    .flat_map(|(n, part)| frame(&command::<C>(n, part)))
+                    .collect(),
+                _ => bytes.split(|byte| *byte == 0xff).flat_map(frame).collect(),
+            };
+            let (mut commands, mut last) = (hearing::<C>(), 0);
+            for byte in sent {
+                match commands.push(byte, CYCLES) {
+                    None => {}
+                    Some(Err(answer)) => assert!(answer.outcome.is_err(), "{answer:?}"),
+                    Some(Ok(command)) => {
+                        assert!(command.number > last, "{} after {last}", command.number);
+                        last = command.number;
+                        is_heard_again::<C>(&command);
+                    }
+                }
+            }
+            assert!(commands.last() >= last);
+        }
+    }
+    visit(&Hears, bytes);
+}
+
+fn hearing<C: Recordable>() -> Commands<C, Vec<u8>, Vec<C::Step>> {
+    Commands::new(vec![0; command_len::<C>()], C::STEPS.to_vec(), OLDEST)
+}
+
+/// The content of a command with what `part` wants.
+fn command<C: Recordable>(number: usize, part: &[u8]) -> Vec<u8> {
+    let (age, wanted) = part.split_first().map_or((0, part), |(age, wanted)| (*age, wanted));
+    let (number, seen) = (number as u64 + 1, CYCLES - u32::from(age));
+    [&[0x15][..], &number.to_le_bytes(), &C::FINGERPRINT.to_le_bytes(), &seen.to_le_bytes(), wanted].concat()
+}
+
+/// A host that wants what was taken writes a command that is taken as the same.
+fn is_heard_again<C: Recordable>(taken: &Command<'_, C::Step>) {
+    let place = |step: &C::Step| C::STEPS.iter().position(|other| other == step);
+    let placed = |wanted: &Wanted<'_, C::Step>| match wanted {
+        Wanted::Force(steps) => steps.iter().filter_map(place).collect(),
+        Wanted::Init | Wanted::Push | Wanted::Mode(_) => Vec::new(),
+    };
+    let steps: Vec<usize> = placed(&taken.wanted);
+    let wanted = match taken.wanted {
+        Wanted::Init => Wanted::Init,
+        Wanted::Push => Wanted::Push,
+        Wanted::Mode(mode) => Wanted::Mode(mode),
+        Wanted::Force(_) => Wanted::Force(&steps),
+    };
+    let all = C::STEPS.len();
+    let request = Request { number: taken.number, fingerprint: C::FINGERPRINT, steps: all, seen: CYCLES, wanted };
+    let mut buffer = vec![0; request_len(all)];
+    let sent = request.write(&mut buffer).expect("as many bytes as it takes");
+    let mut commands = hearing::<C>().after(taken.number - 1);
+    let mut heard = 0;
+    for byte in sent {
+        let Some(found) = commands.push(*byte, CYCLES) else { continue };
+        let again = found.expect("what was taken");
+        let kinds = [&again.wanted, &taken.wanted].map(std::mem::discriminant);
+        assert_eq!((again.number, placed(&again.wanted), kinds[0]), (taken.number, steps.clone(), kinds[1]));
+        if let (Wanted::Mode(one), Wanted::Mode(other)) = (again.wanted, taken.wanted) {
+            assert_eq!(one, other);
+        }
+        heard += 1;
+    }
+    assert_eq!(heard, 1);
 }
 
 /// How much time passes in front of a cycle.

@@ -32,11 +32,12 @@ pub(crate) fn run() -> Result {
 /// As of [`run`], or a test fails.
 pub(crate) fn test() -> Result {
     // First, so that it does not wait for what else CI builds in that folder later.
-    Program::build(&[TOOL, Program::Example("gallery"), Program::Example("timelines")])?;
+    Program::build(&[TOOL, Program::Example("gallery"), Program::Example("manual"), Program::Example("timelines")])?;
     let built = Built::all()?;
     let timelines = built.folder.join("timelines.json");
     write_example("timelines", &root().join("tests/conformance"), &timelines)?;
     run_command(node("test/corpus.mjs")?.arg(&built.glue).arg(&timelines))?;
+    run_command(node("test/manual.mjs")?.args([&built.page, &built.glue, &built.folder.join("manual.json")]))?;
     run_command(node("test/page.mjs")?.arg(&built.page).arg(built.folder.join("screenshots")))?;
     live()
 }
@@ -84,11 +85,13 @@ impl Built {
         let (glue, gallery, page) = (folder.join("glue"), folder.join("gallery.json"), project::target("web"));
         bind(&module(&folder)?, &glue)?;
         write_example("gallery", &root(), &gallery)?;
+        let manual = folder.join("manual.json");
+        write_example("manual", &root(), &manual)?;
         let crates = folder.join("crates.txt");
         write(&crates, &licences::of_crates("grafcet-web", TARGET)?)?;
         packages()?;
         project::remove(&page)?;
-        run_command(node("build.mjs")?.args([&glue, &gallery, &crates, &page]))?;
+        run_command(node("build.mjs")?.args([&glue, &gallery, &manual, &crates, &page]))?;
         Ok(Self { folder, glue, page })
     }
 }
