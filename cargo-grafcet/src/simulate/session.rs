@@ -252,7 +252,9 @@ fn looked(model: &Model, steps: &[usize]) -> Result<(), ForceError<usize>> {
         Situations::Unknown => Possible::Unknown,
         Situations::Alone => Possible::Alone,
         Situations::Listed(table) => Possible::Listed(kept(table)),
+        Situations::Diagram(table) => Possible::Diagram(kept(table)),
         Situations::Pairs(table) => Possible::Pairs(kept(table)),
+        Situations::Parts(pairs, parts) => Possible::Parts(kept(pairs), kept(parts)),
         Situations::Whole(table) => Possible::Whole(kept(table)),
     };
     let all: Vec<usize> = (0..model.steps.len()).collect();
