@@ -1,16 +1,20 @@
 //! `cargo grafcet export`
 
 use clap::{Args as Arguments, Subcommand, ValueEnum};
+use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
+use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_exchange::plcopen::{self, plcopen};
 use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use grafcet_exchange::{Refused, pnml};
+use grafcet_prove::circuit::Circuit;
+use grafcet_prove::export as circuits;
 use serde_json::json;
 
 use crate::args::{Charts, Target};
 use crate::find::{self, Found};
-use crate::model::accepted;
+use crate::model::{accepted, with_plants};
 use crate::report::{human, json as object};
 use crate::{Failure, Outcome, complain, output, say};
 
@@ -21,6 +25,8 @@ pub(crate) enum Export {
     Sfc(Sfc),
     Plcopen(Plcopen),
     Pnml(Pnml),
+    Aiger(Aiger),
+    Btor2(Btor2),
 }
 
 /// What becomes of a translation.
@@ -43,6 +49,38 @@ Examples:
 
 Exit code 1 says that a chart has errors or is no net.")]
 pub(crate) struct Pnml {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) result: Written,
+}
+
+/// AIGER: the cycle of a chart as a circuit with its properties, for checkers of hardware
+///
+/// As text (`aag`). With plants, and with what is assumed; `cargo grafcet prove --aiger FILE` writes the binary form, too.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export aiger --chart Motor -o motor.aag
+
+Exit code 1 says that a chart has errors or no circuit.")]
+pub(crate) struct Aiger {
+    #[command(flatten)]
+    pub(crate) charts: Charts,
+    #[command(flatten)]
+    pub(crate) result: Written,
+}
+
+/// BTOR2: the cycle of a chart as a circuit with its properties, for checkers of hardware
+///
+/// With plants, and with what is assumed.
+#[derive(Arguments, Debug)]
+#[command(after_help = "\
+Examples:
+  cargo grafcet export btor2 --chart Motor -o motor.btor2
+
+Exit code 1 says that a chart has errors or no circuit.")]
+pub(crate) struct Btor2 {
     #[command(flatten)]
     pub(crate) charts: Charts,
     #[command(flatten)]
@@ -165,7 +203,21 @@ pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
         Export::Pnml(options) => each(&options.charts, &options.result, "pnml", |model| {
             pnml::pnml(model).map(|text| Translation { text, to_write: Vec::new() })
         }),
+        Export::Aiger(options) => {
+            each_of(&options.charts, &options.result, "aag", with_plants, |model| circuit(model, circuits::aiger_text))
+        }
+        Export::Btor2(options) => {
+            each_of(&options.charts, &options.result, "btor2", with_plants, |model| circuit(model, circuits::btor2))
+        }
     }
+}
+
+/// The cycle as a circuit.
+fn circuit(model: &Model, write: fn(&Program<'_>, &Circuit) -> String) -> Result<Translation, Vec<Refused>> {
+    let none = |why: String| vec![Refused { mark: None, message: format!("there is no circuit: {why}") }];
+    let program = counted(model, &Facts::of(model), Encoding::Regions).map_err(|why| none(why.to_string()))?;
+    let circuit = Circuit::of(&program).map_err(|why| none(why.to_string()))?;
+    Ok(Translation { text: write(&program, &circuit), to_write: Vec::new() })
 }
 
 fn st(options: &StructuredText) -> Result<Outcome, Failure> {
@@ -213,12 +265,23 @@ fn each(
     ending: &str,
     export: impl Fn(&Model) -> Result<Translation, Vec<Refused>>,
 ) -> Result<Outcome, Failure> {
+    each_of(charts, result, ending, accepted, export)
+}
+
+/// `model` is what is seen of a chart; none where it has mistakes, which are said.
+fn each_of(
+    charts: &Charts,
+    result: &Written,
+    ending: &str,
+    model: fn(&Found) -> Option<Model>,
+    export: impl Fn(&Model) -> Result<Translation, Vec<Refused>>,
+) -> Result<Outcome, Failure> {
     let charts = find::charts(charts)?;
     if result.json {
-        return objects(&charts, export);
+        return objects(&charts, model, export);
     }
     output::each(&charts, &result.target, ending, |chart| {
-        let Some(model) = accepted(chart) else { return Ok(None) };
+        let Some(model) = model(chart) else { return Ok(None) };
         Ok(match export(&model) {
             Err(refused) => no(chart, &refused),
             Ok(done) => {
@@ -232,10 +295,14 @@ fn each(
 }
 
 /// One object a chart; the errors of one that does not compile are said beside it.
-fn objects(charts: &[Found], export: impl Fn(&Model) -> Result<Translation, Vec<Refused>>) -> Result<Outcome, Failure> {
+fn objects(
+    charts: &[Found],
+    model: fn(&Found) -> Option<Model>,
+    export: impl Fn(&Model) -> Result<Translation, Vec<Refused>>,
+) -> Result<Outcome, Failure> {
     let mut wrong = false;
     for chart in charts {
-        let done = accepted(chart).map_or(Err(Vec::new()), |model| export(&model));
+        let done = model(chart).map_or(Err(Vec::new()), |model| export(&model));
         wrong |= done.is_err();
         let (text, to_write, refused) = match done {
             Ok(done) => (Some(done.text), done.to_write, Vec::new()),

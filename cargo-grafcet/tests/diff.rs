@@ -367,6 +367,14 @@ fn what_is_gone_is_drawn_where_it_was() {
     }
 }
 
+/// A step that is only called otherwise is marked, and its transitions are what they were.
+#[test]
+fn another_name_is_marked() {
+    let done = diff(BASE, &BASE.replace("Cool", "Rest"), &["--draw"]);
+    assert!(done.out.contains("│ ~ Rest  ├"), "{}", done.out);
+    assert_eq!(done.out.matches('~').count(), 2, "in the legend and there: {}", done.out);
+}
+
 /// Where several charts are in both files, nothing says whose drawing the file gets.
 #[test]
 fn one_file_takes_one_drawing() {

@@ -141,3 +141,30 @@ fn for_a_tool_and_in_an_order() {
     let said = "error: Press has no translation: flip-flops evolve first: ";
     assert!(done.code == Some(1) && done.err.contains(said), "{done:?}");
 }
+
+/// The circuit is the one of the prover, with the plant: each step that it can be in is there.
+#[test]
+fn circuits() {
+    let folder = folder(&[("press.rs", PRESS)]);
+    let run = |arguments: &[&str]| tool(folder.path(), arguments);
+    let read = |file: &str| fs::read_to_string(folder.path().join(file)).expect(file);
+    for (notation, option, file) in [("aiger", "--aiger", "press.aag"), ("btor2", "--btor2", "press.btor2")] {
+        let done = run(&["export", notation, "press.rs", "--chart", "Press"]);
+        assert_eq!((done.code, done.err.as_str()), (Some(0), ""), "{notation}: {done:?}");
+        assert_eq!(run(&["prove", "press.rs", "--chart", "Press", option, file]).code, Some(0));
+        assert_eq!(done.out, read(file), "{notation}");
+        let json = run(&["export", notation, "press.rs", "--chart", "Press", "--json"]);
+        let object: serde_json::Value = serde_json::from_str(json.out.trim_end()).expect("an object");
+        assert_eq!((object["text"].as_str(), &object["refused"]), (Some(&*done.out), &serde_json::json!([])));
+        let done = run(&["export", notation, "press.rs", "--chart", "Broken"]);
+        assert!(
+            done.code == Some(1) && done.out.is_empty() && done.err.contains("--> press.rs:"),
+            "{notation}: {done:?}"
+        );
+        let done = run(&["export", notation, "press.rs", "--out", "all"]);
+        let ending = file.split('.').next_back().expect("an ending");
+        assert_eq!((done.code, done.out), (Some(1), format!("all/Press.{ending}\nall/Both.{ending}\n")));
+    }
+    assert!(read("press.aag").starts_with("aag "));
+    assert!(read("press.btor2").contains(" bad "));
+}

@@ -40,6 +40,8 @@ fn commands_of_the_page_show_what_stands_there() {
         "export sfc",
         "export plcopen",
         "export pnml",
+        "export aiger",
+        "export btor2",
         "import",
         "simulate",
         "replay",

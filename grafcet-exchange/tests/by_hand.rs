@@ -197,6 +197,60 @@ fn what_a_case_that_evolves_first_cannot() {
     assert!(refused[0].to_string().starts_with("it reads `n` as it was before"), "{refused:?}");
 }
 
+/// Listed variants are numbers: their places in the list, in conditions, values and initial values, and beside the declaration stands which is which.
+#[test]
+fn listed_variants() {
+    let chart = "sfc Drive { input go: bool; input mode: Mode in {Off, Auto, Manual} ; param first: Mode in {Off, Auto, Manual} = Mode::Auto; var last: Mode in {Off, Auto, Manual} = Mode::Manual;
+        initial step Idle; step Run { P1 last = mode; }
+        Idle -[go && mode != Mode::Off]-> Run -[mode == Mode::Off || last != mode && first == Mode::Auto]-> Idle; }";
+    for form in [Form::Case, Form::FlipFlops] {
+        let text = program(chart, form);
+        for line in [
+            "mode : INT; // Off = 0, Auto = 1, Manual = 2\n",
+            "first : INT := 1; // parameter: Off = 0, Auto = 1, Manual = 2\n",
+            "last : INT := 2; // Off = 0, Auto = 1, Manual = 2\n",
+        ] {
+            assert!(text.contains(line), "{line}{text}");
+        }
+    }
+    let mut machine = Machine::new(&program(chart, Form::FlipFlops)).expect("understood");
+    let mut cycle = |now, go, mode| {
+        machine.set("mode", Value::Int(mode)).expect("an input");
+        scan(&mut machine, now, &[("go", go), ("Init", false)], &["SR_Run", "last"])
+    };
+    assert_eq!(cycle(0, true, 1), [0, 2]);
+    assert_eq!(cycle(100, true, 0), [0, 2]);
+    assert_eq!(cycle(200, true, 2), [1, 2]);
+    assert_eq!(cycle(300, true, 1), [0, 2]);
+    assert_eq!(cycle(400, true, 1), [1, 1]);
+    assert_eq!(cycle(500, false, 0), [0, 1]);
+}
+
+/// What blinks is told by the time of its step, to the millisecond: it begins on, whatever the scans are.
+#[test]
+fn what_blinks() {
+    let chart =
+        "sfc Lamp { input go: bool; output lit: bool; initial step Idle; step Run { lit if blink(700ms/300ms); }
+        Idle -[go]-> Run -[!go]-> Idle; }";
+    for (flavour, dialect) in FLAVOURS {
+        let options = Options { form: Form::FlipFlops, flavour, ..Options::default() };
+        let text = structured_text(&model(chart), &options).expect("a translation").text;
+        let of = if flavour == Flavour::Tia { "#T_Run" } else { "T_Run" };
+        assert!(text.contains(&format!("TIME_TO_DINT({of}.ET) MOD 1000 < 700")), "{text}");
+        assert!(text.contains("// What blinks stands still"), "{text}");
+        let mut machine = Machine::of(&text, dialect).expect("understood");
+        let mut lit = |now, go| scan(&mut machine, now, &[("go", go), ("Init", false)], &["lit"])[0];
+        let times = [0, 1_000, 1_699, 1_700, 1_999, 2_000, 2_650, 2_701, 12_699, 12_700];
+        let shown = times.map(|now| lit(now, now > 0));
+        assert_eq!(shown, [0, 1, 1, 0, 0, 1, 1, 0, 1, 0], "{text}");
+        // It begins anew with the step.
+        assert_eq!(
+            [(12_900, false), (13_500, true), (14_199, true), (14_200, true)].map(|(now, go)| lit(now, go)),
+            [0, 1, 1, 0]
+        );
+    }
+}
+
 /// Flip-flops have one order.
 #[test]
 fn flip_flops_evolve_first() {

@@ -380,3 +380,106 @@ fn a_drawing_in_circles() {
     );
     assert_eq!(notes(&imported(&text)), ["left out: a transition, as no step leads to it"]);
 }
+
+/// Comments within bodies and in front of actions stay with what the steps do.
+#[test]
+fn comments_in_bodies() {
+    let text = "PROGRAM P VAR_INPUT a : BOOL; END_VAR VAR n, m : INT; END_VAR
+        INITIAL_STEP Up: Count(P1); END_STEP
+        TRANSITION FROM Up TO Down := a; END_TRANSITION
+        STEP Down: Both(P1); END_STEP
+        TRANSITION FROM Down TO Up := NOT a; END_TRANSITION
+        (* one more *)
+        ACTION Count: n := n + 1; // never too many
+        END_ACTION
+        ACTION Both:
+          (* first this,
+             then that *)
+          n := 0; m := n; { a pragma }
+        END_ACTION END_PROGRAM";
+    expect(
+        text,
+        "grafcet! {
+        pub sfc P {
+        input a: bool;
+        var n, m: i16;
+        initial step Up {
+        // one more
+        // never too many
+        P1 n = n + 1;
+        }
+        step Down {
+        // first this,
+        // then that
+        P1 {
+        n = 0;
+        m = n;
+        }
+        }
+        Up -[a]-> Down -[!a]-> Up;
+        }
+        }",
+    );
+}
+
+/// What has no translation is a stub with all of its text, said at its place; nothing is lost and nothing is an error.
+#[test]
+fn what_has_no_translation_is_kept() {
+    let text = "TYPE Colour : (Dark, Green, Red); END_TYPE
+TYPE Axis : STRUCT pos : INT; ok : BOOL; END_STRUCT END_TYPE
+PROGRAM Odd
+VAR_INPUT start : BOOL; level : ARRAY[0..3] OF INT; axis : Axis; col : Colour; name : STRING[20]; w : WORD; END_VAR
+VAR_OUTPUT q : BOOL; n : INT; END_VAR
+VAR i : INT; buf : ARRAY[0..9] OF INT; END_VAR
+INITIAL_STEP Init: END_STEP
+TRANSITION FROM Init TO Work := start AND level[2] > 5; END_TRANSITION
+STEP Work: Act(N); q(N); END_STEP
+TRANSITION FROM Work TO Rest := axis.ok AND col = Red; END_TRANSITION
+STEP Rest: Loops(P1); Repeats(P1); Parts(P0); END_STEP
+TRANSITION FROM Rest TO Init := name = 'done' OR w.3; END_TRANSITION
+ACTION Act: (* why *) CASE n OF 1: q := TRUE; // first
+  2..4: q := FALSE; ELSE n := 0; END_CASE; END_ACTION
+ACTION Loops: FOR i := 0 TO 9 DO buf[i] := 0; END_FOR; WHILE n > 0 DO n := n - 1; END_WHILE; END_ACTION
+ACTION Repeats: REPEAT n := n + 1; UNTIL n > 5 END_REPEAT; END_ACTION
+ACTION Parts: axis.pos := 3; buf[0] := level[1]; END_ACTION
+END_PROGRAM
+";
+    let done = imported(text);
+    // All of the text, line by line.
+    let rust: String =
+        done.rust.lines().map(|line| line.trim().trim_start_matches("///").trim()).collect::<Vec<_>>().join(" ");
+    for part in [
+        "(* why *) CASE n OF 1: q := TRUE; // first 2..4: q := FALSE; ELSE n := 0; END_CASE;",
+        "FOR i := 0 TO 9 DO buf[i] := 0; END_FOR; WHILE n > 0 DO n := n - 1; END_WHILE;",
+        "REPEAT n := n + 1; UNTIL n > 5 END_REPEAT;",
+        "axis.pos := 3; buf[0] := level[1];",
+        "start AND level[2] > 5;",
+        "axis.ok AND col = Red;",
+        "name = 'done' OR w.3;",
+    ] {
+        assert!(rust.contains(part), "{part}\n{}", done.rust);
+    }
+    let notes: Vec<(&str, &str)> = done
+        .charts
+        .iter()
+        .flat_map(|chart| &chart.notes)
+        .map(|note| (&*note.message, &text[note.at.clone()]))
+        .collect();
+    let at = |begin: &str, place: &str| {
+        let found = notes.iter().find(|(message, _)| message.starts_with(begin));
+        assert!(found.is_some_and(|(_, at)| at.trim_start().starts_with(place)), "{begin} at {place}: {notes:#?}");
+    };
+    for (name, ty) in [("level", "ARRAY"), ("axis", "Axis"), ("col", "Colour"), ("name", "STRING"), ("buf", "ARRAY")] {
+        at(&format!("`{name}` of type {ty}"), name);
+    }
+    at("`Act` is a code action to be written in Rust: `CASE` is not translated", "(* why *)");
+    at("`Loops` is a code action to be written in Rust: `FOR` is not translated", "FOR");
+    at("`Repeats` is a code action to be written in Rust: `REPEAT` is not translated", "REPEAT");
+    at("`Parts` is a code action to be written in Rust: ", "axis.pos");
+    at("`init_to_work` is a function to be written in Rust: ", "start AND");
+    at("`work_to_rest` is a function to be written in Rust: `axis.ok` is a part of something", "axis.ok");
+    at("`rest_to_init` is a function to be written in Rust: expected a value, found the text 'done'", "name = ");
+    // And the chart is one.
+    let begin = done.rust.find("grafcet! {").expect("a call");
+    assert!(done.rust[begin..].parse::<proc_macro2::TokenStream>().is_ok(), "{}", done.rust);
+}

@@ -10,7 +10,32 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 20] = [
+const CASES: [(&[Form], &str, &str); 25] = [
+    (
+        &BOTH,
+        "sfc C { input mode: Mode in {Off, Auto}; input last: Mode in {Auto, Off}; initial step A; step B; A -[mode == last && mode == Mode::Auto]-> B -[last == Mode::Off]-> A; }",
+        "a comparison of two lists of variants",
+    ),
+    (
+        &BOTH,
+        "sfc C { input go: bool; var last: Mode in {Off, Auto}; initial step A; step B { P1 last = Mode::Auto; } A -[go]-> B -[!go && last == Mode::Auto]-> A; }",
+        "what `last` is at the beginning the chart does not tell",
+    ),
+    (
+        &BOTH,
+        "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = next(last); } A -[go]-> B -[!go && last == Mode::Auto]-> A; }",
+        "what `last` gets is neither a variant that it lists",
+    ),
+    (
+        &FLIP_FLOPS,
+        "sfc C { input a: bool; output q: bool; initial step A { N q if blink(2s); } step B; A -[rising(a)]-> A; A -[!a]-> B -[a]-> A; }",
+        "a step that can be entered anew has two times",
+    ),
+    (
+        &BOTH,
+        "grafcet C { input a: bool; output q: bool; initial step A; macro step M { entry step I { q if blink(2s, M); } exit step O; I -[a]-> O; } A -[a]-> M -[!a]-> A; }",
+        "`blink` since a macro-step",
+    ),
     (
         &BOTH,
         "grafcet C { input a: bool; partial Net { initial step A; step B; A -[a]-> B -[!a]-> A; } }",
@@ -43,8 +68,8 @@ const CASES: [(&[Form], &str, &str); 20] = [
     ),
     (
         &BOTH,
-        "sfc C { input a: bool; output q: bool; initial step A; step B { q if blink(1s); } A -[a]-> B -[!a]-> A; }",
-        "`blink`",
+        "sfc C { clock 1us; input a: bool; output q: bool; initial step A; step B { q if blink(1500us); } A -[a]-> B -[!a]-> A; }",
+        "`TIME` counts milliseconds",
     ),
     (
         &BOTH,

@@ -13,13 +13,17 @@ pub(super) struct Version<'v> {
     pub(super) words: &'v Words,
 }
 
+/// Steps that have another name than in the old version.
+pub(super) type Renamed<'r> = &'r [String];
+
 /// Calls `then` with the description of both, and with what differs in it.
 pub(super) fn with_both<R>(
     old: Version<'_>,
     new: Version<'_>,
+    renamed: Renamed<'_>,
     then: impl FnOnce(&Description<'_>, &[Difference]) -> R,
 ) -> R {
-    let mut both = Both::of(old, new);
+    let mut both = Both::of(old, new, renamed);
     both.steps();
     both.transitions();
     both.priorities();
@@ -29,6 +33,7 @@ pub(super) fn with_both<R>(
 struct Both<'v> {
     old: Version<'v>,
     new: Version<'v>,
+    renamed: Renamed<'v>,
     /// By number of the old version, that in the drawing.
     places: Vec<usize>,
     partials: Vec<Partial<'v>>,
@@ -41,7 +46,7 @@ struct Both<'v> {
 }
 
 impl<'v> Both<'v> {
-    fn of(old: Version<'v>, new: Version<'v>) -> Self {
+    fn of(old: Version<'v>, new: Version<'v>, renamed: Renamed<'v>) -> Self {
         let mut next = new.words.steps.len();
         let places = old.words.steps.iter().map(|step| {
             let found = new.words.steps.iter().position(|other| other.name == step.name);
@@ -53,6 +58,7 @@ impl<'v> Both<'v> {
         Self {
             old,
             new,
+            renamed,
             places: places.collect(),
             partials: new.chart.partials.to_vec(),
             macros: new.chart.macros.to_vec(),
@@ -75,7 +81,7 @@ impl<'v> Both<'v> {
                 self.differs(Part::Step(number), Change::New, "");
                 continue;
             };
-            if old.words.steps[before].traits != words.traits {
+            if old.words.steps[before].traits != words.traits || self.renamed.contains(&words.name) {
                 self.differs(Part::Step(number), Change::Other, "");
             }
             self.actions(number, before);

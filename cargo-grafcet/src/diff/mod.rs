@@ -28,7 +28,7 @@ use crate::output::Content;
 use crate::print;
 use crate::{Failure, Outcome, say};
 use changes::Change;
-use drawn::Version;
+use drawn::{Renamed, Version};
 use words::Words;
 
 /// Say what has changed from one version of a chart to another
@@ -120,17 +120,18 @@ fn compared(old: &Found, new: &Found, options: &Diff) -> Result<bool, Failure> {
         let steps = if is_step { vec![to.clone()] } else { Vec::new() };
         changes.push(Change { kind: "renamed", sentence, old: Some(from), new: Some(to), steps });
     }
+    let renamed: Vec<String> = changes.iter().flat_map(|one| one.steps.clone()).collect();
     changes.extend(changes::changes(&old, &new));
     say(&shown(&new.name, &changes, options))?;
     if options.draw {
-        let text = both((&before, &old), (&after, &new), |chart, differences| {
+        let text = both((&before, &old), (&after, &new), &renamed, |chart, differences| {
             grafcet_draw::text_compared(chart, differences, &[], options.width)
         });
         say(&format!("\n{text}\n"))?;
     }
     if let Some(file) = &options.output {
         let notes: Vec<String> = changes.iter().map(|one| one.sentence.clone()).collect();
-        let picture = both((&before, &old), (&after, &new), |chart, differences| {
+        let picture = both((&before, &old), (&after, &new), &renamed, |chart, differences| {
             picture(file, chart, differences, &notes, options.width)
         })?;
         fs::write(file, picture.bytes()).map_err(|error| Failure::file(file, &error))?;
@@ -168,11 +169,16 @@ fn one_pair(old: &[Found], new: &[Found]) -> Result<(), Failure> {
 }
 
 /// The drawing of both versions, and what differs in it.
-fn both<R>(old: (&Model, &Words), new: (&Model, &Words), then: impl FnOnce(&Description<'_>, &[Difference]) -> R) -> R {
+fn both<R>(
+    old: (&Model, &Words),
+    new: (&Model, &Words),
+    renamed: Renamed<'_>,
+    then: impl FnOnce(&Description<'_>, &[Difference]) -> R,
+) -> R {
     with_description(old.0, |before| {
         with_description(new.0, |after| {
             let old = Version { chart: before, words: old.1 };
-            drawn::with_both(old, Version { chart: after, words: new.1 }, then)
+            drawn::with_both(old, Version { chart: after, words: new.1 }, renamed, then)
         })
     })
 }

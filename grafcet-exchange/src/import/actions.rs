@@ -166,7 +166,9 @@ impl<'p, 's> Actions<'p, 's> {
         match translated {
             Ok(lines) => {
                 self.twice(block, word, name);
-                lines
+                let said = [said.to_owned()].into_iter().chain(comments(&text.text));
+                let said = said.flat_map(|one| one.lines().map(|line| line.trim().to_owned()).collect::<Vec<_>>());
+                said.filter(|line| !line.is_empty()).map(|line| format!("// {line}")).chain(lines).collect()
             }
             Err(why) => {
                 self.stubs.insert(key.to_owned());
@@ -269,4 +271,10 @@ impl<'p, 's> Actions<'p, 's> {
         }
         Ok(vec![format!("{qualifier} {rust}({});", given.join(", "))])
     }
+}
+
+/// What is said within a body. What a drawing has in other languages than structured text has none.
+fn comments(text: &str) -> Vec<String> {
+    let lexed = super::lexer::lex(text, 0).map(|lexed| lexed.comments).unwrap_or_default();
+    lexed.into_iter().map(|(words, _)| words).collect()
 }

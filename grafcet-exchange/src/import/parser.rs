@@ -114,7 +114,10 @@ impl<'t> Cursor<'t> {
             None => "the end".to_owned(),
             Some(Token::Word(word)) => format!("`{word}`"),
             Some(Token::Sign(sign)) => format!("`{sign}`"),
-            Some(_) => "a value".to_owned(),
+            Some(Token::Text(text)) => format!("the text '{text}'"),
+            Some(Token::Int(number)) => format!("`{number}`"),
+            Some(Token::Real(number)) => format!("`{number}`"),
+            Some(Token::Time(_)) => "a time".to_owned(),
         };
         Err(Wrong { at: self.here(), message: format!("expected {wanted}, found {found}") })
     }
@@ -284,6 +287,10 @@ impl<'t> Cursor<'t> {
             self.need_word("end_if")?;
             self.depth -= 1;
             return Ok(Statement::If(branches, otherwise));
+        }
+        const OTHERS: [&str; 7] = ["CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT", "CONTINUE"];
+        if let Some(word) = OTHERS.into_iter().find(|word| self.is_word(word)) {
+            return Err(Wrong { at: self.here(), message: format!("`{word}` is not translated") });
         }
         let name = self.name()?;
         if self.sign("(") {

@@ -236,7 +236,10 @@ fn steps(pou: &Pou, scope: &Scope<'_>, bodies: &[Vec<String>], lines: &mut Vec<S
         let one = body.join(" ");
         if body.is_empty() {
             lines.push(format!("        {word} {name};"));
-        } else if one.len() < 70 && !one.contains("{ ") && !body.iter().any(|line| line == "}") {
+        } else if one.len() < 70
+            && !one.contains("{ ")
+            && !body.iter().any(|line| line == "}" || line.starts_with("//"))
+        {
             lines.push(format!("        {word} {name} {{ {one} }}"));
         } else {
             lines.push(format!("        {word} {name} {{"));

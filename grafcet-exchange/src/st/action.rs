@@ -6,7 +6,8 @@ use grafcet_compiler::model::{
     ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Statement as Rust, Tree,
 };
 
-use super::expr::{At, Scope, kind, plain};
+use super::expr::{At, Scope, kind, plain, same_list};
+use super::frame;
 use super::names::Names;
 use super::syntax::{Statement, Stub, Variable};
 use crate::Refused;
@@ -128,8 +129,7 @@ fn block(scope: &mut Scope<'_>, statements: &[Rust], at: &At<'_>) -> Result<Vec<
     for statement in statements {
         done.push(match statement {
             Rust::Assign(place, value) => {
-                let wanted = kind_of(scope.model, *place, at)?;
-                let value = scope.tree(value, &wanted, at)?.text;
+                let value = valued(scope, *place, value, at)?;
                 Statement::assign(scope.place(*place), value)
             }
             Rust::If(condition, then, otherwise) => {
@@ -143,13 +143,29 @@ fn block(scope: &mut Scope<'_>, statements: &[Rust], at: &At<'_>) -> Result<Vec<
 
 /// The value that is assigned to a place.
 pub(crate) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &At<'_>) -> Result<String, Refused> {
+    valued(scope, place, &value.tree, &At { mark: value.mark, ..*at })
+}
+
+/// The same of a tree. Of listed variants it is a number, or what has the same list.
+fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Result<String, Refused> {
     let wanted = kind_of(scope.model, place, at)?;
-    Ok(scope.expr(value, &wanted, at)?.text)
+    if let Some(listed) = scope.model.variants_of(place.into()) {
+        if let Some(number) = frame::listed_value(listed, value) {
+            return Ok(number.to_string());
+        }
+        let same = scope.model.variants_of_tree(value).is_some_and(|other| same_list(other, listed));
+        if !same {
+            let name = scope.model.place_name(place);
+            let message = format!("what `{name}` gets is neither a variant that it lists nor a value of the same list");
+            return Err(Refused::at(at.mark, message));
+        }
+    }
+    Ok(scope.tree(value, &wanted, at)?.text)
 }
 
 fn kind_of(model: &Model, place: Place, at: &At<'_>) -> Result<super::expr::Kind, Refused> {
     let name = Name::from(place);
-    kind(model.ty(name))
+    super::expr::kind_of(model, name)
         .ok_or_else(|| Refused::at(at.mark, format!("`{}` is of no type of structured text", model.place_name(place))))
 }
 

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
-    ActionId, Binary, DelayId, EdgeId, Expr, Id, Integer, Model, Name, Place, Read, StepId, TimeRef, Tree, Ty, Unary,
+    ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, Model, Name, Place, Read, StepId, TimeRef,
+    Tree, Ty, Unary, Variants,
 };
 
 use super::names::Names;
@@ -47,6 +48,25 @@ pub(crate) fn kind(ty: &Ty) -> Option<Kind> {
     })
 }
 
+/// The type of what is declared. A variant of a list is its place there, as in the expressions of the chart; that is what `INT` stands for.
+pub(crate) fn kind_of(model: &Model, name: Name) -> Option<Kind> {
+    if model.variants_of(name).is_some() { Some(Kind::Int("INT")) } else { kind(model.ty(name)) }
+}
+
+/// Whether a number is the same variant in both.
+pub(crate) fn same_list(one: &Variants, other: &Variants) -> bool {
+    let ty = |listed: &Variants| listed.path.segments.last().map(|segment| segment.ident.to_string());
+    let names = |listed: &Variants| listed.list.iter().map(|variant| plain(&variant.name)).collect::<Vec<_>>();
+    ty(one) == ty(other) && names(one) == names(other)
+}
+
+/// Which number is which variant: `Off = 0, Auto = 1`; empty of what has none.
+pub(crate) fn variants(model: &Model, name: Name) -> String {
+    let Some(listed) = model.variants_of(name) else { return String::new() };
+    let all = listed.list.iter().enumerate().map(|(place, variant)| format!("{} = {place}", plain(&variant.name)));
+    all.collect::<Vec<_>>().join(", ")
+}
+
 impl Kind {
     pub(crate) fn name(&self) -> &'static str {
         match self {
@@ -87,7 +107,12 @@ pub(crate) struct Scope<'m> {
     pub(crate) instances: BTreeMap<ActionId, (String, String)>,
     /// In a chart of the language itself, which has steps.
     pub(crate) steps: Option<Steps>,
+    /// Something blinks.
+    pub(crate) blinks: bool,
 }
+
+/// A time as a number.
+const MILLISECONDS: &str = "TIME_TO_DINT";
 
 /// Steps as the language itself has them: with `Step.X` and `Step.T`.
 pub(crate) struct Steps {
@@ -112,6 +137,7 @@ impl<'m> Scope<'m> {
             called: BTreeMap::new(),
             instances: BTreeMap::new(),
             steps: None,
+            blinks: false,
         };
         let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
         all.extend(model.params.ids().map(Name::Param));
@@ -203,9 +229,26 @@ impl<'m> Scope<'m> {
             Read::MacroSince(_) | Read::MacroElapsed(..) => {
                 Err(refuse(at, "the time of a macro-step", "ask for the time of one of its steps"))
             }
-            Read::Blink(_) => Err(refuse(at, "`blink`", "write it as two steps, each with its time")),
+            Read::Blink(blink) => self.blink(blink, at),
             Read::Memory(_) => Err(refuse(at, "an edge or a delay of a property", "leave it out")),
         }
+    }
+
+    /// True and false in turn since the step was activated: where in its period the time of the step is.
+    fn blink(&mut self, blink: Blink, at: &At<'_>) -> Result<Text, Refused> {
+        let Blinker::Step(step) = blink.of else {
+            return Err(refuse(at, "`blink` since a macro-step", "name one of its steps, `blink(1s, Step)`"));
+        };
+        if self.steps.is_some() {
+            return Err(refuse(at, "`blink`", "write it as two steps, each with its time"));
+        }
+        may_read_times(at)?;
+        let [on, off] = [blink.on, blink.off].map(|ticks| time::milliseconds(self.model, ticks, at.mark));
+        let (on, off) = (on?, off?);
+        let active = self.read(Read::Active(step), at)?;
+        self.blinks = true;
+        let place = Text::order(format!("{MILLISECONDS}({}) MOD {} < {on}", self.since(step), on + off));
+        Ok(all(vec![active, place]))
     }
 
     fn elapsed(&mut self, time: TimeRef, step: StepId, at: &At<'_>) -> Result<Text, Refused> {
@@ -286,7 +329,7 @@ impl<'m> Scope<'m> {
     pub(crate) fn kind(&self, tree: &Tree) -> Option<Kind> {
         match tree {
             Tree::Int(_) => Some(Kind::Number),
-            Tree::Read(Read::Name(name)) => kind(self.model.ty(*name)),
+            Tree::Read(Read::Name(name)) => kind_of(self.model, *name),
             Tree::Read(Read::Since(_) | Read::MacroSince(_) | Read::Ticks(_)) => Some(Kind::Time),
             Tree::Bool(_) | Tree::Elapsed(..) | Tree::MacroElapsed(..) | Tree::Read(_) => Some(Kind::Bool),
             Tree::Unary(_, inner) => self.kind(inner),
@@ -340,6 +383,10 @@ impl<'m> Scope<'m> {
             return Err(refuse(at, what, "divide by a number, or write a function of the program"));
         }
         let compares = strength == strength::EQUAL || strength == strength::ORDER;
+        let lists = [a, b].map(|side| self.model.variants_of_tree(side));
+        if matches!(lists, [Some(one), Some(other)] if !same_list(one, other)) {
+            return Err(refuse(at, "a comparison of two lists of variants", "let both list the same ones"));
+        }
         let both = [&left, &right].into_iter().flatten().find(|kind| **kind != Kind::Number).cloned();
         if strength == strength::ORDER && logical {
             return Err(refuse(at, "the order of truths", "write it with `&&` and `!`"));

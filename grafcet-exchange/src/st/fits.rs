@@ -11,7 +11,7 @@ use crate::Refused;
 pub(super) fn refused(model: &Model, form: Form) -> Vec<Refused> {
     let mut refused = Vec::new();
     structure(model, &mut refused);
-    types(model, &mut refused);
+    types(model, true, &mut refused);
     if refused.is_empty() && form == Form::Case {
         refused.extend(several(model));
     }
@@ -40,20 +40,22 @@ pub(crate) fn structure(model: &Model, refused: &mut Vec<Refused>) {
     }
 }
 
-pub(crate) fn types(model: &Model, refused: &mut Vec<Refused>) {
+/// `listed`: whether lists of variants can be numbers.
+pub(crate) fn types(model: &Model, listed: bool, refused: &mut Vec<Refused>) {
     let mut all: Vec<Name> = model.inputs.ids().map(Name::Input).collect();
     all.extend(model.params.ids().map(Name::Param));
     all.extend(model.outputs.ids().map(Name::Output));
     all.extend(model.vars.ids().map(Name::Var));
     for name in all {
-        if expr::kind(model.ty(name)).is_none() {
+        if expr::kind(model.ty(name)).is_none() && !(listed && model.variants_of(name).is_some()) {
             let ident = model.value_name(name);
             let what = match model.ty(name) {
                 Ty::Other(_) => "is of a type of the program or a float",
                 _ => "is an integer that no PLC has",
             };
+            let lists = if listed { ", or a list of variants (`mode: Mode in {Off, Auto}`)" } else { "" };
             let message = format!(
-                "`{ident}` {what}, which structured text of these forms does not have; use `bool`, `time`, or an integer of 8 to 64 bits"
+                "`{ident}` {what}, which structured text of these forms does not have; use `bool`, `time`, an integer of 8 to 64 bits{lists}"
             );
             refused.push(Refused::at(ident.into(), message));
         }

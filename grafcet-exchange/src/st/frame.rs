@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_compiler::model::{Expr, Model, Name, Place, TimeRef};
+use grafcet_compiler::model::{Expr, Model, Name, Place, TimeRef, Tree, Variants};
 
-use super::expr::{At, Kind, Scope, kind};
+use super::expr::{At, Kind, Scope, kind_of, variants};
 use super::syntax::{Program, Statement, Variable};
 use super::text::{Text, all, not};
 use super::time::LONGEST;
@@ -99,7 +99,10 @@ pub(crate) fn initial(scope: &mut Scope<'_>, name: Name) -> Result<String, Refus
         Name::Param(id) => model.params[id].init.as_ref(),
         Name::Input(_) => None,
     };
-    let wanted = kind(model.ty(name)).unwrap_or(Kind::Number);
+    let wanted = kind_of(model, name).unwrap_or(Kind::Number);
+    if let Some(listed) = model.variants_of(name) {
+        return variant(listed, init, model.value_name(name));
+    }
     match init {
         Some(init) if init.tree.is_opaque() => {
             let message = format!(
@@ -129,15 +132,15 @@ pub(crate) fn declare(
 ) -> Result<(), Refused> {
     let model: &Model = scope.model;
     let variable = |scope: &Scope<'_>, name: Name| {
-        let ty = kind(model.ty(name)).map_or("DINT", |kind| kind.name());
-        Variable::new(scope.name(name), ty)
+        let ty = kind_of(model, name).map_or("DINT", |kind| kind.name());
+        Variable::new(scope.name(name), ty).note(variants(model, name))
     };
     for id in model.inputs.ids() {
         program.inputs.push(variable(scope, Name::Input(id)));
     }
     for id in model.params.ids() {
         let init = initial(scope, Name::Param(id))?;
-        program.inputs.push(variable(scope, Name::Param(id)).init(init).note("parameter"));
+        program.inputs.push(variable(scope, Name::Param(id)).init(init).note(parameter(model, Name::Param(id))));
     }
     let outputs = model.outputs.ids().map(Place::Output);
     for place in outputs.chain(model.vars.ids().map(Place::Var)) {
@@ -152,4 +155,41 @@ pub(crate) fn declare(
         }
     }
     Ok(())
+}
+
+/// What stands beside a parameter.
+fn parameter(model: &Model, name: Name) -> String {
+    match variants(model, name) {
+        listed if listed.is_empty() => "parameter".to_owned(),
+        listed => format!("parameter: {listed}"),
+    }
+}
+
+/// The number of a variant; what is not told is what Rust takes, and not always the first one.
+fn variant(listed: &Variants, init: Option<&Expr>, name: &proc_macro2::Ident) -> Result<String, Refused> {
+    let Some(init) = init else {
+        return Err(Refused::at(
+            name.into(),
+            format!("what `{name}` is at the beginning the chart does not tell: write a variant, as `= Mode::Off`"),
+        ));
+    };
+    match listed_value(listed, &init.tree) {
+        Some(place) => Ok(place.to_string()),
+        None => Err(Refused::at(init.mark, format!("`{}` is no variant that `{name}` lists", init.text))),
+    }
+}
+
+/// The place of a variant that is named by its path.
+pub(crate) fn listed_value(listed: &Variants, tree: &Tree) -> Option<usize> {
+    let place = match tree {
+        Tree::Int(place) => usize::try_from(*place).ok()?,
+        Tree::Opaque { text, .. } => {
+            let (path, last) = text.rsplit_once("::")?;
+            let of = listed.path.segments.last()?.ident.to_string();
+            let is_of = path.rsplit("::").next().is_some_and(|word| word.trim() == of);
+            listed.list.iter().position(|variant| is_of && variant.name == last.trim())?
+        }
+        _ => return None,
+    };
+    (place < listed.list.len()).then_some(place)
 }

@@ -60,6 +60,11 @@ fn end(model: &Model, scope: &Scope<'_>, lines: &mut Vec<String>) {
             "The timers of steps are called twice in a scan: to read them, and to begin with the step.".to_owned(),
         );
     }
+    if scope.blinks {
+        lines.push(
+            "What blinks stands still where its step is active for more than 24 days: so far a TON counts.".to_owned(),
+        );
+    }
     own_names(scope, lines);
     if let Some(late) = supervised(model) {
         lines.push(format!("Left out: `within` of {late}, which no transition asks for."));

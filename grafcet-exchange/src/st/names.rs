@@ -11,7 +11,7 @@ const TAKEN: &str = "
     function_block ge goto gt if implements init_step initial_step insert int interface internal interval ldate ldt le left len limit lint ln log lreal lt ltime ltod
     lword max method mid min mod move mul mux namespace ne non_retain not null of on on_change or overlap override param pi pointer priority private program protected
     public r_edge r_trig read_only read_write real ref ref_to reference region repeat replace resource retain return right rol ror round rs sel shl shr sin
-    single sint sizeof sqrt sr step string struct sub super tan task then this time time_of_day to tod tof ton tp transition true trunc type udint uint ulint
+    single sint sizeof sqrt sr step string struct sub super tan task then this time time_of_day time_to_dint to tod tof ton tp transition true trunc type udint uint ulint
     until usint using var var_access var_config var_external var_global var_in_out var_input var_output var_temp wchar while with word
     wstring xor current_time st ld r s";
 

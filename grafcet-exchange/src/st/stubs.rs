@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use grafcet_compiler::model::Read;
 
-use super::expr::{At, Kind, Scope, kind, refuse};
+use super::expr::{At, Kind, Scope, kind_of, refuse};
 use super::syntax::{Stub, Variable};
 use super::text::Text;
 use crate::Refused;
@@ -19,7 +19,7 @@ impl Scope<'_> {
                 let what = format!("`{text}`, which reads more than declared values,");
                 return Err(refuse(at, &what, "move the rest out of it"));
             };
-            let Some(kind) = kind(self.model.ty(*name)) else {
+            let Some(kind) = kind_of(self.model, *name) else {
                 return Err(refuse(at, &format!("`{text}`"), "the type of what it reads is one of the program"));
             };
             let value = self.read(*read, at)?.text;

@@ -11,6 +11,11 @@ const LONGEST_MS: u64 = (1 << 31) - 1;
 
 /// `T#1m30s` of so many ticks of the chart's clock.
 pub(crate) fn literal(model: &Model, ticks: u32, mark: Mark) -> Result<String, Refused> {
+    milliseconds(model, ticks, mark).map(text)
+}
+
+/// The same as a number, which fits into a `DINT`.
+pub(crate) fn milliseconds(model: &Model, ticks: u32, mark: Mark) -> Result<u64, Refused> {
     const MS: u64 = 1_000_000;
     let nanos = u64::from(ticks).saturating_mul(model.clock_nanos);
     if nanos % MS != 0 {
@@ -29,7 +34,7 @@ pub(crate) fn literal(model: &Model, ticks: u32, mark: Mark) -> Result<String, R
             format!("this is longer than `TIME` can tell, {LONGEST}: count it by a variable"),
         ));
     }
-    Ok(text(ms))
+    Ok(ms)
 }
 
 fn text(ms: u64) -> String {

@@ -149,6 +149,10 @@ impl Machine {
                 other => Err(format!("-{other:?}")),
             },
             Expression::Binary(operator, a, b) => binary(operator, self.value(a)?, self.value(b)?),
+            Expression::Milliseconds(inner) => match self.value(inner)? {
+                Value::Time(ms) => fitting(super::type_of("dint")?, Value::Int(i128::from(ms))),
+                other => Err(format!("TIME_TO_DINT({other:?})")),
+            },
             Expression::To(ty, inner) => fitting(super::type_of(ty)?, self.value(inner)?),
             Expression::Call(name, arguments) => {
                 let mut given = Vec::new();

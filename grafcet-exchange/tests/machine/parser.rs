@@ -40,6 +40,8 @@ pub(crate) enum Expression {
     Binary(&'static str, Box<Expression>, Box<Expression>),
     /// `TO_INT(…)`, of CODESYS.
     To(String, Box<Expression>),
+    /// `TIME_TO_DINT(…)`
+    Milliseconds(Box<Expression>),
 }
 
 /// Words that are no names.
@@ -392,6 +394,13 @@ impl Parser {
             let inner = self.expression(0)?;
             self.need(")")?;
             return Ok(Expression::To(ty, Box::new(inner)));
+        }
+        if matches!(self.peek(), Some(Token::Word(word)) if word == "time_to_dint") {
+            self.at += 1;
+            self.need("(")?;
+            let inner = self.expression(0)?;
+            self.need(")")?;
+            return Ok(Expression::Milliseconds(Box::new(inner)));
         }
         let name = self.inner()?;
         if self.sign(".") {

@@ -10,6 +10,9 @@ use crate::machine::{Dialect, Machine, Value};
 use crate::reader::{Kind, Line};
 use crate::shifted::Shifted;
 
+/// So long a timer counts.
+const LONGEST_MS: u64 = (1 << 31) - 1;
+
 /// How many cycles were compared: none where the chart shows nothing that can be.
 pub(crate) fn compare(
     model: &Model,
@@ -22,6 +25,7 @@ pub(crate) fn compare(
     let Ok(oracle) = Interpreter::new(model) else { return Ok(0) };
     let names = program.renamed.iter().cloned().collect();
     let mut pair = Pair { names, model, oracle, machine, init: false, fresh: true, last: None, ms: 0 };
+    let blinks = program.text.contains("TIME_TO_DINT");
     let mut shifted = Shifted::of(model);
     if form == Form::Case && order.is_none() && !model.is_grafcet() && !shifted.can_be_compared() {
         return Ok(0);
@@ -37,6 +41,10 @@ pub(crate) fn compare(
             Kind::Params(changed) => pair.params(changed).map_err(at)?,
             Kind::Cycle { inputs, now, .. } | Kind::Force { inputs, now, .. } => {
                 pair.inputs(inputs, *now).map_err(at)?;
+                // A TON counts no further, and what blinks stands still, as the program says.
+                if blinks && pair.ms > LONGEST_MS {
+                    return Ok(compared);
+                }
                 let values = values(model, inputs);
                 let cycle = match (form, model.is_grafcet()) {
                     (form, false) if form == Form::FlipFlops || order.is_some() => pair.exactly(&values, *now, form),

@@ -1,7 +1,7 @@
 //! The arm of a step: its actions, and its transitions.
 
 use grafcet_compiler::model::{
-    Association, Effect, Id, Model, Place, Qualifier, Read, StepId, Transition, TransitionId,
+    Association, Blinker, Effect, Id, Model, Place, Qualifier, Read, StepId, Transition, TransitionId,
 };
 
 use super::Case;
@@ -278,7 +278,11 @@ impl<'m> Case<'m> {
 
 /// Whether something asks how long a step is active.
 fn timed(model: &Model, step: StepId) -> bool {
-    let asks = |read: &Read| matches!(read, Read::Since(of) | Read::Elapsed(_, of) if *of == step);
+    let asks = |read: &Read| match read {
+        Read::Since(of) | Read::Elapsed(_, of) => *of == step,
+        Read::Blink(blink) => blink.of == Blinker::Step(step),
+        _ => false,
+    };
     let conditions = model.transitions.values().map(|transition| &transition.condition.reads[..]);
     let actions = model.associations.values().flat_map(Association::reads);
     let limits = model.steps[step].associations.iter().any(|id| model.associations[*id].time.is_some());

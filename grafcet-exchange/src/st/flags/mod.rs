@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::diagnostic::Mark;
-use grafcet_compiler::model::{Association, Id, Model, Place, Read, StepId, TransitionId, Tree};
+use grafcet_compiler::model::{Association, Blinker, Id, Model, Place, Read, StepId, TransitionId, Tree};
 
 use super::action::{Role, Written, places, reads, role, shared_calls, written};
 use super::expr::{At, Kind, Scope, plain};
@@ -165,7 +165,7 @@ impl<'m> Flags<'m> {
         });
         for place in read {
             let name = self.scope.names.own(&format!("{}_before", self.scope.place(place)));
-            let ty = super::expr::kind(self.model.place_ty(place)).map_or("DINT", |kind| kind.name());
+            let ty = super::expr::kind_of(self.model, place.into()).map_or("DINT", |kind| kind.name());
             self.frame.variables.push(Variable::new(&*name, ty));
             self.before.insert(place, name);
         }
@@ -356,7 +356,13 @@ impl<'m> Flags<'m> {
 
 fn reads_step_time(tree: &Tree, step: StepId) -> bool {
     let mut reads = false;
-    tree.each_read(&mut |read| reads |= matches!(read, Read::Since(of) | Read::Elapsed(_, of) if of == step));
+    tree.each_read(&mut |read| {
+        reads |= match read {
+            Read::Since(of) | Read::Elapsed(_, of) => of == step,
+            Read::Blink(blink) => blink.of == Blinker::Step(step),
+            _ => false,
+        }
+    });
     reads
 }
 
