@@ -63,8 +63,8 @@ pub(crate) fn translate(text: &str, form: Form) -> Value {
     let done = match form {
         Form::Case => st(&model, St::Case),
         Form::FlipFlops => st(&model, St::FlipFlops),
-        Form::Sfc => textual(&model).map(exported),
-        Form::PlcOpen => plcopen::plcopen(&model, plcopen::Options::default()).map(exported),
+        Form::Sfc => textual(&model).map(|done| exported(&done)),
+        Form::PlcOpen => plcopen::plcopen(&model, plcopen::Options::default()).map(|done| exported(&done)),
         Form::Rust | Form::Pnml => pnml::pnml(&model).map(|text| json!({ "text": text, "notes": [] })),
     };
     done.unwrap_or_else(
@@ -86,7 +86,7 @@ fn st(model: &Model, form: St) -> Result<Value, Vec<Refused>> {
     Ok(json!({ "text": done.text, "notes": to_write(&done.to_write) }))
 }
 
-fn exported(done: Exported) -> Value {
+fn exported(done: &Exported) -> Value {
     json!({ "text": done.text, "notes": to_write(&done.to_write) })
 }
 
