@@ -92,3 +92,18 @@ fn a_step_just_left_keeps_its_time() {
     );
     assert_eq!(found, Found::default());
 }
+
+/// A piece that an order holds in the middle of a search goes on from there: with `budget 20;` no more than the pieces is explored.
+#[test]
+fn a_piece_is_held_on_its_way() {
+    let model = model(
+        "grafcet Held { budget 20; input go, back, keep, w1, w2, w3, w4, w5: bool;
+           partial Guard { initial step G0; step G1 { force Main {*}; } G0 -[Main::B.X && keep]-> G1 -[back && !keep]-> G0; }
+           partial Main { initial step A; step B; step C; step E; A -[go && !back]-> B -[!back]-> C -[!go]-> A; B -[back]-> E -[!back && !go]-> A; }
+           partial Wide { initial step W0; step W1; step W2; step W3; step W4; step W5;
+             W0 -[w1]-> W1 -[w2]-> W2 -[w3]-> W3 -[w4 && !w1]-> W4 -[w5]-> W5 -[!w5 && w1]-> W0; } }",
+    );
+    let exploration = Exploration::of(&model, &Limits::situations(20));
+    assert!(!exploration.is_complete());
+    assert!(model.transitions.ids().all(|id| exploration.can_clear(id)));
+}

@@ -209,3 +209,38 @@ fn pieces_of_a_large_chart_are_looked_at_for_themselves() {
     assert_eq!(forced(&[Tripped, F1, M0, T0, L0]), Err(ForceError::NeverTogether(Tripped, F1)));
     assert_eq!(forced(&[Well, F3, I0, I1, M0, T0, L0]), Err(ForceError::NeverTogether(I0, I1)));
 }
+
+grafcet! {
+    /// An order that comes in the middle of a search.
+    grafcet Held {
+        budget 20;
+        input go, back, keep: bool;
+        input w1, w2, w3, w4, w5: bool;
+        partial Guard {
+            initial step G0;
+            step G1 { force Main {*}; }
+            G0 -[Main::B.X && keep]-> G1 -[back && !keep]-> G0;
+        }
+        partial Main {
+            initial step A; step B; step C; step E;
+            A -[go && !back]-> B -[!back]-> C -[!go]-> A;
+            // From where it is held alone; without that the checker would take it for dead.
+            B -[back]-> E -[!back && !go]-> A;
+        }
+        partial Wide {
+            initial step W0; step W1; step W2; step W3; step W4; step W5;
+            W0 -[w1]-> W1 -[w2]-> W2 -[w3]-> W3 -[w4 && !w1]-> W4 -[w5]-> W5 -[!w5 && w1]-> W0;
+        }
+    }
+}
+
+/// What a piece comes to alone is not all: an order stops it on its way, and from there it goes on.
+#[test]
+fn an_order_holds_a_piece_on_its_way() {
+    assert!(format!("{:?}", Held::POSSIBLE).starts_with("Parts"), "{:?}", Held::POSSIBLE);
+    let came = reached(&Held::new(), &mut (), 100);
+    let place = |step: HeldStep| 1_u32 << Held::STEPS.iter().position(|other| *other == step).expect("a step");
+    let has = |one: HeldStep, other: HeldStep| came.iter().any(|set| set & place(one) != 0 && set & place(other) != 0);
+    assert!(has(HeldStep::B, HeldStep::G1), "held on its way");
+    assert!(has(HeldStep::E, HeldStep::G0), "gone on from there");
+}

@@ -155,7 +155,7 @@ grafcet! {
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Debug)]
-pub enum Duty {
+enum Duty {
     #[default]
     Off,
     Eco,

@@ -16,9 +16,9 @@ use std::rc::Rc;
 
 use self::graph::{Cycle, Doubled, Edge, End, Graph, Origin, Seen};
 use self::leaf::Leaf;
-use crate::analysis::explore::net::Net;
 use crate::analysis::explore::net::formula::AtomId;
 use crate::analysis::explore::net::slots::Bit;
+use crate::analysis::explore::net::{Net, Order};
 use crate::analysis::explore::semantics;
 use crate::analysis::explore::valuation::knowledge::{Known, Learnt};
 use crate::analysis::explore::valuation::{State, Valuation, When};
@@ -38,6 +38,8 @@ pub(crate) struct Search<'n, 's> {
     lazy: bool,
     /// Orders or an enclosing step can hold the piece as it is.
     commanded: bool,
+    /// An order can hold the piece in the middle of a search.
+    held: bool,
     /// See [`Search::thoroughly`].
     pub(crate) thorough: bool,
     /// See [`Search::with_time`].
@@ -58,6 +60,7 @@ impl<'n, 's> Search<'n, 's> {
             foreign,
             lazy,
             commanded: false,
+            held: false,
             thorough: false,
             timed: false,
             settles: false,
@@ -135,9 +138,10 @@ impl<'n, 's> Search<'n, 's> {
             return;
         };
         self.commanded = part.enclosed_by.is_some() || !part.orders.is_empty();
+        self.held = part.orders.iter().any(|(_, order)| matches!(order, Order::Hold));
         let orders = part.orders.iter().filter_map(|(_, order)| match order {
-            crate::analysis::explore::net::Order::To(steps) => Some(own(steps)),
-            crate::analysis::explore::net::Order::Hold => None,
+            Order::To(steps) => Some(own(steps)),
+            Order::Hold => None,
         });
         let starts: Vec<Vec<StepId>> = orders.and([own(&part.linked)]).list();
         for start in starts {
@@ -204,14 +208,7 @@ impl<'n, 's> Search<'n, 's> {
         if self.commanded && !state.before.is_empty() {
             let held = State { before: Box::default(), first: false, ..(*state).clone() };
             let cycle = Cycle { given: Vec::new(), past: Vec::new(), granted: Vec::new(), cleared: Vec::new() };
-            let to = self.insert(held, Some(Origin { from: number, cycle }));
-            self.graph.edges[number].push(Edge {
-                to,
-                cleared: Box::default(),
-                joins: Box::default(),
-                changed: Box::default(),
-                granted: None,
-            });
+            self.hold(held, Origin { from: number, cycle });
         }
         sort(&mut self.graph.edges[number]);
         self.graph.edges[number].dedup();
@@ -250,6 +247,14 @@ impl<'n, 's> Search<'n, 's> {
         }
     }
 
+    /// An order can hold the piece in this state.
+    fn hold(&mut self, state: State, origin: Origin) {
+        let from = origin.from;
+        let to = self.insert(state, Some(origin));
+        let (cleared, joins, changed) = (Box::default(), Box::default(), Box::default());
+        self.graph.edges[from].push(Edge { to, cleared, joins, changed, granted: None });
+    }
+
     /// The number of the state to which it leads.
     pub(crate) fn commit(&mut self, from: usize, leaf: Leaf) -> usize {
         let net = self.valuation.net;
@@ -259,6 +264,13 @@ impl<'n, 's> Search<'n, 's> {
         }
         for active in &done.transient {
             self.seen.situation(active);
+            if self.held {
+                // What it remembers then is not followed within a search.
+                let slots = vec![Bit::Any; net.initial_slots.len()].into();
+                let (active, before, ages) = (active.clone().into(), Box::default(), Box::default());
+                let state = State { first: false, active, slots, before, ages };
+                self.hold(state, Origin { from, cycle: cycle.clone() });
+            }
         }
         for transition in &done.able {
             self.seen.able[*transition] = true;

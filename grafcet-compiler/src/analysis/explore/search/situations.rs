@@ -31,7 +31,7 @@ pub(crate) fn situations(model: &Model, wanted: Wanted) -> Option<Set<Vec<StepId
             return (found.len() <= wanted.most).then_some(found);
         }
     }
-    all(&net, None, wanted, false)
+    all(&net, None, wanted)
 }
 
 /// The situations of the states.
@@ -39,9 +39,9 @@ fn ends(graph: &Graph) -> Set<Vec<StepId>> {
     graph.states.iter().map(|state| state.active.to_vec()).collect()
 }
 
-/// Those of a piece, or of the whole chart; `stops`: it may be stopped in the middle of a search, as it may where a search does not come to its end, wherever the bound
-/// lies. There, and after a cycle by hand, it goes on with whatever it remembers.
-fn all(net: &Net, unit: Option<usize>, wanted: Wanted, stops: bool) -> Option<Set<Vec<StepId>>> {
+/// Those of a piece, or of the whole chart. Where a search does not come to its end it may be stopped anywhere, wherever the bound lies. There, and after a cycle by hand,
+/// it goes on with whatever it remembers.
+fn all(net: &Net, unit: Option<usize>, wanted: Wanted) -> Option<Set<Vec<StepId>>> {
     let mut seen = Seen { situations: Some(Set::new()), ..Seen::nothing(net) };
     let mut search = Search::new(net, unit, false, wanted.work, &mut seen);
     search.roots();
@@ -57,7 +57,7 @@ fn all(net: &Net, unit: Option<usize>, wanted: Wanted, stops: bool) -> Option<Se
             }
             at += 1;
         }
-        if !stops && !search.graph.unstable {
+        if !search.graph.unstable {
             let found = ends(&search.graph);
             return (found.len() <= wanted.most).then_some(found);
         }
@@ -100,18 +100,15 @@ fn piece(net: &Net, unit: usize, wanted: Wanted) -> Option<Piece> {
     let steps = net.unit_of.iter().filter(|(_, of)| **of == unit).map(|(step, _)| step).list();
     let part = &net.parts[net.part_of[*steps.first()?]];
     let own = |all: &[StepId]| all.iter().filter(|step| net.unit_of[**step] == unit).copied().list();
-    // Where it is held, it is held as it is, in the middle of a search, too.
-    let is_held = part.orders.iter().any(|(_, order)| matches!(order, Order::Hold));
-    let mut found = all(net, Some(unit), wanted, is_held)?;
+    let mut found = all(net, Some(unit), wanted)?;
     found.extend(part.orders.iter().filter_map(|(_, order)| match order {
         Order::To(steps) => Some(own(steps)),
         Order::Hold => None,
     }));
-    // An order reaches it also where nothing encloses it.
-    let enclosed_by = part.enclosed_by.filter(|_| part.orders.is_empty());
+    // What is enclosed gets no orders but those of its enclosure.
+    let enclosed_by = part.enclosed_by;
     if enclosed_by.is_none() {
         found.insert(own(&net.initial));
-        found.extend(part.enclosed_by.map(|_| Vec::new()));
     }
     (found.len() <= wanted.most).then_some(Piece { steps, situations: found, enclosed_by })
 }
