@@ -150,9 +150,10 @@ fn outputs_that_take_nothing() {
 /// A thousand steps: nothing takes minutes, and no stack is too small.
 #[test]
 fn a_large_chart() {
-    let steps: String = (1..1_000).map(|step| format!("step S{step} {{ q; }} ")).collect();
-    let chain: String =
+    let steps: Vec<String> = (1..1_000).map(|step| format!("step S{step} {{ q; }} ")).collect();
+    let chain: Vec<String> =
         (1..1_000).map(|step| format!(" -[{}a]-> S{step}", if step % 2 == 0 { "!" } else { "" })).collect();
+    let (steps, chain) = (steps.concat(), chain.concat());
     let chart = format!("sfc Big {{ input a: bool; output q: bool; initial step S0; {steps} S0{chain} -[!a]-> S0; }}");
     let folder = folder(&[
         ("big.rs", &chart),

@@ -218,6 +218,16 @@ fn the_prover_proves_that_there_is_no_way() {
             "{file}: {all:?}"
         );
     }
+    // A way of the prover counts only where the simulation shows the goal: here its step is active where a circle of the chart is stopped, and is left in the
+    // next cycle all the same.
+    let done = tool(&root, &["tests", "tests/good/handshake.rs", "--json"]);
+    let told: Value = serde_json::from_str(done.out.trim_end()).unwrap_or_else(|error| panic!("{error}: {done:?}"));
+    let why = "the prover leads to where it could be, and the search finds no way on from there";
+    assert_eq!(
+        (told["open"][0]["why"].as_str(), told["open"][1].as_str(), done.code),
+        (Some(why), None, Some(1)),
+        "{told}"
+    );
     // A transition that never clears is a fault, of which the compiler need not know: that `n` is even takes more than its states.
     for dialect in ["sfc", "grafcet"] {
         let count =

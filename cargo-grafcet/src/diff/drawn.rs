@@ -30,6 +30,9 @@ pub(super) fn with_both<R>(
     both.called(then)
 }
 
+/// A transition with its steps before and after, those that an `any` leaves, and what it does.
+type Arc<'v> = (Transition<'v>, [Vec<usize>; 3], Vec<&'v str>);
+
 struct Both<'v> {
     old: Version<'v>,
     new: Version<'v>,
@@ -39,8 +42,7 @@ struct Both<'v> {
     partials: Vec<Partial<'v>>,
     macros: Vec<MacroStep<'v>>,
     steps: Vec<(Step<'v>, Vec<Action<'v>>, Vec<&'v str>)>,
-    /// Each with its steps before and after, those that an `any` leaves, and what it does.
-    transitions: Vec<(Transition<'v>, [Vec<usize>; 3], Vec<&'v str>)>,
+    transitions: Vec<Arc<'v>>,
     pairs: Vec<(usize, usize)>,
     differences: Vec<Difference>,
 }

@@ -171,7 +171,7 @@ pub(crate) fn of_files(files: &[PathBuf]) -> Result<Vec<Found>, Failure> {
 /// # Errors
 /// It is no Rust.
 pub(crate) fn of_text(path: &Path, text: &str) -> Result<Vec<Found>, Failure> {
-    Ok(File::of(path, text.to_owned())?.charts())
+    Ok(File::of(path, text)?.charts())
 }
 
 /// A file as tokens.
@@ -182,10 +182,10 @@ struct File {
 
 impl File {
     fn read(path: &Path) -> Result<Self, Failure> {
-        Self::of(path, fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?)
+        Self::of(path, &fs::read_to_string(path).map_err(|error| Failure::file(path, &error))?)
     }
 
-    fn of(path: &Path, text: String) -> Result<Self, Failure> {
+    fn of(path: &Path, text: &str) -> Result<Self, Failure> {
         let skipped = text.len() - text.trim_start_matches(MARK).len();
         let source = Rc::new(Source { path: shown(path), text: plain(text), skipped });
         let tokens = source.text.parse().map_err(|error: proc_macro2::LexError| {
@@ -212,14 +212,14 @@ impl File {
 const MARK: char = '\u{feff}';
 
 /// Without what the lexer does not know: a byte order mark, and a first line for a shell, whose place stays empty so that all others keep theirs.
-fn plain(text: String) -> String {
-    let text = text.trim_start_matches(MARK).to_owned();
+fn plain(text: &str) -> String {
+    let text = text.trim_start_matches(MARK);
     match text.strip_prefix("#!").filter(|rest| !rest.trim_start().starts_with('[')) {
         Some(rest) => {
             let line = rest.find('\n').unwrap_or(rest.len());
             format!("{}{}", " ".repeat(line + 2), &rest[line..])
         }
-        None => text,
+        None => text.to_owned(),
     }
 }
 
@@ -235,8 +235,8 @@ mod tests {
 
     #[test]
     fn a_line_for_a_shell_leaves_all_others_where_they_are() {
-        assert_eq!(plain("#!/bin/run\nfn".to_owned()), "          \nfn");
-        assert_eq!(plain("#![allow(x)]\n".to_owned()), "#![allow(x)]\n");
-        assert_eq!(plain("\u{feff}fn".to_owned()), "fn");
+        assert_eq!(plain("#!/bin/run\nfn"), "          \nfn");
+        assert_eq!(plain("#![allow(x)]\n"), "#![allow(x)]\n");
+        assert_eq!(plain("\u{feff}fn"), "fn");
     }
 }

@@ -79,7 +79,7 @@ fn questions(model: &mut Model, open: &BTreeSet<Goal>) -> Vec<Question> {
     let mut questions = Vec::new();
     for goal in open {
         let all = match *goal {
-            Goal::Cleared(one) if model.dialect == Dialect::Grafcet => vec![cleared(model, drawn[one])],
+            Goal::Cleared(one) if model.dialect == Dialect::Grafcet => vec![Some(cleared(model, drawn[one]))],
             Goal::Cleared(one) => {
                 // One evolution a cycle: it begins where the last cycle has ended, and what it enters is active in the end.
                 let (from, to) = (sources(model, drawn[one]), model.transitions[drawn[one]].targets.clone());
@@ -100,7 +100,8 @@ fn questions(model: &mut Model, open: &BTreeSet<Goal>) -> Vec<Question> {
     questions
 }
 
-type Asked = Option<(Tree, Vec<Read>)>;
+/// An expression, with all that it reads.
+type Asked = (Tree, Vec<Read>);
 
 /// A variable that the transition sets as it clears.
 fn cleared(model: &mut Model, id: TransitionId) -> Asked {
@@ -120,11 +121,11 @@ fn cleared(model: &mut Model, id: TransitionId) -> Asked {
     let var = model.vars.push(var);
     model.transitions[id].clearing.push(Effect::Assign(Place::Var(var), constant(true)));
     let read = Read::Name(Name::Var(var));
-    Some((Tree::Read(read), vec![read]))
+    (Tree::Read(read), vec![read])
 }
 
 /// All steps before a transition, or one of those that an `any` leaves; none for a source transition, which waits for nothing.
-fn sources(model: &Model, id: TransitionId) -> Asked {
+fn sources(model: &Model, id: TransitionId) -> Option<Asked> {
     let transition = &model.transitions[id];
     match transition.any {
         Some(any) => joined(&model.anys[any].sources, Binary::Or),
@@ -132,11 +133,11 @@ fn sources(model: &Model, id: TransitionId) -> Asked {
     }
 }
 
-fn all_of(steps: &[StepId]) -> Asked {
+fn all_of(steps: &[StepId]) -> Option<Asked> {
     joined(steps, Binary::And)
 }
 
-fn joined(steps: &[StepId], by: Binary) -> Asked {
+fn joined(steps: &[StepId], by: Binary) -> Option<Asked> {
     let reads: Vec<Read> = steps.iter().map(|step| Read::Active(*step)).collect();
     let trees = reads.iter().map(|read| Tree::Read(*read));
     let tree = trees.reduce(|a, b| Tree::Binary(by, Box::new(a), Box::new(b)))?;

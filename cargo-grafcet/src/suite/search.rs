@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use grafcet_compiler::model::Model;
-use grafcet_sim::{Beside, Blocked, Cycle, Error, Simulation, Value, Wait, Why};
+use grafcet_sim::{Beside, Blocked, Cycle, Error, Scripted, Simulation, Value, Wait, Why};
 
 use super::choices::Asked;
 use super::goals::{Ends, Entered, Goal};
@@ -35,6 +35,9 @@ pub(crate) struct Search<'c> {
     /// So many cycles are tried for each goal.
     effort: usize,
 }
+
+/// Cycles, and all goals that they show.
+pub(crate) type Gone<'c> = (Vec<Node<'c>>, BTreeSet<Goal>);
 
 /// How a search has ended.
 pub(crate) enum Ended<'c> {
@@ -114,7 +117,7 @@ impl<'c> Search<'c> {
     ///
     /// # Errors
     /// The chart cannot be run.
-    pub(crate) fn along(&self, way: &[(u32, Vec<Value>)]) -> Result<Option<(Vec<Node<'c>>, BTreeSet<Goal>)>, Error> {
+    pub(crate) fn along(&self, way: &[Scripted]) -> Result<Option<Gone<'c>>, Error> {
         let (mut nodes, mut shown) = (Vec::new(), BTreeSet::new());
         let mut last = self.start()?;
         for (now, values) in way {

@@ -269,6 +269,7 @@ impl<'t> Cursor<'t> {
     }
 
     fn statement(&mut self) -> Result<Statement, Wrong> {
+        const OTHERS: [&str; 7] = ["CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT", "CONTINUE"];
         if self.word("if") {
             self.depth += 1;
             if self.depth > DEEPEST {
@@ -288,7 +289,6 @@ impl<'t> Cursor<'t> {
             self.depth -= 1;
             return Ok(Statement::If(branches, otherwise));
         }
-        const OTHERS: [&str; 7] = ["CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT", "CONTINUE"];
         if let Some(word) = OTHERS.into_iter().find(|word| self.is_word(word)) {
             return Err(Wrong { at: self.here(), message: format!("`{word}` is not translated") });
         }
