@@ -92,7 +92,7 @@ fn other_notations() {
     assert!(translated(MOTOR, "rust")["text"].as_str().expect("Rust").contains("fn cycle(&mut self"));
     assert!(translated(MOTOR, "case")["text"].as_str().expect("a program").contains("CASE StepNo OF"));
     assert!(translated(MOTOR, "flip-flops")["text"].as_str().expect("a program").contains("FUNCTION_BLOCK Motor"));
-    assert!(translated(MOTOR, "sfc")["text"].as_str().expect("a program").contains("INITIAL_STEP Off:"));
+    assert!(translated(MOTOR, "sfc")["text"].as_str().expect("a program").contains("INITIAL_STEP OffStep:"));
     assert!(translated(MOTOR, "plcopen")["text"].as_str().expect("a project").contains("<SFC>"));
     assert!(translated(MOTOR, "pnml")["text"].as_str().expect("a net").contains("<pnml"));
     assert!(translate(MOTOR, "ladder").is_err());

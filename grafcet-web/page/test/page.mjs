@@ -330,7 +330,7 @@ const steps = {
     await shows("rust", "fn is_active");
     await shows("case", "CASE StepNo OF");
     await shows("flip-flops", "FUNCTION_BLOCK Motor");
-    await shows("sfc", "INITIAL_STEP Off:");
+    await shows("sfc", "INITIAL_STEP OffStep:");
     await shows("plcopen", "http://www.plcopen.org/xml/tc6_0201");
     await shows("pnml", "<pnml");
     await accessible(page, "a notation");
