@@ -230,8 +230,7 @@ fn the_prover_proves_that_there_is_no_way() {
     );
     // A transition that never clears is a fault, of which the compiler need not know: that `n` is even takes more than its states.
     for dialect in ["sfc", "grafcet"] {
-        let count =
-            if dialect == "sfc" { "step B { P1 n = (n + 2) & 30; }" } else { "step B { P1 n = (n + 2) & 30; }" };
+        let count = "step B { P1 n = (n + 2) & 30; }";
         let chart = format!(
             "{dialect} C {{ input a: bool; var n: u8 = 0; initial step A; {count} step G; A -[a && n != 31]-> B -[!a && n != 31]-> A; B -[n == 31]-> G -[!a]-> A; }}"
         );

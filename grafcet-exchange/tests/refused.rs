@@ -10,7 +10,12 @@ const CASE: [Form; 1] = [Form::Case];
 const FLIP_FLOPS: [Form; 1] = [Form::FlipFlops];
 
 /// The forms that refuse a chart, and why.
-const CASES: [(&[Form], &str, &str); 25] = [
+const CASES: [(&[Form], &str, &str); 26] = [
+    (
+        &BOTH,
+        "sfc C { input go: bool; var last: Mode in {Off, Auto} = Mode::Off; initial step A; step B { P1 last = Other::Auto; } A -[go]-> B -[!go && last == Mode::Off]-> A; }",
+        "what `last` gets is neither a variant that it lists",
+    ),
     (
         &BOTH,
         "sfc C { input mode: Mode in {Off, Auto}; input last: Mode in {Auto, Off}; initial step A; step B; A -[mode == last && mode == Mode::Auto]-> B -[last == Mode::Off]-> A; }",
