@@ -6,10 +6,10 @@ use grafcet_compiler::model::{
     ActionId, Association, AssociationId, Effect, Expr, Model, Name, Place, Qualifier, Read, Statement as Rust, Tree,
 };
 
-use super::expr::{At, Scope, kind, plain, same_list};
-use super::frame;
+use super::expr::{At, Scope, kind, plain};
 use super::names::Names;
 use super::syntax::{Statement, Stub, Variable};
+use super::variants;
 use crate::Refused;
 
 /// What an association is for a program.
@@ -150,10 +150,10 @@ pub(crate) fn assigned(scope: &mut Scope<'_>, place: Place, value: &Expr, at: &A
 fn valued(scope: &mut Scope<'_>, place: Place, value: &Tree, at: &At<'_>) -> Result<String, Refused> {
     let wanted = kind_of(scope.model, place, at)?;
     if let Some(listed) = scope.model.variants_of(place.into()) {
-        if let Some(number) = frame::listed_value(listed, value) {
+        if let Some(number) = variants::listed_value(listed, value) {
             return Ok(number.to_string());
         }
-        let same = scope.model.variants_of_tree(value).is_some_and(|other| same_list(other, listed));
+        let same = scope.model.variants_of_tree(value).is_some_and(|other| variants::same_list(other, listed));
         if !same {
             let name = scope.model.place_name(place);
             let message = format!("what `{name}` gets is neither a variant that it lists nor a value of the same list");

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use grafcet_compiler::diagnostic::Mark;
 use grafcet_compiler::model::{
     ActionId, Binary, Blink, Blinker, DelayId, EdgeId, Expr, Id, Integer, Model, Name, Place, Read, StepId, TimeRef,
-    Tree, Ty, Unary, Variants,
+    Tree, Ty, Unary,
 };
 
 use super::names::Names;
 use super::syntax::Stub;
 use super::text::{Text, all, any, not, strength};
-use super::time;
+use super::{time, variants};
 use crate::Refused;
 
 /// What a value is.
@@ -51,20 +51,6 @@ pub(crate) fn kind(ty: &Ty) -> Option<Kind> {
 /// The type of what is declared. A variant of a list is its place there, as in the expressions of the chart; that is what `INT` stands for.
 pub(crate) fn kind_of(model: &Model, name: Name) -> Option<Kind> {
     if model.variants_of(name).is_some() { Some(Kind::Int("INT")) } else { kind(model.ty(name)) }
-}
-
-/// Whether a number is the same variant in both.
-pub(crate) fn same_list(one: &Variants, other: &Variants) -> bool {
-    let ty = |listed: &Variants| listed.path.segments.last().map(|segment| segment.ident.to_string());
-    let names = |listed: &Variants| listed.list.iter().map(|variant| plain(&variant.name)).collect::<Vec<_>>();
-    ty(one) == ty(other) && names(one) == names(other)
-}
-
-/// Which number is which variant: `Off = 0, Auto = 1`; empty of what has none.
-pub(crate) fn variants(model: &Model, name: Name) -> String {
-    let Some(listed) = model.variants_of(name) else { return String::new() };
-    let all = listed.list.iter().enumerate().map(|(place, variant)| format!("{} = {place}", plain(&variant.name)));
-    all.collect::<Vec<_>>().join(", ")
 }
 
 impl Kind {
@@ -384,7 +370,7 @@ impl<'m> Scope<'m> {
         }
         let compares = strength == strength::EQUAL || strength == strength::ORDER;
         let lists = [a, b].map(|side| self.model.variants_of_tree(side));
-        if matches!(lists, [Some(one), Some(other)] if !same_list(one, other)) {
+        if matches!(lists, [Some(one), Some(other)] if !variants::same_list(one, other)) {
             return Err(refuse(at, "a comparison of two lists of variants", "let both list the same ones"));
         }
         let both = [&left, &right].into_iter().flatten().find(|kind| **kind != Kind::Number).cloned();

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use grafcet_compiler::model::{Expr, Model, Name, Place, TimeRef, Tree, Variants};
+use grafcet_compiler::model::{Expr, Model, Name, Place, TimeRef, Variants};
 
-use super::expr::{At, Kind, Scope, kind_of, variants};
+use super::expr::{At, Kind, Scope, kind_of};
 use super::syntax::{Program, Statement, Variable};
 use super::text::{Text, all, not};
 use super::time::LONGEST;
+use super::variants;
 use crate::Refused;
 
 /// What a program remembers beside its names.
@@ -133,7 +134,7 @@ pub(crate) fn declare(
     let model: &Model = scope.model;
     let variable = |scope: &Scope<'_>, name: Name| {
         let ty = kind_of(model, name).map_or("DINT", |kind| kind.name());
-        Variable::new(scope.name(name), ty).note(variants(model, name))
+        Variable::new(scope.name(name), ty).note(variants::listed(model, name))
     };
     for id in model.inputs.ids() {
         program.inputs.push(variable(scope, Name::Input(id)));
@@ -159,7 +160,7 @@ pub(crate) fn declare(
 
 /// What stands beside a parameter.
 fn parameter(model: &Model, name: Name) -> String {
-    match variants(model, name) {
+    match variants::listed(model, name) {
         listed if listed.is_empty() => "parameter".to_owned(),
         listed => format!("parameter: {listed}"),
     }
@@ -173,23 +174,8 @@ fn variant(listed: &Variants, init: Option<&Expr>, name: &proc_macro2::Ident) ->
             format!("what `{name}` is at the beginning the chart does not tell: write a variant, as `= Mode::Off`"),
         ));
     };
-    match listed_value(listed, &init.tree) {
+    match variants::listed_value(listed, &init.tree) {
         Some(place) => Ok(place.to_string()),
         None => Err(Refused::at(init.mark, format!("`{}` is no variant that `{name}` lists", init.text))),
     }
-}
-
-/// The place of a variant that is named by its path.
-pub(crate) fn listed_value(listed: &Variants, tree: &Tree) -> Option<usize> {
-    let place = match tree {
-        Tree::Int(place) => usize::try_from(*place).ok()?,
-        Tree::Opaque { text, .. } => {
-            let (path, last) = text.rsplit_once("::")?;
-            let of = listed.path.segments.last()?.ident.to_string();
-            let is_of = path.rsplit("::").next().is_some_and(|word| word.trim() == of);
-            listed.list.iter().position(|variant| is_of && variant.name == last.trim())?
-        }
-        _ => return None,
-    };
-    (place < listed.list.len()).then_some(place)
 }

@@ -1,6 +1,7 @@
 //! IEC 61131-3 structured text.
 //!
 //! - `syntax`, `names`, `time`, `text`, `expr`, `stubs`: programs, names, times and expressions of structured text, and functions to be written
+//! - `variants`: lists of variants as numbers
 //! - `frame`: what both forms have in common: declarations, initial values, edges, delays, timers
 //! - `fits`: what neither form can say
 //! - `action`: what an association is, and what an effect does
@@ -21,6 +22,7 @@ mod stubs;
 pub(crate) mod syntax;
 pub(crate) mod text;
 pub(crate) mod time;
+mod variants;
 
 use grafcet_compiler::model::Model;
 
