@@ -31,7 +31,7 @@ pub use names::{Kind, Names, Signal, Step, Transition};
 pub use program::{Asked, Program};
 pub use regression::{Changed, test_of_record};
 pub use replay::{Layout, Live, Replay, ReplayError};
-pub use script::{BadLine, Scripted, script, script_line, script_of};
+pub use script::{BadLine, Scripted, script, script_line, script_of, script_words};
 pub use show::{chronogram, happened, page, table, vcd};
 pub use simulation::{Error, Simulation};
 pub use trace::{Difference, Trace};

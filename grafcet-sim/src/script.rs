@@ -45,7 +45,7 @@ pub fn script_of(signals: &[Signal], text: &str) -> Result<Vec<Scripted>, BadLin
     let mut cycles = Vec::new();
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.starts_with('#')) {
         let mut values: Vec<Value> = signals.iter().map(|signal| rest(&signal.kind)).collect();
-        for word in words(line).into_iter().filter(|word| *word != "-") {
+        for word in script_words(line).into_iter().filter(|word| *word != "-") {
             let bad = || BadLine { line: index + 1, word: word.to_owned() };
             if let Some(time) = word.strip_prefix('@') {
                 now = time.parse().map_err(|_| bad())?;
@@ -74,8 +74,9 @@ pub fn script_line(signals: &[Signal], values: &[Value]) -> String {
     if words.is_empty() { "-".to_owned() } else { words.join(" ") }
 }
 
-/// Between blanks that do not stand in backquotes.
-fn words(line: &str) -> Vec<&str> {
+/// The words of a line of a script: what stands between blanks that are not in backquotes.
+#[must_use]
+pub fn script_words(line: &str) -> Vec<&str> {
     let mut quoted = false;
     let words = line.split(|c: char| {
         quoted ^= c == '`';

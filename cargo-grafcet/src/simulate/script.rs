@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 
-use grafcet_sim::{BadLine, Kind, Signal, Value, script_line, script_of};
+use grafcet_sim::{BadLine, Kind, Signal, Value, script_line, script_of, script_words};
 
 /// One cycle of a session.
 #[derive(Clone, PartialEq, Debug)]
@@ -27,7 +27,7 @@ pub(crate) fn read(signals: &[Signal], params: &[Signal], text: &str) -> Result<
     for (index, line) in text.lines().enumerate().filter(|(_, line)| !line.starts_with('#')) {
         let here = |bad: BadLine| BadLine { line: index + 1, ..bad };
         let (mut others, mut exchanged, mut by_hand) = (Vec::new(), Vec::new(), None);
-        for word in words(line) {
+        for word in script_words(line) {
             if let Some(steps) = word.strip_prefix("force{").and_then(|rest| rest.strip_suffix('}')) {
                 by_hand = Some(steps.split(',').filter(|step| !step.is_empty()).map(str::to_owned).collect());
                 continue;
@@ -55,16 +55,6 @@ fn value(param: &Signal, word: &str) -> Result<Value, BadLine> {
     }
     let mut read = script_of(std::slice::from_ref(param), word)?;
     read.pop().and_then(|mut cycle| cycle.1.pop()).ok_or_else(bad)
-}
-
-/// Between blanks that do not stand in backquotes.
-fn words(line: &str) -> Vec<&str> {
-    let mut quoted = false;
-    let words = line.split(|c: char| {
-        quoted ^= c == '`';
-        c.is_whitespace() && !quoted
-    });
-    words.filter(|word| !word.is_empty()).collect()
 }
 
 /// The lines that [`read`] reads as these cycles.
