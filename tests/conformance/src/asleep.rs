@@ -10,6 +10,9 @@ const LONGEST: u32 = 45;
 /// A longer time than this is played as if it were the longest one: it is there for clocks that wrap.
 const FAR: u32 = 1_000_000;
 
+/// So many ticks about deadlines are scanned within one long time: what blinks has no last one.
+const ABOUT_DEADLINES: u32 = 60;
+
 /// The lines played; a timeline of ticks is many times as long as one of cycles.
 const LINES: usize = 120;
 
@@ -120,6 +123,8 @@ struct Moments {
     /// The next one, if every tick is one.
     next: u32,
     last: u32,
+    /// Ticks about deadlines that are still scanned.
+    about_deadlines: u32,
     done: bool,
 }
 
@@ -127,7 +132,7 @@ impl Moments {
     fn new(ticks: u32, at_once: bool) -> Self {
         let last = if ticks > FAR { LONGEST } else { ticks };
         // The instant of the line before has been scanned then.
-        Self { next: u32::from(!at_once && last > 0), last, done: false }
+        Self { next: u32::from(!at_once && last > 0), last, about_deadlines: ABOUT_DEADLINES, done: false }
     }
 
     fn is_last(&self, moment: u32) -> bool {
@@ -144,10 +149,12 @@ impl Moments {
             let near = deadline.filter(|deadline| (moment..self.last).contains(&deadline.wrapping_sub(1)));
             let here = deadline.is_some_and(|deadline| moment.wrapping_sub(deadline) <= 1);
             moment = match near {
+                _ if self.about_deadlines == 0 => self.last,
                 _ if here => moment,
                 Some(deadline) => deadline - 1,
                 None => self.last,
             };
+            self.about_deadlines = self.about_deadlines.saturating_sub(1);
         }
         self.next = moment.saturating_add(1);
         self.done = moment == self.last;

@@ -1,10 +1,9 @@
 //! From the text of a chart to its model, by the compiler's own way.
 
-use grafcet_compiler::diagnostic::Sink;
+use grafcet_compiler::diagnostic::{Diagnostic, Severity, Sink};
 use grafcet_compiler::model::Model;
-use grafcet_compiler::{compile, model, parse};
+use grafcet_compiler::{Wanted, diagnose, model, parse};
 use proc_macro2::TokenStream;
-use quote::quote;
 
 /// The model of a chart that the macro compiles, with fragments as they are meant.
 ///
@@ -12,9 +11,10 @@ use quote::quote;
 /// What the compiler says about the chart.
 pub fn resolve(text: &str) -> Result<Model, String> {
     let tokens: TokenStream = super::fragments::plain(text).parse().map_err(|error| format!("tokens: {error}"))?;
-    let messages = errors(&compile(&quote!(::grafcet), tokens).to_string());
-    if !messages.is_empty() {
-        return Err(messages.join("\n  "));
+    let said = diagnose(tokens, Wanted::default());
+    let errors: Vec<String> = said.iter().filter(|one| one.severity == Severity::Deny).map(shown).collect();
+    if !errors.is_empty() {
+        return Err(errors.join("\n  "));
     }
     // What the macro accepts resolves without a mistake; names of conditions are written out here, so that the interpreter does not
     // lean on how the compiler does it.
@@ -24,6 +24,12 @@ pub fn resolve(text: &str) -> Result<Model, String> {
     let model = parse::chart(tokens, &mut sink).map(|chart| model::resolve(&chart, &mut sink));
     _ = sink.finish();
     model.ok_or_else(|| "no chart".to_owned())
+}
+
+/// What a mistake says at its first mark, with the name of its rule.
+fn shown(one: &Diagnostic) -> String {
+    let message = one.notes.first().map_or("refused", |(_, message)| message);
+    one.rule.map_or_else(|| message.to_owned(), |rule| format!("{message} [grafcet::{}]", rule.name))
 }
 
 /// The messages in generated code: it is the only way to see exactly what the macro refuses.

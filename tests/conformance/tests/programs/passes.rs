@@ -111,6 +111,9 @@ pub(super) fn kettle(more: &str) -> String {
     )
 }
 
+/// When timelines begin: not at zero, with which a field could agree by chance, and near the end of the clock, which they pass.
+const BEGINNING: u32 = u32::MAX - 60;
+
 /// Inputs at random, for some cycles each.
 pub(super) fn storm(inputs: &[&str], cycles: u32) -> String {
     let (mut text, mut seed) = ("---\n---\n".to_owned(), 7_u32);
@@ -123,7 +126,7 @@ pub(super) fn storm(inputs: &[&str], cycles: u32) -> String {
                 _ = write!(text, "{name} ");
             }
         }
-        _ = writeln!(text, "@{} | |", cycle * 2 - cycle % 3);
+        _ = writeln!(text, "@{} | |", BEGINNING.wrapping_add(cycle * 2 - cycle % 3));
     }
     text
 }
@@ -139,7 +142,7 @@ pub(super) fn drawn(inputs: &[(&str, bool)], cycles: u32) -> String {
                 _ = write!(text, "{name} ");
             }
         }
-        _ = writeln!(text, "@{} | |", cycle * 2);
+        _ = writeln!(text, "@{} | |", BEGINNING.wrapping_add(cycle * 2));
     }
     text
 }

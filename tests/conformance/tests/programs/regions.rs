@@ -1,8 +1,8 @@
 //! Passes over several regions: parallel branches, partial grafcets, and what a search over them does.
 
 use grafcet_compiler::model::{Id, OutputId};
-use grafcet_compiler::program::passes::{Pass, optimise};
-use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use grafcet_compiler::program::passes::Pass;
+use grafcet_compiler::program::{Encoding, Expr, Role, Statement};
 use grafcet_conformance::program::program as optimised;
 
 use super::passes::{drawn, each_left_out, kettle, storm};
@@ -132,75 +132,14 @@ fn an_order_from_above_keeps_steps_beyond_their_time() {
     }
 }
 
-/// An arm of no step is none of a step: what two arms do is not done for the step that has none.
+/// The time of a step with which a branch begins counts from the first cycle.
 #[test]
-fn what_only_some_states_do_is_not_hoisted() {
+fn times_of_initial_steps_begin_with_the_first_cycle() {
     let model = read(
-        "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A { force Down {}; } step B; A -[a]-> B -[b]-> A; } \
-         partial Down { initial step C; step D { p; } C -[a]-> D -[b]-> C; } }",
+        "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A; step B { p; } A -[b && 3ms/A]-> B -[5ms/B]-> A; } \
+         partial Down { initial step C; step E; C -[a]-> E -[!a]-> C; } }",
     );
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
-    let state = program.place(Role::State(1)).expect("a region");
-    let p = program.place(Role::Output(OutputId::new(0))).expect("an output");
-    let set = || vec![Statement::Set(p, Expr::Value(Value::Bool(true)))];
-    let arm = |step: Option<usize>| (vec![Value::Step(step.map(|at| program.regions[1][at]))], set());
-    let cycle = |arms| {
-        vec![Statement::Loop { rounds: 1, body: vec![Statement::Match(state, arms, Vec::new()), Statement::Break] }]
-    };
-    let of_some = cycle(vec![arm(Some(0)), arm(None)]);
-    let of_all = cycle(vec![arm(Some(0)), arm(Some(1)), arm(None)]);
-    for (cycle, hoisted) in [(of_some, false), (of_all, true)] {
-        program.cycle = cycle;
-        optimise(&mut program, &[Pass::Hoist]);
-        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
-        assert_eq!(matches!(body[0], Statement::Set(..)), hoisted, "{program}");
-    }
-}
-
-/// What a round reads before it is set anew is not set in front of the search.
-#[test]
-fn what_a_round_reads_first_stays_in_it() {
-    let model = read(CELL);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
-    let [one, other, ..] = locals(&program)[..] else { panic!("two locals") };
-    let on = || Statement::Set(other, Expr::Value(Value::Bool(true)));
-    for (front, moved) in [(vec![], true), (vec![Statement::Set(one, Expr::Place(other))], false)] {
-        let body = [front, vec![on(), Statement::Break]].concat();
-        program.cycle = vec![Statement::Loop { rounds: 2, body }];
-        optimise(&mut program, &[Pass::Peel]);
-        assert_eq!(matches!(program.cycle[0], Statement::Set(..)), moved, "{program}");
-    }
-}
-
-/// A stored value is compared with its next one unless each change of it tells that something moves.
-#[test]
-fn what_changes_alone_is_compared() {
-    let model = read(CELL);
-    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
-    let [moves, next, asked, ..] = locals(&program)[..] else { panic!("three locals") };
-    let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
-    let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
-    for tells in [true, false] {
-        let told = if tells { vec![set(next, true), set(moves, true)] } else { vec![set(next, true)] };
-        let differs = Expr::Compare(Comparison::Differs, Box::new(Expr::Place(value)), Box::new(Expr::Place(next)));
-        let body = vec![
-            set(moves, false),
-            Statement::Set(next, Expr::Place(value)),
-            Statement::If(Expr::Place(asked), told, Vec::new()),
-            Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), differs])),
-            Statement::Set(value, Expr::Place(next)),
-            Statement::If(Expr::Not(Box::new(Expr::Place(moves))), vec![Statement::Break], Vec::new()),
-        ];
-        program.cycle = vec![Statement::Loop { rounds: 2, body }];
-        optimise(&mut program, &[Pass::Stays]);
-        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
-        let compares = body.iter().any(|one| matches!(one, Statement::Set(_, Expr::Any(_))));
-        assert_eq!(compares, !tells, "{program}");
-    }
-}
-
-/// Truths of one cycle.
-fn locals(program: &Program<'_>) -> Vec<PlaceId> {
-    let truths = program.places.iter().enumerate();
-    truths.filter(|(_, place)| !place.is_field && matches!(place.ty, Type::Bool)).map(|(at, _)| PlaceId(at)).collect()
+    let program = optimised(&model, Encoding::Regions, &Pass::ALL).expect("a program");
+    assert!(program.to_string().contains("since.A = now"), "{program}");
+    each_left_out(&model, &drawn(&[("a", false), ("b", false)], 60), 60);
 }

@@ -1,0 +1,161 @@
+//! What passes need, each on programs made by hand of which one lacks it: the lowering makes none of these today.
+
+use grafcet_compiler::model::{Id, OutputId};
+use grafcet_compiler::program::passes::{Pass, optimise};
+use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value};
+use grafcet_conformance::program::program as optimised;
+
+use super::read;
+use super::regions::CELL;
+
+/// An arm of no step is none of a step: what two arms do is not done for the step that has none.
+#[test]
+fn what_only_some_states_do_is_not_hoisted() {
+    let model = read(
+        "grafcet Two { input a, b: bool; output p: bool; partial Up { initial step A { force Down {}; } step B; A -[a]-> B -[b]-> A; } \
+         partial Down { initial step C; step D { p; } C -[a]-> D -[b]-> C; } }",
+    );
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let state = program.place(Role::State(1)).expect("a region");
+    let p = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let set = || vec![Statement::Set(p, Expr::Value(Value::Bool(true)))];
+    let arm = |step: Option<usize>| (vec![Value::Step(step.map(|at| program.regions[1][at]))], set());
+    let cycle = |arms| {
+        vec![Statement::Loop { rounds: 1, body: vec![Statement::Match(state, arms, Vec::new()), Statement::Break] }]
+    };
+    let of_some = cycle(vec![arm(Some(0)), arm(None)]);
+    let of_all = cycle(vec![arm(Some(0)), arm(Some(1)), arm(None)]);
+    for (cycle, hoisted) in [(of_some, false), (of_all, true)] {
+        program.cycle = cycle;
+        optimise(&mut program, &[Pass::Hoist]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        assert_eq!(matches!(body[0], Statement::Set(..)), hoisted, "{program}");
+    }
+}
+
+/// What a round reads before it is set anew is not set in front of the search.
+#[test]
+fn what_a_round_reads_first_stays_in_it() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [one, other, ..] = locals(&program)[..] else { panic!("two locals") };
+    let on = || Statement::Set(other, Expr::Value(Value::Bool(true)));
+    for (front, moved) in [(vec![], true), (vec![Statement::Set(one, Expr::Place(other))], false)] {
+        let body = [front, vec![on(), Statement::Break]].concat();
+        program.cycle = vec![Statement::Loop { rounds: 2, body }];
+        optimise(&mut program, &[Pass::Peel]);
+        assert_eq!(matches!(program.cycle[0], Statement::Set(..)), moved, "{program}");
+    }
+}
+
+/// A stored value is compared with its next one unless each change of it tells that something moves.
+#[test]
+fn what_changes_alone_is_compared() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [moves, next, asked, ..] = locals(&program)[..] else { panic!("three locals") };
+    let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
+    for tells in [true, false] {
+        let told = if tells { vec![set(next, true), set(moves, true)] } else { vec![set(next, true)] };
+        let differs = Expr::Compare(Comparison::Differs, Box::new(Expr::Place(value)), Box::new(Expr::Place(next)));
+        let body = vec![
+            set(moves, false),
+            Statement::Set(next, Expr::Place(value)),
+            Statement::If(Expr::Place(asked), told, Vec::new()),
+            Statement::Set(moves, Expr::Any(vec![Expr::Place(moves), differs])),
+            Statement::Set(value, Expr::Place(next)),
+            Statement::If(Expr::Not(Box::new(Expr::Place(moves))), vec![Statement::Break], Vec::new()),
+        ];
+        program.cycle = vec![Statement::Loop { rounds: 2, body }];
+        optimise(&mut program, &[Pass::Stays]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        let compares = body.iter().any(|one| matches!(one, Statement::Set(_, Expr::Any(_))));
+        assert_eq!(compares, !tells, "{program}");
+    }
+}
+
+/// A value is set where its next one is, unless the round may be left in between, or the next one is used behind the loop.
+#[test]
+fn a_value_waits_for_the_end_of_the_round_where_somebody_could_see_the_difference() {
+    let model = read(CELL);
+    let mut program = optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let [next, asked, seen, ..] = locals(&program)[..] else { panic!("three locals") };
+    let value = program.place(Role::Output(OutputId::new(0))).expect("an output");
+    let on = Expr::Value(Value::Bool(true));
+    let nothing = Vec::new;
+    let left = || vec![Statement::If(Expr::Place(asked), vec![Statement::Break], Vec::new())];
+    let used = || vec![Statement::Set(seen, Expr::Place(next))];
+    for (between, behind, set) in [(nothing(), nothing(), true), (left(), nothing(), false), (nothing(), used(), false)]
+    {
+        let change = vec![Statement::Set(next, on.clone())];
+        let front =
+            vec![Statement::Set(next, Expr::Place(value)), Statement::If(Expr::Place(asked), change, Vec::new())];
+        let body = [front, between, vec![Statement::Set(value, Expr::Place(next)), Statement::Break]].concat();
+        program.cycle = [vec![Statement::Loop { rounds: 2, body }], behind].concat();
+        optimise(&mut program, &[Pass::Stays]);
+        let Some(Statement::Loop { body, .. }) = program.cycle.first() else { panic!("{program}") };
+        let waits = body.iter().any(|one| matches!(one, Statement::Set(place, Expr::Place(_)) if *place == value));
+        assert_eq!(waits, !set, "{program}");
+    }
+}
+
+/// A way to a step that does not ask for its time begins none, unless one of those that lead to a step that asks leaves that to an earlier one: because it begins none
+/// itself, or because it does so only where the step was not active at the beginning of the cycle, and not of the evolution.
+#[test]
+fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
+    let model = read(CELL);
+    let naive = || optimised(&model, Encoding::Regions, &[]).expect("a program");
+    let state = naive().place(Role::State(2)).expect("a region");
+    let since = naive().place(Role::Began(2)).expect("a region by time");
+    let [was, ..] = copies(&naive(), 2)[..] else { panic!("a copy of the state") };
+    let [wait, close, work, ..] = naive().regions[2][..] else { panic!("three steps") };
+    let to = |step| Statement::Set(state, Expr::Value(Value::Step(Some(step))));
+    let begin = || Statement::Set(since, Expr::Now);
+    let copy = || Statement::Set(was, Expr::Place(state));
+    let close_asks = || {
+        let passed = Expr::Since(Box::new(Expr::Now), Box::new(Expr::Place(since)));
+        let long = Expr::Value(Value::Ticks(4));
+        let over = Expr::Compare(Comparison::AtLeast, Box::new(passed), Box::new(long));
+        (vec![Value::Step(Some(close))], vec![Statement::If(over, vec![to(work), begin()], Vec::new())])
+    };
+    let from = |step, way| (vec![Value::Step(Some(step))], way);
+    let ways = |to_close| Statement::Match(state, vec![from(wait, to_close), close_asks()], Vec::new());
+    let if_entered = || {
+        let entered = Expr::Value(Value::Step(Some(close)));
+        let differs = Expr::Compare(Comparison::Differs, Box::new(Expr::Place(was)), Box::new(entered));
+        Statement::If(differs, vec![begin()], Vec::new())
+    };
+    let round = |front: Vec<_>, body: Vec<_>| {
+        let body = [body, vec![Statement::Break]].concat();
+        [front, vec![Statement::Loop { rounds: 2, body }]].concat()
+    };
+    for (what, cycle, fewer) in [
+        ("each way begins the time", round(vec![], vec![ways(vec![to(close), begin()])]), true),
+        ("one begins none", round(vec![], vec![ways(vec![to(close)])]), false),
+        ("where it was not active", round(vec![], vec![copy(), ways(vec![if_entered(), to(close)])]), true),
+        ("since the cycle began", round(vec![copy()], vec![ways(vec![if_entered(), to(close)])]), false),
+    ] {
+        let mut program = naive();
+        program.cycle = cycle;
+        let before = program.to_string().matches("since.Wait = now").count();
+        optimise(&mut program, &[Pass::Begun]);
+        let after = program.to_string().matches("since.Wait = now").count();
+        assert_eq!(after, before - usize::from(fewer), "{what}: {program}");
+    }
+}
+
+/// Locals to which the state of a region can be copied.
+fn copies(program: &Program<'_>, region: usize) -> Vec<PlaceId> {
+    let places = program.places.iter().enumerate();
+    let is_one = |place: &grafcet_compiler::program::PlaceInfo<'_>| {
+        !place.is_field && matches!(place.ty, Type::State(of) if of == region)
+    };
+    places.filter(|(_, place)| is_one(place)).map(|(at, _)| PlaceId(at)).collect()
+}
+
+/// Truths of one cycle.
+fn locals(program: &Program<'_>) -> Vec<PlaceId> {
+    let truths = program.places.iter().enumerate();
+    truths.filter(|(_, place)| !place.is_field && matches!(place.ty, Type::Bool)).map(|(at, _)| PlaceId(at)).collect()
+}
