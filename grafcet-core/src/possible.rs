@@ -50,26 +50,26 @@ impl<S: Display + fmt::Debug> core::error::Error for ForceError<S> {}
 
 /// What the compiler knows of a chart's situations; in each, a row has a bit for each step, in whole bytes.
 #[derive(Clone, Copy, Debug)]
-pub enum Possible {
+pub enum Possible<'t> {
     /// Nothing: all that the state can hold.
     Unknown,
     /// One step alone.
     Alone,
     /// A row for each situation.
-    Listed(&'static [u8]),
+    Listed(&'t [u8]),
     /// A decision diagram of all situations: three bytes for each node, a step and the nodes that follow where it is inactive and where it is active. Node 0 is no
     /// situation, node 1 the end of one, and those of the table are numbered from 2 on. What lies between two steps that are asked for is inactive.
-    Diagram(&'static [u8]),
+    Diagram(&'t [u8]),
     /// A row for each step: with which others it can be active.
-    Pairs(&'static [u8]),
+    Pairs(&'t [u8]),
     /// The same of partial grafcets, and below it what each piece of them can be in: its steps as a row, the step without which none of them is active (255: there is
     /// none), how many nodes a [`Diagram`](Self::Diagram) of it has, and these.
-    Parts(&'static [u8], &'static [u8]),
+    Parts(&'t [u8], &'t [u8]),
     /// A row for each step, of a chart in which as many steps as can be together always are.
-    Whole(&'static [u8]),
+    Whole(&'t [u8]),
 }
 
-impl Possible {
+impl Possible<'_> {
     /// Whether the chart can be in this situation.
     pub fn allows(self, steps: usize, is_active: impl Fn(usize) -> bool) -> bool {
         let row = steps.div_ceil(8);

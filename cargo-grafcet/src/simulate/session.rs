@@ -246,16 +246,15 @@ impl<'c> Session<'c> {
 
 /// As the compiled chart looks at them.
 fn looked(model: &Model, steps: &[usize]) -> Result<(), ForceError<usize>> {
-    // What it looks into lives as long as the compiled chart, and here as long as the session.
-    let kept = |table: Vec<u8>| -> &'static [u8] { table.leak() };
-    let possible = match Situations::of(model, &Facts::of(model)) {
+    let known = Situations::of(model, &Facts::of(model));
+    let possible = match &known {
         Situations::Unknown => Possible::Unknown,
         Situations::Alone => Possible::Alone,
-        Situations::Listed(table) => Possible::Listed(kept(table)),
-        Situations::Diagram(table) => Possible::Diagram(kept(table)),
-        Situations::Pairs(table) => Possible::Pairs(kept(table)),
-        Situations::Parts(pairs, parts) => Possible::Parts(kept(pairs), kept(parts)),
-        Situations::Whole(table) => Possible::Whole(kept(table)),
+        Situations::Listed(table) => Possible::Listed(table),
+        Situations::Diagram(table) => Possible::Diagram(table),
+        Situations::Pairs(table) => Possible::Pairs(table),
+        Situations::Parts(pairs, parts) => Possible::Parts(pairs, parts),
+        Situations::Whole(table) => Possible::Whole(table),
     };
     let all: Vec<usize> = (0..model.steps.len()).collect();
     possible.look(&all, steps)

@@ -20,7 +20,7 @@ pub trait Recordable: Chart<Inputs: Record + Default> + Clone {
     const TIMED: bool;
     /// What is known of its situations.
     #[doc(hidden)]
-    const POSSIBLE: Possible;
+    const POSSIBLE: Possible<'static>;
     /// How many bits the recipe takes.
     const PARAM_BITS: usize;
     /// How many bits the state takes, without the recipe.
@@ -146,7 +146,7 @@ macro_rules! __recorded {
                 const FINGERPRINT: __r::u32 = $fingerprint;
                 const LAYOUT: __r::u32 = $layout;
                 const TIMED: __r::bool = $crate::__recorded_clock!(timed self $($clock)?);
-                const POSSIBLE: __r::Possible = $possible;
+                const POSSIBLE: __r::Possible<'static> = $possible;
                 const PARAM_BITS: __r::usize = 0 $(+ <$params as __r::Record>::BITS)?;
                 const STATE_BITS: __r::usize =
                     0 $(+ <$crate::__recorded_as!($($how $($optional)?)?) as __r::Coding<$field_ty>>::BITS)* $($(+ $crate::__recorded_clock!(bits $began))*)?;
