@@ -12,6 +12,7 @@ mod description;
 mod editor;
 mod encoding;
 mod evolution;
+mod fields;
 mod force;
 mod grafcet;
 mod hierarchy;

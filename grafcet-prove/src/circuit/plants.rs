@@ -8,8 +8,9 @@ use std::rc::Rc;
 use grafcet_compiler::model::{Id, InputId, Model, Name, Seen, Ty, Wire as From};
 use grafcet_compiler::program::{PlaceId, Program, Role, Type};
 
+use super::assemble::Kept;
 use super::sym::{Sym, Width};
-use super::{Env, Field, Kept, Latch, Lowering, Refused, Source};
+use super::{Env, Field, Latch, Lowering, Refused, Source};
 use crate::aig::Lit;
 use crate::bits::{self, Bits};
 

@@ -1,23 +1,19 @@
 //! How the places of a program are stored: which are fields, of which type, under which name.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::ToTokens;
 
-use super::expr::kind_type;
+use super::Bodies;
 use super::visit::{self, Seen};
-use super::{Bodies, Printer};
-use crate::codegen::machine::Field;
-use crate::codegen::{Cx, force, names, rust, types};
-use crate::list::{List, PushAll};
+use crate::codegen::{Cx, force, names};
+use crate::list::PushAll;
 use crate::model::{Id, StepId, Ty};
 use crate::place::quote;
-
 use crate::program::{Arm, Initial, Phase, PlaceId, PlaceInfo, Program, Role, Type, Value};
 use crate::sorted::Set;
 
 /// How each place is stored.
 pub(super) struct Layout {
-    slots: Vec<Slot>,
+    pub(super) slots: Vec<Slot>,
     /// The enums of the regions; none, where steps are bits.
     pub(super) regions: Vec<States>,
     /// Of a search that may have no end: what tells that is a bit above the state of the first region.
@@ -43,13 +39,13 @@ pub(super) struct Mark {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Start(pub(super) Option<StepId>);
 
-struct Slot {
-    name: Ident,
-    kind: Kind,
+pub(super) struct Slot {
+    pub(super) name: Ident,
+    pub(super) kind: Kind,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     /// Nothing reads or writes it, from within or from outside.
     Unused,
     Local,
@@ -142,7 +138,7 @@ impl Layout {
         self.slot(place).kind == Kind::Mark
     }
 
-    fn slot(&self, place: PlaceId) -> &Slot {
+    pub(super) fn slot(&self, place: PlaceId) -> &Slot {
         &self.slots[place.0]
     }
 
@@ -170,7 +166,7 @@ impl Layout {
         &self.slot(place).name
     }
 
-    fn number(&self, p: &TokenStream) -> TokenStream {
+    pub(super) fn number(&self, p: &TokenStream) -> TokenStream {
         match self.highest {
             0..=0xff => quote!(#p::u8),
             0x100..=0xffff => quote!(#p::u16),
@@ -185,7 +181,7 @@ pub(super) fn flags() -> Ident {
 }
 
 /// The bit of a step: the field, its byte, and the mask.
-fn bit(index: usize) -> (Ident, Literal, Literal) {
+pub(super) fn bit(index: usize) -> (Ident, Literal, Literal) {
     (flags(), Literal::usize_suffixed(index / 8), Literal::u8_suffixed(1 << (index % 8)))
 }
 
@@ -278,195 +274,6 @@ impl Used {
                 Value::Start(seen) => self.regions[region].start = Some(Start(seen)),
                 _ => {}
             }
-        }
-    }
-}
-
-impl<'m> Printer<'_, 'm> {
-    pub(super) fn info(&self, place: PlaceId) -> &PlaceInfo<'m> {
-        &self.program.places[place.0]
-    }
-
-    /// The value of a place, as an operand.
-    pub(super) fn get(&self, place: PlaceId) -> TokenStream {
-        let Slot { name, kind } = self.layout.slot(place);
-        match kind {
-            Kind::Unused => self.initial(place),
-            Kind::Local | Kind::Asked => name.to_token_stream(),
-            Kind::Result => quote!(outputs.#name),
-            Kind::Field => quote!(self.#name),
-            Kind::Late => {
-                let initial = self.initial(place);
-                quote!(self.#name.unwrap_or_else(|| #initial))
-            }
-            Kind::Param => quote!(self.params.#name),
-            Kind::Marked => quote!(self.#name.state()),
-            Kind::Mark => {
-                let state = self.marked();
-                quote!(!self.#state.is_marked())
-            }
-            Kind::Bit(index) => {
-                let (field, byte, mask) = bit(*index);
-                quote!((self.#field[#byte] & #mask != 0))
-            }
-        }
-    }
-
-    /// The statement that sets a place.
-    pub(super) fn put(&self, place: PlaceId, value: &TokenStream) -> TokenStream {
-        let Slot { name, kind } = self.layout.slot(place);
-        match kind {
-            Kind::Unused => quote!(let _ = #value;),
-            Kind::Local | Kind::Asked => quote!(#name = #value;),
-            Kind::Result => quote!(outputs.#name = #value;),
-            Kind::Field => quote!(self.#name = #value;),
-            Kind::Late => {
-                let p = &self.cx.p;
-                quote!(self.#name = #p::Option::Some(#value);)
-            }
-            Kind::Param => quote!(self.params.#name = #value;),
-            Kind::Marked => quote!(self.#name = self.#name.with(#value);),
-            Kind::Mark => {
-                let state = self.marked();
-                match value.to_string().as_str() {
-                    "true" => quote!(self.#state = self.#state.unmarked();),
-                    "false" => quote!(self.#state = self.#state.marked();),
-                    _ => quote!(self.#state = if #value { self.#state.unmarked() } else { self.#state.marked() };),
-                }
-            }
-            Kind::Bit(index) => {
-                let (field, byte, mask) = bit(*index);
-                match value.to_string().as_str() {
-                    "true" => quote!(self.#field[#byte] |= #mask;),
-                    "false" => quote!(self.#field[#byte] &= !#mask;),
-                    _ => quote!(if #value { self.#field[#byte] |= #mask; } else { self.#field[#byte] &= !#mask; }),
-                }
-            }
-        }
-    }
-
-    /// The field with the mark.
-    fn marked(&self) -> Ident {
-        names::region_field(0, self.cx.plan)
-    }
-
-    /// The same as [`put`](Self::put) where the mark is set next.
-    pub(super) fn put_unmarked(&self, place: PlaceId, value: &TokenStream) -> TokenStream {
-        let Slot { name, kind } = self.layout.slot(place);
-        if *kind != Kind::Marked {
-            return self.put(place, value);
-        }
-        let marked = self.cx.names.marked(self.cx.plan);
-        quote!(self.#name = #marked::of(#value);)
-    }
-
-    /// The type of a place.
-    pub(super) fn ty(&self, place: PlaceId) -> TokenStream {
-        let (p, model) = (&self.cx.p, self.cx.model);
-        let declared = match self.info(place).role {
-            Role::Output(id) => Some(&model.outputs[id].ty),
-            Role::Var(id) => Some(&model.vars[id].ty),
-            _ => None,
-        };
-        match (self.info(place).ty, declared) {
-            (Type::User(ty), _) | (_, Some(ty)) => types::rust_type(ty, p),
-            (Type::Bool, _) => quote!(#p::bool),
-            (Type::Ticks, _) => quote!(#p::Ticks),
-            (Type::State(region), _) => self.cx.names.region(region, self.cx.plan).to_token_stream(),
-            // What is counted in a loop is in a register.
-            (Type::Number, _) if self.info(place).role == Role::Evolutions => quote!(#p::u32),
-            (Type::Number, _) => self.layout.number(p),
-            (Type::Phase, _) => quote!(#p::Phase),
-            (ty @ Type::Kind { .. }, _) => kind_type(ty).to_token_stream(),
-        }
-    }
-
-    /// What a place begins with.
-    pub(super) fn initial(&self, place: PlaceId) -> TokenStream {
-        let (p, info) = (&self.cx.p, self.info(place));
-        match (info.initial, info.ty) {
-            (Initial::Value(value), _) => self.constant(value, info.ty),
-            (Initial::Constant(expr), _) => rust::constant(expr, p),
-            (Initial::Default, Type::Ticks) => quote!(#p::Ticks::ZERO),
-            (Initial::Default, Type::Bool) => quote!(false),
-            (Initial::Default, Type::User(ty)) => types::initial_value(None, ty, p),
-            (Initial::Default, Type::Number | Type::Kind { .. }) => quote!(0),
-            (Initial::Default, Type::Phase) => quote!(#p::Phase::First),
-            (Initial::Default, Type::State(region)) => self.cx.empty(region),
-        }
-    }
-
-    /// The fields of the chart's struct, beside the recipe.
-    pub(super) fn fields(&self) -> Vec<Field> {
-        let p = &self.cx.p;
-        let mut fields = Vec::new();
-        if self.cx.plan.shape.is_flags() {
-            let bytes = Literal::usize_suffixed(self.cx.flag_bytes());
-            let initial = self.cx.initial_flags();
-            fields.push(Field { name: flags(), ty: quote!([#p::u8; #bytes]), initial });
-        }
-        for index in 0..self.program.places.len() {
-            let place = PlaceId(index);
-            let Slot { name, kind } = self.layout.slot(place);
-            let (name, ty) = (name.clone(), self.ty(place));
-            match kind {
-                Kind::Field => fields.push(Field { name, ty, initial: self.initial(place) }),
-                Kind::Late => {
-                    fields.push(Field { name, ty: quote!(#p::Option<#ty>), initial: quote!(#p::Option::None) });
-                }
-                Kind::Marked => {
-                    let (marked, initial) = (self.cx.names.marked(self.cx.plan), self.initial(place));
-                    fields.push(Field { name, ty: marked.to_token_stream(), initial: quote!(#marked::of(#initial)) });
-                }
-                Kind::Unused | Kind::Local | Kind::Asked | Kind::Result | Kind::Param | Kind::Bit(_) | Kind::Mark => {}
-            }
-        }
-        fields
-    }
-
-    /// The fields with readings at which times began.
-    pub(super) fn began(&self) -> Vec<Ident> {
-        let places = self.program.places.iter().zip(&self.layout.slots);
-        let began = |role| matches!(role, Role::Began(_) | Role::MacroBegan(_));
-        places
-            .filter(|(place, slot)| began(place.role) && slot.kind == Kind::Field)
-            .map(|(_, slot)| slot.name.clone())
-            .list()
-    }
-
-    /// The declared types in fields.
-    pub(super) fn stored(&self) -> Vec<&'m Ty> {
-        let places = self.program.places.iter().zip(&self.layout.slots);
-        let fields = places.filter(|(_, slot)| matches!(slot.kind, Kind::Field | Kind::Late));
-        let types = fields.filter_map(|(place, _)| match place.ty {
-            Type::User(ty) => Some(ty),
-            _ => None,
-        });
-        types.list()
-    }
-
-    /// The variant of a step.
-    pub(super) fn variant(&self, step: Option<StepId>, region: usize) -> TokenStream {
-        step.map_or_else(|| self.cx.empty(region), |step| self.cx.variant(step))
-    }
-
-    /// The variant for "the first cycle is still to come".
-    pub(super) fn start(&self, region: usize) -> TokenStream {
-        let (states, start) = (self.cx.names.region(region, self.cx.plan), &self.cx.names.start);
-        quote!(#states::#start)
-    }
-
-    /// Whether two values of a place's type are the same, or differ.
-    pub(super) fn compared(
-        &self,
-        place: PlaceId,
-        one: &TokenStream,
-        sign: &TokenStream,
-        other: &TokenStream,
-    ) -> TokenStream {
-        match self.info(place).ty {
-            Type::User(ty) => types::compare(ty, one, sign, other, &self.cx.p),
-            _ => quote!(#one #sign #other),
         }
     }
 }

@@ -8,6 +8,7 @@
 
 mod expr;
 mod layout;
+mod places;
 mod scope;
 mod statement;
 mod user;
