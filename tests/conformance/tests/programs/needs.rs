@@ -1,6 +1,6 @@
 //! What passes need, each on programs made by hand of which one lacks it: the lowering makes none of these today.
 
-use grafcet_compiler::model::{Id, OutputId};
+use grafcet_compiler::model::{Id, InputId, OutputId};
 use grafcet_compiler::program::passes::{Pass, optimise};
 use grafcet_compiler::program::{Comparison, Encoding, Expr, PlaceId, Program, Role, Statement, Type, Value};
 use grafcet_conformance::program::program as optimised;
@@ -134,6 +134,18 @@ fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
         ("each way begins the time", round(vec![], vec![ways(vec![to(close), begin()])]), true),
         ("one begins none", round(vec![], vec![ways(vec![to(close)])]), false),
         ("where it was not active", round(vec![], vec![copy(), ways(vec![if_entered(), to(close)])]), true),
+        (
+            "the deadline alone asks",
+            round(
+                vec![],
+                vec![Statement::Match(
+                    state,
+                    vec![from(wait, vec![to(close), begin()]), from(close, vec![to(work), begin()])],
+                    Vec::new(),
+                )],
+            ),
+            true,
+        ),
         ("since the cycle began", round(vec![copy()], vec![ways(vec![if_entered(), to(close)])]), false),
     ] {
         let mut program = naive();
@@ -142,6 +154,44 @@ fn a_time_begins_on_each_way_where_one_to_a_step_that_asks_does_not_begin_it() {
         optimise(&mut program, &[Pass::Begun]);
         let after = program.to_string().matches("since.Wait = now").count();
         assert_eq!(after, before - usize::from(fewer), "{what}: {program}");
+    }
+}
+
+/// What gives a field in the first cycle what it begins with is nothing to do, unless the field may hold something else by then.
+#[test]
+fn what_begins_alike_is_set_where_it_may_have_changed() {
+    let model = read(
+        "grafcet Begins { input on: bool; output a: bool = false; output b: bool = true; initial step Off; step On { S a; R b; } \
+         Off -[on]-> On -[5ms/On || !on]-> Off; }",
+    );
+    let passes: Vec<Pass> = Pass::ALL.into_iter().take_while(|pass| *pass != Pass::Starting).collect();
+    let naive = || optimised(&model, Encoding::Regions, &passes).expect("a program");
+    let first = naive().place(Role::First).expect("a first cycle");
+    let [a, b] = [0, 1].map(|at| naive().place(Role::Output(OutputId::new(at))).expect("an output"));
+    let set = |place, holds| Statement::Set(place, Expr::Value(Value::Bool(holds)));
+    let copy = || Statement::Set(b, Expr::Place(a));
+    let maybe = |body| Statement::If(Expr::Input(InputId::new(0)), body, Vec::new());
+    let at_first = |body| Statement::If(Expr::Place(first), body, Vec::new());
+    for (what, front, kept) in [
+        ("nothing before", vec![at_first(vec![set(a, false)])], 0),
+        ("written before", vec![at_first(vec![set(a, true)]), at_first(vec![set(a, false)])], 2),
+        ("a copy of what was set", vec![at_first(vec![set(a, true), copy()])], 1),
+        ("a copy of what may have changed", vec![at_first(vec![set(a, true), maybe(vec![set(a, false)]), copy()])], 3),
+    ] {
+        let mut program = naive();
+        program.cycle.splice(0..0, front);
+        optimise(&mut program, &[Pass::Starting]);
+        let beginning = program.cycle.iter().take_while(|one| !matches!(one, Statement::Loop { .. }));
+        let bodies = beginning.filter_map(|one| match one {
+            Statement::If(Expr::Place(place), body, _) if *place == first => Some(body),
+            _ => None,
+        });
+        let writes = |one: &&Statement<'_>| match one {
+            Statement::Set(place, _) => [a, b].contains(place),
+            other => matches!(other, Statement::If(..)),
+        };
+        let left = bodies.flatten().filter(writes).count();
+        assert_eq!(left, kept, "{what}: {program}");
     }
 }
 
