@@ -1,20 +1,17 @@
 //! `cargo grafcet export`
 
 use clap::{Args as Arguments, Subcommand, ValueEnum};
-use grafcet_compiler::analysis::Facts;
 use grafcet_compiler::model::Model;
-use grafcet_compiler::program::{Encoding, Program, counted};
 use grafcet_exchange::plcopen::{self, plcopen};
 use grafcet_exchange::sfc::{Exported, textual};
 use grafcet_exchange::st::{Flavour, Form, Options, Order, structured_text};
 use grafcet_exchange::{Refused, pnml};
-use grafcet_prove::circuit::Circuit;
-use grafcet_prove::export as circuits;
+use grafcet_prove::export::{self as circuits, Notation};
 use serde_json::json;
 
 use crate::args::{Charts, Target};
 use crate::find::{self, Found};
-use crate::model::{accepted, with_plants};
+use crate::model::{accepted, sound};
 use crate::report::{human, json as object};
 use crate::{Failure, Outcome, complain, output, say};
 
@@ -204,20 +201,19 @@ pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
             pnml::pnml(model).map(|text| Translation { text, to_write: Vec::new() })
         }),
         Export::Aiger(options) => {
-            each_of(&options.charts, &options.result, "aag", with_plants, |model| circuit(model, circuits::aiger_text))
+            each_of(&options.charts, &options.result, "aag", sound, |model| circuit(model, Notation::Aiger))
         }
         Export::Btor2(options) => {
-            each_of(&options.charts, &options.result, "btor2", with_plants, |model| circuit(model, circuits::btor2))
+            each_of(&options.charts, &options.result, "btor2", sound, |model| circuit(model, Notation::Btor2))
         }
     }
 }
 
 /// The cycle as a circuit.
-fn circuit(model: &Model, write: fn(&Program<'_>, &Circuit) -> String) -> Result<Translation, Vec<Refused>> {
-    let none = |why: String| vec![Refused { mark: None, message: format!("there is no circuit: {why}") }];
-    let program = counted(model, &Facts::of(model), Encoding::Regions).map_err(|why| none(why.to_string()))?;
-    let circuit = Circuit::of(&program).map_err(|why| none(why.to_string()))?;
-    Ok(Translation { text: write(&program, &circuit), to_write: Vec::new() })
+fn circuit(model: &Model, notation: Notation) -> Result<Translation, Vec<Refused>> {
+    let done = circuits::text(model, notation, None);
+    let text = done.map_err(|why| vec![Refused { mark: None, message: why.to_string() }])?;
+    Ok(Translation { text, to_write: Vec::new() })
 }
 
 fn st(options: &StructuredText) -> Result<Outcome, Failure> {

@@ -28,7 +28,7 @@ pub fn check(text: &str) -> String {
     look::check(text).to_string()
 }
 
-/// The same chart in another notation: `rust`, `case`, `flip-flops`, `sfc`, `plcopen`, `pnml`; as JSON.
+/// The same chart in another notation: `rust`, `case`, `flip-flops`, `sfc`, `plcopen`, `pnml`, `aiger`, `btor2`; as JSON.
 ///
 /// # Errors
 /// There is no notation of that name.
