@@ -103,14 +103,16 @@ pub(crate) struct Sfc {
     pub(crate) result: Written,
 }
 
-/// PLCopen XML (TC6 2.01): the chart as a drawing of SFC, for CODESYS, Beremiz and others
+/// PLCopen XML: the chart as a drawing of SFC, for CODESYS, Beremiz and others
 ///
-/// For `sfc` charts, as `export sfc`. Steps and transitions stand where `draw` puts them; what leads back is a jump.
+/// For `sfc` charts, as `export sfc`. Steps and transitions stand where `draw` puts them; what leads back is a jump, or a line in the edition of IEC 61131-10,
+/// which has no jumps.
 #[derive(Arguments, Debug)]
 #[command(after_help = "\
 Examples:
   cargo grafcet export plcopen --chart Motor -o motor.xml
   cargo grafcet export plcopen --chart Motor -o motor.xml --scan-step       for Beremiz
+  cargo grafcet export plcopen --chart Motor -o motor.xml --edition iec61131-10
   cargo grafcet export plcopen --out plcopen    all charts of the crate as plcopen/NAME.xml
 
 Exit code 1 says that a chart has errors or no translation.")]
@@ -122,6 +124,17 @@ pub(crate) struct Plcopen {
     /// Let a step of its own, beside the chart, do what is done in each scan: Beremiz needs that, CODESYS has one initial step
     #[arg(long)]
     pub(crate) scan_step: bool,
+    /// Which XML: TC6 2.01 of PLCopen, which most tools read; or IEC 61131-10
+    #[arg(long, value_enum, default_value_t, value_name = "EDITION")]
+    pub(crate) edition: PlcopenEdition,
+}
+
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub(crate) enum PlcopenEdition {
+    #[default]
+    Tc6,
+    #[value(name = "iec61131-10")]
+    Iec61131Part10,
 }
 
 /// Structured text (IEC 61131-3): a function block
@@ -194,7 +207,11 @@ pub(crate) fn run(options: &Export) -> Result<Outcome, Failure> {
             each(&options.charts, &options.result, "st", |model| textual(model).map(Translation::from))
         }
         Export::Plcopen(options) => {
-            let wanted = plcopen::Options { scan_step: options.scan_step };
+            let edition = match options.edition {
+                PlcopenEdition::Tc6 => plcopen::Edition::Tc6,
+                PlcopenEdition::Iec61131Part10 => plcopen::Edition::Iec61131Part10,
+            };
+            let wanted = plcopen::Options { scan_step: options.scan_step, edition };
             each(&options.charts, &options.result, "xml", |model| plcopen(model, wanted).map(Translation::from))
         }
         Export::Pnml(options) => each(&options.charts, &options.result, "pnml", |model| {

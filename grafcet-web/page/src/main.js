@@ -211,7 +211,7 @@ const drawing = new Drawing(at("drawing"), at("hint"), {
     if (place && editor.text === drawn.text) editor.go(...place);
   },
 });
-const forms = new Forms((text, form) => checker.ask("translate", text, form), (from, to) => editor.go(from, to));
+const forms = new Forms((from, to) => editor.go(from, to));
 const chronogram = new Chronogram(at("waves"), moment => simulation?.look(moment));
 const signals = new Signals(at("signals"), {
   set: (place, value) => input(() => simulation.set(place, value)),
