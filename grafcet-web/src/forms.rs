@@ -107,7 +107,8 @@ fn named(mut done: Value, written: &Written, form: Form) -> Value {
 
 fn circuit(model: &Model, notation: Notation) -> Result<Value, Vec<Refused>> {
     let text = grafcet_prove::export::text(model, notation, Some(GATES)).map_err(|none| {
-        let more = if none == NoCircuit::TooLarge { " for this page; `cargo grafcet export` writes larger ones" } else { "" };
+        let more =
+            if none == NoCircuit::TooLarge { " for this page; `cargo grafcet export` writes larger ones" } else { "" };
         vec![Refused { mark: None, message: format!("{none}{more}") }]
     })?;
     Ok(json!({ "text": text, "notes": [] }))

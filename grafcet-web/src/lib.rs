@@ -119,6 +119,14 @@ impl Session {
         Ok(self.0.force(now, steps)?.to_string())
     }
 
+    /// The next cycle, which leads into the situation of these steps, as the compiled chart lets itself be put into it; as JSON.
+    ///
+    /// # Errors
+    /// The chart is not `forceable;` or is never in exactly these steps, or as of [`Session::advance`].
+    pub fn by_hand(&mut self, steps: &[usize]) -> Result<String, String> {
+        Ok(self.0.by_hand(steps)?.to_string())
+    }
+
     /// The classic *Init*: the next cycle starts like a first one.
     ///
     /// # Errors

@@ -134,7 +134,10 @@ fn a_circuit_has_its_plants_and_its_bound() {
     let wide = |steps: usize| {
         let mut text = String::from("sfc Wide { input go: bool; ");
         for step in 0..steps {
-            text += &format!("output n{step}: u64; {} step S{step} {{ P1 {{ n{step} = n{step} * n{step} + 1; }} }} ", if step == 0 { "initial" } else { "" });
+            text += &format!(
+                "output n{step}: u64; {} step S{step} {{ P1 {{ n{step} = n{step} * n{step} + 1; }} }} ",
+                if step == 0 { "initial" } else { "" }
+            );
             text += &format!("S{step} -[go]-> S{}; ", (step + 1) % steps);
         }
         text + "}"

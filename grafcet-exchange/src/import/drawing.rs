@@ -8,8 +8,8 @@ use super::Wrong;
 use super::drawn;
 use super::source::{Block, Piece, Pou, Step, Transition, What};
 use super::xml::{
-    attribute, body_of, by_number, child, child_any, children, head, is, kind, line_of, missing, note, numbers, one_line,
-    reference, words,
+    attribute, body_of, by_number, child, child_any, children, head, is, kind, line_of, missing, note, numbers,
+    one_line, reference, words,
 };
 
 /// A drawing, by the numbers to which its lines lead.
@@ -118,7 +118,8 @@ impl<'d> Chart<'d> {
     fn condition(&self, element: Node<'d, 'd>) -> Piece {
         let nothing = Piece { text: "TRUE".to_owned(), at: head(element), language: None };
         let Some(condition) = child(element, "condition") else { return nothing };
-        let mut text = if let Some(inline) = child(condition, "inline").or_else(|| child(condition, "TextualPredicate")) {
+        let mut text = if let Some(inline) = child(condition, "inline").or_else(|| child(condition, "TextualPredicate"))
+        {
             body_of(inline)
         } else if let Some(name) = child(condition, "reference").and_then(|node| node.attribute("name")) {
             let known = self.named.get(&name.to_lowercase()).cloned();

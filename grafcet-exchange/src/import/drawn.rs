@@ -55,8 +55,7 @@ fn negated(node: Node<'_, '_>, text: String) -> String {
 fn into<'d>(node: Node<'d, 'd>, by_id: &dyn Fn(&str) -> Option<Node<'d, 'd>>, depth: usize) -> Option<String> {
     let pins = node.children().filter(|child| is(child, "connectionPointIn"));
     let lines = pins.flat_map(|pin| pin.children().filter(|child| is(child, "connection")));
-    let all: Vec<String> =
-        lines.map(|line| out(by_id(reference(line)?)?, by_id, depth + 1)).collect::<Option<_>>()?;
+    let all: Vec<String> = lines.map(|line| out(by_id(reference(line)?)?, by_id, depth + 1)).collect::<Option<_>>()?;
     match &all[..] {
         [] => None,
         [one] => Some(one.clone()),

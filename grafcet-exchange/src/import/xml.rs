@@ -104,7 +104,9 @@ pub(super) fn one_line(text: &str) -> String {
 /// The beginning of an element, up to the end of its first tag's name.
 pub(super) fn head(node: Node<'_, '_>) -> Span {
     let range = node.range();
-    range.start..(range.start + 1 + node.tag_name().name().len()).min(range.end)
+    let text = node.document().input_text().get(range.clone()).unwrap_or_default();
+    let end = text.find(|letter: char| letter.is_whitespace() || ['/', '>'].contains(&letter)).unwrap_or(text.len());
+    range.start..range.start + end
 }
 
 pub(super) fn note(node: Node<'_, '_>) -> String {
@@ -250,7 +252,8 @@ fn named_condition<'d>(body: Node<'d, 'd>, name: &str) -> Piece {
         let written =
             ["variable", "expression"].iter().find_map(|child| child_any(*node, child)).map(|child| words(child));
         let written = written.as_deref().or_else(|| node.attribute("operand")).or_else(|| node.attribute("identifier"));
-        ["coil", "outVariable", "dataSink"].contains(&&*kind(*node)) && written.is_some_and(|written| same(written, name))
+        ["coil", "outVariable", "dataSink"].contains(&&*kind(*node))
+            && written.is_some_and(|written| same(written, name))
     };
     let end = objects().find(is_end);
     match end.and_then(|end| drawn::condition(end, &by_id)) {
@@ -269,7 +272,9 @@ fn named_condition<'d>(body: Node<'d, 'd>, name: &str) -> Piece {
 /// `contact 14: ORANGE_LIGHT, from 13`
 pub(super) fn line_of(node: Node<'_, '_>) -> String {
     let mut line = kind(node);
-    for name in ["localId", "typeName", "instanceName", "operand", "identifier", "operand1", "compareOperator", "operand2"] {
+    for name in
+        ["localId", "typeName", "instanceName", "operand", "identifier", "operand1", "compareOperator", "operand2"]
+    {
         line.extend(node.attribute(name).map(|value| format!(" {value}")));
     }
     let flags = ["negated", "storage", "latch", "edge"].map(|name| (name, node.attribute(name).unwrap_or("none")));

@@ -319,8 +319,7 @@ impl<'c> Network<'c> {
     /// The action block at the right of a step.
     fn actions(&mut self, step: &'c Step, index: usize, pin: Pin) {
         let corner = self.places.steps[index];
-        let out =
-            Out { id: Self::step_id(index), pin: pin.number, at: (corner.x + pin.at.0, corner.y + pin.at.1) };
+        let out = Out { id: Self::step_id(index), pin: pin.number, at: (corner.x + pin.at.0, corner.y + pin.at.1) };
         let id = self.id();
         let place = beside(step, corner);
         let ins = vec![into((place.x, out.at.1), (place.x, place.y), &[Arrival::direct(out)])];

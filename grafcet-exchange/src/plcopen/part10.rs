@@ -28,19 +28,17 @@ pub(super) fn project(chart: &Chart, network: &[Object<'_>]) -> Element {
                 .with("creationDateTime", DATE)
                 .child(Element::new("CoordinateInfo").children(coordinates)),
         )
-        .child(
-            Element::new("Types").child(
-                Element::new("GlobalNamespace")
-                    .children(chart.functions.iter().map(stub))
-                    .child(program(chart, network)),
-            ),
-        )
+        .child(Element::new("Types").child(
+            Element::new("GlobalNamespace").children(chart.functions.iter().map(stub)).child(program(chart, network)),
+        ))
         .child(Element::new("Instances"))
 }
 
 fn program(chart: &Chart, network: &[Object<'_>]) -> Element {
     let action = |action: &crate::sfc::Action| {
-        Element::new("Action").with("name", &action.name).child(Element::new("Body").child(st("BodyContent", &body(action))))
+        Element::new("Action")
+            .with("name", &action.name)
+            .child(Element::new("Body").child(st("BodyContent", &body(action))))
     };
     let mut program = Element::new("Program").with("name", &chart.name);
     if !chart.header.is_empty() {

@@ -119,10 +119,7 @@ fn object(object: &Object<'_>) -> Element {
         _ => element,
     };
     // Where there may be several the schema wants a name, and has none for them.
-    let is_named = matches!(
-        object.kind,
-        Kind::Step(..) | Kind::SelectionDivergence(_) | Kind::SimultaneousDivergence
-    );
+    let is_named = matches!(object.kind, Kind::Step(..) | Kind::SelectionDivergence(_) | Kind::SimultaneousDivergence);
     let outs = object.outs.iter().map(|pin| {
         let point = point("connectionPointOut", pin.at);
         if is_named { point.with("formalParameter", "") } else { point }

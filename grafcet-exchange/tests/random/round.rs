@@ -20,12 +20,8 @@ use crate::{CYCLES, chart, play, random, reader, resolved};
 
 type Export = fn(&Model) -> Result<Exported, Vec<Refused>>;
 
-const FORMS: [(&str, Export); 4] = [
-    ("textual", textual),
-    ("PLCopen", drawn),
-    ("PLCopen of Beremiz", beremiz),
-    ("IEC 61131-10", part10),
-];
+const FORMS: [(&str, Export); 4] =
+    [("textual", textual), ("PLCopen", drawn), ("PLCopen of Beremiz", beremiz), ("IEC 61131-10", part10)];
 
 fn drawn(model: &Model) -> Result<Exported, Vec<Refused>> {
     plcopen(model, Options::default())
