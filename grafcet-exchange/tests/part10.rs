@@ -268,6 +268,29 @@ fn lines_lead_from_pin_to_pin() {
     assert!(lines > 30, "{lines}");
 }
 
+/// Three transitions of one row lead back, to two steps: no two lines share a piece that lies across, so that each can be followed.
+#[test]
+fn lines_of_a_row_lie_apart() {
+    let text = exported(
+        "sfc Row { input a, b, c, d: bool; initial step Wait; step Try; step One; step Two; step Three;
+        Wait -[a]-> Try; Try -[b]-> One; Try -[c]-> Two; Try -[d]-> Three; One -[!b]-> Wait; Two -[!c]-> Try; Three -[!d]-> Wait; }",
+    );
+    let document = Document::parse(&text).expect("XML");
+    let mut across = Vec::new();
+    for pin in document.descendants().filter(|node| node.tag_name().name() == "ConnectionPointIn") {
+        let object = pin.parent().expect("an object");
+        let (from, pin_at) = (at(child(object, "RelPosition")), at(child(pin, "RelPosition")));
+        let end = (from.0 + pin_at.0, from.1 + pin_at.1);
+        let turns: Vec<(i64, i64)> = child(pin, "Connection").children().filter(Node::is_element).map(at).collect();
+        // What leads back turns twice below, and is the only one to do so.
+        for pair in turns.windows(2).filter(|pair| pair[0].1 == pair[1].1 && pair[0].1 > 0) {
+            across.push(end.1 + pair[0].1);
+        }
+    }
+    assert_eq!(across.len(), 3, "{across:?}");
+    assert_eq!(across.iter().collect::<BTreeSet<_>>().len(), 3, "{across:?}");
+}
+
 /// Branches have the priorities of the source, from 1.
 #[test]
 fn priorities_stand_at_the_branches() {

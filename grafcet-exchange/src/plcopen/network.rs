@@ -84,8 +84,23 @@ pub(super) struct Out {
 #[derive(Clone, Copy, Debug)]
 struct Arrival {
     out: Out,
-    lane: Option<i32>,
+    lane: Option<Lane>,
 }
+
+/// A way at the right of everything. Where others of the same row turn, it does not, so that each can be followed.
+#[derive(Clone, Copy, Debug)]
+struct Lane {
+    x: i32,
+    /// Where it leaves to the right.
+    below: i32,
+    /// Where it comes back to a step that it enters alone.
+    above: i32,
+}
+
+/// How far lines of one row are apart, and so many of them have room between a transition and the next step; of those above a step there are fewer.
+const APART: i32 = 4;
+const BELOW: i32 = 5;
+const ABOVE: i32 = 3;
 
 impl Arrival {
     fn direct(out: Out) -> Self {
@@ -94,7 +109,7 @@ impl Arrival {
 
     /// Where it arrives from left to right.
     fn x(&self) -> i32 {
-        self.lane.unwrap_or(self.out.at.0)
+        self.lane.map_or(self.out.at.0, |lane| lane.x)
     }
 }
 
@@ -111,6 +126,7 @@ pub(super) fn network<'c>(chart: &'c Chart, places: &'c Places, back: Back) -> V
         next: 1 + chart.steps.len() + chart.transitions.len(),
         pins: 1 + 2 * chart.steps.len() + chart.transitions.len(),
         lane: right.max().unwrap_or_default() + GAP,
+        rows: BTreeMap::new(),
         into: BTreeMap::new(),
     };
     network.leave();
@@ -130,6 +146,8 @@ struct Network<'c> {
     pins: usize,
     /// The next one that is free, at the right of everything.
     lane: i32,
+    /// By height, how many lanes turn there.
+    rows: BTreeMap<i32, i32>,
     /// By step, what enters it.
     into: BTreeMap<usize, Vec<Arrival>>,
 }
@@ -265,7 +283,8 @@ impl<'c> Network<'c> {
                 } else if self.back == Back::Jumps {
                     self.jump(*step, out);
                 } else {
-                    let lane = Some(self.lane);
+                    let below = out.at.1 + GAP / 2 + APART * (self.turns(out.at.1) % BELOW);
+                    let lane = Some(Lane { x: self.lane, below, above: 0 });
                     self.lane += GAP;
                     self.into.entry(*step).or_default().push(Arrival { out, lane });
                 }
@@ -284,6 +303,13 @@ impl<'c> Network<'c> {
         !self.chart.steps[step].initial && (all.first() == Some(&number) || alone && all.contains(&number))
     }
 
+    /// How many lanes have turned at this height before.
+    fn turns(&mut self, y: i32) -> i32 {
+        let row = self.rows.entry(y).or_default();
+        *row += 1;
+        *row - 1
+    }
+
     fn jump(&mut self, step: usize, from: Out) {
         let id = self.id();
         let name = &self.chart.steps[step].name;
@@ -297,10 +323,15 @@ impl<'c> Network<'c> {
         let step = &self.chart.steps[index];
         let place = self.places.steps[index];
         let mut from = self.into.remove(&index).unwrap_or_default();
+        let has_lane = from.iter().any(|one| one.lane.is_some());
+        let higher = if has_lane { APART * (self.turns(place.y) % ABOVE) } else { 0 };
+        for lane in from.iter_mut().filter_map(|one| one.lane.as_mut()) {
+            lane.above = place.y - APART - higher;
+        }
         if from.len() > 1 {
             // A line from below makes it wide, and is none of its middle.
-            let out = from.iter().any(|one| one.lane.is_some()).then(|| place.middle());
-            let out = self.convergence(Kind::SelectionConvergence, 1, &from, place.y - GAP, out);
+            let out = has_lane.then(|| place.middle());
+            let out = self.convergence(Kind::SelectionConvergence, 1, &from, place.y - GAP - higher, out);
             from = vec![Arrival::direct(out)];
         }
         let mut ins = Vec::new();
@@ -348,10 +379,9 @@ fn into(at: (i32, i32), corner: (i32, i32), from: &[Arrival]) -> In {
         let turn = (at.1 + start.1) / 2;
         let way = match one.lane {
             // Into a convergence that is as wide; or above the step to its middle.
-            Some(lane) => {
-                let (above, below) = (at.1 - GAP / 2, start.1 + GAP / 2);
-                let mut way = if at.0 == lane { vec![at] } else { vec![at, (at.0, above), (lane, above)] };
-                way.extend([(lane, below), (start.0, below), start]);
+            Some(Lane { x, below, above }) => {
+                let mut way = if at.0 == x { vec![at] } else { vec![at, (at.0, above), (x, above)] };
+                way.extend([(x, below), (start.0, below), start]);
                 way
             }
             None if at.0 == start.0 || at.1 == start.1 => vec![at, start],
