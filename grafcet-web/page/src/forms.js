@@ -80,8 +80,13 @@ export class Forms {
     const buttons = document.createElement("div");
     buttons.className = "copy";
     const copy = button("Copy", async () => {
-      await navigator.clipboard.writeText(text);
-      copy.textContent = "Copied";
+      // Browsers have a clipboard for pages that came encrypted or from this machine.
+      try {
+        await navigator.clipboard.writeText(text);
+        copy.textContent = "Copied";
+      } catch {
+        copy.textContent = "No clipboard: download it";
+      }
     });
     buttons.append(copy, button("Download", () => download(text, file)));
     const cut = text.length > SHOWN ? [`The first ${SHOWN.toLocaleString("en")} of ${text.length.toLocaleString("en")} characters are shown. Copy and Download take all.`] : [];

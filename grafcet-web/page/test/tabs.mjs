@@ -26,7 +26,12 @@ export const tabs = ({ write, text, accessible }) => ({
     await page.click("#translation .copy button:has-text('Copy')");
     await page.locator("#translation .copy button", { hasText: "Copied" }).waitFor();
     assert.equal((await page.evaluate(() => navigator.clipboard.readText())).trim(), shown.trim());
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#translation .copy button:has-text('Download')")]);
+    // Where there is no clipboard it is said.
+    await page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: undefined, configurable: true }));
+    await page.click("#translation .copy button:has-text('Copied')");
+    await page.locator("#translation .copy button", { hasText: "No clipboard: download it" }).waitFor();
+    await page.evaluate(() => { delete navigator.clipboard; });
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#translation .copy button", { hasText: /^Download$/ }).click()]);
     assert.equal(download.suggestedFilename(), "Motor.btor2");
     assert.equal((await readFile(await download.path(), "utf8")).trim(), shown.trim());
     // What has errors has no translation; mended it has one again.
