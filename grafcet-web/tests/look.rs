@@ -132,15 +132,14 @@ fn a_circuit_has_its_plants_and_its_bound() {
     assert!(text.contains(" bad ") && text.contains("Ram"), "{text}");
     // Each output is a number of its own that its step changes, so the circuit is large.
     let wide = |steps: usize| {
-        let mut text = String::from("sfc Wide { input go: bool; ");
-        for step in 0..steps {
-            text += &format!(
-                "output n{step}: u64; {} step S{step} {{ P1 {{ n{step} = n{step} * n{step} + 1; }} }} ",
-                if step == 0 { "initial" } else { "" }
-            );
-            text += &format!("S{step} -[go]-> S{}; ", (step + 1) % steps);
-        }
-        text + "}"
+        let part = |step: usize| {
+            let initial = if step == 0 { "initial " } else { "" };
+            let next = (step + 1) % steps;
+            format!(
+                "output n{step}: u64; {initial}step S{step} {{ P1 {{ n{step} = n{step} * n{step} + 1; }} }} S{step} -[go]-> S{next}; "
+            )
+        };
+        format!("sfc Wide {{ input go: bool; {}}}", (0..steps).map(part).collect::<Vec<_>>().concat())
     };
     assert!(translated(&wide(2), "aiger")["text"].is_string());
     let refused = &translated(&wide(60), "aiger")["refused"][0];
